@@ -1,0 +1,89 @@
+#include "atlas_pass.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "lineatlas/error.hpp"
+#include "segment_table.h"
+
+namespace lineatlas::gl {
+namespace {
+
+constexpr GLuint segment_binding = 0;
+constexpr GLuint offset_binding = 1;
+
+} // namespace
+
+AtlasPass::AtlasPass()
+    : program_({"atlas.vert", "atlas.geom", "atlas.frag"}), vertex_array_(VertexArray::create()),
+      framebuffer_(Framebuffer::create()) {
+    const GLuint array = vertex_array_.id();
+    for (GLuint attribute = 0; attribute < 5; ++attribute) {
+        glEnableVertexArrayAttrib(array, attribute);
+        glVertexArrayAttribBinding(array, attribute,
+                                   attribute < 3 ? segment_binding : offset_binding);
+    }
+    glVertexArrayAttribFormat(array, 0, 4, GL_FLOAT, GL_FALSE, offsetof(ClippedSegment, p));
+    glVertexArrayAttribFormat(array, 1, 4, GL_FLOAT, GL_FALSE, offsetof(ClippedSegment, q));
+    glVertexArrayAttribIFormat(array, 2, 2, GL_UNSIGNED_INT, offsetof(ClippedSegment, slope_a));
+    // The sample count is the next segment's offset less its own.
+    glVertexArrayAttribIFormat(array, 3, 1, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribIFormat(array, 4, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t));
+}
+
+void AtlasPass::resize(glm::ivec2 size) {
+    if (size_.x == size.x && size_.y >= size.y) return;
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (size.y > largest) {
+        throw DeviceError("the segment atlas needs " + std::to_string(size.y) +
+                          " rows, the device's textures have up to " + std::to_string(largest) +
+                          "; use --atlas compute, a larger --step or a smaller --size");
+    }
+    // Room to spare, so that a slowly growing atlas is not made anew in every frame.
+    size.y = std::min(size.y + size.y / 2, largest);
+    texture_ = Texture2D::create();
+    glTextureStorage2D(texture_.id(), 1, GL_R8, size.x, size.y);
+    glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
+    size_ = size;
+}
+
+void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
+                     const AtlasLayout& layout, std::uint32_t samples, GLuint alpha) {
+    const auto rows = static_cast<int>(layout.rows(samples));
+    if (rows == 0) return;
+    resize({static_cast<int>(layout.pitch), rows});
+
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, size_.x, size_.y);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glLineWidth(1.0F);
+    glBindTextureUnit(0, probes.depth);
+    program_.use();
+    program_.set("depth", 0);
+    program_.set("viewport", probes.viewport);
+    program_.set("depth_scale", probes.depth_scale);
+    program_.set("probes_per_axis", probes.probes);
+    program_.set("bias_limit", probes.bias_limit);
+    program_.set("bias", probes.bias);
+    program_.set("row_width", layout.width);
+    program_.set("atlas_size", glm::vec2{size_});
+    program_.set("capacity", samples);
+    glVertexArrayVertexBuffer(vertex_array_.id(), segment_binding, segments.clipped, 0,
+                              sizeof(ClippedSegment));
+    glVertexArrayVertexBuffer(vertex_array_.id(), offset_binding, segments.offsets, 0,
+                              sizeof(std::uint32_t));
+    glBindVertexArray(vertex_array_.id());
+    const bool wraps = layout.width == layout.pitch;
+    for (int draw = 0; draw < (wraps ? 2 : 1); ++draw) {
+        program_.set("second_draw", draw == 1);
+        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(segments.segment_count));
+    }
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, alpha);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_.x, rows, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+} // namespace lineatlas::gl

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+#include "core/atlas_layout.hpp"
+#include "objects.hpp"
+#include "program.hpp"
+
+namespace lineatlas::gl {
+
+/// How visibility is probed; the same for both forms of `atlas`.
+struct ProbeParams {
+    GLuint depth;              ///< depth texture
+    glm::vec2 viewport;        ///< pixels
+    float depth_scale;         ///< depth texels per pixel
+    std::uint32_t probes;      ///< per axis
+    float bias_limit;          ///< see compute::AtlasArgs
+    float bias;
+};
+
+/// The clipped segment table on the GL side.
+struct ClippedBuffers {
+    GLuint clipped; ///< `ClippedSegment` each
+    GLuint offsets; ///< segment_count + 1 uint32
+    std::uint32_t segment_count;
+};
+
+/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). In a wrapped layout they are drawn twice.
+class AtlasPass {
+  public:
+    AtlasPass();
+
+    /// Draws an atlas of `samples` samples and copies it to `alpha`: one byte per texel, row by row.
+    void draw(const ClippedBuffers& segments, const ProbeParams& probes, const AtlasLayout& layout,
+              std::uint32_t samples, GLuint alpha);
+
+  private:
+    void resize(glm::ivec2 size);
+
+    Program program_;
+    VertexArray vertex_array_;
+    Framebuffer framebuffer_;
+    Texture2D texture_;
+    glm::ivec2 size_{0, 0};
+};
+
+} // namespace lineatlas::gl

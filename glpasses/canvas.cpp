@@ -1,0 +1,48 @@
+#include "canvas.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::gl {
+
+Canvas::Canvas(glm::ivec2 size)
+    : size_(size), texture_(Texture2D::create()), framebuffer_(Framebuffer::create()) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
+        throw UsageError("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                         " can't be drawn: each side must be 1 to " + std::to_string(largest) +
+                         " pixels here");
+    }
+    glTextureStorage2D(texture_.id(), 1, GL_RGBA8, size.x, size.y);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        throw DeviceError("GL has no memory for a picture of " + std::to_string(size.x) + "x" +
+                          std::to_string(size.y) + "; choose a smaller --size");
+    }
+    glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
+}
+
+void Canvas::clear(glm::vec4 color) {
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, glm::value_ptr(color));
+}
+
+std::vector<std::uint8_t> Canvas::read() const {
+    const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
+    std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(size_.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture_.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(pixels.size()), pixels.data());
+    // GL's rows run from the bottom up.
+    for (int top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom) {
+        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(top * row),
+                         pixels.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
+                         pixels.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+    }
+    return pixels;
+}
+
+} // namespace lineatlas::gl

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "objects.hpp"
+
+namespace lineatlas::gl {
+
+/// A picture to draw into, off screen: RGBA, 8 bits per channel, premultiplied.
+class Canvas {
+  public:
+    /// Throws UsageError if the size exceeds what the device can draw.
+    explicit Canvas(glm::ivec2 size);
+
+    void clear(glm::vec4 color);
+    GLuint framebuffer() const { return framebuffer_.id(); }
+    glm::ivec2 size() const { return size_; }
+    /// Pixels from the top left, 4 bytes each.
+    std::vector<std::uint8_t> read() const;
+
+  private:
+    glm::ivec2 size_;
+    Texture2D texture_;
+    Framebuffer framebuffer_;
+};
+
+} // namespace lineatlas::gl

@@ -1,0 +1,71 @@
+#include "headless_context.hpp"
+
+#include <array>
+#include <string>
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::gl {
+namespace {
+
+constexpr const char* advice =
+    "; install an OpenGL driver (on Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)";
+
+/// Displays that need no window system, best first.
+EGLDisplay open_display() {
+    std::array<EGLDisplay, 2> candidates{EGL_NO_DISPLAY, EGL_NO_DISPLAY};
+    if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+        candidates[0] =
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    }
+    if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device") &&
+        epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
+        EGLDeviceEXT device = nullptr;
+        EGLint count = 0;
+        if (eglQueryDevicesEXT(1, &device, &count) == EGL_TRUE && count > 0) {
+            candidates[1] = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+        }
+    }
+    for (EGLDisplay display : candidates) {
+        if (display == EGL_NO_DISPLAY) continue;
+        if (eglInitialize(display, nullptr, nullptr) == EGL_TRUE) return display;
+    }
+    throw DeviceError(std::string{"EGL offers no headless display"} + advice);
+}
+
+} // namespace
+
+struct HeadlessContext::State {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+};
+
+HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
+    state_->display = open_display();
+    eglBindAPI(EGL_OPENGL_API);
+    // No config: nothing is drawn to an EGL surface.
+    const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                           4,
+                                           EGL_CONTEXT_MINOR_VERSION,
+                                           5,
+                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                           EGL_NONE};
+    state_->context =
+        eglCreateContext(state_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    if (state_->context == EGL_NO_CONTEXT ||
+        eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) !=
+            EGL_TRUE) {
+        throw DeviceError(std::string{"the driver offers no OpenGL 4.5 core context"} + advice);
+    }
+}
+
+HeadlessContext::~HeadlessContext() {
+    eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(state_->display, state_->context);
+}
+
+} // namespace lineatlas::gl

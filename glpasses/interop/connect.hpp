@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compute/backend.hpp"
+#include "compute/opencl/devices.hpp"
+#include "shared_buffer.hpp"
+
+namespace lineatlas::interop {
+
+/// Whether a sharing mode works with a device and the current GL context.
+struct ModeReport {
+    SharingMode mode;
+    bool works;
+    std::string reason; ///< why it does, or why not
+};
+
+/// All three modes, best first. Needs a current GL context.
+std::array<ModeReport, 3> probe_modes(const compute::OpenClDevice& device);
+
+/// What the user chose; empty means: find the best.
+struct ConnectOptions {
+    bool reference = false;           ///< the plain C++ backend instead of OpenCL
+    std::string device;               ///< "opencl:<platform>[:<device>]"
+    std::optional<SharingMode> mode;
+};
+
+/// A compute backend with the way in which it shares buffers with the current GL context.
+struct Connection {
+    std::unique_ptr<compute::Backend> backend;
+    SharingMode mode;
+};
+
+/// Of the devices, the one to use by default: the first that can share with the current GL context,
+/// else one that shares memory with it, else a GPU, else any. `devices` must not be empty.
+std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);
+
+/// Chooses device and mode and makes the backend. Throws UsageError for an unknown device and
+/// DeviceError when there is no OpenCL or the mode asked for doesn't work.
+Connection connect(const ConnectOptions& options);
+
+} // namespace lineatlas::interop

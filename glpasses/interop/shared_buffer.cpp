@@ -1,0 +1,168 @@
+#include "shared_buffer.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "compute/opencl/opencl_backend.hpp"
+#include "glpasses/objects.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::interop {
+namespace {
+
+/// One GL buffer opened by OpenCL.
+class GlSharingBuffer final : public SharedBuffer {
+  public:
+    GlSharingBuffer(compute::OpenClBackend& backend, std::size_t bytes)
+        : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()) {
+        glNamedBufferStorage(gl_.id(), static_cast<GLsizeiptr>(bytes), nullptr,
+                             GL_DYNAMIC_STORAGE_BIT);
+        try {
+            cl::BufferGL opened{backend.context(), CL_MEM_READ_WRITE, gl_.id()};
+            objects_.push_back(opened);
+            compute_ = std::make_unique<compute::OpenClBuffer>(opened, bytes);
+        } catch (const cl::Error& error) {
+            throw DeviceError(std::string{"sharing a GL buffer failed: "} + error.what() +
+                              " returned " + std::to_string(error.err()) +
+                              "; use --interop copy");
+        }
+    }
+
+    GLuint gl() const override { return gl_.id(); }
+    compute::Buffer& compute() override { return *compute_; }
+
+  private:
+    void enter_compute(std::size_t) override {
+        check(backend_.queue().enqueueAcquireGLObjects(&objects_));
+    }
+    void leave_compute(std::size_t) override {
+        check(backend_.queue().enqueueReleaseGLObjects(&objects_));
+    }
+    void enter_gl(std::size_t) override {}
+
+    static void check(cl_int status) {
+        if (status == CL_SUCCESS) return;
+        throw DeviceError("handing a GL buffer over failed with " + std::to_string(status));
+    }
+
+    compute::OpenClBackend& backend_;
+    gl::Buffer gl_;
+    std::vector<cl::Memory> objects_;
+    std::unique_ptr<compute::OpenClBuffer> compute_;
+};
+
+/// Host memory that GL keeps mapped and compute wraps.
+class HostPointerBuffer final : public SharedBuffer {
+  public:
+    HostPointerBuffer(compute::Backend& backend, std::size_t bytes)
+        : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()) {
+        constexpr GLbitfield access =
+            GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+        const auto size = static_cast<GLsizeiptr>(bytes);
+        glNamedBufferStorage(gl_.id(), size, nullptr, access | GL_DYNAMIC_STORAGE_BIT);
+        auto* memory = static_cast<std::byte*>(glMapNamedBufferRange(gl_.id(), 0, size, access));
+        if (memory == nullptr) {
+            throw DeviceError("GL could not map a buffer of " + std::to_string(bytes >> 10U) +
+                              " KiB; use --interop copy");
+        }
+        compute_ = backend.wrap({memory, bytes});
+        backend.begin_host_access(*compute_);
+    }
+    ~HostPointerBuffer() override {
+        // The wrapper must be gone before GL takes its memory away.
+        compute_.reset();
+        glUnmapNamedBuffer(gl_.id());
+    }
+
+    GLuint gl() const override { return gl_.id(); }
+    compute::Buffer& compute() override { return *compute_; }
+
+  private:
+    void enter_compute(std::size_t) override { backend_.end_host_access(*compute_); }
+    void leave_compute(std::size_t) override { backend_.begin_host_access(*compute_); }
+    void enter_gl(std::size_t) override {}
+
+    compute::Backend& backend_;
+    gl::Buffer gl_;
+    std::unique_ptr<compute::Buffer> compute_;
+};
+
+/// A buffer on each side and a staging area on the host between them.
+class CopyBuffer final : public SharedBuffer {
+  public:
+    CopyBuffer(compute::Backend& backend, std::size_t bytes)
+        : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()),
+          compute_(backend.allocate(bytes)) {
+        glNamedBufferStorage(gl_.id(), static_cast<GLsizeiptr>(bytes), nullptr,
+                             GL_DYNAMIC_STORAGE_BIT);
+    }
+
+    GLuint gl() const override { return gl_.id(); }
+    compute::Buffer& compute() override { return *compute_; }
+
+  private:
+    std::span<std::byte> staging(std::size_t bytes) {
+        if (staging_.size() < bytes) staging_.resize(bytes);
+        return std::span{staging_}.first(bytes);
+    }
+    void enter_compute(std::size_t bytes) override {
+        if (bytes == 0) return;
+        const std::span<std::byte> area = staging(bytes);
+        glGetNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
+        backend_.upload(*compute_, area);
+    }
+    void leave_compute(std::size_t) override {}
+    void enter_gl(std::size_t bytes) override {
+        if (bytes == 0) return;
+        const std::span<std::byte> area = staging(bytes);
+        backend_.download(*compute_, area);
+        glNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
+    }
+
+    compute::Backend& backend_;
+    gl::Buffer gl_;
+    std::unique_ptr<compute::Buffer> compute_;
+    std::vector<std::byte> staging_;
+};
+
+void check_gl_memory(std::size_t bytes) {
+    if (glGetError() != GL_OUT_OF_MEMORY) return;
+    throw DeviceError("GL has no memory for a buffer of " + std::to_string(bytes >> 10U) +
+                      " KiB; draw a smaller picture or fewer --lines kinds");
+}
+
+} // namespace
+
+std::string_view name_of(SharingMode mode) {
+    switch (mode) {
+    case SharingMode::gl_sharing: return "gl-sharing";
+    case SharingMode::host_pointer: return "host-pointer";
+    case SharingMode::copy: return "copy";
+    }
+    return "unknown";
+}
+
+std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
+                                                 std::size_t bytes) {
+    bytes = std::max<std::size_t>(bytes, 64);
+    std::unique_ptr<SharedBuffer> buffer;
+    switch (mode) {
+    case SharingMode::gl_sharing: {
+        auto* opencl = dynamic_cast<compute::OpenClBackend*>(&backend);
+        if (opencl == nullptr) {
+            throw DeviceError(backend.description() + " has no gl-sharing; use --interop copy");
+        }
+        buffer = std::make_unique<GlSharingBuffer>(*opencl, bytes);
+        break;
+    }
+    case SharingMode::host_pointer:
+        buffer = std::make_unique<HostPointerBuffer>(backend, bytes);
+        break;
+    case SharingMode::copy: buffer = std::make_unique<CopyBuffer>(backend, bytes); break;
+    }
+    check_gl_memory(bytes);
+    return buffer;
+}
+
+} // namespace lineatlas::interop

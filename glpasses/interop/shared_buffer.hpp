@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include <epoxy/gl.h>
+
+#include "compute/backend.hpp"
+
+namespace lineatlas::interop {
+
+/// How a buffer is seen by both GL and the compute device.
+enum class SharingMode {
+    gl_sharing,   ///< one GL buffer, opened by OpenCL (cl_khr_gl_sharing): no copy
+    host_pointer, ///< one piece of host memory, persistently mapped by GL and wrapped by compute: no copy
+    copy,         ///< one buffer on each side; content is copied over at each hand-over
+};
+
+std::string_view name_of(SharingMode mode); ///< "gl-sharing", "host-pointer", "copy"
+
+/// A buffer that GL passes and compute stages use in turn. It belongs to GL when made; `Handover`
+/// (handover.hpp) passes it to and fro.
+class SharedBuffer {
+  public:
+    virtual ~SharedBuffer() = default;
+    SharedBuffer(const SharedBuffer&) = delete;
+    SharedBuffer& operator=(const SharedBuffer&) = delete;
+
+    std::size_t size() const { return size_; } ///< bytes
+    virtual GLuint gl() const = 0;             ///< for GL, while GL has it
+    virtual compute::Buffer& compute() = 0;    ///< for stages, while compute has it
+
+  protected:
+    explicit SharedBuffer(std::size_t size) : size_(size) {}
+
+  private:
+    friend class Handover;
+    /// GL is done (glFinish was called); compute takes over the first `bytes` bytes.
+    virtual void enter_compute(std::size_t bytes) = 0;
+    /// Submits what must follow the kernels before GL may look; clFinish comes after.
+    virtual void leave_compute(std::size_t bytes) = 0;
+    /// Kernels are done; brings the content to GL where that takes a copy.
+    virtual void enter_gl(std::size_t bytes) = 0;
+
+    std::size_t size_;
+};
+
+/// Throws DeviceError when memory runs out or the mode does not work with this backend.
+std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
+                                                 std::size_t bytes);
+
+} // namespace lineatlas::interop

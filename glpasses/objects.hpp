@@ -1,0 +1,83 @@
+#pragma once
+
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace lineatlas::gl {
+
+/// Owns one GL object; moved, never copied. `Traits` creates and deletes it.
+template <class Traits>
+class Object {
+  public:
+    Object() = default;
+    explicit Object(GLuint id) : id_(id) {}
+    ~Object() { reset(); }
+    Object(Object&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Object& operator=(Object&& other) noexcept {
+        if (this != &other) {
+            reset();
+            id_ = std::exchange(other.id_, 0);
+        }
+        return *this;
+    }
+    Object(const Object&) = delete;
+    Object& operator=(const Object&) = delete;
+
+    static Object create() { return Object{Traits::create()}; }
+    GLuint id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+
+  private:
+    void reset() {
+        if (id_ != 0) Traits::destroy(id_);
+        id_ = 0;
+    }
+
+    GLuint id_ = 0;
+};
+
+struct BufferTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glCreateBuffers(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
+};
+
+template <GLenum target>
+struct TextureTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glCreateTextures(target, 1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
+
+struct FramebufferTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glCreateFramebuffers(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+};
+
+struct VertexArrayTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glCreateVertexArrays(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+};
+
+using Buffer = Object<BufferTraits>;
+using Texture2D = Object<TextureTraits<GL_TEXTURE_2D>>;
+using TextureBuffer = Object<TextureTraits<GL_TEXTURE_BUFFER>>;
+using Framebuffer = Object<FramebufferTraits>;
+using VertexArray = Object<VertexArrayTraits>;
+
+} // namespace lineatlas::gl

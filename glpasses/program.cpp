@@ -1,0 +1,83 @@
+#include "program.hpp"
+
+#include <string>
+#include <vector>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "core/sources.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::gl {
+namespace {
+
+struct ShaderTraits {
+    static void destroy(GLuint id) { glDeleteShader(id); }
+};
+using Shader = Object<ShaderTraits>;
+
+GLenum stage_of(std::string_view file) {
+    if (file.ends_with(".vert")) return GL_VERTEX_SHADER;
+    if (file.ends_with(".geom")) return GL_GEOMETRY_SHADER;
+    return GL_FRAGMENT_SHADER;
+}
+
+Shader compile(std::string_view file) {
+    const std::string source = shader_source(file);
+    const char* text = source.c_str();
+    Shader shader{glCreateShader(stage_of(file))};
+    glShaderSource(shader.id(), 1, &text, nullptr);
+    glCompileShader(shader.id());
+    GLint compiled = 0;
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
+    if (compiled == 0) {
+        GLint length = 0;
+        glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
+        std::string log(static_cast<std::size_t>(length), ' ');
+        glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
+        throw DeviceError("shader " + std::string{file} + " does not compile:\n" + log);
+    }
+    return shader;
+}
+
+} // namespace
+
+Program::Program(std::initializer_list<std::string_view> files) : program_(glCreateProgram()) {
+    std::vector<Shader> shaders;
+    for (const std::string_view file : files) {
+        shaders.push_back(compile(file));
+        glAttachShader(program_.id(), shaders.back().id());
+    }
+    glLinkProgram(program_.id());
+    GLint linked = 0;
+    glGetProgramiv(program_.id(), GL_LINK_STATUS, &linked);
+    if (linked == 0) {
+        GLint length = 0;
+        glGetProgramiv(program_.id(), GL_INFO_LOG_LENGTH, &length);
+        std::string log(static_cast<std::size_t>(length), ' ');
+        glGetProgramInfoLog(program_.id(), length, nullptr, log.data());
+        throw DeviceError("shaders of " + std::string{*files.begin()} + " do not link:\n" + log);
+    }
+    for (const Shader& shader : shaders) glDetachShader(program_.id(), shader.id());
+}
+
+void Program::set(const char* name, int value) const {
+    glProgramUniform1i(program_.id(), location(name), value);
+}
+void Program::set(const char* name, unsigned value) const {
+    glProgramUniform1ui(program_.id(), location(name), value);
+}
+void Program::set(const char* name, float value) const {
+    glProgramUniform1f(program_.id(), location(name), value);
+}
+void Program::set(const char* name, glm::vec2 value) const {
+    glProgramUniform2f(program_.id(), location(name), value.x, value.y);
+}
+void Program::set(const char* name, glm::vec4 value) const {
+    glProgramUniform4f(program_.id(), location(name), value.x, value.y, value.z, value.w);
+}
+void Program::set(const char* name, const glm::mat4& value) const {
+    glProgramUniformMatrix4fv(program_.id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+} // namespace lineatlas::gl

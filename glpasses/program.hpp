@@ -1,0 +1,40 @@
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include <epoxy/gl.h>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "objects.hpp"
+
+namespace lineatlas::gl {
+
+/// A linked program. Uniforms are set by name; one that the linker has removed is ignored.
+class Program {
+  public:
+    /// Builds a program from shader files; the extension tells the stage: .vert, .geom or .frag.
+    /// Throws DeviceError with the compiler's log.
+    explicit Program(std::initializer_list<std::string_view> files);
+
+    void use() const { glUseProgram(program_.id()); }
+    void set(const char* name, bool value) const { set(name, value ? 1 : 0); }
+    void set(const char* name, int value) const;
+    void set(const char* name, unsigned value) const;
+    void set(const char* name, float value) const;
+    void set(const char* name, glm::vec2 value) const;
+    void set(const char* name, glm::vec4 value) const;
+    void set(const char* name, const glm::mat4& value) const;
+
+  private:
+    struct Traits {
+        static void destroy(GLuint id) { glDeleteProgram(id); }
+    };
+    GLint location(const char* name) const { return glGetUniformLocation(program_.id(), name); }
+
+    Object<Traits> program_;
+};
+
+} // namespace lineatlas::gl

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <CLI/App.hpp>
+
+namespace lineatlas::apps {
+
+/// A subcommand of the tool: `setup` declares its options on `app` and returns what runs it.
+/// Running throws Error.
+using Command = std::function<void()>;
+
+Command setup_draw(CLI::App& app);    ///< lineatlas draw
+Command setup_devices(CLI::App& app); ///< lineatlas devices
+
+} // namespace lineatlas::apps

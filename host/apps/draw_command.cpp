@@ -1,0 +1,279 @@
+#include "commands.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "core/pens.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/io.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/scenes.hpp"
+#include "values.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+constexpr float radians_per_degree = std::numbers::pi_v<float> / 180;
+
+/// The command line of `draw` as written; what is empty was not given.
+struct DrawArguments {
+    std::string model, scene, output;
+    std::string size = "1024x768";
+    std::string eye, target, up;
+    float fov = 40;
+    float at = 0;
+    std::string lines = "crease,boundary,material,silhouette,file";
+    float crease = 30;
+    std::string method = "atlas";
+    std::string quality = "high";
+    std::uint32_t probes = 0;
+    int depth_scale = 0;
+    float step = 2;
+    std::string atlas = "auto";
+    std::string atlas_layout = "wrap";
+    std::string stroke_shader = "geometry";
+    float width = 2;
+    std::string pen = "solid";
+    DeviceOptions device;
+    bool stats = false;
+    int repeat = 1;
+};
+
+template <class T>
+T choose(std::string_view option, const std::string& value, const std::map<std::string, T>& known) {
+    const auto found = known.find(value);
+    if (found != known.end()) return found->second;
+    std::string names;
+    for (const auto& [name, _] : known) names += (names.empty() ? "" : ", ") + name;
+    throw UsageError(fmt::format("{} \"{}\" is unknown; there is {}", option, value, names));
+}
+
+/// Everything that can be wrong on the command line alone is found before any work starts.
+FrameOptions frame_options(const DrawArguments& arguments) {
+    choose<int>("--method", arguments.method, {{"atlas", 0}});
+    const bool high = choose<bool>("--quality", arguments.quality, {{"low", false}, {"high", true}});
+    if (std::ranges::find(pen_names(), arguments.pen) == pen_names().end()) {
+        make_pen(arguments.pen, arguments.width); // says what there is
+    }
+    FrameOptions options;
+    options.probes = high ? 9 : 1;
+    options.depth_scale = high ? 2 : 1;
+    if (arguments.probes != 0) options.probes = arguments.probes;
+    if (arguments.depth_scale != 0) options.depth_scale = arguments.depth_scale;
+    options.step = arguments.step;
+    options.lines = parse_lines("--lines", arguments.lines);
+    options.atlas = choose<AtlasForm>("--atlas", arguments.atlas,
+                                      {{"auto", AtlasForm::automatic},
+                                       {"raster", AtlasForm::raster},
+                                       {"compute", AtlasForm::compute}});
+    options.atlas_layout = choose<AtlasLayoutChoice>(
+        "--atlas-layout", arguments.atlas_layout,
+        {{"wrap", AtlasLayoutChoice::wrap}, {"gutter", AtlasLayoutChoice::gutter}});
+    options.stroke_shader = choose<StrokeShader>(
+        "--stroke-shader", arguments.stroke_shader,
+        {{"geometry", StrokeShader::geometry}, {"vertex", StrokeShader::vertex}});
+    options.width = arguments.width;
+    options.pen = arguments.pen;
+    return options;
+}
+
+/// What is drawn, and the view on it unless the command line says another.
+struct Subject {
+    std::string name;
+    LineSet lines;
+    View view;
+};
+
+Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
+    const LineOptions line_options{.kinds = parse_lines("--lines", arguments.lines),
+                                   .crease_angle = arguments.crease * radians_per_degree};
+    const float fov = arguments.fov * radians_per_degree;
+    if (!arguments.scene.empty()) {
+        const Scene scene = make_scene(arguments.scene);
+        return {scene.name, extract_lines(scene.mesh, line_options), scene.view(arguments.at)};
+    }
+    const LoadedMesh loaded = load_mesh(arguments.model);
+    for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
+    Subject subject{arguments.model, extract_lines(loaded.mesh, line_options), {}};
+    const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
+    subject.view = frame_bounds(subject.lines.bounds, size, up, fov);
+    return subject;
+}
+
+void apply_camera(const DrawArguments& arguments, const CLI::App& app, View& view) {
+    // A camera placed by hand sees planes fitted to it.
+    if (!arguments.eye.empty()) {
+        view.eye = parse_vector("--eye", arguments.eye);
+        view.near = view.far = 0;
+    }
+    if (!arguments.target.empty()) view.target = parse_vector("--target", arguments.target);
+    if (!arguments.up.empty()) view.up = parse_up("--up", arguments.up);
+    if (app.count("--fov") > 0) view.fov_y = arguments.fov * radians_per_degree;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Draws `repeat` frames and prints medians; whole frames and stages are measured in frames of their own,
+/// since waiting between stages slows a frame down.
+void print_stats(Renderer& renderer, gl::Canvas& canvas, const Camera& camera, FrameOptions options,
+                 int repeat, const Subject& subject) {
+    std::vector<double> frame_times;
+    std::vector<std::string> stage_order;
+    std::map<std::string, std::vector<double>> stage_times;
+    FrameStats stats;
+    for (int i = 0; i < repeat; ++i) {
+        options.measure_stages = false;
+        const auto start = std::chrono::steady_clock::now();
+        canvas.clear(glm::vec4{1});
+        renderer.draw(camera, options, canvas.framebuffer());
+        glFinish();
+        const std::chrono::duration<double, std::milli> elapsed =
+            std::chrono::steady_clock::now() - start;
+        frame_times.push_back(elapsed.count());
+
+        options.measure_stages = true;
+        canvas.clear(glm::vec4{1});
+        stats = renderer.draw(camera, options, canvas.framebuffer());
+        for (const StageTime& stage : stats.stages) {
+            if (!stage_times.contains(stage.name)) stage_order.push_back(stage.name);
+            stage_times[stage.name].push_back(stage.milliseconds);
+        }
+    }
+    fmt::print("{}: {} triangles, {} segments\n", subject.name, stats.triangles, stats.segments);
+    fmt::print("{}\n", renderer.description());
+    fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
+    fmt::print("device memory: {:.1f} bytes per segment, {:.1f} per sample\n",
+               static_cast<double>(stats.segment_bytes) / std::max(1U, stats.segments),
+               static_cast<double>(stats.sample_bytes) / std::max(1U, stats.samples));
+    fmt::print("{:<14}{:8.2f} ms (median of {})\n", "frame", median(frame_times), repeat);
+    for (const std::string& name : stage_order) {
+        fmt::print("  {:<12}{:8.2f} ms\n", name, median(stage_times[name]));
+    }
+}
+
+void draw(const DrawArguments& arguments, const CLI::App& app) {
+    if (arguments.model.empty() == arguments.scene.empty()) {
+        throw UsageError("name either a MODEL file or a --scene");
+    }
+    const glm::ivec2 size = parse_size("--size", arguments.size);
+    const FrameOptions options = frame_options(arguments);
+    if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
+    check_image_path(arguments.output);
+
+    Subject subject = load_subject(arguments, size);
+    apply_camera(arguments, app, subject.view);
+    const Camera camera = make_camera(subject.view, size, subject.lines.bounds);
+
+    const gl::HeadlessContext context;
+    gl::Canvas canvas{size};
+    Renderer renderer{arguments.device};
+    renderer.set_lines(subject.lines);
+    canvas.clear(glm::vec4{1});
+    renderer.draw(camera, options, canvas.framebuffer());
+    write_image(arguments.output, {.size = size, .channels = 4, .pixels = canvas.read()});
+    if (arguments.stats) {
+        print_stats(renderer, canvas, camera, options, arguments.repeat, subject);
+    }
+}
+
+} // namespace
+
+Command setup_draw(CLI::App& app) {
+    auto arguments = std::make_shared<DrawArguments>();
+    DrawArguments& a = *arguments;
+    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file");
+    app.add_option("-o,--output", a.output, "Picture to write; PNG, JPEG, TIFF, ...")->required();
+
+    const std::string model = "What to draw";
+    app.add_option("--scene", a.scene,
+                   "A built-in scene in place of MODEL: clevis, house, ship, office")
+        ->group(model);
+    app.add_option("--lines", a.lines,
+                   "Kinds of line, separated by commas: crease, boundary, material, silhouette, "
+                   "file; default all")
+        ->group(model);
+    app.add_option("--crease", a.crease, "Edges bent by more than this are creases, in degrees")
+        ->capture_default_str()
+        ->group(model);
+
+    const std::string camera = "Camera (by default it frames the whole model)";
+    app.add_option("--size", a.size, "Picture size in pixels")->capture_default_str()->group(camera);
+    app.add_option("--eye", a.eye, "Position of the eye: X,Y,Z")->group(camera);
+    app.add_option("--target", a.target, "The point looked at: X,Y,Z")->group(camera);
+    app.add_option("--up", a.up, "Upward axis of the model: x, y, z or X,Y,Z; default y")
+        ->group(camera);
+    app.add_option("--fov", a.fov, "Vertical field of view in degrees")
+        ->capture_default_str()
+        ->group(camera);
+    app.add_option("--at", a.at, "Position along a scene's camera path, 0 to 1")
+        ->capture_default_str()
+        ->group(camera);
+
+    const std::string visibility = "Visibility";
+    app.add_option("--method", a.method, "How visibility is computed: atlas")
+        ->capture_default_str()
+        ->group(visibility);
+    app.add_option("--quality", a.quality,
+                   "low: 1 probe, 1x depth; high: 9 probes, 2x depth")
+        ->capture_default_str()
+        ->group(visibility);
+    app.add_option("--probes", a.probes, "Depth probes per sample: 1, 4, 9 or 16")
+        ->group(visibility);
+    app.add_option("--depth-scale", a.depth_scale, "Depth texels per pixel and axis: 1 to 4")
+        ->group(visibility);
+    app.add_option("--step", a.step, "Pixels between visibility samples")
+        ->capture_default_str()
+        ->group(visibility);
+    app.add_option("--atlas", a.atlas, "Where samples are computed: raster, compute or auto")
+        ->capture_default_str()
+        ->group(visibility);
+    app.add_option("--atlas-layout", a.atlas_layout, "How rows of the atlas end: wrap or gutter")
+        ->capture_default_str()
+        ->group(visibility);
+
+    const std::string strokes = "Strokes";
+    app.add_option("--width", a.width, "Width in pixels")->capture_default_str()->group(strokes);
+    app.add_option("--pen", a.pen, "solid, pen, pencil or dashed")
+        ->capture_default_str()
+        ->group(strokes);
+    app.add_option("--stroke-shader", a.stroke_shader, "geometry or vertex; one picture")
+        ->capture_default_str()
+        ->group(strokes);
+
+    const std::string device = "Device";
+    app.add_option("--compute", a.device.compute, "Backend: opencl or reference (plain C++)")
+        ->capture_default_str()
+        ->group(device);
+    app.add_option("--device", a.device.device,
+                   "OpenCL device: opencl:<platform>[:<device>], any part of the names; see "
+                   "`lineatlas devices`")
+        ->group(device);
+    app.add_option("--interop", a.device.interop,
+                   "How buffers are shared with GL: gl-sharing, host-pointer or copy")
+        ->group(device);
+
+    const std::string measuring = "Measuring";
+    app.add_flag("--stats", a.stats, "Print counts, memory and a time per stage")->group(measuring);
+    app.add_option("--repeat", a.repeat, "Frames to measure for --stats; medians are printed")
+        ->capture_default_str()
+        ->group(measuring);
+
+    app.footer("Examples:\n"
+               "  lineatlas draw chair.obj -o chair.png\n"
+               "  lineatlas draw part.stl -o part.png --up z --width 3 --pen pencil\n"
+               "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
+               "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20");
+    return [arguments, &app] { draw(*arguments, app); };
+}
+
+} // namespace lineatlas::apps

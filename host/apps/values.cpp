@@ -1,0 +1,84 @@
+#include "values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+/// A whole string as a number; nothing if anything else stands in it.
+template <class T>
+std::optional<T> parse_number(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    for (;;) {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end - begin));
+        if (end == std::string::npos) return parts;
+        begin = end + 1;
+    }
+}
+
+glm::ivec2 parse_size(std::string_view option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, 'x');
+    if (parts.size() == 2) {
+        const std::optional<int> width = parse_number<int>(parts[0]);
+        const std::optional<int> height = parse_number<int>(parts[1]);
+        if (width && height && *width > 0 && *height > 0) return {*width, *height};
+    }
+    throw UsageError(fmt::format(
+        "{} \"{}\" is not a picture size; write it as 1024x768, both at least 1", option, text));
+}
+
+glm::vec3 parse_vector(std::string_view option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    glm::vec3 result{0};
+    bool good = parts.size() == 3;
+    for (int i = 0; good && i < 3; ++i) {
+        const std::optional<float> value = parse_number<float>(parts[static_cast<std::size_t>(i)]);
+        good = value && std::isfinite(*value);
+        if (good) result[i] = *value;
+    }
+    if (good) return result;
+    throw UsageError(
+        fmt::format("{} \"{}\" is not three finite numbers, as in 1,2.5,-3", option, text));
+}
+
+glm::vec3 parse_up(std::string_view option, const std::string& text) {
+    if (text == "x") return {1, 0, 0};
+    if (text == "y") return {0, 1, 0};
+    if (text == "z") return {0, 0, 1};
+    const glm::vec3 up = parse_vector(option, text);
+    if (up == glm::vec3{0}) throw UsageError(fmt::format("{} must not be the zero vector", option));
+    return up;
+}
+
+LineKindMask parse_lines(std::string_view option, const std::string& text) {
+    LineKindMask mask = 0;
+    for (const std::string& name : split(text, ',')) {
+        const auto found = std::ranges::find(line_kind_names, name);
+        if (found == line_kind_names.end()) {
+            throw UsageError(fmt::format("{}: there is no line kind \"{}\"; there is {}", option,
+                                         name, fmt::join(line_kind_names, ", ")));
+        }
+        mask |= 1U << (found - line_kind_names.begin());
+    }
+    return mask;
+}
+
+} // namespace lineatlas::apps

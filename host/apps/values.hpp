@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "lineatlas/lines.hpp"
+
+// Values as they stand on the command line. Each parser throws UsageError, naming `option`.
+namespace lineatlas::apps {
+
+glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "1024x768"
+glm::vec3 parse_vector(std::string_view option, const std::string& text); ///< "1,-2.5,3"
+glm::vec3 parse_up(std::string_view option, const std::string& text);     ///< "x", "y", "z" or a vector
+LineKindMask parse_lines(std::string_view option, const std::string& text); ///< "crease,silhouette"
+
+/// The parts of `text` between separators.
+std::vector<std::string> split(const std::string& text, char separator);
+
+} // namespace lineatlas::apps

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "core/atlas_layout.hpp"
+#include "segment_table.h"
+
+namespace lineatlas::compute {
+
+/// Memory that a backend's stages read and write. Made by the backend that uses it; may outlive neither
+/// the backend nor, if it wraps other memory, that memory.
+class Buffer {
+  public:
+    explicit Buffer(std::size_t size) : size_(size) {}
+    virtual ~Buffer() = default;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    std::size_t size() const { return size_; } ///< in bytes
+
+  private:
+    std::size_t size_;
+};
+
+/// The constant input of the pipeline, as `LineSet` holds it.
+struct SegmentTable {
+    Buffer& vertices;  ///< 3 floats each
+    Buffer& triangles; ///< 3 uint32 each
+    Buffer& segments;  ///< `Segment` each
+    std::uint32_t triangle_count;
+    std::uint32_t segment_count;
+};
+
+/// `project_clip`'s and `scan`'s results: the clipped segment table.
+struct ClippedTable {
+    Buffer& clipped; ///< `ClippedSegment` per segment, valid where the segment has samples
+    Buffer& offsets; ///< segment_count + 1 uint32: counts l, after `scan` offsets s and the total
+    Buffer& arcs;    ///< segment_count + 1 uint32: window lengths, after `scan` arc lengths; 1/256 px
+};
+
+struct FacingArgs {
+    SegmentTable table;
+    glm::vec4 eye; ///< Camera::eye()
+    Buffer& front; ///< out: a byte per triangle
+};
+
+struct ProjectClipArgs {
+    SegmentTable table;
+    Buffer& front;
+    glm::mat4 clip_from_world;
+    glm::mat4 world_from_clip;
+    glm::vec2 viewport;      ///< pixels
+    float step;              ///< k: pixels per sample, above 0
+    std::uint32_t kind_mask; ///< kinds to draw, bit 1 << kind
+    ClippedTable out;
+};
+
+enum class ScanKind {
+    saturate, ///< the sum stops at 2^32 - 1: counts and offsets
+    wrap,     ///< the sum is taken modulo 2^32: arc lengths
+};
+
+struct AtlasArgs {
+    ClippedTable clipped;
+    std::uint32_t segment_count;
+    Buffer& depth;           ///< floats in [0, 1], rows from the lower left
+    glm::ivec2 depth_size;   ///< viewport times depth_scale
+    glm::vec2 viewport;      ///< pixels
+    float depth_scale;       ///< depth texels per pixel
+    std::uint32_t probes;    ///< per axis: 1, 2, 3 or 4
+    float bias_limit;        ///< most window depth that a line's own face may stand before it, times w
+    float bias;              ///< constant bias in window depth
+    AtlasLayout layout;
+    std::uint32_t capacity;  ///< samples that `alpha` has room for in this layout
+    Buffer& alpha;           ///< out: a byte per texel, 0 hidden to 255 visible
+};
+
+struct CompactRunsArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    Buffer& alpha;
+    AtlasLayout layout;
+    std::uint32_t capacity; ///< samples that `alpha` has room for
+    glm::vec2 viewport;     ///< pixels
+    float step;             ///< k
+    float half_width;       ///< of the stroke, in pixels: decides where a mitre has room
+    Buffer& runs;           ///< out: `Run` each
+    std::uint32_t run_capacity;
+    Buffer& record; ///< out: one `FrameRecord`
+};
+
+struct CompactSamplesArgs {
+    Buffer& alpha;
+    std::uint32_t count; ///< bytes of alpha to look at
+    Buffer& packed;      ///< out: uint32 addresses of the visible ones; room for `count`
+    Buffer& packed_count; ///< out: one uint32
+};
+
+/// Everything that runs as a compute kernel: one method per stage, the same for every backend.
+///
+/// Calls are asynchronous and run in the order they are made; `finish` and `download` wait. All
+/// methods throw DeviceError when the device fails. A backend and its buffers belong to one thread at a
+/// time. Integer results are equal bit by bit on every backend, floats within 1e-5 relative.
+class Backend {
+  public:
+    virtual ~Backend() = default;
+
+    /// "reference", or "opencl: <device> (<platform>)".
+    virtual std::string description() const = 0;
+
+    /// Device memory; its content is undefined. Never smaller than 16 bytes.
+    virtual std::unique_ptr<Buffer> allocate(std::size_t bytes) = 0;
+    /// A buffer over memory of the caller (page-aligned), without a copy where the device can.
+    virtual std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) = 0;
+    /// Between these two, the memory behind a wrapped buffer is the host's to read and write.
+    virtual void begin_host_access(Buffer& buffer) = 0;
+    virtual void end_host_access(Buffer& buffer) = 0;
+
+    virtual void upload(Buffer& buffer, std::span<const std::byte> data) = 0;
+    virtual void download(Buffer& buffer, std::span<std::byte> data) = 0; ///< waits
+
+    virtual void facing(const FacingArgs& args) = 0;
+    virtual void project_clip(const ProjectClipArgs& args) = 0;
+    /// `values`: n inputs and room for one more; see kernels/scan.cl.
+    virtual void scan(Buffer& values, std::uint32_t n, ScanKind kind) = 0;
+    virtual void atlas(const AtlasArgs& args) = 0;
+    virtual void compact_runs(const CompactRunsArgs& args) = 0;
+    virtual void compact_samples(const CompactSamplesArgs& args) = 0;
+
+    virtual void flush() = 0;  ///< starts what was submitted
+    virtual void finish() = 0; ///< waits for all of it
+};
+
+/// Plain C++ on the calling thread: the oracle that kernels are tested against.
+std::unique_ptr<Backend> make_reference_backend();
+
+} // namespace lineatlas::compute

@@ -1,0 +1,298 @@
+#include "opencl_backend.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/sources.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+std::uint32_t divide_up(std::uint32_t n, std::uint32_t by) { return n / by + (n % by != 0 ? 1 : 0); }
+
+cl_float2 to_cl(glm::vec2 v) { return {{v.x, v.y}}; }
+cl_int2 to_cl(glm::ivec2 v) { return {{v.x, v.y}}; }
+cl_float4 to_cl(glm::vec4 v) { return {{v.x, v.y, v.z, v.w}}; }
+cl_float16 to_cl(const glm::mat4& m) {
+    cl_float16 result;
+    std::memcpy(&result, &m, sizeof(result));
+    return result;
+}
+
+const cl::Buffer& memory_of(Buffer& buffer) { return static_cast<OpenClBuffer&>(buffer).memory; }
+
+/// What can stand as a kernel argument.
+const cl::Buffer& argument(Buffer& buffer) { return memory_of(buffer); }
+template <class T>
+const T& argument(const T& value) {
+    return value;
+}
+
+class Implementation final : public OpenClBackend {
+  public:
+    Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
+                   const Tuning& tuning)
+        : device_(device), tuning_(tuning) {
+        guarded("creating a context", [&] {
+            std::vector<cl_context_properties> all{
+                CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform())};
+            all.insert(all.end(), properties.begin(), properties.end());
+            all.push_back(0);
+            context_ = cl::Context{device.device, all.data()};
+            queue_ = cl::CommandQueue{context_, device.device};
+        });
+        build_kernels();
+    }
+
+    std::string description() const override {
+        return "opencl: " + device_.device_name + " (" + device_.platform_name + ")";
+    }
+    const OpenClDevice& device() const override { return device_; }
+    const cl::Context& context() const override { return context_; }
+    const cl::CommandQueue& queue() const override { return queue_; }
+
+    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
+        const std::size_t size = std::max<std::size_t>(bytes, 16);
+        const cl_ulong largest = device_.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+        if (size > largest) {
+            throw DeviceError(description() + ": a buffer of " + std::to_string(size >> 20U) +
+                              " MiB is needed, the device allows " + std::to_string(largest >> 20U) +
+                              " MiB; draw fewer --lines kinds or choose another --device");
+        }
+        return guarded("allocating " + std::to_string(size >> 10U) + " KiB", [&] {
+            return std::make_unique<OpenClBuffer>(cl::Buffer{context_, CL_MEM_READ_WRITE, size},
+                                                  size);
+        });
+    }
+
+    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
+        return guarded("wrapping host memory", [&] {
+            cl::Buffer buffer{context_, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, memory.size(),
+                              memory.data()};
+            return std::make_unique<OpenClBuffer>(std::move(buffer), memory.size());
+        });
+    }
+
+    void begin_host_access(Buffer& buffer) override {
+        auto& own = static_cast<OpenClBuffer&>(buffer);
+        guarded("mapping a buffer", [&] {
+            own.mapped = queue_.enqueueMapBuffer(own.memory, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE,
+                                                 0, own.size());
+        });
+    }
+
+    void end_host_access(Buffer& buffer) override {
+        auto& own = static_cast<OpenClBuffer&>(buffer);
+        if (own.mapped == nullptr) return;
+        guarded("unmapping a buffer", [&] {
+            queue_.enqueueUnmapMemObject(own.memory, own.mapped);
+            own.mapped = nullptr;
+        });
+    }
+
+    void upload(Buffer& buffer, std::span<const std::byte> data) override {
+        if (data.empty()) return;
+        guarded("writing a buffer", [&] {
+            queue_.enqueueWriteBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data());
+        });
+    }
+
+    void download(Buffer& buffer, std::span<std::byte> data) override {
+        if (data.empty()) return finish();
+        guarded("reading a buffer", [&] {
+            queue_.enqueueReadBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data());
+        });
+    }
+
+    void facing(const FacingArgs& args) override {
+        const std::uint32_t n = args.table.triangle_count;
+        launch(facing_, n, tuning_.local_size, args.table.vertices, args.table.triangles, n,
+               to_cl(args.eye), args.front);
+    }
+
+    void project_clip(const ProjectClipArgs& args) override {
+        const std::uint32_t n = args.table.segment_count;
+        launch(project_clip_, n, tuning_.local_size, args.table.segments, n, args.table.vertices,
+               args.table.triangles, args.front, to_cl(args.clip_from_world),
+               to_cl(args.world_from_clip), to_cl(args.viewport), args.step, args.kind_mask,
+               args.out.clipped, args.out.offsets, args.out.arcs);
+    }
+
+    void scan(Buffer& values, std::uint32_t n, ScanKind kind) override {
+        if (n == 0) {
+            guarded("clearing a buffer", [&] {
+                queue_.enqueueFillBuffer(memory_of(values), cl_uint{0}, 0, sizeof(cl_uint));
+            });
+            return;
+        }
+        ScanKernels& kernels = scan_[kind == ScanKind::saturate ? 1 : 0];
+        if (!tuning_.scan_tiles) {
+            const std::uint32_t chunk = divide_up(n, tuning_.scan_chunks);
+            Buffer& sums = scratch(scan_sums_, tuning_.scan_chunks);
+            launch(kernels.chunks_reduce, tuning_.scan_chunks, 1, values, n, chunk, sums);
+            launch(kernels.chunks_apply, tuning_.scan_chunks, 1, values, n, chunk, sums);
+            return;
+        }
+        const std::uint32_t items = divide_up(n, tuning_.scan_per_item);
+        const std::uint32_t tiles = divide_up(items, tuning_.scan_tile);
+        Buffer& sums = scratch(scan_sums_, tiles);
+        launch(kernels.tiles_reduce, items, tuning_.scan_tile, values, n, sums);
+        launch(kernels.tiles_sums, tuning_.scan_tile, tuning_.scan_tile, sums, tiles);
+        launch(kernels.tiles_apply, items, tuning_.scan_tile, values, n, sums);
+    }
+
+    void atlas(const AtlasArgs& args) override {
+        const std::uint32_t blocks = divide_up(args.capacity, tuning_.atlas_block);
+        launch(atlas_, blocks, tuning_.block_local_size, args.clipped.clipped, args.clipped.offsets,
+               args.segment_count, args.depth, to_cl(args.depth_size), to_cl(args.viewport),
+               args.depth_scale, args.probes, args.bias_limit, args.bias, args.layout.width,
+               args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
+    }
+
+    void compact_runs(const CompactRunsArgs& args) override {
+        const std::uint32_t n = args.table.segment_count;
+        const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
+        Buffer& counts = scratch(block_counts_, blocks + 1);
+        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.clipped.offsets, n,
+               args.alpha, args.layout.width, args.layout.pitch, args.capacity,
+               tuning_.segment_block, counts);
+        scan(counts, blocks, ScanKind::saturate);
+        launch(compact_runs_write_, std::max(blocks, 1U), tuning_.block_local_size,
+               args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs, n,
+               args.alpha, args.layout.width, args.layout.pitch, args.capacity,
+               to_cl(args.viewport), args.step, args.half_width, tuning_.segment_block, counts,
+               blocks, args.run_capacity, args.runs, args.record);
+    }
+
+    void compact_samples(const CompactSamplesArgs& args) override {
+        const std::uint32_t blocks = divide_up(args.count, tuning_.sample_block);
+        Buffer& counts = scratch(block_counts_, blocks + 1);
+        launch(compact_samples_count_, blocks, tuning_.block_local_size, args.alpha, args.count,
+               tuning_.sample_block, counts);
+        scan(counts, blocks, ScanKind::saturate);
+        launch(compact_samples_write_, blocks, tuning_.block_local_size, args.alpha, args.count,
+               tuning_.sample_block, counts, args.packed);
+        guarded("copying a buffer", [&] {
+            queue_.enqueueCopyBuffer(memory_of(counts), memory_of(args.packed_count),
+                                     blocks * sizeof(cl_uint), 0, sizeof(cl_uint));
+        });
+    }
+
+    void flush() override {
+        guarded("submitting kernels", [&] { queue_.flush(); });
+    }
+    void finish() override {
+        guarded("waiting for kernels", [&] { queue_.finish(); });
+    }
+
+  private:
+    struct ScanKernels {
+        cl::Kernel chunks_reduce, chunks_apply, tiles_reduce, tiles_sums, tiles_apply;
+    };
+
+    template <class Action>
+    auto guarded(const std::string& doing, Action&& action) const -> decltype(action()) {
+        try {
+            return action();
+        } catch (const cl::Error& error) {
+            throw DeviceError(description() + ": " + doing + " failed: " + error.what() +
+                              " returned " + std::to_string(error.err()));
+        }
+    }
+
+    cl::Program build(const std::string& file, const std::string& defines = {}) const {
+        std::string options = "-cl-std=CL1.2 " + defines;
+        const auto float_config = device_.device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+        if ((float_config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0) {
+            options += " -cl-fp32-correctly-rounded-divide-sqrt";
+        }
+        return guarded("creating a program", [&] {
+            cl::Program program{context_, kernel_source(file)};
+            try {
+                program.build({device_.device}, options.c_str());
+            } catch (const cl::Error&) {
+                throw DeviceError(description() + ": kernel " + file + " did not build with \"" +
+                                  options + "\":\n" +
+                                  program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_.device));
+            }
+            return program;
+        });
+    }
+
+    void build_kernels() {
+        guarded("creating kernels", [&] {
+            facing_ = cl::Kernel{build("facing.cl"), "facing"};
+            project_clip_ = cl::Kernel{build("project_clip.cl"), "project_clip"};
+            atlas_ = cl::Kernel{build("atlas.cl"), "atlas"};
+            const cl::Program compact = build("compact.cl");
+            compact_runs_count_ = cl::Kernel{compact, "compact_runs_count"};
+            compact_runs_write_ = cl::Kernel{compact, "compact_runs_write"};
+            compact_samples_count_ = cl::Kernel{compact, "compact_samples_count"};
+            compact_samples_write_ = cl::Kernel{compact, "compact_samples_write"};
+            for (int saturate = 0; saturate < 2; ++saturate) {
+                const cl::Program scan =
+                    build("scan.cl", "-DSCAN_SATURATE=" + std::to_string(saturate) +
+                                         " -DSCAN_TILE=" + std::to_string(tuning_.scan_tile) +
+                                         " -DSCAN_PER_ITEM=" + std::to_string(tuning_.scan_per_item));
+                scan_[saturate] = {.chunks_reduce = cl::Kernel{scan, "scan_chunks_reduce"},
+                                   .chunks_apply = cl::Kernel{scan, "scan_chunks_apply"},
+                                   .tiles_reduce = cl::Kernel{scan, "scan_tiles_reduce"},
+                                   .tiles_sums = cl::Kernel{scan, "scan_tiles_sums"},
+                                   .tiles_apply = cl::Kernel{scan, "scan_tiles_apply"}};
+            }
+        });
+    }
+
+    /// Launches `items` work-items, rounded up to whole work-groups.
+    template <class... Args>
+    void launch(cl::Kernel& kernel, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
+        if (items == 0) return;
+        guarded("launching " + kernel_name(kernel), [&] {
+            cl_uint index = 0;
+            (kernel.setArg(index++, argument(args)), ...);
+            const std::size_t global = std::size_t{divide_up(items, local_size)} * local_size;
+            queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{global},
+                                        cl::NDRange{local_size});
+        });
+    }
+
+    static std::string kernel_name(const cl::Kernel& kernel) {
+        return kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
+    }
+
+    /// A buffer of the backend's own for at least `count` uint32, kept from call to call.
+    Buffer& scratch(std::unique_ptr<Buffer>& buffer, std::size_t count) {
+        const std::size_t bytes = count * sizeof(cl_uint);
+        if (!buffer || buffer->size() < bytes) buffer = allocate(bytes + bytes / 2);
+        return *buffer;
+    }
+
+    OpenClDevice device_;
+    Tuning tuning_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    cl::Kernel facing_, project_clip_, atlas_;
+    cl::Kernel compact_runs_count_, compact_runs_write_;
+    cl::Kernel compact_samples_count_, compact_samples_write_;
+    ScanKernels scan_[2];
+    std::unique_ptr<Buffer> scan_sums_;
+    std::unique_ptr<Buffer> block_counts_;
+};
+
+} // namespace
+
+std::unique_ptr<OpenClBackend>
+make_opencl_backend(const OpenClDevice& device,
+                    std::span<const cl_context_properties> context_properties) {
+    return make_opencl_backend(device, context_properties, tuning_for(device));
+}
+
+std::unique_ptr<OpenClBackend>
+make_opencl_backend(const OpenClDevice& device,
+                    std::span<const cl_context_properties> context_properties,
+                    const Tuning& tuning) {
+    return std::make_unique<Implementation>(device, context_properties, tuning);
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "compute/backend.hpp"
+#include "devices.hpp"
+#include "tuning.hpp"
+
+namespace lineatlas::compute {
+
+/// A buffer on an OpenCL device.
+class OpenClBuffer final : public Buffer {
+  public:
+    OpenClBuffer(cl::Buffer buffer, std::size_t size) : Buffer(size), memory(std::move(buffer)) {}
+
+    cl::Buffer memory;
+    void* mapped = nullptr; ///< while the host has access to a wrapped buffer
+};
+
+/// What code that shares OpenCL objects with another API needs of the backend.
+class OpenClBackend : public Backend {
+  public:
+    virtual const OpenClDevice& device() const = 0;
+    virtual const cl::Context& context() const = 0;
+    virtual const cl::CommandQueue& queue() const = 0;
+};
+
+/// A backend on `device`. `context_properties`, if not empty, ties the context to a GL context: pairs of
+/// name and value without the closing 0. Throws DeviceError when the driver refuses or a kernel
+/// doesn't build; the message then holds the whole build log.
+std::unique_ptr<OpenClBackend>
+make_opencl_backend(const OpenClDevice& device,
+                    std::span<const cl_context_properties> context_properties = {});
+
+/// As above, with other launch parameters than those for the device.
+std::unique_ptr<OpenClBackend>
+make_opencl_backend(const OpenClDevice& device,
+                    std::span<const cl_context_properties> context_properties,
+                    const Tuning& tuning);
+
+} // namespace lineatlas::compute

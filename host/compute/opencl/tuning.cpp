@@ -1,0 +1,32 @@
+#include "tuning.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+// A CPU runs a work-group as a loop on one core: long serial pieces, few work-items.
+constexpr Tuning cpu{.scan_tiles = false,
+                     .scan_chunks = 16,
+                     .scan_tile = 64,
+                     .scan_per_item = 8,
+                     .local_size = 64,
+                     .block_local_size = 1,
+                     .atlas_block = 1024,
+                     .segment_block = 4096,
+                     .sample_block = 16384};
+
+// A GPU needs tens of thousands of work-items in flight.
+constexpr Tuning gpu{.scan_tiles = true,
+                     .scan_chunks = 16,
+                     .scan_tile = 256,
+                     .scan_per_item = 8,
+                     .local_size = 64,
+                     .block_local_size = 64,
+                     .atlas_block = 4,
+                     .segment_block = 4,
+                     .sample_block = 16};
+
+} // namespace
+
+Tuning tuning_for(const OpenClDevice& device) { return device.is_cpu ? cpu : gpu; }
+
+} // namespace lineatlas::compute

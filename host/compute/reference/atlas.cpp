@@ -1,0 +1,90 @@
+#include "stages.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+namespace lineatlas::compute::reference {
+namespace {
+
+/// A segment in window space, ready for its samples.
+struct Spine {
+    glm::vec3 p, d;
+    float inverse_w_p, inverse_w_d;
+    glm::vec2 across;
+    glm::vec2 slope_a, slope_b;
+};
+
+glm::vec2 unpack_slope(std::uint32_t packed) {
+    return {std::bit_cast<float>(packed << 16U), std::bit_cast<float>(packed & 0xFFFF0000U)};
+}
+
+Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
+    const glm::vec3 p{segment.p[0], segment.p[1], segment.p[2]};
+    const glm::vec3 q{segment.q[0], segment.q[1], segment.q[2]};
+    const float wp = segment.p[3];
+    const float wq = segment.q[3];
+    const glm::vec3 scale{viewport * 0.5F, 0.5F};
+    const glm::vec3 window_p = (p / wp + 1.0F) * scale;
+    const glm::vec3 window_q = (q / wq + 1.0F) * scale;
+    const glm::vec3 d = window_q - window_p;
+    const float length_px = std::sqrt(d.x * d.x + d.y * d.y);
+    return {.p = window_p,
+            .d = d,
+            .inverse_w_p = 1 / wp,
+            .inverse_w_d = 1 / wq - 1 / wp,
+            .across = length_px > 0 ? glm::vec2{-d.y, d.x} / length_px : glm::vec2{0, 1},
+            .slope_a = unpack_slope(segment.slope_a),
+            .slope_b = unpack_slope(segment.slope_b)};
+}
+
+std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint32_t j,
+                            std::uint32_t l) {
+    std::uint32_t visible = 0;
+    const auto per_axis = static_cast<float>(in.probes);
+    for (std::uint32_t row = 0; row < in.probes; ++row) {
+        const float u = (static_cast<float>(j) + (static_cast<float>(row) + 0.5F) / per_axis) /
+                        static_cast<float>(l);
+        const glm::vec3 point = spine.p + spine.d * u;
+        const float limit = in.bias_limit * (spine.inverse_w_p + spine.inverse_w_d * u);
+        for (std::uint32_t column = 0; column < in.probes; ++column) {
+            const float side = (static_cast<float>(column) + 0.5F) / per_axis - 0.5F;
+            const glm::vec2 probe = (glm::vec2{point} + spine.across * side) * in.depth_scale;
+            const glm::ivec2 texel =
+                glm::clamp(glm::ivec2{std::floor(probe.x), std::floor(probe.y)}, glm::ivec2{0},
+                           in.depth_size - 1);
+            const glm::vec2 offset = (glm::vec2{texel} + 0.5F) / in.depth_scale - glm::vec2{point};
+            const float own_a = spine.slope_a.x * offset.x + spine.slope_a.y * offset.y;
+            const float own_b = spine.slope_b.x * offset.x + spine.slope_b.y * offset.y;
+            const float own = std::fmin(std::fmin(own_a, own_b), 0.0F);
+            const float nearest = point.z + std::fmax(own, -limit) - in.bias;
+            const auto index = static_cast<std::size_t>(texel.y) * in.depth_size.x + texel.x;
+            visible += in.depth[index] >= nearest ? 1 : 0;
+        }
+    }
+    return visible;
+}
+
+} // namespace
+
+void atlas(const AtlasInput& in, std::span<std::uint8_t> alpha) {
+    const std::uint32_t probes = in.probes * in.probes;
+    for (std::size_t i = 0; i + 1 < in.offsets.size(); ++i) {
+        const std::uint32_t begin = in.offsets[i];
+        const std::uint32_t l = in.offsets[i + 1] - begin;
+        if (l == 0) continue;
+        if (begin >= in.capacity) return;
+        const Spine spine = make_spine(in.clipped[i], in.viewport);
+        const std::uint32_t address = in.layout.address(begin);
+        const std::uint32_t stop = std::min(l, in.capacity - begin);
+        for (std::uint32_t j = 0; j < stop; ++j) {
+            const std::uint32_t visible = count_visible(in, spine, j, l);
+            alpha[address + j] = static_cast<std::uint8_t>((visible * 255 + probes / 2) / probes);
+        }
+    }
+}
+
+} // namespace lineatlas::compute::reference

@@ -1,0 +1,128 @@
+#include "stages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+namespace lineatlas::compute::reference {
+namespace {
+
+glm::vec3 load3(std::span<const float> values, std::uint32_t index) {
+    return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};
+}
+
+/// Not normalised: only its direction counts.
+glm::vec3 triangle_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    const glm::vec3 ab = b - a;
+    const glm::vec3 ac = c - a;
+    return {ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x};
+}
+
+glm::vec4 transform_point(const glm::mat4& m, glm::vec3 v) {
+    return (m[0] * v.x + m[1] * v.y) + (m[2] * v.z + m[3]);
+}
+
+struct ClipRange {
+    float t0 = 0;
+    float t1 = 1;
+
+    /// Liang-Barsky against one plane, given the signed distances of both ends (>= 0: inside).
+    bool clip(float dp, float dq) {
+        if (dp < 0 && dq < 0) return false;
+        if (dp < 0) t0 = std::max(t0, dp / (dp - dq));
+        if (dq < 0) t1 = std::min(t1, dp / (dp - dq));
+        return true;
+    }
+};
+
+bool clip_to_frustum(glm::vec4 p, glm::vec4 q, ClipRange& range) {
+    return range.clip(p.w + p.z, q.w + q.z) && range.clip(p.w - p.z, q.w - q.z) &&
+           range.clip(p.w + p.x, q.w + q.x) && range.clip(p.w - p.x, q.w - q.x) &&
+           range.clip(p.w + p.y, q.w + q.y) && range.clip(p.w - p.y, q.w - q.y) &&
+           range.t0 < range.t1;
+}
+
+std::uint32_t pack_slope(const ProjectClipInput& in, std::uint32_t face) {
+    if (face == LA_NO_FACE) return 0;
+    const std::uint32_t i = face & LA_FACE_INDEX;
+    const glm::vec3 v = load3(in.vertices, in.triangles[3 * i]);
+    const glm::vec3 n = triangle_normal(v, load3(in.vertices, in.triangles[3 * i + 1]),
+                                        load3(in.vertices, in.triangles[3 * i + 2]));
+    const float nw = -((n.x * v.x + n.y * v.y) + n.z * v.z);
+    const glm::mat4& m = in.world_from_clip;
+    const auto plane = [&](int column) {
+        const glm::vec4& c = m[column];
+        return (n.x * c.x + n.y * c.y) + (n.z * c.z + nw * c.w);
+    };
+    const auto limit = [](float slope) {
+        // fmax and fmin, not clamp: a NaN (a plane without a direction) becomes a limit.
+        return std::fmin(std::fmax(slope, -LA_SLOPE_LIMIT), LA_SLOPE_LIMIT);
+    };
+    const float a = plane(0);
+    const float b = plane(1);
+    const float c = plane(2);
+    const float x = limit(-a / (c * in.viewport.x));
+    const float y = limit(-b / (c * in.viewport.y));
+    return std::bit_cast<std::uint32_t>(x) >> 16U | (std::bit_cast<std::uint32_t>(y) & 0xFFFF0000U);
+}
+
+bool is_silhouette(const Segment& segment, std::span<const std::uint8_t> front) {
+    const bool flipped = (segment.face_b & LA_FACE_FLIPPED) != 0;
+    return (front[segment.face_a] != 0) != ((front[segment.face_b & LA_FACE_INDEX] != 0) != flipped);
+}
+
+} // namespace
+
+void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles, glm::vec4 eye,
+            std::span<std::uint8_t> front) {
+    for (std::size_t i = 0; i < triangles.size() / 3; ++i) {
+        const glm::vec3 a = load3(vertices, triangles[3 * i]);
+        const glm::vec3 n = triangle_normal(a, load3(vertices, triangles[3 * i + 1]),
+                                            load3(vertices, triangles[3 * i + 2]));
+        const glm::vec3 to_eye = glm::vec3{eye} - a * eye.w;
+        front[i] = (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z > 0 ? 1 : 0;
+    }
+}
+
+void project_clip(const ProjectClipInput& in, std::span<ClippedSegment> clipped,
+                  std::span<std::uint32_t> counts, std::span<std::uint32_t> arcs) {
+    for (std::size_t i = 0; i < in.segments.size(); ++i) {
+        counts[i] = 0;
+        arcs[i] = 0;
+        const Segment& segment = in.segments[i];
+        const std::uint32_t kind = segment.tag & LA_TAG_KIND_MASK;
+        if ((in.kind_mask & (1U << kind)) == 0) continue;
+        if (kind == LA_KIND_SILHOUETTE && !is_silhouette(segment, in.front)) continue;
+
+        const glm::vec4 p = transform_point(in.clip_from_world, load3(in.vertices, segment.p));
+        const glm::vec4 q = transform_point(in.clip_from_world, load3(in.vertices, segment.q));
+        ClipRange range;
+        if (!clip_to_frustum(p, q, range)) continue;
+        const glm::vec4 d = q - p;
+        const glm::vec4 cp = p + d * range.t0;
+        const glm::vec4 cq = range.t1 < 1 ? p + d * range.t1 : q;
+
+        const glm::vec2 half_viewport = in.viewport * 0.5F;
+        const float span_x = (cq.x / cq.w - cp.x / cp.w) * half_viewport.x;
+        const float span_y = (cq.y / cq.w - cp.y / cp.w) * half_viewport.y;
+        const float length_px = std::sqrt(span_x * span_x + span_y * span_y);
+        auto l = static_cast<std::uint32_t>(std::ceil(length_px / in.step)); // eq. 1
+        if (l <= 1) {
+            if ((segment.tag & LA_TAG_LONE) != 0) continue;
+            l = 1;
+        }
+        counts[i] = l;
+        arcs[i] = static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL);
+        clipped[i] = {.p = {cp.x, cp.y, cp.z, cp.w},
+                      .q = {cq.x, cq.y, cq.z, cq.w},
+                      .t0 = range.t0,
+                      .t1 = range.t1,
+                      .slope_a = pack_slope(in, segment.face_a),
+                      .slope_b = pack_slope(in, segment.face_b)};
+    }
+}
+
+} // namespace lineatlas::compute::reference

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+#include "compute/backend.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+/// Host memory, owned or of the caller.
+class HostBuffer final : public Buffer {
+  public:
+    explicit HostBuffer(std::size_t bytes) : Buffer(bytes), owned_(bytes), memory_(owned_) {}
+    explicit HostBuffer(std::span<std::byte> memory) : Buffer(memory.size()), memory_(memory) {}
+
+    std::span<std::byte> memory() const { return memory_; }
+
+  private:
+    std::vector<std::byte> owned_;
+    std::span<std::byte> memory_;
+};
+
+std::span<std::byte> memory_of(Buffer& buffer) { return static_cast<HostBuffer&>(buffer).memory(); }
+
+/// The first `count` elements of a buffer.
+template <class T>
+std::span<T> view(Buffer& buffer, std::size_t count) {
+    return {reinterpret_cast<T*>(memory_of(buffer).data()), count};
+}
+
+template <class T>
+std::span<T> view_all(Buffer& buffer) {
+    return view<T>(buffer, buffer.size() / sizeof(T));
+}
+
+class ReferenceBackend final : public Backend {
+  public:
+    std::string description() const override { return "reference"; }
+
+    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
+        return std::make_unique<HostBuffer>(std::max<std::size_t>(bytes, 16));
+    }
+    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
+        return std::make_unique<HostBuffer>(memory);
+    }
+    void begin_host_access(Buffer&) override {}
+    void end_host_access(Buffer&) override {}
+
+    void upload(Buffer& buffer, std::span<const std::byte> data) override {
+        std::ranges::copy(data, memory_of(buffer).begin());
+    }
+    void download(Buffer& buffer, std::span<std::byte> data) override {
+        std::ranges::copy(memory_of(buffer).first(data.size()), data.begin());
+    }
+
+    void facing(const FacingArgs& args) override {
+        const std::size_t triangles = args.table.triangle_count;
+        reference::facing(view_all<float>(args.table.vertices),
+                          view<std::uint32_t>(args.table.triangles, 3 * triangles), args.eye,
+                          view<std::uint8_t>(args.front, triangles));
+    }
+
+    void project_clip(const ProjectClipArgs& args) override {
+        const std::size_t n = args.table.segment_count;
+        reference::project_clip({.segments = view<Segment>(args.table.segments, n),
+                                 .vertices = view_all<float>(args.table.vertices),
+                                 .triangles = view_all<std::uint32_t>(args.table.triangles),
+                                 .front = view_all<std::uint8_t>(args.front),
+                                 .clip_from_world = args.clip_from_world,
+                                 .world_from_clip = args.world_from_clip,
+                                 .viewport = args.viewport,
+                                 .step = args.step,
+                                 .kind_mask = args.kind_mask},
+                                view<ClippedSegment>(args.out.clipped, n),
+                                view<std::uint32_t>(args.out.offsets, n),
+                                view<std::uint32_t>(args.out.arcs, n));
+    }
+
+    void scan(Buffer& values, std::uint32_t n, ScanKind kind) override {
+        reference::scan(view<std::uint32_t>(values, std::size_t{n} + 1), kind);
+    }
+
+    void atlas(const AtlasArgs& args) override {
+        const std::size_t n = args.segment_count;
+        reference::atlas({.clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                          .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+                          .depth = view_all<float>(args.depth),
+                          .depth_size = args.depth_size,
+                          .viewport = args.viewport,
+                          .depth_scale = args.depth_scale,
+                          .probes = args.probes,
+                          .bias_limit = args.bias_limit,
+                          .bias = args.bias,
+                          .layout = args.layout,
+                          .capacity = args.capacity},
+                         view_all<std::uint8_t>(args.alpha));
+    }
+
+    void compact_runs(const CompactRunsArgs& args) override {
+        const std::size_t n = args.table.segment_count;
+        reference::compact_runs({.segments = view<Segment>(args.table.segments, n),
+                                 .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                                 .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+                                 .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+                                 .alpha = view_all<std::uint8_t>(args.alpha),
+                                 .layout = args.layout,
+                                 .capacity = args.capacity,
+                                 .viewport = args.viewport,
+                                 .step = args.step,
+                                 .half_width = args.half_width},
+                                view<Run>(args.runs, args.run_capacity),
+                                view<FrameRecord>(args.record, 1)[0]);
+    }
+
+    void compact_samples(const CompactSamplesArgs& args) override {
+        view<std::uint32_t>(args.packed_count, 1)[0] =
+            reference::compact_samples(view<std::uint8_t>(args.alpha, args.count),
+                                       view<std::uint32_t>(args.packed, args.count));
+    }
+
+    void flush() override {}
+    void finish() override {}
+};
+
+} // namespace
+
+std::unique_ptr<Backend> make_reference_backend() { return std::make_unique<ReferenceBackend>(); }
+
+} // namespace lineatlas::compute

@@ -1,0 +1,73 @@
+#pragma once
+
+// The plain C++ twin of every kernel: the same arithmetic in the same order, over spans.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "compute/backend.hpp"
+
+namespace lineatlas::compute::reference {
+
+void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles, glm::vec4 eye,
+            std::span<std::uint8_t> front);
+
+struct ProjectClipInput {
+    std::span<const Segment> segments;
+    std::span<const float> vertices;
+    std::span<const std::uint32_t> triangles;
+    std::span<const std::uint8_t> front;
+    glm::mat4 clip_from_world;
+    glm::mat4 world_from_clip;
+    glm::vec2 viewport;
+    float step;
+    std::uint32_t kind_mask;
+};
+
+void project_clip(const ProjectClipInput& input, std::span<ClippedSegment> clipped,
+                  std::span<std::uint32_t> counts, std::span<std::uint32_t> arcs);
+
+/// values: n inputs and one more element for the total.
+void scan(std::span<std::uint32_t> values, ScanKind kind);
+
+struct AtlasInput {
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const float> depth;
+    glm::ivec2 depth_size;
+    glm::vec2 viewport;
+    float depth_scale;
+    std::uint32_t probes;
+    float bias_limit;
+    float bias;
+    AtlasLayout layout;
+    std::uint32_t capacity;
+};
+
+void atlas(const AtlasInput& input, std::span<std::uint8_t> alpha);
+
+struct CompactRunsInput {
+    std::span<const Segment> segments;
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> arcs;
+    std::span<const std::uint8_t> alpha;
+    AtlasLayout layout;
+    std::uint32_t capacity;
+    glm::vec2 viewport;
+    float step;
+    float half_width;
+};
+
+/// Writes at most runs.size() runs.
+void compact_runs(const CompactRunsInput& input, std::span<Run> runs, FrameRecord& record);
+
+/// Returns the number of addresses written to `packed`.
+std::uint32_t compact_samples(std::span<const std::uint8_t> alpha, std::span<std::uint32_t> packed);
+
+} // namespace lineatlas::compute::reference

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace lineatlas {
+
+/// How segments that reach the end of an atlas row are handled (§4.2, Fig. 8).
+enum class AtlasLayoutKind {
+    wrap,   ///< they go on in the next row: no texel is wasted, raster draws every proxy line twice
+    gutter, ///< rows are longer by the longest segment: drawn once, some texels wasted
+};
+
+/// The mapping of sample s to a texel, eq. 2. Texels are counted row by row.
+struct AtlasLayout {
+    std::uint32_t width; ///< w: texels of a row at which a segment can start
+    std::uint32_t pitch; ///< W: texels per row
+
+    std::uint32_t address(std::uint32_t s) const { return s / width * pitch + s % width; }
+    /// Rows that hold `samples` samples.
+    std::uint32_t rows(std::uint32_t samples) const { return (samples + width - 1) / width; }
+    std::uint64_t texels(std::uint32_t samples) const {
+        return std::uint64_t{rows(samples)} * pitch;
+    }
+};
+
+/// A layout for segments of up to `longest` samples, with rows no longer than `largest_row` texels.
+/// Throws UsageError if they can't be held: the sample step is too fine for the picture size.
+AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest, std::uint32_t largest_row);
+
+} // namespace lineatlas

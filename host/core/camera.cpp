@@ -1,0 +1,110 @@
+#include "lineatlas/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Near and far distances that just hold the bounds in front of the eye. Inside a model the near plane
+/// is a fixed small share of the far distance: depth precision against what may be cut off.
+glm::vec2 fit_planes(const View& view, const Bounds& bounds) {
+    const glm::vec3 forward = glm::normalize(view.target - view.eye);
+    float nearest = std::numeric_limits<float>::infinity();
+    float farthest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 point{(corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+                              (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+                              (corner & 4) != 0 ? bounds.max.z : bounds.min.z};
+        const float distance = glm::dot(point - view.eye, forward);
+        nearest = std::min(nearest, distance);
+        farthest = std::max(farthest, distance);
+    }
+    constexpr float margin = 1e-3F;
+    constexpr float smallest_share = 1e-3F;
+    const float extent = glm::length(bounds.max - bounds.min);
+    const float far = std::max(farthest * (1 + margin), extent * smallest_share);
+    return {std::max(nearest * (1 - margin), far * smallest_share), far};
+}
+
+} // namespace
+
+glm::vec4 Camera::eye() const {
+    // The eye is what every projection maps to x = y = w = 0: (0, 0, 1, 0) in clip space.
+    const glm::vec4 point = glm::inverse(clip_from_world()) * glm::vec4{0, 0, 1, 0};
+    // Scaled so that the sign of plane . eye means "in front of" for both kinds of projection.
+    if (std::abs(projection[2][3]) > 0) return point / point.w;
+    const glm::vec3 back{view[0][2], view[1][2], view[2][2]};
+    return {back, 0};
+}
+
+Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
+    if (size.x <= 0 || size.y <= 0) throw UsageError("camera: the picture size must be positive");
+    if (!finite(view.eye) || !finite(view.target) || !finite(view.up) ||
+        !std::isfinite(view.fov_y) || !std::isfinite(view.near) || !std::isfinite(view.far)) {
+        throw UsageError("camera: eye, target, up and field of view must be finite numbers");
+    }
+    if (view.fov_y <= 0 || view.fov_y >= glm::pi<float>()) {
+        throw UsageError("camera: the field of view must lie between 0 and 180 degrees");
+    }
+    const glm::vec3 sight = view.target - view.eye;
+    const float distance = glm::length(sight);
+    if (!(distance > 0) || !std::isfinite(distance)) {
+        throw UsageError("camera: eye and target must be two different points");
+    }
+    if (!(glm::length(glm::cross(sight / distance, view.up)) > 1e-6F * glm::length(view.up))) {
+        throw UsageError("camera: up must not point along the line of sight");
+    }
+    glm::vec2 planes{view.near, view.far};
+    if (view.near <= 0 || view.far <= 0) {
+        if (bounds.min.x > bounds.max.x) throw UsageError("camera: there is nothing to look at");
+        const glm::vec2 fitted = fit_planes(view, bounds);
+        if (view.near <= 0) planes.x = fitted.x;
+        if (view.far <= 0) planes.y = std::max(fitted.y, planes.x * 1.001F);
+    }
+    if (planes.y <= planes.x) {
+        throw UsageError("camera: the far plane must lie behind the near plane");
+    }
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+    return {.view = glm::lookAt(view.eye, view.target, view.up),
+            .projection = glm::perspective(view.fov_y, aspect, planes.x, planes.y),
+            .size = size};
+}
+
+View frame_bounds(const Bounds& bounds, glm::ivec2 size, glm::vec3 up, float fov_y) {
+    if (bounds.min.x > bounds.max.x) throw UsageError("camera: there is nothing to look at");
+    const glm::vec3 center = 0.5F * (bounds.min + bounds.max);
+    // From the front, to the right and above: the usual view of a technical illustration.
+    const glm::vec3 front = std::abs(up.z) > 0.5F ? glm::vec3{0, -1, 0} : glm::vec3{0, 0, 1};
+    const glm::vec3 right = glm::cross(up, front);
+    const glm::vec3 toward_eye = glm::normalize(0.75F * right + front + 0.6F * up);
+    const glm::vec3 side = glm::normalize(glm::cross(up, toward_eye));
+    const glm::vec3 above = glm::cross(toward_eye, side);
+
+    // The nearest eye from which all eight corners lie inside the frame, less a margin.
+    constexpr float margin = 0.94F;
+    const float tan_y = std::tan(0.5F * fov_y) * margin;
+    const float tan_x = tan_y * static_cast<float>(size.x) / static_cast<float>(size.y);
+    float distance = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 point{(corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+                              (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+                              (corner & 4) != 0 ? bounds.max.z : bounds.min.z};
+        const glm::vec3 offset = point - center;
+        const float depth = glm::dot(offset, toward_eye);
+        distance = std::max(distance, depth + std::abs(glm::dot(offset, side)) / tan_x);
+        distance = std::max(distance, depth + std::abs(glm::dot(offset, above)) / tan_y);
+    }
+    if (!(distance > 0)) distance = 1; // a single point
+    return {.eye = center + distance * toward_eye, .target = center, .up = up, .fov_y = fov_y};
+}
+
+} // namespace lineatlas

@@ -1,0 +1,147 @@
+#include "lineatlas/lines.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+
+#include "chain.hpp"
+#include "edges.hpp"
+#include "weld.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// A fixed line (always drawn) or a silhouette candidate, before it is chained.
+struct Line {
+    std::uint32_t p, q;
+    std::uint32_t face_a = LA_NO_FACE;
+    std::uint32_t face_b = LA_NO_FACE;
+    LineKind kind;
+};
+
+std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
+    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
+}
+
+/// The segments of the file's polylines, each once.
+std::vector<Line> file_lines(const WeldedMesh& mesh,
+                             std::unordered_map<std::uint64_t, std::size_t>& line_of_edge) {
+    std::vector<Line> lines;
+    for (const auto& polyline : mesh.polylines) {
+        for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+            const std::uint64_t key = edge_key(polyline[i], polyline[i + 1]);
+            if (!line_of_edge.emplace(key, lines.size()).second) continue;
+            lines.push_back({.p = polyline[i], .q = polyline[i + 1], .kind = LineKind::file});
+        }
+    }
+    return lines;
+}
+
+class LineSetBuilder {
+  public:
+    explicit LineSetBuilder(const WeldedMesh& mesh) {
+        edges_at_vertex_.assign(mesh.vertices.size(), 0);
+    }
+
+    void count_vertices(const std::vector<Line>& lines) {
+        for (const Line& line : lines) {
+            ++edges_at_vertex_[line.p];
+            ++edges_at_vertex_[line.q];
+        }
+    }
+
+    void append(const Line& line, bool reversed, std::uint32_t from_start, std::uint32_t to_end,
+                bool closed) {
+        std::uint32_t tag = static_cast<std::uint32_t>(line.kind);
+        if (closed) tag |= LA_TAG_CLOSED;
+        const bool alone = from_start == 0 && to_end == 0 && edges_at_vertex_[line.p] == 1 &&
+                           edges_at_vertex_[line.q] == 1;
+        if (alone) tag |= LA_TAG_LONE;
+        result.segments.push_back({.p = reversed ? line.q : line.p,
+                                   .q = reversed ? line.p : line.q,
+                                   .face_a = line.face_a,
+                                   .face_b = line.face_b,
+                                   .from_start = from_start,
+                                   .to_end = to_end,
+                                   .path = result.path_count,
+                                   .tag = tag});
+        ++result.kind_counts[static_cast<std::size_t>(line.kind)];
+    }
+
+    /// Fixed lines, chained.
+    void append_paths(const std::vector<Line>& lines, const std::vector<Chain>& chains) {
+        for (const Chain& chain : chains) {
+            const auto count = static_cast<std::uint32_t>(chain.steps.size());
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const ChainStep step = chain.steps[i];
+                append(lines[step.edge], step.reversed, i, count - 1 - i, chain.closed);
+            }
+            ++result.path_count;
+        }
+    }
+
+    /// Silhouette candidates: which of them are silhouettes changes from frame to frame, so each is a
+    /// path of its own (§4.1).
+    void append_candidates(const std::vector<Line>& candidates) {
+        for (const Line& line : candidates) {
+            append(line, false, 0, 0, false);
+            ++result.path_count;
+        }
+    }
+
+    LineSet result;
+
+  private:
+    std::vector<std::uint32_t> edges_at_vertex_;
+};
+
+} // namespace
+
+LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
+    WeldedMesh welded = weld(mesh);
+    const std::vector<MeshEdge> edges = mesh_edges(welded);
+    const std::vector<glm::dvec3> normals = face_normals(welded, edges);
+
+    std::vector<Line> fixed;
+    std::vector<Line> candidates;
+    std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
+    if ((options.kinds & mask_of(LineKind::file)) != 0) fixed = file_lines(welded, line_of_edge);
+    for (const MeshEdge& edge : edges) {
+        if (!line_of_edge.empty()) {
+            const auto found = line_of_edge.find(edge_key(edge.p, edge.q));
+            if (found != line_of_edge.end()) {
+                fixed[found->second].face_a = edge.face_a;
+                fixed[found->second].face_b = edge.face_b;
+                continue;
+            }
+        }
+        const std::optional<LineKind> kind = classify(edge, welded, normals, options);
+        if (!kind) continue;
+        (*kind == LineKind::silhouette ? candidates : fixed)
+            .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kind});
+    }
+
+    std::vector<ChainEdge> to_chain;
+    to_chain.reserve(fixed.size());
+    for (const Line& line : fixed) {
+        to_chain.push_back({line.p, line.q, static_cast<std::uint32_t>(line.kind)});
+    }
+    LineSetBuilder builder{welded};
+    builder.count_vertices(fixed);
+    builder.count_vertices(candidates);
+    builder.result.segments.reserve(fixed.size() + candidates.size());
+    builder.append_paths(fixed, chain_edges(welded.vertices, to_chain, options.chain_angle));
+    builder.append_candidates(candidates);
+
+    LineSet result = std::move(builder.result);
+    result.vertices = std::move(welded.vertices);
+    result.triangles = std::move(welded.triangles);
+    for (const glm::vec3& v : result.vertices) {
+        result.bounds.min = glm::min(result.bounds.min, v);
+        result.bounds.max = glm::max(result.bounds.max, v);
+    }
+    return result;
+}
+
+} // namespace lineatlas

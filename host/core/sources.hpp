@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lineatlas {
+
+/// A kernel or shader file, embedded at build time.
+struct EmbeddedSource {
+    std::string_view name; ///< the file's name without its folder
+    std::string_view text;
+};
+
+const std::vector<EmbeddedSource>& embedded_kernels(); ///< kernels/
+const std::vector<EmbeddedSource>& embedded_shaders(); ///< shaders/
+
+/// The text of a kernel or shader file, with lines `#include "name"` replaced by the files they name
+/// (each once). Read from the folder in LINEATLAS_KERNEL_DIR or LINEATLAS_SHADER_DIR if that is set, so
+/// that sources can be edited and profiled without a build. Throws FileError if there is no such file.
+std::string kernel_source(std::string_view name);
+std::string shader_source(std::string_view name);
+
+} // namespace lineatlas

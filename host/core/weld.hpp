@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// A mesh whose equal positions share one vertex and in which no triangle stands twice.
+struct WeldedMesh {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> triangles;
+    std::vector<std::uint32_t> triangle_group;         ///< per triangle; 0 where the mesh has no groups
+    std::vector<std::vector<std::uint32_t>> polylines; ///< repeated neighbours removed
+};
+
+/// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and keeps
+/// one of several triangles over the same three vertices: exporters write two-sided faces as two
+/// coincident triangles, which would make every edge non-manifold.
+/// Throws UsageError when an index is out of range or a position is not finite.
+WeldedMesh weld(const Mesh& mesh);
+
+} // namespace lineatlas

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// A perspective camera as a person describes it: where the eye is, what it looks at.
+struct View {
+    glm::vec3 eye{0, 0, 1};
+    glm::vec3 target{0, 0, 0};
+    glm::vec3 up{0, 1, 0};
+    float fov_y = 0.6981317F; ///< vertical field of view in radians (40 degrees)
+    float near = 0;           ///< distance of the near plane; 0: fitted to the bounds
+    float far = 0;            ///< distance of the far plane; 0: fitted to the bounds
+};
+
+/// What the pipeline sees of a camera: GL conventions, clip space z from -w to w.
+struct Camera {
+    glm::mat4 view{1};       ///< world to eye space
+    glm::mat4 projection{1}; ///< eye to clip space
+    glm::ivec2 size{1, 1};   ///< viewport in pixels
+
+    glm::mat4 clip_from_world() const { return projection * view; }
+
+    /// The centre of projection in homogeneous world coordinates; w is 0 for a parallel projection.
+    glm::vec4 eye() const;
+};
+
+/// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then.
+/// Throws UsageError when a number is not finite, the eye is the target, `up` is along the line of
+/// sight, the field of view is not in (0, pi) or the size is not positive.
+Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
+
+/// A view from the front, right and above that shows the whole of `bounds` with a small margin.
+/// `up` must be a unit axis.
+View frame_bounds(const Bounds& bounds, glm::ivec2 size, glm::vec3 up = {0, 1, 0},
+                  float fov_y = View{}.fov_y);
+
+} // namespace lineatlas

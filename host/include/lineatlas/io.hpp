@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// A mesh from a file, with what was repaired or dropped on the way.
+struct LoadedMesh {
+    Mesh mesh;
+    std::vector<std::string>
+        notes; ///< one line each, e.g. "12 faces with fewer than 3 corners dropped"
+};
+
+/// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, chosen by
+/// extension in any case. Throws FileError, one line that names the file and the cause, when the
+/// file is missing, empty, truncated, of another type than its name says, refers to vertices it
+/// does not have, or holds no triangle and no polyline. May be called from several threads.
+///
+/// Polygons are triangulated, concave ones included. Positions are as in the file; only STL, which
+/// has no indices, comes welded at equal positions. A group is one pair of object and material in
+/// an OBJ file, its object named `o`, `g`, or `o/g` where both are given; its colour comes from the
+/// .mtl file when that is there, and a note says when it is not. Files that name nothing, and the
+/// other types, have no groups.
+LoadedMesh load_mesh(const std::filesystem::path& path);
+
+/// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and
+/// alpha, RGB, or RGB and alpha. Colour is sRGB-coded and not multiplied by alpha, as in PNG files.
+struct Image {
+    glm::ivec2 size{0, 0};
+    int channels = 4;
+    std::vector<std::uint8_t> pixels; ///< size.x * size.y * channels values
+};
+
+/// Reads any image OpenImageIO can, converted to 8 bits per channel; of more than 4 channels the
+/// first 4. Files of floats (EXR, HDR) hold linear light, which is sRGB-coded on the way. Throws
+/// FileError, also for more than 2^28 pixels.
+Image read_image(const std::filesystem::path& path);
+
+/// Writes a picture through OpenImageIO, format by extension. The file appears whole or not at all:
+/// it is written beside its place under another name and renamed. Formats without alpha (JPEG) get
+/// the picture over white; EXR and HDR get linear light with colour multiplied by alpha, as they
+/// expect. Throws FileError.
+void write_image(const std::filesystem::path& path, const Image& image);
+
+/// Throws FileError unless a picture could be written at `path`: known extension, folder exists and
+/// is writable. Called before long work, so that it is not lost.
+void check_image_path(const std::filesystem::path& path);
+
+} // namespace lineatlas

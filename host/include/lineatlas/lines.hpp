@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/mesh.hpp"
+#include "segment_table.h"
+
+namespace lineatlas {
+
+/// Where a line comes from. An edge that qualifies as several kinds takes the first of: file, boundary
+/// (non-manifold edges included), material, crease, silhouette.
+enum class LineKind : std::uint32_t {
+    crease = LA_KIND_CREASE,         ///< dihedral angle above `LineOptions::crease_angle`
+    boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
+    material = LA_KIND_MATERIAL,     ///< between triangles of different groups
+    silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
+    file = LA_KIND_FILE,             ///< given as a polyline in the model
+};
+
+inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
+    "crease", "boundary", "material", "silhouette", "file"};
+
+/// A set of line kinds: bit `1 << kind`.
+using LineKindMask = std::uint32_t;
+inline constexpr LineKindMask all_line_kinds = (1U << LA_KIND_COUNT) - 1;
+constexpr LineKindMask mask_of(LineKind kind) { return 1U << static_cast<std::uint32_t>(kind); }
+
+struct LineOptions {
+    LineKindMask kinds = all_line_kinds;
+    float crease_angle = 0.5235988F; ///< radians; edges bent by more are creases
+    /// Radians. A path goes on through a vertex where it turns by no more than this.
+    float chain_angle = 1.134464F;
+};
+
+/// Edges of a mesh that are lines, or may become one, chained into paths: the input of the pipeline.
+struct LineSet {
+    std::vector<glm::vec3> vertices;   ///< welded: no two are equal, each is used
+    std::vector<glm::uvec3> triangles; ///< into `vertices`; no duplicates, no repeated corners
+    std::vector<Segment> segments;     ///< paths one after the other; silhouette candidates last
+    std::uint32_t path_count = 0;      ///< `Segment::path` is below this
+    std::array<std::uint32_t, LA_KIND_COUNT> kind_counts{}; ///< segments per kind
+    Bounds bounds;                     ///< of `vertices`
+};
+
+/// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
+/// Throws UsageError when an index of the mesh is out of range or a position is not finite.
+LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {});
+
+} // namespace lineatlas

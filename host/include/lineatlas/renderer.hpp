@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+
+/// Where visibility samples are computed.
+enum class AtlasForm {
+    automatic, ///< compute beside a software GL, else raster
+    raster,    ///< GL proxy lines into a texture (§4.2)
+    compute,   ///< a kernel over samples
+};
+
+enum class AtlasLayoutChoice { wrap, gutter }; ///< §4.2, Fig. 8
+
+enum class StrokeShader { geometry, vertex }; ///< §4.4; both draw the same picture
+
+/// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
+struct DeviceOptions {
+    std::string compute = "opencl"; ///< "opencl" or "reference"
+    std::string device;             ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
+    std::string interop;            ///< "gl-sharing", "host-pointer", "copy" or "": chosen
+};
+
+/// How a frame is drawn.
+struct FrameOptions {
+    std::uint32_t probes = 9;      ///< depth probes per sample: 1, 4, 9 or 16 (§3.2)
+    int depth_scale = 2;           ///< depth texels per pixel and axis: 1 to 4
+    float step = 2;                ///< k: pixels between samples, above 0 (§4.1)
+    LineKindMask lines = all_line_kinds;
+    AtlasForm atlas = AtlasForm::automatic;
+    AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap;
+    StrokeShader stroke_shader = StrokeShader::geometry;
+    float width = 2;               ///< of strokes, in pixels
+    glm::vec4 color{0, 0, 0, 1};   ///< of strokes: RGB and opacity, 0 to 1
+    std::string pen = "solid";     ///< solid, pen, pencil or dashed
+    bool measure_stages = false;   ///< wait after every stage and report its time; slower
+};
+
+struct StageTime {
+    std::string name;    ///< depth, facing, project_clip, scan, atlas, compact, strokes
+    double milliseconds;
+};
+
+/// What one frame did.
+struct FrameStats {
+    std::uint32_t triangles = 0;
+    std::uint32_t segments = 0;        ///< candidates, silhouettes included
+    std::uint32_t samples = 0;         ///< visibility samples, §4.1
+    std::uint32_t runs = 0;            ///< visible runs drawn
+    std::uint64_t segment_bytes = 0;   ///< device memory of the segment tables
+    std::uint64_t sample_bytes = 0;    ///< device memory of the atlas
+    std::vector<StageTime> stages;     ///< when measured
+};
+
+/// Draws a line set through the segment atlas (§4).
+///
+/// Needs a current GL 4.5 core context for its whole life, and is used on that context's thread. All
+/// calls throw Error. A call may change any GL state.
+class Renderer {
+  public:
+    explicit Renderer(const DeviceOptions& options = {});
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// The compute backend in use and how it shares buffers, for people.
+    std::string description() const;
+
+    /// Uploads the lines and triangles to draw; they replace what was there.
+    void set_lines(const LineSet& lines);
+
+    /// Draws a frame over the content of `framebuffer`, premultiplied.
+    FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
+
+    /// The visibility of every sample of the last frame in order of the segment table, and the samples
+    /// per segment: for tests and studies; waits for the device.
+    struct Samples {
+        std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
+        std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible
+        std::vector<Run> runs;
+    };
+    Samples read_samples();
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace lineatlas

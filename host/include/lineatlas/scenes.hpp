@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// A built-in procedural model with the camera path it is measured on (Table 1). The same on every
+/// machine and in every run.
+struct Scene {
+    std::string name;
+    Mesh mesh; ///< y up
+    /// The view at `t` in [0, 1] along the camera path; continuous, with near and far planes set so
+    /// that they do not change along the path. An orbit closes: view(0) equals view(1).
+    std::function<View(float t)> view;
+};
+
+/// The names `make_scene` knows, in the order of Table 1: clevis, house, ship, office.
+std::span<const std::string_view> scene_names();
+
+/// Builds a scene. Throws UsageError for an unknown name.
+Scene make_scene(std::string_view name);
+
+} // namespace lineatlas

@@ -1,0 +1,207 @@
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "checked.hpp"
+#include "little_endian.hpp"
+#include "ply_header.hpp"
+#include "text_cursor.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+/// Hands out the values behind a PLY header one by one, whatever their encoding.
+class PlyValues {
+  public:
+    PlyValues(std::string_view bytes, PlyEncoding encoding, std::size_t first_line)
+        : bytes_(bytes), encoding_(encoding), text_(bytes, 0, first_line) {}
+
+    /// Nothing at the end of the data and for a word that is no number.
+    std::optional<double> next(const PlyType& type) {
+        if (encoding_ == PlyEncoding::ascii) return parse_number(text_.next());
+        if (bytes_.size() - at_ < type.size) return {};
+        const std::uint64_t raw =
+            read_bytes(bytes_, at_, type.size, encoding_ == PlyEncoding::big_endian);
+        at_ += type.size;
+        return decode(raw, type);
+    }
+
+    std::size_t bytes_left() const {
+        return encoding_ == PlyEncoding::ascii ? text_.bytes_left() : bytes_.size() - at_;
+    }
+
+    /// The fewest bytes that a value of `type` takes.
+    std::size_t least_size(const PlyType& type) const {
+        return encoding_ == PlyEncoding::ascii ? 2 : type.size;
+    }
+
+  private:
+    static double decode(std::uint64_t raw, const PlyType& type) {
+        if (type.kind == PlyKind::floating)
+            return type.size == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(raw))
+                                  : std::bit_cast<double>(raw);
+        if (type.kind == PlyKind::with_sign) {
+            const auto shift = static_cast<unsigned>(64 - 8 * type.size);
+            return static_cast<double>(static_cast<std::int64_t>(raw << shift) >> shift);
+        }
+        return static_cast<double>(raw);
+    }
+
+    std::string_view bytes_;
+    PlyEncoding encoding_;
+    std::size_t at_ = 0;
+    TextCursor text_;
+};
+
+/// OpenMesh reads counts it cannot check, takes integer coordinates for zeros, knows four of the
+/// eight list types, loses its place behind any list but the corners, and stops at `nan` in text.
+/// It gets binary with three floats a vertex and one list of ints a face.
+class PlyFile {
+  public:
+    PlyFile(const SourceFile& source, const PlyHeader& header)
+        : source_(source), header_(header),
+          values_(std::string_view(source.bytes).substr(header.size), header.encoding,
+                  header.lines + 1) {}
+
+    CheckedMesh check() {
+        for (const PlyElement& element : header_.elements)
+            if (element.name == "vertex")
+                checked_.vertices = element.count;
+            else if (element.name == "face")
+                checked_.faces = element.count;
+        checked_.bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                         std::to_string(checked_.vertices) +
+                         "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                         std::to_string(checked_.faces) +
+                         "\nproperty list int int vertex_indices\nend_header\n";
+        for (const PlyElement& element : header_.elements) walk(element);
+        checked_.bytes += faces_;
+        return std::move(checked_);
+    }
+
+  private:
+    void walk(const PlyElement& element) {
+        if (element.properties.empty()) return;
+        std::size_t least = 0;
+        for (const PlyProperty& property : element.properties)
+            least += values_.least_size(property.count_type.value_or(property.type));
+        // The last value of a text needs no blank behind it.
+        if (element.count > (values_.bytes_left() + 1) / least)
+            throw read_error(source_.path, "it is truncated: its header promises " +
+                                               counted(element.count, "element", "elements") +
+                                               " \"" + printable(element.name) +
+                                               "\", it has room for " +
+                                               std::to_string((values_.bytes_left() + 1) / least));
+        for (std::size_t i = 0; i < element.count; ++i) {
+            if (element.name == "vertex")
+                vertex(element, i);
+            else if (element.name == "face")
+                face(element, i);
+            else
+                skip(element, i);
+        }
+    }
+
+    void vertex(const PlyElement& element, std::size_t number) {
+        std::array<double, 3> point{};
+        for (const PlyProperty& property : element.properties) {
+            if (property.count_type) {
+                skip_list(property, element, number);
+                continue;
+            }
+            const double value = next(property.type, element, number);
+            if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
+                point[static_cast<std::size_t>(property.name[0] - 'x')] = value;
+        }
+        for (const double coordinate : point)
+            append_f32(checked_.bytes, static_cast<float>(coordinate));
+    }
+
+    void face(const PlyElement& element, std::size_t number) {
+        bool found = false;
+        for (const PlyProperty& property : element.properties) {
+            if (!property.count_type) {
+                next(property.type, element, number);
+            } else if (found || !property.is_corners()) {
+                skip_list(property, element, number);
+            } else {
+                corners(property, element, number);
+                found = true;
+            }
+        }
+        if (!found) append_u32(faces_, 0);
+    }
+
+    void corners(const PlyProperty& property, const PlyElement& element, std::size_t number) {
+        const std::size_t count = list_count(property, element, number);
+        append_u32(faces_, static_cast<std::uint32_t>(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const double index = next(property.type, element, number);
+            if (!(index >= 0.0 && index < static_cast<double>(checked_.vertices)))
+                throw read_error(source_.path,
+                                 "face " + std::to_string(number) + " refers to vertex " +
+                                     whole(index) + ", the file has " +
+                                     counted(checked_.vertices, "vertex", "vertices") + " from 0");
+            append_u32(faces_, static_cast<std::uint32_t>(index));
+        }
+    }
+
+    std::size_t list_count(const PlyProperty& property, const PlyElement& element,
+                           std::size_t number) {
+        const double count = next(*property.count_type, element, number);
+        const std::size_t room = (values_.bytes_left() + 1) / values_.least_size(property.type);
+        if (!(count >= 0.0 && count <= static_cast<double>(room)))
+            throw read_error(source_.path,
+                             "it is damaged or truncated: " + printable(element.name) + ' ' +
+                                 std::to_string(number) + " claims " + whole(count) +
+                                 " values of \"" + printable(property.name) +
+                                 "\", the file has room for " + std::to_string(room));
+        return static_cast<std::size_t>(count);
+    }
+
+    void skip_list(const PlyProperty& property, const PlyElement& element, std::size_t number) {
+        const std::size_t count = list_count(property, element, number);
+        for (std::size_t i = 0; i < count; ++i) next(property.type, element, number);
+    }
+
+    void skip(const PlyElement& element, std::size_t number) {
+        for (const PlyProperty& property : element.properties) {
+            if (property.count_type)
+                skip_list(property, element, number);
+            else
+                next(property.type, element, number);
+        }
+    }
+
+    double next(const PlyType& type, const PlyElement& element, std::size_t number) {
+        if (const auto value = values_.next(type)) return *value;
+        throw read_error(source_.path, "it is damaged or truncated: no number where " +
+                                           printable(element.name) + ' ' + std::to_string(number) +
+                                           " of " + std::to_string(element.count) + " needs one");
+    }
+
+    static std::string whole(double value) {
+        return std::isfinite(value) && std::abs(value) < 1e18
+                   ? std::to_string(static_cast<long long>(value))
+                   : "out of any range";
+    }
+
+    const SourceFile& source_;
+    const PlyHeader& header_;
+    PlyValues values_;
+    CheckedMesh checked_;
+    std::string faces_; // kept apart, since a file may have its faces before its vertices
+};
+
+} // namespace
+
+CheckedMesh check_ply(const SourceFile& source) {
+    const PlyHeader header = read_ply_header(source);
+    return PlyFile(source, header).check();
+}
+
+} // namespace lineatlas

@@ -1,0 +1,167 @@
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "checked.hpp"
+#include "little_endian.hpp"
+#include "text_cursor.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+constexpr std::size_t header_size = 84;
+constexpr std::size_t facet_size = 50;
+
+std::string empty_binary_stl() {
+    return std::string(80, ' ') + std::string(4, '\0');
+}
+
+void set_facet_count(CheckedMesh& checked) {
+    std::string count;
+    append_u32(count, static_cast<std::uint32_t>(checked.faces));
+    checked.bytes.replace(80, 4, count);
+}
+
+/// OpenMesh's reader welds through an ordered map, and one NaN breaks the order of all of it.
+void add_facet(CheckedMesh& checked, const std::array<float, 9>& coordinates) {
+    for (const float value : coordinates) {
+        if (std::isfinite(value)) continue;
+        ++checked.not_finite_faces;
+        return;
+    }
+    checked.bytes.append(12, '\0');
+    for (const float value : coordinates) append_f32(checked.bytes, value);
+    checked.bytes.append(2, '\0');
+    ++checked.faces;
+}
+
+CheckedMesh check_binary(const SourceFile& source) {
+    const std::string_view bytes = source.bytes;
+    const std::size_t promised = read_u32(bytes, 80);
+    const std::size_t present = (bytes.size() - header_size) / facet_size;
+    if (promised > present)
+        throw read_error(source.path, "it is truncated: its header promises " +
+                                          counted(promised, "triangle", "triangles") +
+                                          ", it has room for " + std::to_string(present));
+    if (promised == 0 && present > 0)
+        throw read_error(source.path, "its header promises no triangle, but data for " +
+                                          std::to_string(present) + " follow");
+    if (promised == 0) throw read_error(source.path, "it holds no face");
+
+    CheckedMesh checked;
+    checked.bytes = empty_binary_stl();
+    checked.bytes.reserve(bytes.size());
+    for (std::size_t i = 0; i < promised; ++i) {
+        std::array<float, 9> coordinates{};
+        for (std::size_t c = 0; c < 9; ++c)
+            coordinates[c] = read_f32(bytes, header_size + i * facet_size + 12 + 4 * c);
+        add_facet(checked, coordinates);
+    }
+    set_facet_count(checked);
+    return checked;
+}
+
+bool same_word(std::string_view token, std::string_view lower) {
+    if (token.size() != lower.size()) return false;
+    for (std::size_t i = 0; i < token.size(); ++i)
+        if (std::tolower(static_cast<unsigned char>(token[i])) != lower[i]) return false;
+    return true;
+}
+
+/// Walks keywords rather than lines: OpenMesh expects one `vertex` on each of the three lines
+/// after `outer`, and takes anything else for zeros.
+class AsciiStl {
+  public:
+    explicit AsciiStl(const SourceFile& source) : source_(source), cursor_(source.bytes) {}
+
+    CheckedMesh check() {
+        CheckedMesh checked;
+        checked.bytes = empty_binary_stl();
+        bool in_solid = false;
+        for (std::string_view word = cursor_.next(); !word.empty(); word = cursor_.next()) {
+            if (same_word(word, "solid") || same_word(word, "endsolid")) {
+                in_solid = same_word(word, "solid");
+                cursor_.skip_line();
+            } else if (same_word(word, "facet")) {
+                add_facet(checked, facet());
+            } else {
+                throw unexpected(word, "\"facet\"");
+            }
+        }
+        if (in_solid) throw truncated();
+        if (checked.faces + checked.not_finite_faces == 0)
+            throw read_error(source_.path, "it holds no face");
+        set_facet_count(checked);
+        return checked;
+    }
+
+  private:
+    FileError truncated() const {
+        return read_error(source_.path, "it is truncated: line " + std::to_string(cursor_.line()) +
+                                            " is the last and no \"endsolid\" was met");
+    }
+    FileError unexpected(std::string_view word, std::string_view wanted) const {
+        return read_error(source_.path, "line " + std::to_string(cursor_.line()) + " has \"" +
+                                            printable(word) + "\" where " + std::string(wanted) +
+                                            " has to be");
+    }
+
+    void expect(std::string_view wanted) {
+        const std::string_view word = cursor_.next();
+        if (word.empty()) throw truncated();
+        if (!same_word(word, wanted)) throw unexpected(word, '"' + std::string(wanted) + '"');
+    }
+
+    float number() {
+        const std::string_view word = cursor_.next();
+        if (word.empty()) throw truncated();
+        const auto value = parse_number(word);
+        if (!value) throw unexpected(word, "a number");
+        return static_cast<float>(*value);
+    }
+
+    std::array<float, 9> facet() {
+        std::array<float, 9> coordinates{};
+        expect("normal");
+        for (int i = 0; i < 3; ++i)
+            if (cursor_.next().empty()) throw truncated();
+        expect("outer");
+        expect("loop");
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            expect("vertex");
+            for (std::size_t i = 0; i < 3; ++i) coordinates[3 * corner + i] = number();
+        }
+        expect("endloop");
+        expect("endfacet");
+        return coordinates;
+    }
+
+    const SourceFile& source_;
+    TextCursor cursor_;
+};
+
+bool starts_with_solid(std::string_view bytes) {
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != bytes.npos && same_word(bytes.substr(first, 5), "solid");
+}
+
+} // namespace
+
+CheckedMesh check_stl(const SourceFile& source) {
+    const std::string_view bytes = source.bytes;
+    const bool has_header = bytes.size() >= header_size;
+    // "solid" proves nothing: many exporters put it into the free text of a binary header.
+    const bool exact = has_header && bytes.size() == header_size + facet_size * read_u32(bytes, 80);
+    const bool has_zero_byte = bytes.substr(0, 1024).find('\0') != bytes.npos;
+    if (!exact && starts_with_solid(bytes) && !has_zero_byte) return AsciiStl(source).check();
+    if (!exact) refuse_other_types(source, ".stl");
+    if (!has_header)
+        throw read_error(source.path,
+                         "it is neither binary STL (too short for its header) nor ASCII "
+                         "STL (does not start with \"solid\")");
+    return check_binary(source);
+}
+
+} // namespace lineatlas

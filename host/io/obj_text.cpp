@@ -1,0 +1,185 @@
+#include "obj_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "text_cursor.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == text.npos) return {};
+    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+std::string_view take_word(std::string_view& text) {
+    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    text.remove_prefix(end);
+    return word;
+}
+
+/// Most coordinates are digits with one point, which is quicker to see than to convert.
+bool is_plain_number(std::string_view word) {
+    if (word.starts_with('-')) word.remove_prefix(1);
+    bool point = false;
+    for (const char c : word) {
+        if (c == '.' && !point)
+            point = true;
+        else if (!is_digit(c))
+            return false;
+    }
+    return word.size() > (point ? 1U : 0U);
+}
+
+/// `1`, `-1`, `1/2`, `1//3`, `1/2/3`, with empty places (`1//`) allowed behind the first.
+bool is_corner(std::string_view word) {
+    std::size_t at = word.starts_with('-') ? 1 : 0;
+    constexpr std::size_t most_digits = 9; // tinyobjloader's atoi() has no range check
+    const std::size_t first = at;
+    while (at < word.size() && is_digit(word[at])) ++at;
+    if (at == first || at - first > most_digits) return false;
+    return at == word.size() || word[at] == '/';
+}
+
+class Reduction {
+  public:
+    explicit Reduction(const SourceFile& source) : source_(source) {}
+
+    ObjText run() {
+        const std::string_view bytes = source_.bytes;
+        if (bytes.find('\0') != bytes.npos)
+            throw read_error(source_.path, "it holds binary data, not OBJ text");
+        result_.text.reserve(bytes.size());
+        std::size_t at = 0;
+        while (at < bytes.size()) {
+            const std::size_t end = std::min(bytes.find_first_of("\r\n", at), bytes.size());
+            last_ = end == bytes.size();
+            ++line_;
+            add_line(bytes.substr(at, end - at));
+            at = end + (bytes.substr(end, 2) == "\r\n" ? 2 : 1);
+        }
+        if (!joined_.empty()) {
+            statement(joined_);
+            result_.text += '\n';
+        }
+        return std::move(result_);
+    }
+
+  private:
+    FileError error(const std::string& cause) const {
+        return read_error(source_.path, "line " + std::to_string(line_) + ' ' + cause);
+    }
+
+    void add_line(std::string_view line) {
+        const bool continues = line.ends_with('\\') && !last_;
+        if (continues) line.remove_suffix(1);
+        if (continues || !joined_.empty()) {
+            joined_ += line;
+            joined_ += ' ';
+            if (!continues) {
+                statement(joined_);
+                joined_.clear();
+            }
+        } else {
+            statement(line);
+        }
+        result_.text += '\n'; // also for dropped lines, so that line numbers stay those of the file
+    }
+
+    void statement(std::string_view line) {
+        std::string_view rest = line;
+        const std::string_view keyword = take_word(rest);
+        if (keyword == "v")
+            vertex(rest);
+        else if (keyword == "f" || keyword == "fo")
+            corners(rest, 3);
+        else if (keyword == "l")
+            line_element(rest);
+        else if (keyword == "mtllib")
+            result_.material_files.emplace_back(trimmed(rest));
+        else if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
+            result_.text += keyword;
+            result_.text += ' ';
+            result_.text += trimmed(rest);
+        }
+    }
+
+    void vertex(std::string_view rest) {
+        result_.text += 'v';
+        for (int i = 0; i < 3; ++i) {
+            const std::string_view word = take_word(rest);
+            if (word.empty() && last_) throw truncated();
+            if (word.empty()) throw error("gives a vertex fewer than three coordinates");
+            result_.text += ' ';
+            coordinate(word);
+        }
+    }
+
+    void coordinate(std::string_view word) {
+        if (is_plain_number(word)) {
+            result_.text += word;
+            return;
+        }
+        const auto value = parse_number(word);
+        // Visual C++ prints 1.#INF, 1.#QNAN, -1.#IND.
+        const bool visual_c_nan = word.find(".#") != word.npos;
+        if (!value && !visual_c_nan)
+            throw error("has \"" + printable(word) + "\" for a coordinate");
+        if (visual_c_nan || !std::isfinite(static_cast<float>(*value)))
+            result_.text += "1e999";
+        else if (static_cast<float>(*value) == 0.0F)
+            result_.text += '0';
+        else
+            result_.text += word;
+    }
+
+    void line_element(std::string_view rest) {
+        corners(rest, 2);
+        result_.polyline_ends.push_back(result_.text.size());
+    }
+
+    void corners(std::string_view rest, int fewest) {
+        result_.text += 'f';
+        int count = 0;
+        for (std::string_view word = take_word(rest); !word.empty() && word[0] != '#';
+             word = take_word(rest), ++count) {
+            if (!is_corner(word)) throw error("has \"" + printable(word) + "\" for a vertex index");
+            result_.text += ' ';
+            result_.text += word;
+        }
+        if (last_ && count < fewest) throw truncated();
+        if (count == 0) result_.text += " 0"; // seen as a face without corners, and counted as such
+    }
+
+    FileError truncated() const {
+        return read_error(source_.path, "it is truncated: it ends in the middle of line " +
+                                            std::to_string(line_));
+    }
+
+    const SourceFile& source_;
+    ObjText result_;
+    std::string joined_; // of lines that end in a backslash
+    std::size_t line_ = 0;
+    bool last_ = false; // the line has no line end
+};
+
+} // namespace
+
+ObjText reduce_obj(const SourceFile& source) {
+    return Reduction(source).run();
+}
+
+} // namespace lineatlas

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "source_file.hpp"
+
+namespace lineatlas {
+
+/// OBJ text reduced to what tinyobjloader reads right. It takes a word that is no number for zero,
+/// takes a comment behind a face for more corners, and its callback interface has no `l` elements.
+struct ObjText {
+    std::string text; ///< v, f, o, g and usemtl; one line for each in the file
+    std::vector<std::size_t> polyline_ends;  ///< ends in `text` of the f lines that were l lines
+    std::vector<std::string> material_files; ///< what follows each mtllib
+};
+
+/// Throws FileError with its line for a `v` without three numbers, for a corner that is no index,
+/// and for text that is no OBJ at all.
+ObjText reduce_obj(const SourceFile& source);
+
+} // namespace lineatlas

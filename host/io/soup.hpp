@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/io.hpp"
+
+namespace lineatlas {
+
+/// Polygons as a reader finds them, before any of them is judged.
+struct Soup {
+    std::vector<glm::vec3> positions;      ///< may hold NaN and infinity
+    std::vector<std::uint32_t> corners;    ///< of all faces, one after another
+    std::vector<std::size_t> face_ends;    ///< per face, one past its last corner in `corners`
+    std::vector<std::uint32_t> face_group; ///< per face, or empty
+    std::vector<MeshGroup> groups;
+    std::vector<std::vector<std::uint32_t>> polylines;
+    std::vector<std::string> notes;
+    std::size_t not_finite_faces = 0; ///< left out by the reader already
+
+    void add_face(std::span<const std::uint32_t> face) {
+        corners.insert(corners.end(), face.begin(), face.end());
+        face_ends.push_back(corners.size());
+    }
+};
+
+/// Judges and triangulates. Drops what cannot be drawn with a note each; throws FileError for
+/// indices out of range, for a file most of whose faces are not finite, and for one that holds
+/// nothing to draw.
+LoadedMesh finish(Soup&& soup, const std::filesystem::path& path);
+
+} // namespace lineatlas

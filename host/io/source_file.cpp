@@ -1,0 +1,124 @@
+#include "source_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <system_error>
+
+namespace lineatlas {
+
+namespace {
+
+struct Signature {
+    std::string_view magic;
+    std::string_view what;
+};
+
+constexpr std::array signatures{
+    Signature{"\x89PNG", "a PNG picture"},
+    Signature{"\xFF\xD8\xFF", "a JPEG picture"},
+    Signature{"GIF8", "a GIF picture"},
+    Signature{"%PDF", "a PDF document"},
+    Signature{"\x1F\x8B", "compressed by gzip; unpack it first"},
+    Signature{"BZh", "compressed by bzip2; unpack it first"},
+    Signature{"\xFD"
+              "7zXZ",
+              "compressed by xz; unpack it first"},
+    Signature{"\x28\xB5\x2F\xFD", "compressed by zstd; unpack it first"},
+    Signature{"7z\xBC\xAF", "a 7z archive; unpack it first"},
+    Signature{"PK\x03\x04", "a ZIP archive; unpack it first"},
+    Signature{"\x7F"
+              "ELF",
+              "a program"},
+    Signature{"glTF", "a binary glTF model; convert it to OBJ or PLY"},
+    Signature{"Kaydara FBX", "an FBX model; convert it to OBJ or PLY"},
+    Signature{"<?xml", "an XML document"},
+    Signature{"<!DOCTYPE", "an HTML page; was the download refused?"},
+    Signature{"<html", "an HTML page; was the download refused?"},
+    Signature{"version https://git-lfs", "a Git LFS pointer; run \"git lfs pull\""},
+    Signature{"\xFF\xFE", "UTF-16 text; save it as UTF-8"},
+    Signature{"\xFE\xFF", "UTF-16 text; save it as UTF-8"},
+};
+
+struct MeshSignature {
+    std::string_view magic;
+    std::string_view extension;
+};
+
+// STL is not listed: "solid" may start any text, and a binary STL starts with anything.
+constexpr std::array mesh_signatures{
+    MeshSignature{"ply\n", ".ply"}, MeshSignature{"ply\r", ".ply"},  MeshSignature{"OFF\n", ".off"},
+    MeshSignature{"OFF\r", ".off"}, MeshSignature{"COFF\n", ".off"}, MeshSignature{"OMT", ".om"},
+};
+
+} // namespace
+
+std::string printable(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    std::string text(word.substr(0, longest));
+    // Bytes beyond ASCII are masked as well: a cut through a UTF-8 letter would break the line.
+    for (char& c : text)
+        if (c < ' ' || c > '~') c = '?';
+    return word.size() > longest ? text + "..." : text;
+}
+
+std::string quoted(const std::filesystem::path& path) {
+    std::string text = path.string();
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return '"' + text + '"';
+}
+
+FileError read_error(const std::filesystem::path& path, std::string_view cause) {
+    return FileError("cannot read " + quoted(path) + ": " + std::string(cause));
+}
+
+FileError write_error(const std::filesystem::path& path, std::string_view cause) {
+    return FileError("cannot write " + quoted(path) + ": " + std::string(cause));
+}
+
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
+    return std::to_string(count) + ' ' + std::string(count == 1 ? singular : plural);
+}
+
+std::uintmax_t check_source(const std::filesystem::path& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
+        const bool missing = !error || error == std::errc::no_such_file_or_directory;
+        throw read_error(path, missing ? "no such file" : error.message());
+    }
+    if (std::filesystem::is_directory(status)) throw read_error(path, "it is a folder");
+    // A pipe or a device has no end that could be known beforehand.
+    if (!std::filesystem::is_regular_file(status)) throw read_error(path, "it is no regular file");
+
+    const std::ifstream stream(path, std::ios::binary);
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!stream || error) throw read_error(path, "no permission to read it");
+    if (size == 0) throw read_error(path, "the file is empty");
+    return size;
+}
+
+SourceFile read_source(const std::filesystem::path& path) {
+    const std::uintmax_t size = check_source(path);
+    SourceFile source{.path = path, .bytes = std::string(size, '\0')};
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream.read(source.bytes.data(), static_cast<std::streamsize>(size)))
+        throw read_error(path, "reading stopped before the end of the file");
+    return source;
+}
+
+void refuse_other_types(const SourceFile& source, std::string_view extension) {
+    const std::string_view bytes = source.bytes;
+    for (const Signature& signature : signatures)
+        if (bytes.starts_with(signature.magic))
+            throw read_error(source.path, "it is " + std::string(signature.what));
+    for (const MeshSignature& signature : mesh_signatures)
+        if (bytes.starts_with(signature.magic) && extension != signature.extension)
+            throw read_error(source.path, "it holds a mesh of type " +
+                                              std::string(signature.extension) +
+                                              "; give it that extension");
+}
+
+} // namespace lineatlas

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+
+/// One file, whole, in memory: what every mesh format is checked on before a library sees it.
+struct SourceFile {
+    std::filesystem::path path;
+    std::string bytes;
+};
+
+/// The size of a file that must exist, be a regular one, be readable and not be empty. Throws
+/// FileError.
+std::uintmax_t check_source(const std::filesystem::path& path);
+
+/// Reads what check_source() accepts. Throws FileError.
+SourceFile read_source(const std::filesystem::path& path);
+
+/// Throws FileError when the first bytes belong to something that is no mesh, or to a mesh of
+/// another type than `extension` (lower case, with its dot).
+void refuse_other_types(const SourceFile& source, std::string_view extension);
+
+/// A word out of a file, safe and short enough to stand in a one-line message.
+std::string printable(std::string_view word);
+
+/// `path` in double quotes, safe to stand in a one-line message.
+std::string quoted(const std::filesystem::path& path);
+
+/// `cannot read "path": cause`
+FileError read_error(const std::filesystem::path& path, std::string_view cause);
+
+/// `cannot write "path": cause`
+FileError write_error(const std::filesystem::path& path, std::string_view cause);
+
+/// "1 face", "12 faces"
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural);
+
+} // namespace lineatlas

@@ -1,0 +1,40 @@
+// A furnished office building of five storeys.
+#include "camera_path.hpp"
+#include "office_parts.hpp"
+#include "scene_list.hpp"
+
+namespace lineatlas::scenes {
+
+Scene make_office() {
+    MeshBuilder b;
+    const OfficeMaterials m{b.group("structure", "concrete", {0.58F, 0.58F, 0.56F}),
+                            b.group("walls", "plaster", {0.82F, 0.81F, 0.77F}),
+                            b.group("facade", "aluminium", {0.45F, 0.48F, 0.50F}),
+                            b.group("furniture", "wood", {0.66F, 0.50F, 0.34F}),
+                            b.group("furniture", "metal", {0.55F, 0.57F, 0.60F}),
+                            b.group("equipment", "plastic", {0.25F, 0.26F, 0.28F}),
+                            b.group("equipment", "keys", {0.40F, 0.42F, 0.45F}),
+                            b.group("furniture", "fabric", {0.28F, 0.38F, 0.48F}),
+                            b.group("books", "paper", {0.86F, 0.83F, 0.74F}),
+                            b.group("plants", "leaf", {0.27F, 0.43F, 0.24F}),
+                            b.group("plants", "clay", {0.65F, 0.42F, 0.31F})};
+    add_building(b, m);
+    for (int storey = 0; storey < office::storeys; ++storey) furnish(b, m, storey);
+
+    Scene scene;
+    scene.mesh = b.take();
+    // From the corner of the site down to eye height, through the entrance and along the aisle.
+    scene.view = walk({{{-46, 15, 34}, {-3, 5.5F, 2}},
+                       {{-36, 8, 17}, {-6, 7.0F, 0}},
+                       {{-27, 2.4F, 4.5F}, {-10, 3.2F, 1.0F}},
+                       {{-20.5F, 1.75F, 1.2F}, {-8, 1.7F, 1.0F}},
+                       {{-15, 1.75F, 1.0F}, {-5, 1.5F, 1.6F}},
+                       {{-9, 1.75F, 0.9F}, {-1, 1.3F, 2.6F}},
+                       {{-2, 1.75F, 0.8F}, {5, 1.2F, 3.4F}},
+                       {{5, 1.75F, 0.8F}, {12, 1.3F, 1.5F}},
+                       {{11, 1.75F, 0.9F}, {16, 1.2F, 4.5F}}},
+                      0.90F, 0.1F, 150);
+    return scene;
+}
+
+} // namespace lineatlas::scenes

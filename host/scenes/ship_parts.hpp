@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "builder.hpp"
+
+namespace lineatlas::scenes {
+
+struct ShipMaterials {
+    Group planking;  ///< outer hull, above the wale
+    Group bottom;    ///< outer hull, below it
+    Group frames;    ///< ribs, beams, keel
+    Group ceiling;   ///< the planking inside the ribs
+    Group deck;
+    Group joinery;   ///< deckhouses, cabins, furniture
+    Group spars;
+    Group rope;
+    Group sail;
+    Group iron;
+    Group cargo;
+    Group sacks;
+};
+
+/// The form of the hull: bow towards +x, waterline at y = 0, symmetric in z.
+namespace hull {
+
+constexpr float stern = -29.0F;
+constexpr float bow = 29.0F;
+constexpr float bulwark = 1.05F; ///< height of the sheer above the main deck
+constexpr float tween = 2.5F;    ///< depth of the 'tween deck below the main deck
+
+/// Height of the top of the bulwark at `x`.
+float sheer(float x);
+/// The starboard half-breadth at length `u` (0 stern, 1 bow) and height `h` (0 keel, 1 sheer).
+glm::vec3 surface(float u, float h);
+/// The half-breadth of the inside at a point of the centre plane.
+float half_breadth(float x, float y);
+/// Whether (x, z) is in a hatch; `margin` makes the hatches larger.
+bool in_hatch(float x, float z, float margin);
+
+} // namespace hull
+
+struct Hatch {
+    float x0, x1, half_width;
+};
+inline constexpr Hatch hatches[] = {{9.0F, 13.0F, 1.7F}, {-4.6F, 0.4F, 1.9F}, {-17.0F, -14.0F, 1.5F}};
+
+void add_hull(MeshBuilder& b, const ShipMaterials& m);
+void add_decks(MeshBuilder& b, const ShipMaterials& m);
+void add_hold(MeshBuilder& b, const ShipMaterials& m);
+void add_deck_gear(MeshBuilder& b, const ShipMaterials& m);
+void add_rigging(MeshBuilder& b, const ShipMaterials& m);
+
+} // namespace lineatlas::scenes

@@ -1,0 +1,122 @@
+/* scan: exclusive prefix sum of unsigned integers, in place (§4.1; Sengupta et al. 2007 as cited there).
+ *
+ * values holds n inputs and room for one more: afterwards values[i] is the sum of the inputs before i
+ * and values[n] the total. Two forms of one algorithm: chunks, each summed serially by one work-item,
+ * for CPU devices; tiles in local memory, one per work-group, for GPUs. Neither relies on work-groups
+ * waiting for each other, for which OpenCL promises no progress.
+ *
+ * SCAN_SATURATE 1: the sum stops at 0xFFFFFFFF, so that a total too large to count is seen as such.
+ * SCAN_SATURATE 0: the sum wraps; differences stay right (arc lengths). */
+
+#ifndef SCAN_SATURATE
+#error "SCAN_SATURATE must be 0 or 1"
+#endif
+
+#if SCAN_SATURATE
+#define SCAN_ADD(a, b) add_sat((uint)(a), (uint)(b))
+#else
+#define SCAN_ADD(a, b) ((uint)(a) + (uint)(b))
+#endif
+
+/* Chunks, step 1: sums[c] = sum of chunk c. One work-item per chunk of `chunk` values. */
+__kernel void scan_chunks_reduce(__global const uint* restrict values, const uint n,
+                                 const uint chunk, __global uint* restrict sums) {
+    const uint c = (uint)get_global_id(0);
+    const uint begin = min(c * chunk, n);
+    const uint end = n - begin < chunk ? n : begin + chunk;
+    uint sum = 0;
+    for (uint i = begin; i < end; ++i) sum = SCAN_ADD(sum, values[i]);
+    sums[c] = sum;
+}
+
+/* Chunks, step 2: each work-item adds up the chunks before its own (there are few) and scans it. */
+__kernel void scan_chunks_apply(__global uint* restrict values, const uint n, const uint chunk,
+                                __global const uint* restrict sums) {
+    const uint c = (uint)get_global_id(0);
+    uint sum = 0;
+    for (uint i = 0; i < c; ++i) sum = SCAN_ADD(sum, sums[i]);
+    const uint begin = min(c * chunk, n);
+    const uint end = n - begin < chunk ? n : begin + chunk;
+    for (uint i = begin; i < end; ++i) {
+        const uint value = values[i];
+        values[i] = sum;
+        sum = SCAN_ADD(sum, value);
+    }
+    if (c + 1 == (uint)get_global_size(0)) values[n] = sum;
+}
+
+/* Tile width: set by the host to the work-group size, a power of two. */
+#ifdef SCAN_TILE
+#ifndef SCAN_PER_ITEM
+#error "SCAN_PER_ITEM must be set with SCAN_TILE: values per work-item"
+#endif
+
+/* Exclusive scan over the work-group of one value per work-item (Hillis and Steele 1986).
+ * Returns the sum of the values of the work-items before this one; *total: the sum of all. */
+static uint scan_group(const uint value, __local uint* scratch, uint* total) {
+    const uint lane = (uint)get_local_id(0);
+    scratch[lane] = value;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint reach = 1; reach < SCAN_TILE; reach *= 2) {
+        const uint before = lane >= reach ? scratch[lane - reach] : 0;
+        barrier(CLK_LOCAL_MEM_FENCE);
+        scratch[lane] = SCAN_ADD(scratch[lane], before);
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+    const uint exclusive = lane > 0 ? scratch[lane - 1] : 0;
+    *total = scratch[SCAN_TILE - 1];
+    barrier(CLK_LOCAL_MEM_FENCE);
+    return exclusive;
+}
+
+/* Sum of the work-item's own SCAN_PER_ITEM neighbouring values. */
+static uint sum_own(__global const uint* values, const uint n, const uint begin) {
+    uint sum = 0;
+    for (uint k = 0; k < SCAN_PER_ITEM; ++k) {
+        if (begin + k < n) sum = SCAN_ADD(sum, values[begin + k]);
+    }
+    return sum;
+}
+
+/* Tiles, step 1: sums[g] = sum of tile g, of SCAN_TILE * SCAN_PER_ITEM values. */
+__kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
+scan_tiles_reduce(__global const uint* restrict values, const uint n, __global uint* restrict sums) {
+    __local uint scratch[SCAN_TILE];
+    uint total;
+    const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;
+    scan_group(sum_own(values, n, begin), scratch, &total);
+    if (get_local_id(0) == 0) sums[get_group_id(0)] = total;
+}
+
+/* Tiles, step 2: one work-group scans the sums of all tiles in place. */
+__kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
+scan_tiles_sums(__global uint* restrict sums, const uint tiles) {
+    __local uint scratch[SCAN_TILE];
+    const uint lane = (uint)get_local_id(0);
+    uint carry = 0;
+    for (uint begin = 0; begin < tiles; begin += SCAN_TILE) {
+        const uint i = begin + lane;
+        uint total;
+        const uint before = scan_group(i < tiles ? sums[i] : 0, scratch, &total);
+        if (i < tiles) sums[i] = SCAN_ADD(carry, before);
+        carry = SCAN_ADD(carry, total);
+    }
+}
+
+/* Tiles, step 3: every tile scanned, from the sum of the tiles before it. */
+__kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
+scan_tiles_apply(__global uint* restrict values, const uint n, __global const uint* restrict sums) {
+    __local uint scratch[SCAN_TILE];
+    uint total;
+    const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;
+    uint sum = scan_group(sum_own(values, n, begin), scratch, &total);
+    sum = SCAN_ADD(sums[get_group_id(0)], sum);
+    for (uint k = 0; k < SCAN_PER_ITEM; ++k) {
+        if (begin + k >= n) break;
+        const uint value = values[begin + k];
+        values[begin + k] = sum;
+        sum = SCAN_ADD(sum, value);
+        if (begin + k + 1 == n) values[n] = sum;
+    }
+}
+#endif

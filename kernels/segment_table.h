@@ -1,0 +1,104 @@
+/* The tables that kernels, shaders and host code share. Valid as OpenCL C 1.2 and as C++20.
+ *
+ * Every struct is made of 4-byte members only and has no padding, so that its layout is the same in
+ * both languages and as GL vertex attributes (offsets are asserted below). */
+#ifndef LINEATLAS_SEGMENT_TABLE_H
+#define LINEATLAS_SEGMENT_TABLE_H
+
+#ifdef __OPENCL_VERSION__
+typedef uint la_uint;
+#else
+#include <cstddef>
+#include <cstdint>
+
+namespace lineatlas {
+
+using la_uint = std::uint32_t;
+#endif
+
+/* Line kinds; bit 1 << kind selects one in a kind mask. */
+#define LA_KIND_CREASE 0u
+#define LA_KIND_BOUNDARY 1u
+#define LA_KIND_MATERIAL 2u
+#define LA_KIND_SILHOUETTE 3u
+#define LA_KIND_FILE 4u
+#define LA_KIND_COUNT 5u
+
+/* Segment.tag: the kind in the low bits, then flags. */
+#define LA_TAG_KIND_MASK 0x7u
+#define LA_TAG_CLOSED 0x8u /* the path is a loop: its last segment continues in its first */
+#define LA_TAG_LONE 0x10u  /* touches no other segment: dropped when sub-pixel (§4.1) */
+
+/* Segment.face_a, face_b: a triangle index, or LA_NO_FACE. LA_FACE_FLIPPED in face_b says that its
+ * winding disagrees with face_a's, so that its facing must be negated before the two are compared. */
+#define LA_NO_FACE 0xFFFFFFFFu
+#define LA_FACE_FLIPPED 0x80000000u
+#define LA_FACE_INDEX 0x7FFFFFFFu
+
+/* One candidate segment (§4.1, Fig. 7 step 1). Segments of a path are neighbours in the table. */
+typedef struct Segment {
+    la_uint p, q;           /* end points: indices into the vertex table */
+    la_uint face_a, face_b; /* the triangles on either side */
+    la_uint from_start;     /* segments of the same path before this one */
+    la_uint to_end;         /* segments of the same path after this one */
+    la_uint path;           /* index of the path */
+    la_uint tag;            /* kind and flags, LA_TAG_* */
+} Segment;
+
+/* A segment after projection and clipping; written only where its sample count is above 0. */
+typedef struct ClippedSegment {
+    float p[4], q[4];         /* p', q': clipped end points in homogeneous clip space, w > 0 */
+    float t0, t1;             /* clip parameters: p' lies at t0, q' at t1 of the segment; 0 and 1: whole */
+    la_uint slope_a, slope_b; /* window-space depth slopes of the two faces, see la_pack_slope */
+} ClippedSegment;
+
+/* Run.flags: how either end of the run is drawn. */
+#define LA_END_BUTT 0u  /* cut square: visibility or the viewport ends here */
+#define LA_END_MITRE 1u /* the path goes on: cut along the bisector with the next segment */
+#define LA_END_ROUND 2u /* the path ends here, or turns too sharply for a mitre */
+#define LA_RUN_START_SHIFT 0u
+#define LA_RUN_END_SHIFT 2u
+#define LA_RUN_END_MASK 3u
+#define LA_RUN_KIND_SHIFT 4u
+
+/* A maximal piece of one segment whose samples are all at least partly visible; everything that the
+ * stroke pass and the readback need to know of it. Positions in pixels, origin at the lower left. */
+typedef struct Run {
+    float start[2], end[2];             /* window position of the run's two ends */
+    float start_mitre[2], end_mitre[2]; /* from the spine to the left corner, for half-width 1 */
+    float start_arc, end_arc;           /* arc length along the path, 0 in its middle, in pixels */
+    float start_sample, end_sample;     /* the same ends counted in samples of the segment, 0 to l */
+    la_uint address;                    /* of the segment's first sample in the atlas */
+    la_uint samples;                    /* l, the segment's sample count */
+    la_uint flags;                      /* ends and kind, LA_RUN_* */
+    la_uint segment;                    /* index into the segment table */
+} Run;
+
+/* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
+ * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */
+typedef struct FrameRecord {
+    la_uint points[4];     /* {runs, 1, 0, 0}: one point per run for the geometry shader */
+    la_uint quads[4];      /* {4, runs, 0, 0}: one instanced strip per run for the vertex shader */
+    la_uint sample_total;  /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
+    la_uint run_total;     /* runs the frame needs; above the table's capacity nothing is drawn */
+    la_uint unused[2];
+} FrameRecord;
+
+/* Cosine of the sharpest turn that is mitred; a sharper one gets round ends. 75 degrees. */
+#define LA_MITRE_LIMIT_COSINE 0.258819f
+
+/* Arc lengths are summed in fixed point, so that every device gets the same result in any order of
+ * summation; the sum may wrap, differences along one path stay right. */
+#define LA_ARC_UNITS_PER_PIXEL 256.0f
+
+/* Steepest depth slope kept, in window depth per pixel: the depth range over a hundredth of a pixel. */
+#define LA_SLOPE_LIMIT 100.0f
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);
+static_assert(sizeof(Run) == 64 && sizeof(FrameRecord) == 48);
+static_assert(offsetof(ClippedSegment, t0) == 32 && offsetof(Run, start_arc) == 32);
+} // namespace lineatlas
+#endif
+
+#endif

@@ -1,0 +1,50 @@
+#version 450 core
+// atlas, raster form: a proxy line l texels long at the segment's place in the atlas (§4.2, eq. 2).
+
+#include "probe.glsl"
+
+layout(points) in;
+layout(line_strip, max_vertices = 2) out;
+
+uniform uint row_width;   // w: texels of a row at which a segment can start
+uniform vec2 atlas_size;  // texels
+uniform uint capacity;    // samples that the atlas holds
+uniform bool second_draw; // wrap: what went beyond a row's end, drawn again at (-w, +1)
+
+in VertexSegment {
+    vec4 p, q;
+    flat uvec2 slopes;
+    flat uvec2 range;
+} segment[];
+
+flat out vec3 spine_p, spine_d;
+flat out vec4 spine_rest;   // inverse_w_p, inverse_w_d, across
+flat out vec4 spine_slopes;
+flat out uvec2 sample_base; // address of the first sample, l
+
+void main() {
+    uint s = segment[0].range.x;
+    uint l = segment[0].range.y;
+    if (l == 0u || s >= capacity || l > capacity - s) return;
+    uvec2 place = uvec2(s % row_width, s / row_width);
+    // From the centre of the first texel to the centre of the one after the last: the diamond-exit rule
+    // draws every texel that such a line leaves, which is l of them.
+    vec2 start = vec2(place) + 0.5;
+    if (second_draw) {
+        if (place.x + l <= uint(atlas_size.x)) return;
+        start += vec2(-float(row_width), 1.0);
+    }
+    vec2 end = start + vec2(float(l), 0.0);
+
+    Spine spine = make_spine(segment[0].p, segment[0].q, segment[0].slopes);
+    for (int i = 0; i < 2; ++i) {
+        spine_p = spine.p;
+        spine_d = spine.d;
+        spine_rest = vec4(spine.inverse_w_p, spine.inverse_w_d, spine.across);
+        spine_slopes = vec4(spine.slope_a, spine.slope_b);
+        sample_base = uvec2(place.y * uint(atlas_size.x) + place.x, l);
+        gl_Position = vec4((i == 0 ? start : end) / atlas_size * 2.0 - 1.0, 0.0, 1.0);
+        EmitVertex();
+    }
+    EndPrimitive();
+}

@@ -1,0 +1,25 @@
+#version 450 core
+// strokes, vertex-shader form: one instance of a four-cornered strip per visible run.
+
+#include "strokes.glsl"
+
+layout(location = 0) in vec4 ends;
+layout(location = 1) in vec4 mitres;
+layout(location = 2) in vec4 params;
+layout(location = 3) in uvec4 indices;
+
+noperspective out vec2 local;
+flat out vec4 run_ends;
+flat out vec4 run_params;
+flat out uvec4 run_indices;
+
+void main() {
+    Run run = Run(ends, mitres, params, indices);
+    uint i = uint(gl_VertexID);
+    Corner corner = stroke_corner(run, i >> 1, (i & 1u) == 0u ? 1.0 : -1.0);
+    local = corner.local;
+    run_ends = run.ends;
+    run_params = run.params;
+    run_indices = run.indices;
+    gl_Position = corner.position;
+}
