@@ -25,7 +25,7 @@ AtlasPass::AtlasPass()
     }
     glVertexArrayAttribFormat(array, 0, 4, GL_FLOAT, GL_FALSE, offsetof(ClippedSegment, p));
     glVertexArrayAttribFormat(array, 1, 4, GL_FLOAT, GL_FALSE, offsetof(ClippedSegment, q));
-    glVertexArrayAttribIFormat(array, 2, 2, GL_UNSIGNED_INT, offsetof(ClippedSegment, slope_a));
+    glVertexArrayAttribIFormat(array, 2, 2, GL_UNSIGNED_INT, offsetof(ClippedSegment, own_a));
     // The sample count is the next segment's offset less its own.
     glVertexArrayAttribIFormat(array, 3, 1, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribIFormat(array, 4, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t));
@@ -65,8 +65,7 @@ void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
     program_.set("viewport", probes.viewport);
     program_.set("depth_scale", probes.depth_scale);
     program_.set("probes_per_axis", probes.probes);
-    program_.set("bias_limit", probes.bias_limit);
-    program_.set("bias", probes.bias);
+    program_.set("tolerance", probes.tolerance);
     program_.set("row_width", layout.width);
     program_.set("atlas_size", glm::vec2{size_});
     program_.set("capacity", samples);

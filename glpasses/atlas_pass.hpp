@@ -16,8 +16,7 @@ struct ProbeParams {
     glm::vec2 viewport;        ///< pixels
     float depth_scale;         ///< depth texels per pixel
     std::uint32_t probes;      ///< per axis
-    float bias_limit;          ///< see compute::AtlasArgs
-    float bias;
+    float tolerance;           ///< window depth that may stand before a line, times w
 };
 
 /// The clipped segment table on the GL side.

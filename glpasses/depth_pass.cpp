@@ -1,15 +1,6 @@
 #include "depth_pass.hpp"
 
 namespace lineatlas::gl {
-namespace {
-
-// The line's own faces need no offset (their planes are known, probe.glsl); this is for lines
-// without faces and for faces a little further on.
-constexpr float slope_factor = 1.0F;
-constexpr float constant_units = 1.0F;
-
-} // namespace
-
 DepthPass::DepthPass()
     : program_({"depth.vert", "depth.frag"}), vertex_array_(VertexArray::create()),
       framebuffer_(Framebuffer::create()) {
@@ -40,8 +31,7 @@ void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_fro
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(slope_factor, constant_units);
+    glDisable(GL_POLYGON_OFFSET_FILL);
     const float far = 1.0F;
     glClearBufferfv(GL_DEPTH, 0, &far);
     if (triangles.triangle_count > 0) {
@@ -53,7 +43,6 @@ void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_fro
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.triangle_count * 3),
                        GL_UNSIGNED_INT, nullptr);
     }
-    glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
 }
 

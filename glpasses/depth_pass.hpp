@@ -18,7 +18,8 @@ struct TriangleBuffers {
 };
 
 /// `depth`: draws triangles into a depth texture of its own, larger than the viewport by `scale` per
-/// axis (§3.2), pushed back by a slope-scaled offset.
+/// axis (§3.2). Without a polygon offset: probes know the planes of a line's own faces (probe.glsl) and
+/// recognise them by their exact depth.
 class DepthPass {
   public:
     DepthPass();

@@ -30,16 +30,21 @@ static bool clip_to_frustum(const float4 p, const float4 q, float* t0, float* t1
            *t0 < *t1;
 }
 
-/* Window-space depth slopes (dz/dx, dz/dy) of a triangle's plane, per pixel, each cut to the upper half
- * of a float. They predict the depth of the line's own faces beside it. */
-static uint pack_slope(const uint face, __global const float* vertices,
-                       __global const uint* triangles, const float16 world_from_clip,
-                       const float2 viewport) {
+/* What a face looks like beside its line on the screen, so that a probe can recognise it: the change of
+ * window depth per pixel across the line (to the left), and the height of the third corner above the
+ * line in pixels, positive to the left. Each is cut to the upper half of a float. p and q are the ends
+ * of the line in clip space, `across` is the unit vector to its left. */
+static uint own_face(const uint face, const uint vertex_p, const uint vertex_q, const float4 p,
+                     const float4 q, const float2 across, const float length_px,
+                     __global const float* vertices, __global const uint* triangles,
+                     const float16 clip_from_world, const float16 world_from_clip,
+                     const float2 viewport) {
     if (face == LA_NO_FACE) return 0;
     const uint i = face & LA_FACE_INDEX;
-    const float3 v = vload3(triangles[3 * i], vertices);
-    const float3 ab = vload3(triangles[3 * i + 1], vertices) - v;
-    const float3 ac = vload3(triangles[3 * i + 2], vertices) - v;
+    const uint i0 = triangles[3 * i], i1 = triangles[3 * i + 1], i2 = triangles[3 * i + 2];
+    const float3 v = vload3(i0, vertices);
+    const float3 ab = vload3(i1, vertices) - v;
+    const float3 ac = vload3(i2, vertices) - v;
     const float nx = ab.y * ac.z - ab.z * ac.y;
     const float ny = ab.z * ac.x - ab.x * ac.z;
     const float nz = ab.x * ac.y - ab.y * ac.x;
@@ -49,11 +54,18 @@ static uint pack_slope(const uint face, __global const float* vertices,
     const float a = (nx * m.s0 + ny * m.s1) + (nz * m.s2 + nw * m.s3);
     const float b = (nx * m.s4 + ny * m.s5) + (nz * m.s6 + nw * m.s7);
     const float c = (nx * m.s8 + ny * m.s9) + (nz * m.sa + nw * m.sb);
-    const float sx = -a / (c * viewport.x);
-    const float sy = -b / (c * viewport.y);
-    const float x = fmin(fmax(sx, -LA_SLOPE_LIMIT), LA_SLOPE_LIMIT);
-    const float y = fmin(fmax(sy, -LA_SLOPE_LIMIT), LA_SLOPE_LIMIT);
-    return (as_uint(x) >> 16) | (as_uint(y) & 0xFFFF0000u);
+    const float slope = -(a / viewport.x * across.x + b / viewport.y * across.y) / c;
+    /* The corner's side is the sign of a determinant that stays right where the corner is behind the
+     * eye; there, and at the eye plane, the face reaches as far as can be. */
+    const uint i3 = i0 != vertex_p && i0 != vertex_q ? i0 : i1 != vertex_p && i1 != vertex_q ? i1 : i2;
+    const float4 r = transform_point(clip_from_world, vload3(i3, vertices));
+    const float det = ((p.y * q.w - p.w * q.y) * r.x + (p.w * q.x - p.x * q.w) * r.y) +
+                      (p.x * q.y - p.y * q.x) * r.w;
+    const float area = det / (p.w * q.w) * (viewport.x * viewport.y * 0.25f);
+    const float height = r.w > 0.0f ? area / (r.w * length_px) : area * LA_HEIGHT_LIMIT;
+    const float kept_slope = fmin(fmax(slope, -LA_SLOPE_LIMIT), LA_SLOPE_LIMIT);
+    const float kept_height = fmin(fmax(height, -LA_HEIGHT_LIMIT), LA_HEIGHT_LIMIT);
+    return (as_uint(kept_slope) >> 16) | (as_uint(kept_height) & 0xFFFF0000u);
 }
 
 static bool is_silhouette(const uint face_a, const uint face_b, __global const uchar* front) {
@@ -102,6 +114,10 @@ __kernel void project_clip(__global const Segment* restrict segments, const uint
     vstore4(cq, 0, clipped[i].q);
     clipped[i].t0 = t0;
     clipped[i].t1 = t1;
-    clipped[i].slope_a = pack_slope(face_a, vertices, triangles, world_from_clip, viewport);
-    clipped[i].slope_b = pack_slope(face_b, vertices, triangles, world_from_clip, viewport);
+    const float2 across = (float2)(-span.y, span.x) / length_px;
+    const uint p_index = segments[i].p, q_index = segments[i].q;
+    clipped[i].own_a = own_face(face_a, p_index, q_index, cp, cq, across, length_px, vertices,
+                                triangles, clip_from_world, world_from_clip, viewport);
+    clipped[i].own_b = own_face(face_b, p_index, q_index, cp, cq, across, length_px, vertices,
+                                triangles, clip_from_world, world_from_clip, viewport);
 }

@@ -49,7 +49,7 @@ typedef struct Segment {
 typedef struct ClippedSegment {
     float p[4], q[4];         /* p', q': clipped end points in homogeneous clip space, w > 0 */
     float t0, t1;             /* clip parameters: p' lies at t0, q' at t1 of the segment; 0 and 1: whole */
-    la_uint slope_a, slope_b; /* window-space depth slopes of the two faces, see la_pack_slope */
+    la_uint own_a, own_b;     /* the two faces beside the line on the screen, see own_face in project_clip.cl */
 } ClippedSegment;
 
 /* Run.flags: how either end of the run is drawn. */
@@ -91,8 +91,20 @@ typedef struct FrameRecord {
  * summation; the sum may wrap, differences along one path stay right. */
 #define LA_ARC_UNITS_PER_PIXEL 256.0f
 
-/* Steepest depth slope kept, in window depth per pixel: the depth range over a hundredth of a pixel. */
+/* Largest slope (window depth per pixel) and height (pixels) kept of a line's own face. */
 #define LA_SLOPE_LIMIT 100.0f
+#define LA_HEIGHT_LIMIT 100000.0f
+
+/* A line's own face is recognised by its place and by its depth to within this many pixels (worth of
+ * slope): the rasteriser snaps corners to a grid. */
+#define LA_OWN_FACE_SNAP 0.0625f
+
+/* A face whose depth changes by no more than this many pixel widths is recognised by depth alone: beyond
+ * its own third corner other faces may lie in the same plane. */
+#define LA_OWN_FACE_REACH 8.0f
+
+/* Rounding in the depth buffer: a few units in the last place of a float just below 1. */
+#define LA_DEPTH_ROUNDING 2.4e-7f
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);

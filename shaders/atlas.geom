@@ -13,13 +13,14 @@ uniform bool second_draw; // wrap: what went beyond a row's end, drawn again at 
 
 in VertexSegment {
     vec4 p, q;
-    flat uvec2 slopes;
+    flat uvec2 own_faces;
     flat uvec2 range;
 } segment[];
 
 flat out vec3 spine_p, spine_d;
-flat out vec4 spine_rest;   // inverse_w_p, inverse_w_d, across
-flat out vec4 spine_slopes;
+flat out vec2 spine_inverse_w;
+flat out vec3 spine_along;  // unit vector and depth per pixel
+flat out vec4 spine_faces;
 flat out uvec2 sample_base; // address of the first sample, l
 
 void main() {
@@ -36,12 +37,13 @@ void main() {
     }
     vec2 end = start + vec2(float(l), 0.0);
 
-    Spine spine = make_spine(segment[0].p, segment[0].q, segment[0].slopes);
+    Spine spine = make_spine(segment[0].p, segment[0].q, segment[0].own_faces);
     for (int i = 0; i < 2; ++i) {
         spine_p = spine.p;
         spine_d = spine.d;
-        spine_rest = vec4(spine.inverse_w_p, spine.inverse_w_d, spine.across);
-        spine_slopes = vec4(spine.slope_a, spine.slope_b);
+        spine_inverse_w = vec2(spine.inverse_w_p, spine.inverse_w_d);
+        spine_along = vec3(spine.along, spine.depth_along);
+        spine_faces = vec4(spine.face_a, spine.face_b);
         sample_base = uvec2(place.y * uint(atlas_size.x) + place.x, l);
         gl_Position = vec4((i == 0 ? start : end) / atlas_size * 2.0 - 1.0, 0.0, 1.0);
         EmitVertex();

@@ -15,13 +15,18 @@
 namespace lineatlas {
 namespace {
 
-bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 class SceneTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(SceneTest, HasTheTriangleCountOfTable1) {
     const std::string name = GetParam();
-    const double expected = name == "clevis" ? 1000 : name == "house" ? 15000 : name == "ship" ? 300000 : 330000;
+    const double expected = name == "clevis"  ? 1000
+                            : name == "house" ? 15000
+                            : name == "ship"  ? 300000
+                                              : 330000;
     const Scene scene = make_scene(name);
     EXPECT_EQ(scene.name, name);
     EXPECT_NEAR(static_cast<double>(scene.mesh.triangles.size()), expected, 0.05 * expected);

@@ -102,7 +102,7 @@ Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
     for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
     Subject subject{arguments.model, extract_lines(loaded.mesh, line_options), {}};
     const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
-    subject.view = frame_bounds(subject.lines.bounds, size, up, fov);
+    subject.view = frame_points(subject.lines.vertices, size, up, fov);
     return subject;
 }
 

@@ -77,8 +77,7 @@ struct AtlasArgs {
     glm::vec2 viewport;      ///< pixels
     float depth_scale;       ///< depth texels per pixel
     std::uint32_t probes;    ///< per axis: 1, 2, 3 or 4
-    float bias_limit;        ///< most window depth that a line's own face may stand before it, times w
-    float bias;              ///< constant bias in window depth
+    float tolerance;           ///< window depth that may stand before a line, times w
     AtlasLayout layout;
     std::uint32_t capacity;  ///< samples that `alpha` has room for in this layout
     Buffer& alpha;           ///< out: a byte per texel, 0 hidden to 255 visible

@@ -79,8 +79,13 @@ Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
             .size = size};
 }
 
-View frame_bounds(const Bounds& bounds, glm::ivec2 size, glm::vec3 up, float fov_y) {
-    if (bounds.min.x > bounds.max.x) throw UsageError("camera: there is nothing to look at");
+View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up, float fov_y) {
+    if (points.empty()) throw UsageError("camera: there is nothing to look at");
+    Bounds bounds;
+    for (const glm::vec3& point : points) {
+        bounds.min = glm::min(bounds.min, point);
+        bounds.max = glm::max(bounds.max, point);
+    }
     const glm::vec3 center = 0.5F * (bounds.min + bounds.max);
     // From the front, to the right and above: the usual view of a technical illustration.
     const glm::vec3 front = std::abs(up.z) > 0.5F ? glm::vec3{0, -1, 0} : glm::vec3{0, 0, 1};
@@ -89,22 +94,50 @@ View frame_bounds(const Bounds& bounds, glm::ivec2 size, glm::vec3 up, float fov
     const glm::vec3 side = glm::normalize(glm::cross(up, toward_eye));
     const glm::vec3 above = glm::cross(toward_eye, side);
 
-    // The nearest eye from which all eight corners lie inside the frame, less a margin.
-    constexpr float margin = 0.94F;
+    // The nearest eye from which all points lie inside the frame, less a margin. Each border of the
+    // frame is a plane through the eye; in the coordinates (along the axis, forward) of an axis the two
+    // borders ask that low + tan * e_forward <= e_axis <= high - tan * e_forward.
+    constexpr float margin = 0.92F;
     const float tan_y = std::tan(0.5F * fov_y) * margin;
     const float tan_x = tan_y * static_cast<float>(size.x) / static_cast<float>(size.y);
-    float distance = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 point{(corner & 1) != 0 ? bounds.max.x : bounds.min.x,
-                              (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                              (corner & 4) != 0 ? bounds.max.z : bounds.min.z};
-        const glm::vec3 offset = point - center;
-        const float depth = glm::dot(offset, toward_eye);
-        distance = std::max(distance, depth + std::abs(glm::dot(offset, side)) / tan_x);
-        distance = std::max(distance, depth + std::abs(glm::dot(offset, above)) / tan_y);
+    struct Borders {
+        float low = -std::numeric_limits<float>::infinity();
+        float high = std::numeric_limits<float>::infinity();
+        void include(float axis, float forward, float tan) {
+            low = std::max(low, axis - tan * forward);
+            high = std::min(high, axis + tan * forward);
+        }
+    } horizontal, vertical;
+    for (const glm::vec3& point : points) {
+        const glm::vec3 offset = point - center; // keeps precision far from the origin
+        const float forward = -glm::dot(offset, toward_eye);
+        horizontal.include(glm::dot(offset, side), forward, tan_x);
+        vertical.include(glm::dot(offset, above), forward, tan_y);
     }
-    if (!(distance > 0)) distance = 1; // a single point
-    return {.eye = center + distance * toward_eye, .target = center, .up = up, .fov_y = fov_y};
+    float forward = std::min((horizontal.high - horizontal.low) / (2 * tan_x),
+                             (vertical.high - vertical.low) / (2 * tan_y));
+    if (!(forward < 0)) forward = -1; // a single point
+    // Along the axis with room to spare, the model's outline is centred on the screen.
+    const auto centred = [&](const Borders& borders, float tan, glm::vec3 axis) {
+        float low = borders.low + tan * forward;
+        float high = borders.high - tan * forward;
+        for (int step = 0; step < 16; ++step) {
+            const float middle = 0.5F * (low + high);
+            glm::vec2 range{std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity()};
+            for (const glm::vec3& point : points) {
+                const glm::vec3 offset = point - center;
+                const float depth = -glm::dot(offset, toward_eye) - forward;
+                const float position = (glm::dot(offset, axis) - middle) / depth;
+                range = {std::min(range.x, position), std::max(range.y, position)};
+            }
+            (range.x + range.y > 0 ? low : high) = middle;
+        }
+        return 0.5F * (low + high);
+    };
+    const glm::vec3 on_axis = centred(horizontal, tan_x, side) * side + centred(vertical, tan_y, above) * above;
+    const glm::vec3 eye = center + on_axis - forward * toward_eye;
+    return {.eye = eye, .target = center + on_axis, .up = up, .fov_y = fov_y};
 }
 
 } // namespace lineatlas

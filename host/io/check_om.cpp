@@ -13,6 +13,7 @@ namespace {
 namespace om = OpenMesh::IO::OMFormat;
 
 constexpr std::size_t header_size = 16;
+constexpr std::size_t status_size = 4; // although its chunk header says 1
 
 /// The 16 bits in front of each chunk, in the order that OMFormat.hh gives.
 struct ChunkHeader {
@@ -98,6 +99,8 @@ class OmFile {
         }
         if (header.type == om::Chunk::Type_Topology)
             topology(header);
+        else if (header.type == om::Chunk::Type_Status)
+            skip(entity_count(header) * status_size);
         else
             skip(entity_count(header) * header.dimension * header.scalar_size);
 

@@ -30,9 +30,9 @@ void check_indices(const Soup& soup, const std::filesystem::path& path) {
     if (bad == soup.corners.end()) return;
     const auto place = static_cast<std::size_t>(bad - soup.corners.begin());
     const auto face = std::upper_bound(soup.face_ends.begin(), soup.face_ends.end(), place);
-    throw read_error(path, "face " + std::to_string(face - soup.face_ends.begin() + 1) +
-                               " refers to vertex " + std::to_string(*bad) +
-                               " (from 0), the file has " + std::to_string(vertices));
+    throw read_error(path, "face " + std::to_string(face - soup.face_ends.begin()) +
+                               " refers to vertex " + std::to_string(*bad) + ", the file has " +
+                               counted(vertices, "vertex", "vertices") + " from 0");
 }
 
 /// Moves the finite positions together and returns where each one went.

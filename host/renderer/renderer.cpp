@@ -21,12 +21,9 @@ namespace {
 using compute::Buffer;
 using interop::SharedBuffer;
 
-// A line's own face is taken to stand at most this many pixel widths before the line; a nearer surface
-// hides it. Faces steeper than this to the eye cover a fraction of a pixel.
-constexpr float own_face_reach = 16.0F;
-
-// Covers rounding in the depth buffer: two units in the last place of a float just below 1.
-constexpr float constant_bias = 1.2e-7F;
+// A surface hides a line if it stands before it by more than this many pixel widths: the line's own
+// neighbourhood, a curved surface or a third face at a corner, must not.
+constexpr float depth_tolerance_pixels = 1.0F;
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -194,7 +191,7 @@ class Renderer::State {
         std::uint32_t probes;
         AtlasLayout layout;
         bool raster;
-        float bias_limit;
+        float tolerance;
         glm::vec2 viewport;
     };
 
@@ -278,7 +275,7 @@ Renderer::State::Frame Renderer::State::begin(const Camera& camera, const FrameO
             .probes = probes,
             .layout = layout,
             .raster = raster,
-            .bias_limit = own_face_reach * depth_per_pixel(camera),
+            .tolerance = depth_tolerance_pixels * depth_per_pixel(camera),
             .viewport = glm::vec2{camera.size}};
 }
 
@@ -327,8 +324,7 @@ void Renderer::State::sample(Frame& frame) {
                          .viewport = frame.viewport,
                          .depth_scale = static_cast<float>(frame.options.depth_scale),
                          .probes = frame.probes,
-                         .bias_limit = frame.bias_limit,
-                         .bias = constant_bias,
+                         .tolerance = frame.tolerance,
                          .layout = frame.layout,
                          .capacity = sample_capacity_,
                          .alpha = alpha_->compute()});
@@ -352,8 +348,7 @@ void Renderer::State::sample_raster(Frame& frame) {
                               .viewport = frame.viewport,
                               .depth_scale = static_cast<float>(frame.options.depth_scale),
                               .probes = frame.probes,
-                              .bias_limit = frame.bias_limit,
-                              .bias = constant_bias},
+                              .tolerance = frame.tolerance},
                              frame.layout, total, alpha_->gl());
         }
         const std::size_t drawn = total <= sample_capacity_ ? frame.layout.texels(total) : 0;

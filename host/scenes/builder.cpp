@@ -1,5 +1,6 @@
 #include "builder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,17 +13,27 @@ namespace {
 
 constexpr float two_pi = 2 * std::numbers::pi_v<float>;
 
-glm::vec3 apply(const glm::mat4& at, glm::vec3 p) { return glm::vec3(at * glm::vec4(p, 1)); }
+glm::vec3 apply(const glm::mat4& at, glm::vec3 p) {
+    return glm::vec3(at * glm::vec4(p, 1));
+}
 
-float ratio(int i, int n) { return static_cast<float>(i) / static_cast<float>(n); }
+float ratio(int i, int n) {
+    return static_cast<float>(i) / static_cast<float>(n);
+}
 
 } // namespace
 
-glm::mat4 move(glm::vec3 by) { return glm::translate(glm::mat4(1), by); }
+glm::mat4 move(glm::vec3 by) {
+    return glm::translate(glm::mat4(1), by);
+}
 
-glm::mat4 turn(float radians, glm::vec3 axis) { return glm::rotate(glm::mat4(1), radians, axis); }
+glm::mat4 turn(float radians, glm::vec3 axis) {
+    return glm::rotate(glm::mat4(1), radians, axis);
+}
 
-glm::mat4 lay_flat() { return {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}; }
+glm::mat4 lay_flat() {
+    return {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+}
 
 glm::mat4 along(glm::vec3 from, glm::vec3 to) {
     const glm::vec3 y = glm::normalize(to - from);
@@ -85,8 +96,9 @@ void MeshBuilder::loft(Group g, std::span<const std::uint32_t> a, std::span<cons
         const std::uint32_t b0 = b[j % b.size()];
         const std::uint32_t a1 = a[(i + 1) % a.size()];
         const std::uint32_t b1 = b[(j + 1) % b.size()];
-        const bool on_a = j == last_b || (i < last_a && glm::distance(position(a1), position(b0)) <=
-                                                            glm::distance(position(a0), position(b1)));
+        const bool on_a =
+            j == last_b || (i < last_a && glm::distance(position(a1), position(b0)) <=
+                                              glm::distance(position(a0), position(b1)));
         if (on_a) {
             triangle(g, a0, a1, b0);
             ++i;
@@ -131,8 +143,10 @@ void MeshBuilder::prism(const glm::mat4& at, Group g, const Outline& outline, fl
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t a = start + 2 * i;
             const std::uint32_t b = start + 2 * ((i + 1) % count);
-            if (outward) quad(g, a, b, b + 1, a + 1);
-            else quad(g, b, a, a + 1, b + 1);
+            if (outward)
+                quad(g, a, b, b + 1, a + 1);
+            else
+                quad(g, b, a, a + 1, b + 1);
         }
     };
     add_points(outline);
@@ -158,7 +172,8 @@ void MeshBuilder::lathe(const glm::mat4& at, Group g, std::span<const glm::vec2>
         } else {
             const float phase = staggered && i % 2 == 1 ? 0.5F : 0.0F;
             for (int k = 0; k < segments; ++k) {
-                const float angle = two_pi * (static_cast<float>(k) + phase) / static_cast<float>(segments);
+                const float angle =
+                    two_pi * (static_cast<float>(k) + phase) / static_cast<float>(segments);
                 here.push_back(vertex(apply(at, {profile[i].x * std::cos(angle), profile[i].y,
                                                  -profile[i].x * std::sin(angle)})));
             }
@@ -168,8 +183,10 @@ void MeshBuilder::lathe(const glm::mat4& at, Group g, std::span<const glm::vec2>
         } else if (i > 0) {
             const std::size_t n = std::max(here.size(), below.size());
             for (std::size_t k = 0; k < n && n > 1; ++k) {
-                if (here.size() == 1) triangle(g, below[k], below[(k + 1) % n], here[0]);
-                else triangle(g, below[0], here[(k + 1) % n], here[k]);
+                if (here.size() == 1)
+                    triangle(g, below[k], below[(k + 1) % n], here[0]);
+                else
+                    triangle(g, below[0], here[(k + 1) % n], here[k]);
             }
         }
         below = std::move(here);
@@ -183,7 +200,8 @@ void MeshBuilder::rod(Group g, glm::vec3 from, glm::vec3 to, float radius, int s
     Path circle(static_cast<std::size_t>(segments));
     for (int k = 0; k < segments; ++k) {
         const float angle = two_pi * ratio(k, segments);
-        circle[static_cast<std::size_t>(k)] = {radius * std::cos(angle), 0, -radius * std::sin(angle)};
+        circle[static_cast<std::size_t>(k)] = {radius * std::cos(angle), 0,
+                                               -radius * std::sin(angle)};
     }
     const auto lower = ring(at, circle);
     for (glm::vec3& p : circle) p.y = length;
@@ -223,8 +241,10 @@ void MeshBuilder::tube(const glm::mat4& at, Group g, std::span<const glm::vec3> 
             points.push_back(path[i] + radius * (side * std::cos(angle) + other * std::sin(angle)));
         }
         auto here = ring(at, points);
-        if (i == 0) first = here;
-        else join(below, here);
+        if (i == 0)
+            first = here;
+        else
+            join(below, here);
         below = std::move(here);
     }
     if (closed) join(below, first);

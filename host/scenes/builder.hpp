@@ -70,14 +70,15 @@ class MeshBuilder {
     void triangle(Group g, std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void quad(Group g, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
     std::vector<std::uint32_t> ring(const glm::mat4& at, std::span<const glm::vec3> points);
-    /// The band between two polylines of vertices, which need not have equally many: each step takes
-    /// the shorter diagonal. Seen from outside `a` runs to the right with `b` above it.
+    /// The band between two polylines of vertices, which need not have equally many: each step
+    /// takes the shorter diagonal. Seen from outside `a` runs to the right with `b` above it.
     void loft(Group g, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
               bool closed);
 
     // Parts.
     void box(const glm::mat4& at, Group g, glm::vec3 lo, glm::vec3 hi, unsigned faces = all_faces);
-    void open_quad(const glm::mat4& at, Group g, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d);
+    void open_quad(const glm::mat4& at, Group g, glm::vec3 a, glm::vec3 b, glm::vec3 c,
+                   glm::vec3 d);
     /// `outline` in the x-y plane, extruded from z0 to z1.
     void prism(const glm::mat4& at, Group g, const Outline& outline, float z0, float z1,
                std::span<const Outline> holes = {});

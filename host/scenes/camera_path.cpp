@@ -11,8 +11,9 @@ namespace {
 
 /// Catmull-Rom: passes through b and c, with tangents from the neighbours.
 glm::vec3 spline(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, float s) {
-    return 0.5F * (2.0F * b + s * (c - a + s * (2.0F * a - 5.0F * b + 4.0F * c - d +
-                                                s * (3.0F * (b - c) + d - a))));
+    return 0.5F *
+           (2.0F * b +
+            s * (c - a + s * (2.0F * a - 5.0F * b + 4.0F * c - d + s * (3.0F * (b - c) + d - a))));
 }
 
 } // namespace
@@ -33,8 +34,7 @@ std::function<View(float)> orbit(glm::vec3 target, float distance, float elevati
     };
 }
 
-std::function<View(float)> walk(std::vector<Station> stations, float fov_y, float near,
-                                float far) {
+std::function<View(float)> walk(std::vector<Station> stations, float fov_y, float near, float far) {
     return [stations = std::move(stations), fov_y, near, far](float t) {
         const int last = static_cast<int>(stations.size()) - 1;
         const float along = std::clamp(t, 0.0F, 1.0F) * static_cast<float>(last);

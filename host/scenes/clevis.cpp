@@ -55,8 +55,8 @@ Path lug_outline(float inset, float z, bool turned) {
 
 Path circle_path(float radius, float height, float z, int segments, bool turned) {
     Path points;
-    for (const glm::vec2& p : circle({0, height}, radius, segments,
-                                     turned ? pi / static_cast<float>(segments) : 0.0F))
+    for (const glm::vec2& p :
+         circle({0, height}, radius, segments, turned ? pi / static_cast<float>(segments) : 0.0F))
         points.emplace_back(p, z);
     return points;
 }
@@ -69,17 +69,21 @@ Ring lug_face(MeshBuilder& b, const Materials& m, const Ring& outline, float z, 
     Outline flat;
     for (const std::uint32_t v : outline) flat.emplace_back(b.position(v));
     Ring all = outline;
-    const Ring boss_ring =
-        b.ring(glm::mat4(1), circle_path(boss, eye_height, z + side * 0.0013F, bore_segments, false));
+    const Ring boss_ring = b.ring(
+        glm::mat4(1), circle_path(boss, eye_height, z + side * 0.0013F, bore_segments, false));
     all.insert(all.end(), boss_ring.begin(), boss_ring.end());
     for (const glm::uvec3& t : triangulate(flat, std::span(&hole, 1))) {
-        if (side > 0) b.triangle(m.cast, all[t.x], all[t.y], all[t.z]);
-        else b.triangle(m.cast, all[t.x], all[t.z], all[t.y]);
+        if (side > 0)
+            b.triangle(m.cast, all[t.x], all[t.y], all[t.z]);
+        else
+            b.triangle(m.cast, all[t.x], all[t.z], all[t.y]);
     }
     Ring mouth = b.ring(glm::mat4(1), circle_path(bore_radius, eye_height, z + side * 0.0009F,
                                                   bore_segments, true));
-    if (side > 0) b.loft(m.bushing, boss_ring, mouth, true);
-    else b.loft(m.bushing, mouth, boss_ring, true);
+    if (side > 0)
+        b.loft(m.bushing, boss_ring, mouth, true);
+    else
+        b.loft(m.bushing, mouth, boss_ring, true);
     return mouth;
 }
 
@@ -115,8 +119,8 @@ Ring lug(MeshBuilder& b, const Materials& m, float middle) {
     const Ring back_mouth = lug_face(b, m, back, middle - half, -1);
     b.loft(m.bushing, front_mouth, back_mouth, true);
 
-    const Ring foot{front.front(),    front_rim.front(), back_rim.front(), back.front(),
-                    back.back(),      back_rim.back(),   front_rim.back(), front.back()};
+    const Ring foot{front.front(), front_rim.front(), back_rim.front(), back.front(),
+                    back.back(),   back_rim.back(),   front_rim.back(), front.back()};
     Path loop;
     for (const std::uint32_t v : foot) loop.push_back(b.position(v));
     Ring above = foot;
@@ -180,12 +184,12 @@ void plate(MeshBuilder& b, const Materials& m, std::span<const Ring> feet) {
 void pin(MeshBuilder& b, const Materials& m) {
     const glm::mat4 axis = along({0, eye_height, 0}, {0, eye_height, 1});
     const float r = bore_radius - 0.0006F;
-    const glm::vec2 body[] = {{0, -0.0502F},       {r - 0.002F, -0.0498F}, {r, -0.0478F},
-                              {r, 0.0352F},           {0.0180F, 0.0356F},
-                              {0.0180F, 0.0425F},  {0.0150F, 0.0455F},     {0, 0.0463F}};
+    const glm::vec2 body[] = {
+        {0, -0.0502F},      {r - 0.002F, -0.0498F}, {r, -0.0478F},      {r, 0.0352F},
+        {0.0180F, 0.0356F}, {0.0180F, 0.0425F},     {0.0150F, 0.0455F}, {0, 0.0463F}};
     b.lathe(axis, m.steel, body, bore_segments, true);
-    const glm::vec2 washer[] = {{r + 0.0008F, -0.0382F}, {0.0180F, -0.0381F},
-                                {0.0182F, -0.0353F}, {r + 0.0008F, -0.0352F}};
+    const glm::vec2 washer[] = {
+        {r + 0.0008F, -0.0382F}, {0.0180F, -0.0381F}, {0.0182F, -0.0353F}, {r + 0.0008F, -0.0352F}};
     b.lathe(axis, m.machined, washer, bore_segments, true);
 
     // The split pin: a ring above the shaft, two legs bent apart below it.

@@ -22,12 +22,14 @@ void add_keyboard(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at)
         for (int i = 0; i < keys[row]; ++i) {
             const float x = -0.215F + pitch * static_cast<float>(i);
             const float z = -0.066F + 0.027F * static_cast<float>(row);
-            b.box(at, m.keys, {x + 0.002F, 0.018F, z}, {x + pitch - 0.002F, 0.026F, z + 0.022F}, open_below);
+            b.box(at, m.keys, {x + 0.002F, 0.018F, z}, {x + pitch - 0.002F, 0.026F, z + 0.022F},
+                  open_below);
         }
     }
     const float bottom[] = {-0.215F, -0.15F, -0.09F, 0.09F, 0.15F, 0.215F};
     for (int i = 0; i < 5; ++i)
-        b.box(at, m.keys, {bottom[i] + 0.002F, 0.018F, 0.042F}, {bottom[i + 1] - 0.002F, 0.026F, 0.066F}, open_below);
+        b.box(at, m.keys, {bottom[i] + 0.002F, 0.018F, 0.042F},
+              {bottom[i + 1] - 0.002F, 0.026F, 0.066F}, open_below);
 }
 
 void add_monitor(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
@@ -58,7 +60,8 @@ void add_lamp(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
     const glm::vec3 elbow{0.10F, 0.34F, 0};
     const glm::vec3 head{-0.12F, 0.50F, 0.06F};
     auto arm = [&](glm::vec3 from, glm::vec3 to) {
-        b.box(at * along(from, to), m.metal, {-0.008F, 0, -0.008F}, {0.008F, glm::distance(from, to), 0.008F});
+        b.box(at * along(from, to), m.metal, {-0.008F, 0, -0.008F},
+              {0.008F, glm::distance(from, to), 0.008F});
     };
     arm({0, 0.034F, 0}, elbow);
     arm(elbow, head);
@@ -66,7 +69,8 @@ void add_lamp(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
     b.lathe(at * move(head), m.metal, shade, 12, true);
 }
 
-void add_books(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, float length, float height, std::uint32_t key) {
+void add_books(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, float length,
+               float height, std::uint32_t key) {
     float x = 0.006F;
     for (std::uint32_t i = 0; x < length - 0.07F; ++i) {
         const float thick = 0.032F + 0.044F * hash01(key, i, 1);
@@ -76,15 +80,21 @@ void add_books(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, fl
         }
         const float tall = height * (0.66F + 0.28F * hash01(key, i, 2));
         const float deep = 0.17F + 0.07F * hash01(key, i, 3);
-        const Group g = hash01(key, i, 5) < 0.4F ? m.paper : hash01(key, i, 6) < 0.5F ? m.fabric : m.wood;
-        b.box(at, g, {x, 0.002F, -0.5F * deep + 0.02F}, {x + thick, tall, 0.5F * deep + 0.02F}, all_faces & ~minus_z);
+        const Group g = hash01(key, i, 5) < 0.4F   ? m.paper
+                        : hash01(key, i, 6) < 0.5F ? m.fabric
+                                                   : m.wood;
+        b.box(at, g, {x, 0.002F, -0.5F * deep + 0.02F}, {x + thick, tall, 0.5F * deep + 0.02F},
+              all_faces & ~minus_z);
         x += thick + 0.003F;
     }
 }
 
 /// A cushion with rounded edges: a closed surface around the middle plane y = 0 of its transform.
-void add_cushion(MeshBuilder& b, Group g, const glm::mat4& at, float width, float depth, float thick, float curve, int n) {
-    auto bend = [=](float x, float z) { return curve * (4 * x * x / (width * width) - 0.3F) * width + 0.25F * curve * z; };
+void add_cushion(MeshBuilder& b, Group g, const glm::mat4& at, float width, float depth,
+                 float thick, float curve, int n) {
+    auto bend = [=](float x, float z) {
+        return curve * (4 * x * x / (width * width) - 0.3F) * width + 0.25F * curve * z;
+    };
     for (const float side : {1.0F, -1.0F})
         b.panel(at, g, n, n, [=](float u, float v) {
             const float x = width * (u - 0.5F);
@@ -101,15 +111,21 @@ void add_cushion(MeshBuilder& b, Group g, const glm::mat4& at, float width, floa
 void add_chair(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
     for (int i = 0; i < 5; ++i) {
         const glm::mat4 leg = at * turn(2 * pi * static_cast<float>(i) / 5);
-        b.prism(leg * turn(-0.5F * pi, {1, 0, 0}), m.plastic, {{0.04F, -0.025F}, {0.31F, -0.014F}, {0.31F, 0.014F}, {0.04F, 0.025F}}, 0.065F, 0.095F);
-        b.box(leg * move({0.29F, 0, 0}), m.plastic, {-0.026F, gap, -0.02F}, {0.026F, 0.058F, 0.02F});
+        b.prism(leg * turn(-0.5F * pi, {1, 0, 0}), m.plastic,
+                {{0.04F, -0.025F}, {0.31F, -0.014F}, {0.31F, 0.014F}, {0.04F, 0.025F}}, 0.065F,
+                0.095F);
+        b.box(leg * move({0.29F, 0, 0}), m.plastic, {-0.026F, gap, -0.02F},
+              {0.026F, 0.058F, 0.02F});
     }
-    const glm::vec2 column[] = {{0.032F, 0.07F}, {0.032F, 0.26F}, {0.018F, 0.262F}, {0.018F, 0.40F}};
+    const glm::vec2 column[] = {
+        {0.032F, 0.07F}, {0.032F, 0.26F}, {0.018F, 0.262F}, {0.018F, 0.40F}};
     b.lathe(at, m.metal, column, 10, true);
     b.box(at, m.plastic, {-0.13F, 0.385F, -0.11F}, {0.13F, 0.41F, 0.16F});
     add_cushion(b, m.fabric, at * move({0, 0.46F, 0}), 0.49F, 0.47F, 0.075F, 0.05F, 5);
-    add_cushion(b, m.fabric, at * move({0, 0.78F, 0.27F}) * turn(-0.5F * pi + 0.16F, {1, 0, 0}), 0.46F, 0.50F, 0.055F, -0.12F, 5);
-    b.box(at * move({0, 0.41F, 0.28F}) * turn(0.10F, {1, 0, 0}), m.plastic, {-0.03F, 0, 0.01F}, {0.03F, 0.30F, 0.03F});
+    add_cushion(b, m.fabric, at * move({0, 0.78F, 0.27F}) * turn(-0.5F * pi + 0.16F, {1, 0, 0}),
+                0.46F, 0.50F, 0.055F, -0.12F, 5);
+    b.box(at * move({0, 0.41F, 0.28F}) * turn(0.10F, {1, 0, 0}), m.plastic, {-0.03F, 0, 0.01F},
+          {0.03F, 0.30F, 0.03F});
     for (const float side : {-0.28F, 0.28F}) {
         b.box(at, m.plastic, {side - 0.03F, 0.64F, -0.12F}, {side + 0.03F, 0.67F, 0.14F});
         b.box(at, m.plastic, {side - 0.012F, 0.40F, 0.0F}, {side + 0.012F, 0.636F, 0.05F});
@@ -140,17 +156,20 @@ void add_desk(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std
     b.lathe(top * move({0.28F, 0, 0.15F}), m.plastic, mouse, 10, true);
     if (hash01(key, 4) < 0.5F) add_lamp(b, m, top * move({-0.64F, 0, -0.22F}));
     if (hash01(key, 5) < 0.6F) {
-        const glm::vec2 mug[] = {{0, gap}, {0.038F, gap}, {0.042F, 0.09F}, {0.036F, 0.09F}, {0.032F, 0.012F}, {0, 0.012F}};
+        const glm::vec2 mug[] = {{0, gap},        {0.038F, gap},    {0.042F, 0.09F},
+                                 {0.036F, 0.09F}, {0.032F, 0.012F}, {0, 0.012F}};
         b.lathe(top * move({0.42F, 0, 0.02F}), m.clay, mug, 12, true);
     }
     for (int i = 0; i < 3; ++i) // papers
-        b.box(top * move({-0.52F, 0.003F * static_cast<float>(i), 0.12F}) * turn(0.5F * (hash01(key, 6, static_cast<std::uint32_t>(i)) - 0.5F)), m.paper,
-              {-0.105F, gap, -0.148F}, {0.105F, gap + 0.0015F, 0.148F}, open_below);
+        b.box(top * move({-0.52F, 0.003F * static_cast<float>(i), 0.12F}) *
+                  turn(0.5F * (hash01(key, 6, static_cast<std::uint32_t>(i)) - 0.5F)),
+              m.paper, {-0.105F, gap, -0.148F}, {0.105F, gap + 0.0015F, 0.148F}, open_below);
     if (hash01(key, 7) < 0.4F) add_books(b, m, top * move({0.20F, 0, -0.26F}), 0.30F, 0.26F, key);
 }
 
 void add_shelf(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std::uint32_t key) {
-    for (const float x : {-0.5F, 0.48F}) b.box(at, m.wood, {x, gap, -0.15F}, {x + 0.02F, 2.0F, 0.15F});
+    for (const float x : {-0.5F, 0.48F})
+        b.box(at, m.wood, {x, gap, -0.15F}, {x + 0.02F, 2.0F, 0.15F});
     b.box(at, m.wood, {-0.478F, 0.05F, -0.15F}, {0.478F, 1.99F, -0.14F});
     for (std::uint32_t i = 0; i < 6; ++i) {
         const float y = 0.05F + 0.385F * static_cast<float>(i);
@@ -160,7 +179,8 @@ void add_shelf(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, st
 }
 
 void add_plant(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std::uint32_t key) {
-    const glm::vec2 pot[] = {{0, gap}, {0.15F, gap}, {0.20F, 0.36F}, {0.22F, 0.36F}, {0.22F, 0.40F}, {0.18F, 0.40F}, {0.17F, 0.35F}, {0, 0.35F}};
+    const glm::vec2 pot[] = {{0, gap},       {0.15F, gap},   {0.20F, 0.36F}, {0.22F, 0.36F},
+                             {0.22F, 0.40F}, {0.18F, 0.40F}, {0.17F, 0.35F}, {0, 0.35F}};
     b.lathe(at, m.clay, pot, 16, true);
     for (std::uint32_t i = 0; i < 24; ++i) {
         const float angle = 2.4F * static_cast<float>(i) + hash01(key, i);
@@ -169,22 +189,29 @@ void add_plant(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, st
         const float width = 0.05F + 0.05F * hash01(key, i, 3);
         b.panel(at * turn(angle), m.leaf, 2, 5, [=](float u, float v) {
             const float across = 2 * u - 1;
-            const float leaf = width * (0.12F + std::sin(pi * std::pow(v, 1.4F))) * (1 - 0.75F * v * v * v);
-            return glm::vec3(reach * v * v + 0.03F, 0.35F + rise * std::sin(1.9F * v) + 0.35F * leaf * std::abs(across), -across * leaf);
+            const float leaf =
+                width * (0.12F + std::sin(pi * std::pow(v, 1.4F))) * (1 - 0.75F * v * v * v);
+            return glm::vec3(reach * v * v + 0.03F,
+                             0.35F + rise * std::sin(1.9F * v) + 0.35F * leaf * std::abs(across),
+                             -across * leaf);
         });
     }
 }
 
-void add_meeting_table(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, float length) {
+void add_meeting_table(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at,
+                       float length) {
     const float x = 0.5F * length;
-    b.prism(at * lay_flat(), m.wood, rounded_rectangle({-x, -0.6F}, {x, 0.6F}, 0.25F, 6), 0.71F, 0.745F);
+    b.prism(at * lay_flat(), m.wood, rounded_rectangle({-x, -0.6F}, {x, 0.6F}, 0.25F, 6), 0.71F,
+            0.745F);
     for (const float side : {-0.6F, 0.6F}) {
-        const glm::vec2 foot[] = {{0, gap}, {0.32F, gap}, {0.30F, 0.03F}, {0.06F, 0.06F}, {0.05F, 0.65F}, {0.2F, 0.70F}};
+        const glm::vec2 foot[] = {{0, gap},       {0.32F, gap},   {0.30F, 0.03F},
+                                  {0.06F, 0.06F}, {0.05F, 0.65F}, {0.2F, 0.70F}};
         b.lathe(at * move({side * x, 0, 0}), m.metal, foot, 16, true);
     }
     const int chairs = static_cast<int>(length / 0.8F);
     for (int i = 0; i < chairs; ++i) {
-        const float s = -x + 0.8F * (static_cast<float>(i) + 0.5F) + 0.5F * (length - 0.8F * static_cast<float>(chairs));
+        const float s = -x + 0.8F * (static_cast<float>(i) + 0.5F) +
+                        0.5F * (length - 0.8F * static_cast<float>(chairs));
         add_chair(b, m, at * move({s, 0, 0.78F}));
         add_chair(b, m, at * move({s, 0, -0.78F}) * turn(pi));
     }
@@ -193,10 +220,13 @@ void add_meeting_table(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4
 void add_sofa(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
     b.box(at, m.fabric, {-0.95F, 0.12F, -0.40F}, {0.95F, 0.30F, 0.40F});
     b.box(at, m.fabric, {-0.95F, 0.304F, 0.22F}, {0.95F, 0.80F, 0.40F});
-    for (const float x : {-0.95F, 0.79F}) b.box(at, m.fabric, {x, 0.304F, -0.40F}, {x + 0.16F, 0.58F, 0.216F});
-    for (const float x : {-0.395F, 0.395F}) add_cushion(b, m.fabric, at * move({x, 0.40F, -0.09F}), 0.76F, 0.58F, 0.14F, 0.0F, 8);
+    for (const float x : {-0.95F, 0.79F})
+        b.box(at, m.fabric, {x, 0.304F, -0.40F}, {x + 0.16F, 0.58F, 0.216F});
+    for (const float x : {-0.395F, 0.395F})
+        add_cushion(b, m.fabric, at * move({x, 0.40F, -0.09F}), 0.76F, 0.58F, 0.14F, 0.0F, 8);
     for (const float x : {-0.9F, 0.9F})
-        for (const float z : {-0.34F, 0.34F}) b.box(at, m.wood, {x - 0.03F, gap, z - 0.03F}, {x + 0.03F, 0.116F, z + 0.03F});
+        for (const float z : {-0.34F, 0.34F})
+            b.box(at, m.wood, {x - 0.03F, gap, z - 0.03F}, {x + 0.03F, 0.116F, z + 0.03F});
 }
 
 } // namespace lineatlas::scenes

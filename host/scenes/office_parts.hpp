@@ -27,7 +27,9 @@ constexpr float half_length = 18.0F;
 constexpr float half_depth = 8.0F;
 constexpr float slab = 0.30F;
 
-constexpr float floor_of(int storey) { return 0.15F + storey_height * static_cast<float>(storey); }
+constexpr float floor_of(int storey) {
+    return 0.15F + storey_height * static_cast<float>(storey);
+}
 
 } // namespace office
 

@@ -13,7 +13,9 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-float cross(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
+float cross(glm::vec2 a, glm::vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
 
 float signed_area(const Outline& outline) {
     float sum = 0;
@@ -88,8 +90,10 @@ void flip_to_delaunay(const std::vector<glm::vec2>& at, std::vector<glm::uvec3>&
                     const std::uint32_t c = s[(e / 3 + 2) % 3];
                     const std::uint32_t d = t[(e % 3 + 2) % 3];
                     if (t[e % 3] != b || t[(e % 3 + 1) % 3] != a) continue;
-                    // Opposite angles of more than 180 degrees in sum: the cosines' sum is negative.
-                    if (opposite_cosine(at[c], at[a], at[b]) + opposite_cosine(at[d], at[a], at[b]) >
+                    // Opposite angles of more than 180 degrees in sum: the cosines' sum is
+                    // negative.
+                    if (opposite_cosine(at[c], at[a], at[b]) +
+                            opposite_cosine(at[d], at[a], at[b]) >
                         -1e-4F)
                         continue;
                     const bool convex = cross(at[d] - at[a], at[c] - at[d]) > 0 &&
@@ -107,7 +111,9 @@ void flip_to_delaunay(const std::vector<glm::vec2>& at, std::vector<glm::uvec3>&
 
 } // namespace
 
-Outline rectangle(glm::vec2 lo, glm::vec2 hi) { return {lo, {hi.x, lo.y}, hi, {lo.x, hi.y}}; }
+Outline rectangle(glm::vec2 lo, glm::vec2 hi) {
+    return {lo, {hi.x, lo.y}, hi, {lo.x, hi.y}};
+}
 
 Outline circle(glm::vec2 centre, float radius, int segments, float phase) {
     Outline result;
@@ -128,7 +134,8 @@ Outline rounded_rectangle(glm::vec2 lo, glm::vec2 hi, float radius, int segments
         for (int i = 0; i <= segments; ++i) {
             const float turns = static_cast<float>(i) / static_cast<float>(segments);
             const float angle = 0.5F * pi * (static_cast<float>(corner) + turns);
-            result.push_back(centres[corner] + radius * glm::vec2(std::cos(angle), std::sin(angle)));
+            result.push_back(centres[corner] +
+                             radius * glm::vec2(std::cos(angle), std::sin(angle)));
         }
     }
     return result;

@@ -17,7 +17,9 @@ constexpr std::array<Scene (*)(), 4> makers{scenes::make_clevis, scenes::make_ho
 
 } // namespace
 
-std::span<const std::string_view> scene_names() { return names; }
+std::span<const std::string_view> scene_names() {
+    return names;
+}
 
 Scene make_scene(std::string_view name) {
     std::string known;

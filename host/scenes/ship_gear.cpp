@@ -13,30 +13,43 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-float deck_at(float x) { return hull::sheer(x) - hull::bulwark + 0.15F; }
+float deck_at(float x) {
+    return hull::sheer(x) - hull::bulwark + 0.15F;
+}
 
 void add_hatch(MeshBuilder& b, const ShipMaterials& m, const Hatch& h, int cover) {
     const float y = deck_at(h.x0);
     const float w = h.half_width;
     const glm::mat4 at(1);
     for (const float side : {-1.0F, 1.0F})
-        b.box(at, m.joinery, {h.x0 - 0.12F, y - 0.55F, side * (w + 0.06F) - 0.06F}, {h.x1 + 0.12F, y + 0.62F, side * (w + 0.06F) + 0.06F});
+        b.box(at, m.joinery, {h.x0 - 0.12F, y - 0.55F, side * (w + 0.06F) - 0.06F},
+              {h.x1 + 0.12F, y + 0.62F, side * (w + 0.06F) + 0.06F});
     for (const float x : {h.x0 - 0.06F, h.x1 + 0.06F})
         b.box(at, m.joinery, {x - 0.06F, y - 0.55F, -w + gap}, {x + 0.06F, y + 0.62F, w - gap});
+    // Boards fore and aft of the coamings, over the ends of the deck planks.
+    for (const float end : {h.x0 - 1.02F, h.x1 + 0.124F}) {
+        const float deck = deck_at(end + 0.45F);
+        b.box(at, m.joinery, {end, deck - 0.06F, -w - 0.20F},
+              {end + 0.896F, deck + 0.03F, w + 0.20F});
+    }
     const int n = static_cast<int>((h.x1 - h.x0) / 0.12F);
     if (cover == 1) { // grating
         for (int i = 0; i < n; ++i)
-            b.box(move({h.x0 + 0.12F * static_cast<float>(i) + 0.03F, y + 0.54F, 0}), m.deck, {0, 0, -w + 0.01F}, {0.06F, 0.05F, w - 0.01F});
+            b.box(move({h.x0 + 0.12F * static_cast<float>(i) + 0.03F, y + 0.54F, 0}), m.deck,
+                  {0, 0, -w + 0.01F}, {0.06F, 0.05F, w - 0.01F});
         for (int i = 0; i < static_cast<int>(2 * w / 0.14F); ++i)
-            b.box(move({0, y + 0.51F, -w + 0.05F + 0.14F * static_cast<float>(i)}), m.deck, {h.x0 + 0.01F, 0, 0}, {h.x1 - 0.01F, 0.026F, 0.05F});
+            b.box(move({0, y + 0.51F, -w + 0.05F + 0.14F * static_cast<float>(i)}), m.deck,
+                  {h.x0 + 0.01F, 0, 0}, {h.x1 - 0.01F, 0.026F, 0.05F});
     } else if (cover == 2) { // boards, with three of them taken off
         for (int i = 0; i < n / 2 - 3; ++i)
-            b.box(move({h.x0 + 0.24F * static_cast<float>(i), y + 0.56F, 0}), m.deck, {gap, 0, -w + 0.01F}, {0.235F, 0.06F, w - 0.01F});
+            b.box(move({h.x0 + 0.24F * static_cast<float>(i), y + 0.56F, 0}), m.deck,
+                  {gap, 0, -w + 0.01F}, {0.235F, 0.06F, w - 0.01F});
     }
 }
 
 /// Walls of upright boards in a frame, with windows and a door; a cambered roof of planks.
-void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, float half, float height) {
+void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, float half,
+                   float height) {
     const float y = deck_at(0.5F * (x0 + x1)) - 0.02F;
     auto wall = [&](const glm::mat4& at, float length, int windows, bool door) {
         const int boards = static_cast<int>(length / 0.15F);
@@ -44,7 +57,8 @@ void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, f
         auto opening = [&](float s) { // 0 none, 1 window, 2 door
             if (door && std::abs(s - 0.5F * length) < 0.42F) return 2;
             for (int k = 0; k < windows; ++k) {
-                const float centre = length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
+                const float centre =
+                    length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
                 if (std::abs(s - centre) < 0.32F) return 1;
             }
             return 0;
@@ -53,24 +67,33 @@ void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, f
             const float s = width * static_cast<float>(i);
             const int kind = opening(s + 0.5F * width);
             const float tops[] = {height, 0.95F, 0};
-            if (kind < 2) b.box(at * move({s, 0, 0}), m.planking, {0.002F, 0.12F, -0.05F}, {width - 0.002F, tops[kind], 0});
-            if (kind > 0) b.box(at * move({s, 0, 0}), m.planking, {0.002F, kind == 1 ? 1.55F : 1.95F, -0.05F}, {width - 0.002F, height, 0});
+            if (kind < 2)
+                b.box(at * move({s, 0, 0}), m.planking, {0.002F, 0.12F, -0.05F},
+                      {width - 0.002F, tops[kind], 0});
+            if (kind > 0)
+                b.box(at * move({s, 0, 0}), m.planking, {0.002F, kind == 1 ? 1.55F : 1.95F, -0.05F},
+                      {width - 0.002F, height, 0});
         }
         b.box(at, m.joinery, {-0.025F, 0, -0.07F}, {length + 0.025F, 0.115F, 0.03F});
         for (int k = 0; k < windows; ++k) {
-            const float centre = length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
+            const float centre =
+                length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
             const glm::mat4 frame = at * move({centre, 1.25F, 0.005F});
             for (const float side : {-1.0F, 1.0F}) {
-                b.box(frame, m.joinery, {side * 0.36F - 0.04F, -0.36F, 0}, {side * 0.36F + 0.04F, 0.36F, 0.05F});
-                b.box(frame, m.joinery, {-0.32F + gap, side * 0.32F - 0.04F, 0}, {0.32F - gap, side * 0.32F + 0.04F, 0.045F});
+                b.box(frame, m.joinery, {side * 0.36F - 0.04F, -0.36F, 0},
+                      {side * 0.36F + 0.04F, 0.36F, 0.05F});
+                b.box(frame, m.joinery, {-0.32F + gap, side * 0.32F - 0.04F, 0},
+                      {0.32F - gap, side * 0.32F + 0.04F, 0.045F});
             }
             b.box(frame, m.joinery, {-0.015F, -0.276F, -0.02F}, {0.015F, 0.276F, 0.01F});
             b.box(frame, m.joinery, {-0.316F, -0.015F, -0.03F}, {0.316F, 0.015F, -0.022F});
         }
         if (door) {
-            b.box(at * move({0.5F * length + 0.42F, 0.12F, 0.02F}) * turn(-1.9F), m.joinery, {-0.8F, 0.02F, 0}, {0, 1.80F, 0.04F});
+            b.box(at * move({0.5F * length + 0.42F, 0.12F, 0.02F}) * turn(-1.9F), m.joinery,
+                  {-0.8F, 0.02F, 0}, {0, 1.80F, 0.04F});
             for (const float side : {-1.0F, 1.0F})
-                b.box(at * move({0.5F * length + side * 0.50F, 0.12F, 0.005F}), m.joinery, {-0.05F, 0, 0}, {0.05F, 1.9F, 0.06F});
+                b.box(at * move({0.5F * length + side * 0.50F, 0.12F, 0.005F}), m.joinery,
+                      {-0.05F, 0, 0}, {0.05F, 1.9F, 0.06F});
         }
     };
     const float length = x1 - x0;
@@ -85,7 +108,8 @@ void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, f
     for (int i = 0; i < planks; ++i) {
         const float z = -half - 0.25F + 0.2F * static_cast<float>(i);
         const float camber = 0.10F * (1 - (z + 0.1F) * (z + 0.1F) / (half * half));
-        b.box(move({0, y + height + gap + 0.10F + camber, z}), m.deck, {x0 - 0.25F, -0.06F, 0.001F}, {x1 + 0.25F, 0, 0.199F});
+        b.box(move({0, y + height + gap + 0.10F + camber, z}), m.deck, {x0 - 0.25F, -0.06F, 0.001F},
+              {x1 + 0.25F, 0, 0.199F});
     }
 }
 
@@ -110,22 +134,28 @@ void add_boat(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float
                 lower.push_back(a);
                 upper.push_back(c);
             }
-            if (side > 0) b.strip(at, m.planking, lower, upper);
-            else b.strip(at, m.planking, upper, lower);
+            if (side > 0)
+                b.strip(at, m.planking, lower, upper);
+            else
+                b.strip(at, m.planking, upper, lower);
         }
     for (int i = 0; i < 6; ++i) {
         const float u = 0.16F + 0.13F * static_cast<float>(i);
         const glm::vec3 p = form(u, 0.7F);
-        b.box(at * move({p.x, p.y, 0}), m.deck, {-0.12F, -0.02F, -p.z + 0.02F}, {0.12F, 0.02F, p.z - 0.02F});
+        b.box(at * move({p.x, p.y, 0}), m.deck, {-0.12F, -0.02F, -p.z + 0.02F},
+              {0.12F, 0.02F, p.z - 0.02F});
     }
     for (const float x : {-0.28F, 0.28F})
-        b.box(at * move({x * length, -0.32F, 0}), m.joinery, {-0.08F, 0, -0.6F}, {0.08F, 0.30F, 0.6F});
+        b.box(at * move({x * length, -0.32F, 0}), m.joinery, {-0.08F, 0, -0.6F},
+              {0.08F, 0.30F, 0.6F});
 }
 
-void add_coil(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float radius, int turns) {
+void add_coil(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float radius,
+              int turns) {
     for (int i = 0; i < turns; ++i) {
         Path path;
-        for (const glm::vec2& p : circle({0, 0}, radius - 0.004F * static_cast<float>(i % 3), 12, 0.3F * static_cast<float>(i)))
+        for (const glm::vec2& p : circle({0, 0}, radius - 0.004F * static_cast<float>(i % 3), 12,
+                                         0.3F * static_cast<float>(i)))
             path.emplace_back(p.x, 0.032F * static_cast<float>(i) + 0.02F, -p.y);
         b.tube(at, m.rope, path, 0.015F, 4, true);
     }
@@ -139,13 +169,16 @@ void add_pin_rail(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, fl
         const float y = hull::sheer(x) - 0.22F;
         const float z = side * (hull::half_breadth(x, y) - 0.55F);
         b.box(move({x, y, z}), m.joinery, {-0.148F, -0.03F, -0.09F}, {0.148F, 0.03F, 0.09F});
-        const glm::vec2 pin[] = {{0, -0.24F}, {0.014F, -0.23F}, {0.016F, 0.03F}, {0.026F, 0.06F}, {0.022F, 0.16F}, {0, 0.20F}};
+        const glm::vec2 pin[] = {{0, -0.24F},     {0.014F, -0.23F}, {0.016F, 0.03F},
+                                 {0.026F, 0.06F}, {0.022F, 0.16F},  {0, 0.20F}};
         b.lathe(move({x, y, z}), m.spars, pin, 6, true);
         Path coil;
         for (const glm::vec2& p : circle({0, 0}, 0.11F, 10))
             coil.emplace_back(p.x, 1.9F * p.y - 0.20F, 0.0F);
         for (int k = 0; k < 3; ++k)
-            b.tube(move({x, y - 0.02F * static_cast<float>(k), z - side * (0.10F + 0.026F * static_cast<float>(k))}), m.rope, coil, 0.012F, 4, true);
+            b.tube(move({x, y - 0.02F * static_cast<float>(k),
+                         z - side * (0.10F + 0.026F * static_cast<float>(k))}),
+                   m.rope, coil, 0.012F, 4, true);
     }
 }
 
@@ -155,7 +188,8 @@ void add_wheel(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at) {
     b.tube(at, m.joinery, rim, 0.035F, 8, true);
     for (const glm::vec2& p : circle({0, 0}, 1, 10)) {
         const glm::vec3 d(p, 0);
-        const glm::vec2 spoke[] = {{0.02F, 0.10F}, {0.030F, 0.3F}, {0.02F, 0.5F}, {0.020F, 0.6F}, {0.028F, 0.7F}, {0, 0.78F}};
+        const glm::vec2 spoke[] = {{0.02F, 0.10F}, {0.030F, 0.3F}, {0.02F, 0.5F},
+                                   {0.020F, 0.6F}, {0.028F, 0.7F}, {0, 0.78F}};
         b.lathe(at * along({}, d), m.joinery, spoke, 8, true);
     }
     const glm::vec2 hub[] = {{0, -0.16F}, {0.09F, -0.14F}, {0.12F, 0}, {0.09F, 0.14F}, {0, 0.16F}};
@@ -176,9 +210,11 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
         // Cathead and anchor.
         const float y = hull::sheer(24);
         const float z = hull::half_breadth(24, y - 0.3F);
-        b.box(move({24, y + 0.12F, side * (z + 0.2F)}) * turn(side * 0.3F), m.joinery, {-0.14F, 0, -0.9F}, {0.14F, 0.26F, 0.9F});
+        b.box(move({24, y + 0.12F, side * (z + 0.2F)}) * turn(side * 0.3F), m.joinery,
+              {-0.14F, 0, -0.9F}, {0.14F, 0.26F, 0.9F});
         const glm::mat4 anchor = move({23.6F, y - 0.5F, side * (z + 0.95F)});
-        b.rod(m.iron, {23.6F, y - 2.6F, side * (z + 0.95F)}, {23.6F, y - 0.1F, side * (z + 0.95F)}, 0.07F, 8);
+        b.rod(m.iron, {23.6F, y - 2.6F, side * (z + 0.95F)}, {23.6F, y - 0.1F, side * (z + 0.95F)},
+              0.07F, 8);
         Path arms;
         for (int i = 0; i <= 10; ++i) {
             const float angle = pi * (1.1F + 0.08F * static_cast<float>(i));
@@ -192,21 +228,27 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
     add_coil(b, m, move({19.5F, deck_at(19.5F), 1.9F}), 0.45F, 8);
 
     // Capstan on the forecastle, windlass before the fore mast.
-    const glm::vec2 capstan[] = {{0, 0}, {0.62F, 0}, {0.60F, 0.12F}, {0.34F, 0.22F}, {0.28F, 0.55F}, {0.36F, 0.80F}, {0.50F, 0.84F}, {0.50F, 1.02F}, {0.1F, 1.10F}, {0, 1.11F}};
+    const glm::vec2 capstan[] = {{0, 0},         {0.62F, 0},     {0.60F, 0.12F}, {0.34F, 0.22F},
+                                 {0.28F, 0.55F}, {0.36F, 0.80F}, {0.50F, 0.84F}, {0.50F, 1.02F},
+                                 {0.1F, 1.10F},  {0, 1.11F}};
     b.lathe(move({21.6F, deck_at(21.6F), 0}), m.joinery, capstan, 20, true);
     for (const glm::vec2& p : circle({0, 0}, 1, 8)) {
         const glm::vec3 hub{21.6F, deck_at(21.6F) + 0.93F, 0};
-        b.rod(m.spars, hub + 0.45F * glm::vec3(p.x, 0, p.y), hub + 1.7F * glm::vec3(p.x, 0, p.y), 0.035F, 8);
+        b.rod(m.spars, hub + 0.45F * glm::vec3(p.x, 0, p.y), hub + 1.7F * glm::vec3(p.x, 0, p.y),
+              0.035F, 8);
     }
-    b.rod(m.joinery, {18.4F, deck_at(18.4F) + 0.6F, -1.5F}, {18.4F, deck_at(18.4F) + 0.6F, 1.5F}, 0.24F, 12);
+    b.rod(m.joinery, {18.4F, deck_at(18.4F) + 0.6F, -1.5F}, {18.4F, deck_at(18.4F) + 0.6F, 1.5F},
+          0.24F, 12);
     for (const float z : {-1.7F, 1.7F})
-        b.box(move({18.4F, deck_at(18.4F), z}), m.joinery, {-0.22F, 0, -0.14F}, {0.22F, 1.15F, 0.14F});
+        b.box(move({18.4F, deck_at(18.4F), z}), m.joinery, {-0.22F, 0, -0.14F},
+              {0.22F, 1.15F, 0.14F});
 
     // Wheel, binnacle and skylight aft.
     const float aft = deck_at(-24.6F);
     add_wheel(b, m, move({-24.6F, aft + 0.95F, 0}) * turn(0.5F * pi));
     b.box(move({-24.95F, aft, 0}), m.joinery, {-0.2F, 0, -0.3F}, {0.12F, 1.0F, 0.3F});
-    const glm::vec2 binnacle[] = {{0.24F, 0}, {0.24F, 0.1F}, {0.17F, 0.16F}, {0.17F, 0.9F}, {0.22F, 1.0F}, {0.20F, 1.2F}, {0, 1.34F}};
+    const glm::vec2 binnacle[] = {{0.24F, 0},    {0.24F, 0.1F}, {0.17F, 0.16F}, {0.17F, 0.9F},
+                                  {0.22F, 1.0F}, {0.20F, 1.2F}, {0, 1.34F}};
     b.lathe(move({-23.4F, deck_at(-23.4F), 0}), m.joinery, binnacle, 14, true);
 
     // The cargo derrick over the main hatch, with its tackle.
@@ -217,7 +259,8 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
     b.rope(m.rope, head, {2.2F, deck_at(2) + 13, 0}, 0.02F, 30);
     for (const float z : {-0.06F, -0.02F, 0.02F, 0.06F})
         b.rope(m.rope, head + glm::vec3(0, -0.2F, z), {head.x, deck_at(0) + 3.1F, z}, 0.012F, 30);
-    const glm::vec2 block[] = {{0, -0.16F}, {0.10F, -0.10F}, {0.12F, 0}, {0.10F, 0.10F}, {0, 0.16F}};
+    const glm::vec2 block[] = {
+        {0, -0.16F}, {0.10F, -0.10F}, {0.12F, 0}, {0.10F, 0.10F}, {0, 0.16F}};
     b.lathe(move(head + glm::vec3(0, -0.25F, 0)), m.joinery, block, 10, true);
     b.lathe(move({head.x, deck_at(0) + 3.0F, 0}), m.joinery, block, 10, true);
     Path hook;
@@ -228,8 +271,10 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
     b.tube(move({head.x, deck_at(0) + 3.0F, 0}), m.iron, hook, 0.022F, 8);
     // Buckets along the break of the house and harness casks.
     for (int i = 0; i < 6; ++i) {
-        const glm::vec2 bucket[] = {{0, 0.02F}, {0.12F, 0}, {0.15F, 0.28F}, {0.135F, 0.28F}, {0.11F, 0.05F}, {0, 0.05F}};
-        b.lathe(move({3.7F, deck_at(3.7F), -1.4F + 0.5F * static_cast<float>(i)}), m.cargo, bucket, 12, true);
+        const glm::vec2 bucket[] = {{0, 0.02F},      {0.12F, 0},     {0.15F, 0.28F},
+                                    {0.135F, 0.28F}, {0.11F, 0.05F}, {0, 0.05F}};
+        b.lathe(move({3.7F, deck_at(3.7F), -1.4F + 0.5F * static_cast<float>(i)}), m.cargo, bucket,
+                12, true);
     }
 }
 

@@ -14,7 +14,9 @@ namespace hull {
 
 namespace {
 
-float keel(float x) { return -5.2F + 0.0009F * x * x * (x < 0 ? 0.4F : 0.7F); }
+float keel(float x) {
+    return -5.2F + 0.0009F * x * x * (x < 0 ? 0.4F : 0.7F);
+}
 
 } // namespace
 
@@ -38,8 +40,8 @@ glm::vec3 surface(float u, float h) {
     const float ends = std::max(forward, aft);
     const float round = glm::mix(4.2F, 1.6F, ends * ends);
     const float power = glm::mix(0.48F, 0.95F, ends * ends);
-    const float section = std::pow(1 - std::pow(1 - h, round), power) *
-                          (1 - 0.07F * (1 - ends) * h * h * h);
+    const float section =
+        std::pow(1 - std::pow(1 - h, round), power) * (1 - 0.07F * (1 - ends) * h * h * h);
     return {x, y, 0.16F + 5.4F * plan * section};
 }
 
@@ -54,7 +56,8 @@ float half_breadth(float x, float y) {
 
 bool in_hatch(float x, float z, float margin) {
     for (const Hatch& hatch : hatches)
-        if (x > hatch.x0 - margin && x < hatch.x1 + margin && std::abs(z) < hatch.half_width + margin)
+        if (x > hatch.x0 - margin && x < hatch.x1 + margin &&
+            std::abs(z) < hatch.half_width + margin)
             return true;
     return false;
 }
@@ -72,17 +75,19 @@ float girth_to_height(float v) {
 glm::vec3 inset_point(float u, float v, float inset) {
     const float h = girth_to_height(v);
     const glm::vec3 p = hull::surface(u, h);
-    const glm::vec3 du = hull::surface(std::min(u + 0.004F, 1.0F), h) -
-                         hull::surface(std::max(u - 0.004F, 0.0F), h);
-    const glm::vec3 dh = hull::surface(u, std::min(h + 0.01F, 1.0F)) -
-                         hull::surface(u, std::max(h - 0.01F, 0.0F));
+    const glm::vec3 du =
+        hull::surface(std::min(u + 0.004F, 1.0F), h) - hull::surface(std::max(u - 0.004F, 0.0F), h);
+    const glm::vec3 dh =
+        hull::surface(u, std::min(h + 0.01F, 1.0F)) - hull::surface(u, std::max(h - 0.01F, 0.0F));
     const glm::vec3 normal = glm::normalize(glm::cross(du, dh) + glm::vec3(0, 0, 1e-6F));
     glm::vec3 result = p - inset * normal;
     result.z = std::max(result.z, 0.02F);
     return result;
 }
 
-glm::vec3 mirrored(glm::vec3 p, bool port) { return {p.x, p.y, port ? -p.z : p.z}; }
+glm::vec3 mirrored(glm::vec3 p, bool port) {
+    return {p.x, p.y, port ? -p.z : p.z};
+}
 
 struct Planking {
     int strakes;
@@ -124,8 +129,10 @@ void add_planking(MeshBuilder& b, Group upper_group, Group lower_group, const Pl
                     a.front() += 0.004F * glm::normalize(a[1] - a[0]);
                     c.front() += 0.004F * glm::normalize(c[1] - c[0]);
                 }
-                if (port) b.strip(glm::mat4(1), g, c, a);
-                else b.strip(glm::mat4(1), g, a, c);
+                if (port)
+                    b.strip(glm::mat4(1), g, c, a);
+                else
+                    b.strip(glm::mat4(1), g, a, c);
             }
             from = to;
             to += length;
@@ -141,19 +148,22 @@ void add_ribs(MeshBuilder& b, Group g, int count, int segments) {
         for (const bool port : {false, true}) {
             std::vector<std::uint32_t> edges[4];
             for (int k = 0; k <= segments; ++k) {
-                const float v = 0.02F + 0.965F * static_cast<float>(k) / static_cast<float>(segments);
-                const glm::vec3 corners[4] = {inset_point(u - half, v, 0.03F),
-                                              inset_point(u - half, v, 0.25F),
-                                              inset_point(u + half, v, 0.25F),
-                                              inset_point(u + half, v, 0.03F)};
-                for (int e = 0; e < 4; ++e) edges[e].push_back(b.vertex(mirrored(corners[e], port)));
+                const float v =
+                    0.02F + 0.965F * static_cast<float>(k) / static_cast<float>(segments);
+                const glm::vec3 corners[4] = {
+                    inset_point(u - half, v, 0.03F), inset_point(u - half, v, 0.25F),
+                    inset_point(u + half, v, 0.25F), inset_point(u + half, v, 0.03F)};
+                for (int e = 0; e < 4; ++e)
+                    edges[e].push_back(b.vertex(mirrored(corners[e], port)));
             }
             for (int e = 0; e < 3; ++e)
                 for (std::size_t k = 0; k + 1 < edges[e].size(); ++k) {
                     const std::uint32_t q[4] = {edges[e][k], edges[e][k + 1], edges[e + 1][k + 1],
                                                 edges[e + 1][k]};
-                    if (port) b.quad(g, q[3], q[2], q[1], q[0]);
-                    else b.quad(g, q[0], q[1], q[2], q[3]);
+                    if (port)
+                        b.quad(g, q[3], q[2], q[1], q[0]);
+                    else
+                        b.quad(g, q[0], q[1], q[2], q[3]);
                 }
         }
     }
@@ -197,8 +207,10 @@ void add_rail(MeshBuilder& b, Group g, float v, float rise, float in, float out,
             for (std::size_t k = 0; k + 1 < edges[e].size(); ++k) {
                 const auto& f = edges[(e + 1) % 4];
                 const std::uint32_t q[4] = {edges[e][k], edges[e][k + 1], f[k + 1], f[k]};
-                if (port) b.quad(g, q[3], q[2], q[1], q[0]);
-                else b.quad(g, q[0], q[1], q[2], q[3]);
+                if (port)
+                    b.quad(g, q[3], q[2], q[1], q[0]);
+                else
+                    b.quad(g, q[0], q[1], q[2], q[3]);
             }
     }
 }
@@ -216,7 +228,8 @@ void add_hull(MeshBuilder& b, const ShipMaterials& m) {
 
     // Keel, stem and sternpost.
     const float keel_y = hull::surface(0.5F, 0).y;
-    b.box(glm::mat4(1), m.frames, {-25.6F, keel_y - 0.42F, -0.155F}, {23.2F, keel_y + 0.05F, 0.155F});
+    b.box(glm::mat4(1), m.frames, {-25.6F, keel_y - 0.42F, -0.155F},
+          {23.2F, keel_y + 0.05F, 0.155F});
     for (int i = 0; i < 14; ++i) {
         const float h0 = static_cast<float>(i) / 14;
         const float h1 = static_cast<float>(i + 1) / 14;
@@ -231,7 +244,13 @@ void add_hull(MeshBuilder& b, const ShipMaterials& m) {
     const glm::vec3 head = hull::surface(0, 0.62F);
     const glm::mat4 rudder = along({foot.x - 0.42F, foot.y - 0.3F, 0}, {head.x - 0.42F, head.y, 0});
     b.prism(rudder, m.bottom,
-            {{-0.30F, 0}, {0.30F, 0}, {0.30F, 6.0F}, {-0.02F, 6.0F}, {-0.26F, 3.0F}, {-0.95F, 1.6F}, {-0.95F, 0.3F}},
+            {{-0.30F, 0},
+             {0.30F, 0},
+             {0.30F, 6.0F},
+             {-0.02F, 6.0F},
+             {-0.26F, 3.0F},
+             {-0.95F, 1.6F},
+             {-0.95F, 0.3F}},
             -0.13F, 0.13F);
 }
 

@@ -7,12 +7,12 @@
 namespace lineatlas::scenes {
 
 struct ShipMaterials {
-    Group planking;  ///< outer hull, above the wale
-    Group bottom;    ///< outer hull, below it
-    Group frames;    ///< ribs, beams, keel
-    Group ceiling;   ///< the planking inside the ribs
+    Group planking; ///< outer hull, above the wale
+    Group bottom;   ///< outer hull, below it
+    Group frames;   ///< ribs, beams, keel
+    Group ceiling;  ///< the planking inside the ribs
     Group deck;
-    Group joinery;   ///< deckhouses, cabins, furniture
+    Group joinery; ///< deckhouses, cabins, furniture
     Group spars;
     Group rope;
     Group sail;
@@ -43,12 +43,25 @@ bool in_hatch(float x, float z, float margin);
 struct Hatch {
     float x0, x1, half_width;
 };
-inline constexpr Hatch hatches[] = {{9.0F, 13.0F, 1.7F}, {-4.6F, 0.4F, 1.9F}, {-17.0F, -14.0F, 1.5F}};
+inline constexpr Hatch hatches[] = {
+    {9.0F, 13.0F, 1.7F}, {-4.6F, 0.4F, 1.9F}, {-17.0F, -14.0F, 1.5F}};
 
 void add_hull(MeshBuilder& b, const ShipMaterials& m);
 void add_decks(MeshBuilder& b, const ShipMaterials& m);
 void add_hold(MeshBuilder& b, const ShipMaterials& m);
 void add_deck_gear(MeshBuilder& b, const ShipMaterials& m);
 void add_rigging(MeshBuilder& b, const ShipMaterials& m);
+
+/// A rope in `lengths` * 2 / 5 lengths, about half a metre each.
+void lay(MeshBuilder& b, const ShipMaterials& m, glm::vec3 from, glm::vec3 to, float radius,
+         int lengths, float sag = 0);
+/// A square sail of sewn cloths, bellied forward, with reef points.
+void add_square_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 head, float head_half,
+                     float foot_y, float foot_half, float belly, int rows);
+/// A sail rolled up on its yard.
+void add_furled_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 middle, float half);
+/// A three-cornered sail on a stay.
+void add_staysail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 tack, glm::vec3 head,
+                  glm::vec3 clew, int cloths, int rows);
 
 } // namespace lineatlas::scenes

@@ -1,4 +1,4 @@
-// Masts, yards, sails and the standing and running rigging.
+// Masts, yards and the standing and running rigging.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,14 +18,11 @@ struct Mast {
     float lower;  ///< height of the top (the platform)
     float upper;  ///< height of the crosstrees
 };
-constexpr Mast masts[] = {{16.5F, 34, 12.5F, 22.5F}, {2.6F, 37, 13.5F, 24.5F}, {-12.0F, 30, 11, 20}};
+constexpr Mast masts[] = {
+    {16.5F, 34, 12.5F, 22.5F}, {2.6F, 37, 13.5F, 24.5F}, {-12.0F, 30, 11, 20}};
 
-float deck_at(float x) { return hull::sheer(x) - hull::bulwark; }
-
-/// Ropes are drawn with a length of about half a metre at most.
-void lay(MeshBuilder& b, const ShipMaterials& m, glm::vec3 from, glm::vec3 to, float radius,
-         int lengths, float sag = 0) {
-    b.rope(m.rope, from, to, radius, std::max(2, lengths * 2 / 5), sag);
+float deck_at(float x) {
+    return hull::sheer(x) - hull::bulwark;
 }
 
 /// A yard tapers towards its arms.
@@ -47,83 +44,21 @@ void add_yard(MeshBuilder& b, const ShipMaterials& m, glm::vec3 middle, float ha
             const glm::vec3 p = glm::mix(slings, arm, s);
             lay(b, m, p, p - glm::vec3(0, 2.2F * s * (1 - s), 0), 0.012F, 4);
         }
-        lay(b, m, arm + glm::vec3(-0.1F, 0.15F, 0), middle + glm::vec3(-0.1F, 0.42F * half, side * 0.12F),
-               0.016F, 30);
-    }
-}
-
-/// A square sail of sewn cloths, bellied forward, with reef points.
-void add_square_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 head, float head_half,
-                     float foot_y, float foot_half, float belly, int rows) {
-    const int cloths = static_cast<int>(2 * foot_half / 0.62F);
-    auto point = [&](float s, float t) { // s across in [-1, 1], t down in [0, 1]
-        const float half = glm::mix(head_half, foot_half, t);
-        const float roach = 0.35F * (1 - s * s) * t * t;
-        const float depth = belly * (1 - 0.85F * s * s) * std::sin(std::numbers::pi_v<float> * (0.08F + 0.80F * t));
-        return glm::vec3(head.x + depth, glm::mix(head.y, foot_y, t) + roach, s * half);
-    };
-    for (int i = 0; i < cloths; ++i) {
-        const float s0 = 2 * static_cast<float>(i) / static_cast<float>(cloths) - 1;
-        const float s1 = 2 * (static_cast<float>(i) + 1.03F) / static_cast<float>(cloths) - 1;
-        Path left;
-        Path right;
-        for (int k = 0; k <= rows; ++k) {
-            const float t = static_cast<float>(k) / static_cast<float>(rows);
-            left.push_back(point(s0, t));
-            right.push_back(point(std::min(s1, 1.0F), t) + glm::vec3(0.012F, 0, 0));
-        }
-        b.strip(glm::mat4(1), m.sail, left, right);
-    }
-    for (const float t : {0.18F, 0.34F}) {
-        for (int i = 0; i < 2 * cloths; ++i) {
-            const float s = (2 * static_cast<float>(i) + 1) / static_cast<float>(2 * cloths) - 1;
-            const glm::vec3 p = point(s, t) + glm::vec3(0.04F, 0, 0);
-            lay(b, m, p, p + glm::vec3(0.05F, -0.55F, 0.03F), 0.010F, 3);
-        }
-    }
-}
-
-/// A sail rolled up on its yard: lumps of canvas between the gaskets.
-void add_furled_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 middle, float half) {
-    b.panel(move(middle), m.sail, 90, 12, [half](float u, float v) {
-        const float angle = 2 * std::numbers::pi_v<float> * v;
-        const float s = 2 * u - 1;
-        const float lump = 0.30F * (1 - 0.5F * s * s) * (0.82F + 0.18F * std::abs(std::sin(u * 40.0F)));
-        return glm::vec3(0.9F * lump * std::cos(angle), 0.30F + lump * std::sin(angle), half * 0.92F * s);
-    });
-}
-
-/// A three-cornered sail on a stay.
-void add_staysail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 tack, glm::vec3 head,
-                  glm::vec3 clew, int cloths, int rows) {
-    for (int i = 0; i < cloths; ++i) {
-        auto point = [&](float across, float up) {
-            const glm::vec3 luff = glm::mix(tack, head, up);
-            const glm::vec3 leech = glm::mix(clew, head, up);
-            const glm::vec3 p = glm::mix(luff, leech, across);
-            const float belly = 0.75F * std::sin(std::numbers::pi_v<float> * across) * (1 - up) * (0.25F + up);
-            return p + glm::vec3(0, 0, belly);
-        };
-        Path lower;
-        Path upper;
-        const float y0 = static_cast<float>(i) / static_cast<float>(cloths);
-        const float y1 = (static_cast<float>(i) + 1.02F) / static_cast<float>(cloths);
-        for (int k = 0; k <= rows; ++k) {
-            const float s = static_cast<float>(k) / static_cast<float>(rows);
-            lower.push_back(point(s, y0));
-            upper.push_back(point(s, std::min(y1, 0.99F)) + glm::vec3(0, 0, 0.01F));
-        }
-        b.strip(glm::mat4(1), m.sail, lower, upper);
+        lay(b, m, arm + glm::vec3(-0.1F, 0.15F, 0),
+            middle + glm::vec3(-0.1F, 0.42F * half, side * 0.12F), 0.016F, 30);
     }
 }
 
 /// A fan of shrouds with ratlines tied between neighbours.
-void add_shrouds(MeshBuilder& b, const ShipMaterials& m, Path feet, Path heads, float step, int lengths) {
+void add_shrouds(MeshBuilder& b, const ShipMaterials& m, Path feet, Path heads, float step,
+                 int lengths) {
     for (std::size_t i = 0; i < feet.size(); ++i) {
         lay(b, m, feet[i], heads[i], 0.030F, lengths);
         // Deadeye at the foot.
-        const glm::vec2 eye[] = {{0, -0.06F}, {0.09F, -0.04F}, {0.11F, 0}, {0.09F, 0.04F}, {0, 0.06F}};
-        b.lathe(move(feet[i]) * turn(0.5F * std::numbers::pi_v<float>, {1, 0, 0}), m.iron, eye, 10, true);
+        const glm::vec2 eye[] = {
+            {0, -0.06F}, {0.09F, -0.04F}, {0.11F, 0}, {0.09F, 0.04F}, {0, 0.06F}};
+        b.lathe(move(feet[i]) * turn(0.5F * std::numbers::pi_v<float>, {1, 0, 0}), m.iron, eye, 10,
+                true);
     }
     const float height = heads[0].y - feet[0].y;
     const int count = static_cast<int>(0.93F * height / step);
@@ -142,12 +77,23 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
     const glm::vec3 foot{mast.x, -4.6F, 0};
     const float top = deck + mast.lower;
     const float crosstrees = deck + mast.upper;
-    const glm::vec2 lower[] = {{0.42F, 0}, {0.44F, 4}, {0.43F, 9}, {0.38F, 14}, {0.32F, top + 2.4F + 4.6F}, {0, top + 2.5F + 4.6F}};
+    const glm::vec2 lower[] = {{0.42F, 0},
+                               {0.44F, 4},
+                               {0.43F, 9},
+                               {0.38F, 14},
+                               {0.32F, top + 2.4F + 4.6F},
+                               {0, top + 2.5F + 4.6F}};
     b.lathe(move(foot), m.spars, lower, 20, true);
-    const glm::vec2 middle[] = {{0, -0.1F}, {0.24F, 0}, {0.24F, 3}, {0.20F, mast.upper - mast.lower + 1.8F}, {0, mast.upper - mast.lower + 1.9F}};
+    const glm::vec2 middle[] = {{0, -0.1F},
+                                {0.24F, 0},
+                                {0.24F, 3},
+                                {0.20F, mast.upper - mast.lower + 1.8F},
+                                {0, mast.upper - mast.lower + 1.9F}};
     b.lathe(move({mast.x + 0.62F, top - 0.4F, 0}), m.spars, middle, 16, true);
     const float pole = mast.height - mast.upper;
-    const glm::vec2 upper[] = {{0, -0.1F}, {0.15F, 0}, {0.14F, 0.5F * pole}, {0.07F, pole}, {0.13F, pole + 0.04F}, {0, pole + 0.12F}};
+    const glm::vec2 upper[] = {
+        {0, -0.1F},       {0.15F, 0}, {0.14F, 0.5F * pole}, {0.07F, pole}, {0.13F, pole + 0.04F},
+        {0, pole + 0.12F}};
     b.lathe(move({mast.x + 1.02F, crosstrees - 0.3F, 0}), m.spars, upper, 14, true);
     for (int i = 0; i < 5; ++i) { // wooldings
         const glm::vec2 band[] = {{0.45F, 0}, {0.47F, 0.01F}, {0.47F, 0.15F}, {0.45F, 0.16F}};
@@ -157,12 +103,18 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
     for (int i = 0; i < 11; ++i) {
         const float z = -1.65F + 0.30F * static_cast<float>(i);
         const float half = std::abs(z) < 1.0F ? 1.25F : 1.05F;
-        b.box(move({mast.x + 0.3F, top, z}), m.deck, {half > 1.2F && std::abs(z) < 0.55F ? 0.62F : -half, 0, 0.004F}, {half, 0.06F, 0.296F});
-        if (std::abs(z) < 0.55F) b.box(move({mast.x + 0.3F, top, z}), m.deck, {-half, 0, 0.004F}, {-0.74F, 0.06F, 0.296F});
+        b.box(move({mast.x + 0.3F, top, z}), m.deck,
+              {half > 1.2F && std::abs(z) < 0.55F ? 0.62F : -half, 0, 0.004F},
+              {half, 0.06F, 0.296F});
+        if (std::abs(z) < 0.55F)
+            b.box(move({mast.x + 0.3F, top, z}), m.deck, {-half, 0, 0.004F},
+                  {-0.74F, 0.06F, 0.296F});
     }
     for (const float side : {-1.0F, 1.0F}) {
-        b.box(move({mast.x + 0.3F, top, side * 0.52F}), m.spars, {-1.4F, -0.26F, -0.08F}, {1.4F, -gap, 0.08F});
-        b.box(move({mast.x + 0.8F, crosstrees, side * 0.3F}), m.spars, {-0.7F, -0.16F, -0.05F}, {0.7F, -gap, 0.05F});
+        b.box(move({mast.x + 0.3F, top, side * 0.52F}), m.spars, {-1.4F, -0.26F, -0.08F},
+              {1.4F, -gap, 0.08F});
+        b.box(move({mast.x + 0.8F, crosstrees, side * 0.3F}), m.spars, {-0.7F, -0.16F, -0.05F},
+              {0.7F, -gap, 0.05F});
         const float gunwale = hull::half_breadth(mast.x, hull::sheer(mast.x)) + 0.28F;
         b.box(move({mast.x - 1.4F, hull::sheer(mast.x) - 0.12F, side * gunwale}), m.joinery,
               {-2.6F, -0.06F, -0.24F}, {2.6F, 0.06F, 0.24F});
@@ -172,27 +124,34 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
         for (int i = 0; i < 7; ++i) {
             const float x = mast.x + 0.5F - 0.62F * static_cast<float>(i);
             feet.emplace_back(x, hull::sheer(mast.x) + 0.28F, side * (gunwale + 0.05F));
-            heads.emplace_back(mast.x + 0.1F - 0.03F * static_cast<float>(i), top + 0.55F, side * (0.42F - 0.01F * static_cast<float>(i)));
+            heads.emplace_back(mast.x + 0.1F - 0.03F * static_cast<float>(i), top + 0.55F,
+                               side * (0.42F - 0.01F * static_cast<float>(i)));
         }
         add_shrouds(b, m, feet, heads, 0.38F, 48);
         for (const glm::vec3& p : feet)
-            b.rod(m.iron, p - glm::vec3(0, 0.12F, 0), {p.x, p.y - 1.7F, p.z - side * 0.28F}, 0.025F, 6);
+            b.rod(m.iron, p - glm::vec3(0, 0.12F, 0), {p.x, p.y - 1.7F, p.z - side * 0.28F}, 0.025F,
+                  6);
         Path upper_feet;
         Path upper_heads;
         for (int i = 0; i < 5; ++i) {
             const float s = static_cast<float>(i);
             upper_feet.emplace_back(mast.x + 0.7F - 0.38F * s, top + 0.12F, side * 1.62F);
-            upper_heads.emplace_back(mast.x + 0.66F - 0.02F * s, crosstrees + 0.4F, side * (0.22F - 0.01F * s));
+            upper_heads.emplace_back(mast.x + 0.66F - 0.02F * s, crosstrees + 0.4F,
+                                     side * (0.22F - 0.01F * s));
         }
         add_shrouds(b, m, upper_feet, upper_heads, 0.38F, 36);
         for (int i = 0; i < 3; ++i) { // backstays
             const float z = hull::half_breadth(mast.x - 4, hull::sheer(mast.x - 4)) + 0.2F;
-            const float heights[] = {crosstrees, crosstrees + 0.5F * pole, crosstrees + 0.9F * pole};
-            lay(b, m, {mast.x - 4.2F - 0.5F * static_cast<float>(i), hull::sheer(mast.x - 4) + 0.15F, side * z},
-                   {mast.x + 0.8F, heights[i], side * 0.16F}, 0.022F, 70);
+            const float heights[] = {crosstrees, crosstrees + 0.5F * pole,
+                                     crosstrees + 0.9F * pole};
+            lay(b, m,
+                {mast.x - 4.2F - 0.5F * static_cast<float>(i), hull::sheer(mast.x - 4) + 0.15F,
+                 side * z},
+                {mast.x + 0.8F, heights[i], side * 0.16F}, 0.022F, 70);
         }
     }
-    const float levels[] = {top - 1.0F, top + 3.4F, top + 6.4F, crosstrees + 1.6F, crosstrees + 5.6F};
+    const float levels[] = {top - 1.0F, top + 3.4F, top + 6.4F, crosstrees + 1.6F,
+                            crosstrees + 5.6F};
     const float halves[] = {9.0F, 8.0F, 7.4F, 5.6F, 4.1F};
     for (int i = 0; square && i < 5; ++i) {
         const glm::vec3 yard{mast.x + (i == 0 ? 0.75F : i < 3 ? 1.20F : 1.45F), levels[i], 0};
@@ -206,14 +165,19 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
         }
         for (const float side : {-1.0F, 1.0F}) { // braces
             const glm::vec3 arm = yard + glm::vec3(-0.1F, 0, side * halves[i]);
-            lay(b, m, arm, {mast.x - 11, deck + 1.5F + 2.2F * static_cast<float>(i), side * (i == 0 ? 4.9F : 0.5F)}, 0.016F, 50, 0.25F);
+            lay(b, m, arm,
+                {mast.x - 11, deck + 1.5F + 2.2F * static_cast<float>(i),
+                 side * (i == 0 ? 4.9F : 0.5F)},
+                0.016F, 50, 0.25F);
         }
         for (int k = -3; k <= 3; ++k) { // buntlines
             if (k == 0 || i == 0 || i == 4) continue;
             const float z = 0.24F * static_cast<float>(k) * halves[i];
-            lay(b, m, yard + glm::vec3(-0.25F, 0.2F, z), {yard.x - 0.3F, levels[i] + 0.28F * halves[i], 0.06F * static_cast<float>(k)}, 0.012F, 14);
+            lay(b, m, yard + glm::vec3(-0.25F, 0.2F, z),
+                {yard.x - 0.3F, levels[i] + 0.28F * halves[i], 0.06F * static_cast<float>(k)},
+                0.012F, 14);
             lay(b, m, {yard.x - 0.3F, levels[i] + 0.28F * halves[i], 0.06F * static_cast<float>(k)},
-                   {mast.x + 0.6F, deck + 1.0F, 0.5F * static_cast<float>(k)}, 0.012F, 60);
+                {mast.x + 0.6F, deck + 1.0F, 0.5F * static_cast<float>(k)}, 0.012F, 60);
         }
     }
 }
@@ -240,22 +204,29 @@ void add_rigging(MeshBuilder& b, const ShipMaterials& m) {
     lay(b, m, cap, fore_top, 0.035F, 90);
     lay(b, m, glm::mix(boom, tip, 0.55F), fore_cross, 0.026F, 110);
     lay(b, m, tip, fore_truck, 0.022F, 120);
-    add_staysail(b, m, glm::mix(cap, fore_top, 0.06F), glm::mix(cap, fore_top, 0.86F), {21.5F, 8.2F, 0.3F}, 16, 24);
+    add_staysail(b, m, glm::mix(cap, fore_top, 0.06F), glm::mix(cap, fore_top, 0.86F),
+                 {21.5F, 8.2F, 0.3F}, 16, 24);
     add_staysail(b, m, glm::mix(glm::mix(boom, tip, 0.55F), fore_cross, 0.05F),
-                 glm::mix(glm::mix(boom, tip, 0.55F), fore_cross, 0.80F), {26.5F, 9.8F, 0.3F}, 22, 24);
-    add_staysail(b, m, glm::mix(tip, fore_truck, 0.05F), glm::mix(tip, fore_truck, 0.74F), {31.0F, 12.0F, 0.3F}, 22, 24);
+                 glm::mix(glm::mix(boom, tip, 0.55F), fore_cross, 0.80F), {26.5F, 9.8F, 0.3F}, 22,
+                 24);
+    add_staysail(b, m, glm::mix(tip, fore_truck, 0.05F), glm::mix(tip, fore_truck, 0.74F),
+                 {31.0F, 12.0F, 0.3F}, 22, 24);
     for (const float side : {-1.0F, 1.0F}) { // bowsprit shrouds and the net below the boom
         lay(b, m, cap, {26.5F, hull::sheer(26) - 1.2F, side * 2.0F}, 0.025F, 50);
         lay(b, m, tip, {28.6F, hull::sheer(28) + 0.1F, side * 0.9F}, 0.020F, 60);
-        lay(b, m, glm::mix(cap, tip, 0.1F) + glm::vec3(0, -0.2F, side * 0.4F), tip + glm::vec3(0, -0.15F, side * 0.08F), 0.016F, 40, 0.5F);
+        lay(b, m, glm::mix(cap, tip, 0.1F) + glm::vec3(0, -0.2F, side * 0.4F),
+            tip + glm::vec3(0, -0.15F, side * 0.08F), 0.016F, 40, 0.5F);
     }
     // Stays from mast to mast.
     for (int i = 0; i < 2; ++i) {
         const Mast& fore = masts[i];
         const Mast& aft = masts[i + 1];
-        lay(b, m, {fore.x - 0.5F, deck_at(fore.x) + 1.0F, 0}, {aft.x + 0.3F, deck_at(aft.x) + aft.lower, 0}, 0.032F, 90);
-        lay(b, m, {fore.x - 0.5F, deck_at(fore.x) + fore.lower, 0}, {aft.x + 0.8F, deck_at(aft.x) + aft.upper, 0}, 0.026F, 100);
-        lay(b, m, {fore.x - 0.3F, deck_at(fore.x) + fore.upper, 0}, {aft.x + 1.0F, deck_at(aft.x) + aft.height - 1, 0}, 0.020F, 100);
+        lay(b, m, {fore.x - 0.5F, deck_at(fore.x) + 1.0F, 0},
+            {aft.x + 0.3F, deck_at(aft.x) + aft.lower, 0}, 0.032F, 90);
+        lay(b, m, {fore.x - 0.5F, deck_at(fore.x) + fore.lower, 0},
+            {aft.x + 0.8F, deck_at(aft.x) + aft.upper, 0}, 0.026F, 100);
+        lay(b, m, {fore.x - 0.3F, deck_at(fore.x) + fore.upper, 0},
+            {aft.x + 1.0F, deck_at(aft.x) + aft.height - 1, 0}, 0.020F, 100);
     }
     // Spanker: gaff, boom and sail on the mizzen.
     const float x = masts[2].x - 0.5F;
@@ -268,15 +239,19 @@ void add_rigging(MeshBuilder& b, const ShipMaterials& m) {
     b.rod(m.spars, tack, clew, 0.16F, 14);
     for (int i = 0; i < 22; ++i) {
         auto point = [&](float s, float t) {
-            const glm::vec3 p = glm::mix(glm::mix(tack, clew, s * 0.97F), glm::mix(throat, peak, s * 0.97F), 0.04F + 0.92F * t);
-            return p + glm::vec3(0, 0, 0.9F * std::sin(3.14F * s) * std::sin(3.14F * (0.1F + 0.8F * t)));
+            const glm::vec3 p = glm::mix(glm::mix(tack, clew, s * 0.97F),
+                                         glm::mix(throat, peak, s * 0.97F), 0.04F + 0.92F * t);
+            return p + glm::vec3(0, 0,
+                                 0.9F * std::sin(3.14F * s) * std::sin(3.14F * (0.1F + 0.8F * t)));
         };
         Path aft;
         Path fore;
         for (int k = 0; k <= 26; ++k) {
             const float t = static_cast<float>(k) / 26;
             fore.push_back(point(0.03F + 0.97F * static_cast<float>(i) / 22, t));
-            aft.push_back(point(std::min(1.0F, 0.03F + 0.97F * (static_cast<float>(i) + 1.03F) / 22), t) + glm::vec3(0, 0, 0.01F));
+            aft.push_back(
+                point(std::min(1.0F, 0.03F + 0.97F * (static_cast<float>(i) + 1.03F) / 22), t) +
+                glm::vec3(0, 0, 0.01F));
         }
         b.strip(glm::mat4(1), m.sail, fore, aft);
     }

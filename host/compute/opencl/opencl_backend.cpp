@@ -146,7 +146,7 @@ class Implementation final : public OpenClBackend {
         const std::uint32_t blocks = divide_up(args.capacity, tuning_.atlas_block);
         launch(atlas_, blocks, tuning_.block_local_size, args.clipped.clipped, args.clipped.offsets,
                args.segment_count, args.depth, to_cl(args.depth_size), to_cl(args.viewport),
-               args.depth_scale, args.probes, args.bias_limit, args.bias, args.layout.width,
+               args.depth_scale, args.probes, args.tolerance, args.layout.width,
                args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
     }
 

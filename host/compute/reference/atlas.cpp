@@ -10,17 +10,35 @@
 namespace lineatlas::compute::reference {
 namespace {
 
+/// One of the two faces of a line, as own_face in project_clip.cl describes it.
+struct OwnFace {
+    float slope;
+    float height;
+
+    explicit OwnFace(std::uint32_t packed)
+        : slope(std::bit_cast<float>(packed << 16U)),
+          height(std::bit_cast<float>(packed & 0xFFFF0000U)) {}
+
+    /// Whether a depth `seen` from the line's own, `across` pixels to its left, is this face.
+    bool matches(float seen, float across, float before) const {
+        const float expected = slope * across;
+        const bool on_side = height > 0 ? across > -LA_OWN_FACE_SNAP : across < LA_OWN_FACE_SNAP;
+        const bool in_reach = std::fabs(across) <= std::fabs(height) + LA_OWN_FACE_SNAP ||
+                              std::fabs(expected) <= LA_OWN_FACE_REACH * before;
+        return on_side && in_reach &&
+               std::fabs(seen - expected) <=
+                   std::fmin(std::fabs(slope) * LA_OWN_FACE_SNAP + LA_DEPTH_ROUNDING, before);
+    }
+};
+
 /// A segment in window space, ready for its samples.
 struct Spine {
     glm::vec3 p, d;
     float inverse_w_p, inverse_w_d;
-    glm::vec2 across;
-    glm::vec2 slope_a, slope_b;
+    glm::vec2 along;
+    float depth_along;
+    OwnFace a, b;
 };
-
-glm::vec2 unpack_slope(std::uint32_t packed) {
-    return {std::bit_cast<float>(packed << 16U), std::bit_cast<float>(packed & 0xFFFF0000U)};
-}
 
 Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
     const glm::vec3 p{segment.p[0], segment.p[1], segment.p[2]};
@@ -36,33 +54,39 @@ Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
             .d = d,
             .inverse_w_p = 1 / wp,
             .inverse_w_d = 1 / wq - 1 / wp,
-            .across = length_px > 0 ? glm::vec2{-d.y, d.x} / length_px : glm::vec2{0, 1},
-            .slope_a = unpack_slope(segment.slope_a),
-            .slope_b = unpack_slope(segment.slope_b)};
+            .along = length_px > 0 ? glm::vec2{d} / length_px : glm::vec2{1, 0},
+            .depth_along = length_px > 0 ? d.z / length_px : 0,
+            .a = OwnFace{segment.own_a},
+            .b = OwnFace{segment.own_b}};
 }
 
 std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint32_t j,
                             std::uint32_t l) {
     std::uint32_t visible = 0;
     const auto per_axis = static_cast<float>(in.probes);
+    const glm::vec2 left{-spine.along.y, spine.along.x};
     for (std::uint32_t row = 0; row < in.probes; ++row) {
         const float u = (static_cast<float>(j) + (static_cast<float>(row) + 0.5F) / per_axis) /
                         static_cast<float>(l);
         const glm::vec3 point = spine.p + spine.d * u;
-        const float limit = in.bias_limit * (spine.inverse_w_p + spine.inverse_w_d * u);
+        const float before =
+            in.tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
         for (std::uint32_t column = 0; column < in.probes; ++column) {
             const float side = (static_cast<float>(column) + 0.5F) / per_axis - 0.5F;
-            const glm::vec2 probe = (glm::vec2{point} + spine.across * side) * in.depth_scale;
+            const glm::vec2 probe = (glm::vec2{point} + left * side) * in.depth_scale;
             const glm::ivec2 texel =
                 glm::clamp(glm::ivec2{std::floor(probe.x), std::floor(probe.y)}, glm::ivec2{0},
                            in.depth_size - 1);
             const glm::vec2 offset = (glm::vec2{texel} + 0.5F) / in.depth_scale - glm::vec2{point};
-            const float own_a = spine.slope_a.x * offset.x + spine.slope_a.y * offset.y;
-            const float own_b = spine.slope_b.x * offset.x + spine.slope_b.y * offset.y;
-            const float own = std::fmin(std::fmin(own_a, own_b), 0.0F);
-            const float nearest = point.z + std::fmax(own, -limit) - in.bias;
+            const float along = offset.x * spine.along.x + offset.y * spine.along.y;
+            const float across = offset.x * left.x + offset.y * left.y;
+            const float line_depth = point.z + spine.depth_along * along;
             const auto index = static_cast<std::size_t>(texel.y) * in.depth_size.x + texel.x;
-            visible += in.depth[index] >= nearest ? 1 : 0;
+            const float seen = in.depth[index] - line_depth;
+            visible += seen >= -before || spine.a.matches(seen, across, before) ||
+                               spine.b.matches(seen, across, before)
+                           ? 1
+                           : 0;
         }
     }
     return visible;

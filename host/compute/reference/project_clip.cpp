@@ -45,28 +45,49 @@ bool clip_to_frustum(glm::vec4 p, glm::vec4 q, ClipRange& range) {
            range.t0 < range.t1;
 }
 
-std::uint32_t pack_slope(const ProjectClipInput& in, std::uint32_t face) {
+/// A line on the screen, as its faces need to know it.
+struct ScreenLine {
+    std::uint32_t vertex_p, vertex_q;
+    glm::vec4 p, q; ///< clipped ends in clip space
+    glm::vec2 across;
+    float length_px;
+};
+
+/// fmax and fmin, not clamp: a NaN (a plane without a direction) becomes a limit.
+float limited(float value, float limit) { return std::fmin(std::fmax(value, -limit), limit); }
+
+/// See own_face in project_clip.cl.
+std::uint32_t own_face(const ProjectClipInput& in, std::uint32_t face, const ScreenLine& line) {
     if (face == LA_NO_FACE) return 0;
     const std::uint32_t i = face & LA_FACE_INDEX;
-    const glm::vec3 v = load3(in.vertices, in.triangles[3 * i]);
-    const glm::vec3 n = triangle_normal(v, load3(in.vertices, in.triangles[3 * i + 1]),
-                                        load3(in.vertices, in.triangles[3 * i + 2]));
+    const std::array corners{in.triangles[3 * i], in.triangles[3 * i + 1], in.triangles[3 * i + 2]};
+    const glm::vec3 v = load3(in.vertices, corners[0]);
+    const glm::vec3 n =
+        triangle_normal(v, load3(in.vertices, corners[1]), load3(in.vertices, corners[2]));
     const float nw = -((n.x * v.x + n.y * v.y) + n.z * v.z);
-    const glm::mat4& m = in.world_from_clip;
     const auto plane = [&](int column) {
-        const glm::vec4& c = m[column];
+        const glm::vec4& c = in.world_from_clip[column];
         return (n.x * c.x + n.y * c.y) + (n.z * c.z + nw * c.w);
     };
-    const auto limit = [](float slope) {
-        // fmax and fmin, not clamp: a NaN (a plane without a direction) becomes a limit.
-        return std::fmin(std::fmax(slope, -LA_SLOPE_LIMIT), LA_SLOPE_LIMIT);
+    const glm::vec2 viewport = in.viewport;
+    const float slope =
+        -(plane(0) / viewport.x * line.across.x + plane(1) / viewport.y * line.across.y) / plane(2);
+
+    const auto is_third = [&](std::uint32_t corner) {
+        return corner != line.vertex_p && corner != line.vertex_q;
     };
-    const float a = plane(0);
-    const float b = plane(1);
-    const float c = plane(2);
-    const float x = limit(-a / (c * in.viewport.x));
-    const float y = limit(-b / (c * in.viewport.y));
-    return std::bit_cast<std::uint32_t>(x) >> 16U | (std::bit_cast<std::uint32_t>(y) & 0xFFFF0000U);
+    const std::uint32_t third = is_third(corners[0])   ? corners[0]
+                                : is_third(corners[1]) ? corners[1]
+                                                       : corners[2];
+    const glm::vec4 r = transform_point(in.clip_from_world, load3(in.vertices, third));
+    const glm::vec4& p = line.p;
+    const glm::vec4& q = line.q;
+    const float det = ((p.y * q.w - p.w * q.y) * r.x + (p.w * q.x - p.x * q.w) * r.y) +
+                      (p.x * q.y - p.y * q.x) * r.w;
+    const float area = det / (p.w * q.w) * (viewport.x * viewport.y * 0.25F);
+    const float height = r.w > 0 ? area / (r.w * line.length_px) : area * LA_HEIGHT_LIMIT;
+    return std::bit_cast<std::uint32_t>(limited(slope, LA_SLOPE_LIMIT)) >> 16U |
+           (std::bit_cast<std::uint32_t>(limited(height, LA_HEIGHT_LIMIT)) & 0xFFFF0000U);
 }
 
 bool is_silhouette(const Segment& segment, std::span<const std::uint8_t> front) {
@@ -116,12 +137,18 @@ void project_clip(const ProjectClipInput& in, std::span<ClippedSegment> clipped,
         }
         counts[i] = l;
         arcs[i] = static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL);
+        const ScreenLine line{.vertex_p = segment.p,
+                              .vertex_q = segment.q,
+                              .p = cp,
+                              .q = cq,
+                              .across = glm::vec2{-span_y, span_x} / length_px,
+                              .length_px = length_px};
         clipped[i] = {.p = {cp.x, cp.y, cp.z, cp.w},
                       .q = {cq.x, cq.y, cq.z, cq.w},
                       .t0 = range.t0,
                       .t1 = range.t1,
-                      .slope_a = pack_slope(in, segment.face_a),
-                      .slope_b = pack_slope(in, segment.face_b)};
+                      .own_a = own_face(in, segment.face_a, line),
+                      .own_b = own_face(in, segment.face_b, line)};
     }
 }
 

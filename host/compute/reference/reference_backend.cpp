@@ -90,8 +90,7 @@ class ReferenceBackend final : public Backend {
                           .viewport = args.viewport,
                           .depth_scale = args.depth_scale,
                           .probes = args.probes,
-                          .bias_limit = args.bias_limit,
-                          .bias = args.bias,
+                          .tolerance = args.tolerance,
                           .layout = args.layout,
                           .capacity = args.capacity},
                          view_all<std::uint8_t>(args.alpha));

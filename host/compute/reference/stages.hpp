@@ -43,8 +43,7 @@ struct AtlasInput {
     glm::vec2 viewport;
     float depth_scale;
     std::uint32_t probes;
-    float bias_limit;
-    float bias;
+    float tolerance;           ///< window depth that may stand before a line, times w
     AtlasLayout layout;
     std::uint32_t capacity;
 };

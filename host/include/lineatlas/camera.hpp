@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -36,9 +38,9 @@ struct Camera {
 /// sight, the field of view is not in (0, pi) or the size is not positive.
 Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
 
-/// A view from the front, right and above that shows the whole of `bounds` with a small margin.
-/// `up` must be a unit axis.
-View frame_bounds(const Bounds& bounds, glm::ivec2 size, glm::vec3 up = {0, 1, 0},
+/// A view from the front, right and above in which all `points` just fit, with a small margin. There
+/// must be at least one. `up` must be a unit axis.
+View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up = {0, 1, 0},
                   float fov_y = View{}.fov_y);
 
 } // namespace lineatlas
