@@ -29,6 +29,12 @@ int run(int argc, char** argv) {
         app.add_subcommand("devices", "List OpenCL devices and how they share buffers with GL");
     const auto run_draw = lineatlas::apps::setup_draw(*draw);
     const auto run_devices = lineatlas::apps::setup_devices(*devices);
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (!first.empty() && first[0] != '-' && first != draw->get_name() &&
+        first != devices->get_name()) {
+        throw lineatlas::UsageError(fmt::format("there is no command \"{}\"; there is {}, {}", first,
+                                                draw->get_name(), devices->get_name()));
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

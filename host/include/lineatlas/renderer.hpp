@@ -27,8 +27,8 @@ enum class StrokeShader { geometry, vertex }; ///< §4.4; both draw the same pic
 /// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
 struct DeviceOptions {
     std::string compute = "opencl"; ///< "opencl" or "reference"
-    std::string device;             ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
-    std::string interop;            ///< "gl-sharing", "host-pointer", "copy" or "": chosen
+    std::string device{};           ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
+    std::string interop{};          ///< "gl-sharing", "host-pointer", "copy" or "": chosen
 };
 
 /// How a frame is drawn.

@@ -1,0 +1,232 @@
+#include "core/edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "test_meshes.hpp"
+
+namespace lineatlas {
+namespace {
+
+using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
+using Kinds = std::map<VertexPair, std::optional<LineKind>>;
+
+Kinds kinds_of(const Mesh& mesh, const LineOptions& options = {}) {
+    const WeldedMesh welded = weld(mesh);
+    const std::vector<MeshEdge> edges = mesh_edges(welded);
+    const std::vector<glm::dvec3> normals = face_normals(welded, edges);
+    Kinds kinds;
+    for (const MeshEdge& edge : edges) {
+        kinds[std::minmax(edge.p, edge.q)] = classify(edge, welded, normals, options);
+    }
+    return kinds;
+}
+
+std::ptrdiff_t count(const Kinds& kinds, std::optional<LineKind> kind) {
+    return std::ranges::count(kinds, kind, &Kinds::value_type::second);
+}
+
+LineOptions with_crease_angle(float angle) { return {.crease_angle = angle}; }
+
+/// Every edge against a map of all uses, built the slow way.
+void expect_every_edge_once(const Mesh& mesh) {
+    const WeldedMesh welded = weld(mesh);
+    std::map<VertexPair, std::vector<std::pair<std::uint32_t, bool>>> uses; // face, runs downwards
+    for (std::uint32_t face = 0; face < welded.triangles.size(); ++face) {
+        const glm::uvec3 t = welded.triangles[face];
+        for (const auto& [a, b] : {VertexPair{t.x, t.y}, {t.y, t.z}, {t.z, t.x}}) {
+            uses[std::minmax(a, b)].emplace_back(face, a > b);
+        }
+    }
+    const std::vector<MeshEdge> edges = mesh_edges(welded);
+    ASSERT_EQ(edges.size(), uses.size());
+    std::uint32_t last_vertex = 0;
+    for (const MeshEdge& edge : edges) {
+        const VertexPair key = std::minmax(edge.p, edge.q);
+        EXPECT_GE(key.first, last_vertex) << "not ordered by the smaller vertex";
+        last_vertex = key.first;
+        ASSERT_TRUE(uses.contains(key)) << "not an edge, or there twice";
+        const auto of_edge = uses[key];
+        uses.erase(key);
+        EXPECT_EQ(edge.face_count, of_edge.size());
+        EXPECT_EQ(edge.face_a, of_edge[0].first);
+        EXPECT_EQ(edge.p > edge.q, of_edge[0].second) << "not in the winding of face_a";
+        if (of_edge.size() == 1) {
+            EXPECT_EQ(edge.face_b, LA_NO_FACE);
+        } else {
+            EXPECT_EQ(edge.face_b & LA_FACE_INDEX, of_edge[1].first);
+            EXPECT_EQ((edge.face_b & LA_FACE_FLIPPED) != 0, of_edge[0].second == of_edge[1].second);
+        }
+    }
+}
+
+TEST(MeshEdges, EveryEdgeOfARandomSoupStandsOnce) {
+    test::Random random{11};
+    for (int round = 0; round < 60; ++round) {
+        expect_every_edge_once(test::random_soup(random, 4 + random.below(30), random.below(90)));
+    }
+}
+
+TEST(MeshEdges, EveryEdgeOfAManifoldStandsOnce) {
+    test::Random random{12};
+    expect_every_edge_once(test::sphere(3));
+    expect_every_edge_once(test::with_random_windings(test::sphere(2), random));
+    expect_every_edge_once(test::height_field(random, 10, 1));
+    expect_every_edge_once(test::moebius_band(9));
+    expect_every_edge_once(test::cylinder(300, true)); // fans of 300 edges at one vertex
+}
+
+TEST(MeshEdges, AClosedMeshHasTheEdgesEulerAsksFor) {
+    for (int level = 0; level < 4; ++level) {
+        const WeldedMesh welded = weld(test::sphere(level));
+        const std::vector<MeshEdge> edges = mesh_edges(welded);
+        EXPECT_EQ(edges.size(), welded.vertices.size() + welded.triangles.size() - 2);
+        for (const MeshEdge& edge : edges) {
+            EXPECT_EQ(edge.face_count, 2U);
+            EXPECT_EQ(edge.face_b & LA_FACE_FLIPPED, 0U);
+        }
+    }
+}
+
+TEST(MeshEdges, AHalfTwistHasOneDisagreement) {
+    const std::vector<MeshEdge> edges = mesh_edges(weld(test::moebius_band(12)));
+    EXPECT_EQ(std::ranges::count_if(edges,
+                                    [](const MeshEdge& edge) {
+                                        return edge.face_count == 2 &&
+                                               (edge.face_b & LA_FACE_FLIPPED) != 0;
+                                    }),
+              1);
+}
+
+TEST(Classify, ACubeHasTwelveCreases) {
+    const Kinds kinds = kinds_of(test::cube());
+    EXPECT_EQ(count(kinds, LineKind::crease), 12);
+    EXPECT_EQ(count(kinds, std::nullopt), 6); // the diagonals: flat, never a silhouette
+}
+
+TEST(Classify, ACreaseIsBentByMoreThanTheThreshold) {
+    for (const bool flipped : {false, true}) {
+        for (float degrees = 1; degrees < 180; ++degrees) {
+            const float angle = glm::radians(degrees);
+            const Mesh mesh = test::bent_pair(angle, flipped);
+            const VertexPair common{0, 1};
+            EXPECT_EQ(kinds_of(mesh, with_crease_angle(angle - 1e-5F))[common], LineKind::crease)
+                << degrees << (flipped ? " flipped" : "");
+            EXPECT_EQ(kinds_of(mesh, with_crease_angle(angle + 1e-5F))[common],
+                      LineKind::silhouette)
+                << degrees << (flipped ? " flipped" : "");
+        }
+    }
+}
+
+TEST(Classify, TheSharpestFoldIsACreaseAndAFlatPairIsNothing) {
+    for (const bool flipped : {false, true}) {
+        Mesh mesh = test::bent_pair(0, flipped);
+        EXPECT_EQ((kinds_of(mesh)[{0, 1}]), std::nullopt);
+        mesh.positions[3] = {-2, 0.5F, 0}; // lies over the first triangle
+        EXPECT_EQ((kinds_of(mesh)[{0, 1}]), LineKind::crease);
+    }
+}
+
+TEST(Classify, TheBordersOfAnOpenStripAreBoundaries) {
+    const Kinds kinds = kinds_of(test::open_strip(5));
+    EXPECT_EQ(count(kinds, LineKind::boundary), 12);
+    EXPECT_EQ(count(kinds, std::nullopt), 9);
+}
+
+TEST(Classify, EdgesOfManyFacesAreKept) {
+    for (const std::uint32_t faces : {3U, 4U, 7U}) {
+        Kinds kinds = kinds_of(test::faces_on_an_edge(faces));
+        EXPECT_EQ((kinds[{0, 1}]), LineKind::boundary) << faces;
+        EXPECT_EQ(count(kinds, LineKind::boundary), 1 + 2 * static_cast<int>(faces));
+    }
+}
+
+TEST(Classify, ATwoSidedQuadHasFourBoundariesOnly) {
+    const Kinds kinds = kinds_of(test::with_own_corners(test::two_sided_quad()));
+    EXPECT_EQ(kinds.size(), 5U);
+    EXPECT_EQ(count(kinds, LineKind::boundary), 4);
+}
+
+TEST(Classify, BordersBetweenGroupsAreMaterialLines) {
+    Mesh mesh = test::open_strip(2);
+    mesh.groups.resize(2);
+    mesh.triangle_group = {0, 0, 1, 1};
+    Kinds kinds = kinds_of(mesh);
+    EXPECT_EQ(count(kinds, LineKind::material), 1);
+    EXPECT_EQ(count(kinds, LineKind::boundary), 6);
+
+    mesh = test::bent_pair(1.5F, false); // a crease as well: material comes first
+    mesh.groups.resize(2);
+    mesh.triangle_group = {0, 1};
+    EXPECT_EQ((kinds_of(mesh)[{0, 1}]), LineKind::material);
+    mesh.triangle_group = {1, 1};
+    EXPECT_EQ((kinds_of(mesh)[{0, 1}]), LineKind::crease);
+}
+
+TEST(Classify, AKindThatIsNotWantedGivesWayToTheNext) {
+    Mesh mesh = test::bent_pair(1.5F, false);
+    mesh.groups.resize(2);
+    mesh.triangle_group = {0, 1};
+    LineOptions options;
+    const auto kind = [&] { return kinds_of(mesh, options)[{0, 1}]; };
+    options.kinds &= ~mask_of(LineKind::material);
+    EXPECT_EQ(kind(), LineKind::crease);
+    options.kinds &= ~mask_of(LineKind::crease);
+    EXPECT_EQ(kind(), LineKind::silhouette);
+    options.kinds &= ~mask_of(LineKind::silhouette);
+    EXPECT_EQ(kind(), std::nullopt);
+    options.kinds = mask_of(LineKind::crease);
+    EXPECT_EQ(count(kinds_of(test::faces_on_an_edge(3), options), std::nullopt), 7);
+}
+
+TEST(Classify, WindingsDoNotChangeTheKinds) {
+    test::Random random{13};
+    for (int round = 0; round < 10; ++round) {
+        const Mesh field =
+            test::with_random_groups(test::height_field(random, 8, 1.5F), random, 2);
+        EXPECT_EQ(kinds_of(test::with_random_windings(field, random)), kinds_of(field));
+    }
+}
+
+TEST(Classify, ScaleDoesNotChangeTheKinds) {
+    test::Random random{14};
+    const Mesh field = test::height_field(random, 10, 1);
+    const Kinds expected = kinds_of(field);
+    for (const float scale : {0x1p-60F, 0x1p-20F, 0x1p20F, 0x1p60F}) { // exact
+        EXPECT_EQ(kinds_of(test::moved(field, glm::scale(glm::mat4{1}, glm::vec3{scale}))),
+                  expected);
+    }
+}
+
+TEST(Classify, EveryKindIsFoundAgainWhereTheFacesAreShuffled) {
+    test::Random random{15};
+    const Mesh field = test::with_random_groups(test::height_field(random, 8, 1), random, 3);
+    Mesh shuffled = test::with_own_corners(field);
+    for (std::size_t i = shuffled.triangles.size() - 1; i > 0; --i) {
+        const std::uint32_t j = random.below(static_cast<std::uint32_t>(i + 1));
+        std::swap(shuffled.triangles[i], shuffled.triangles[j]);
+        std::swap(shuffled.triangle_group[i], shuffled.triangle_group[j]);
+    }
+    const Kinds expected = kinds_of(field);
+    const Kinds found = kinds_of(shuffled);
+    ASSERT_EQ(found.size(), expected.size());
+    for (const auto kind : {LineKind::crease, LineKind::boundary, LineKind::material,
+                            LineKind::silhouette}) {
+        EXPECT_EQ(count(found, kind), count(expected, kind));
+    }
+}
+
+} // namespace
+} // namespace lineatlas

@@ -1,0 +1,305 @@
+// Whole frames: every choice that must not change the picture, compared on the four scenes at several
+// cameras, one of them inside the model.
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "compare.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/scenes.hpp"
+#include "scene_cameras.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Drawn {
+    std::vector<std::uint8_t> pixels;
+    Renderer::Samples samples;
+    FrameStats stats;
+};
+
+/// What every comparison of pictures needs.
+class Pictures : public testing::Test {
+  protected:
+    Drawn draw(Renderer& renderer, const Camera& camera, const FrameOptions& options) {
+        canvas_.clear(glm::vec4{1});
+        Drawn drawn;
+        drawn.stats = renderer.draw(camera, options, canvas_.framebuffer());
+        drawn.pixels = canvas_.read();
+        drawn.samples = renderer.read_samples();
+        return drawn;
+    }
+
+
+    gl::HeadlessContext context_;
+    gl::Canvas canvas_{{400, 300}};
+};
+
+class SamePicture : public Pictures, public testing::WithParamInterface<std::string> {
+  protected:
+    Renderer renderer(const DeviceOptions& options) {
+        Renderer result{options};
+        result.set_lines(scene_lines(GetParam()));
+        return result;
+    }
+
+    /// Draws every camera both ways and hands the results to `compare`.
+    template <class Compare>
+    void compare_each(Renderer& a, const FrameOptions& a_options, Renderer& b,
+                      const FrameOptions& b_options, Compare&& compare) {
+        for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
+            SCOPED_TRACE(view.name);
+            const Drawn first = draw(a, view.camera, a_options);
+            const Drawn second = draw(b, view.camera, b_options);
+            ASSERT_GT(first.stats.runs, 0U) << "an empty picture proves nothing";
+            compare(first, second);
+        }
+    }
+};
+
+void expect_same_samples(const Drawn& a, const Drawn& b) {
+    EXPECT_TRUE(equal(a.samples.offsets, b.samples.offsets));
+    const ByteDifference difference = compare_bytes(a.samples.alpha, b.samples.alpha);
+    EXPECT_LE(difference.share(), 0.001)
+        << difference.beyond << " of " << difference.count << ", largest " << difference.largest;
+}
+
+void expect_identical(const Drawn& a, const Drawn& b) {
+    EXPECT_TRUE(equal(a.samples.offsets, b.samples.offsets));
+    EXPECT_TRUE(equal(a.samples.alpha, b.samples.alpha));
+    EXPECT_TRUE(equal(a.pixels, b.pixels));
+}
+
+void expect_same_picture(const Drawn& a, const Drawn& b) {
+    const ByteDifference difference = compare_bytes(a.pixels, b.pixels);
+    EXPECT_LE(difference.share(), 0.001)
+        << difference.beyond << " of " << difference.count << ", largest " << difference.largest;
+}
+
+TEST_P(SamePicture, RasterAtlasEqualsComputeAtlas) {
+    Renderer r = renderer({});
+    for (const bool high : {false, true}) {
+        FrameOptions raster{.probes = high ? 9U : 1U, .depth_scale = high ? 2 : 1};
+        FrameOptions compute = raster;
+        raster.atlas = AtlasForm::raster;
+        compute.atlas = AtlasForm::compute;
+        compare_each(r, raster, r, compute, expect_same_samples);
+    }
+}
+
+TEST_P(SamePicture, WrapEqualsGutter) {
+    Renderer r = renderer({});
+    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
+        const FrameOptions wrap{.atlas = form, .atlas_layout = AtlasLayoutChoice::wrap};
+        const FrameOptions gutter{.atlas = form, .atlas_layout = AtlasLayoutChoice::gutter};
+        compare_each(r, wrap, r, gutter, expect_identical);
+    }
+}
+
+TEST_P(SamePicture, GeometryShaderStrokesEqualVertexShaderStrokes) {
+    Renderer r = renderer({});
+    for (const char* pen : {"solid", "pencil"}) {
+        const FrameOptions geometry{.stroke_shader = StrokeShader::geometry, .width = 3, .pen = pen};
+        const FrameOptions vertex{.stroke_shader = StrokeShader::vertex, .width = 3, .pen = pen};
+        compare_each(r, geometry, r, vertex, expect_same_picture);
+    }
+}
+
+TEST_P(SamePicture, OpenClEqualsReference) {
+    Renderer opencl = renderer({});
+    Renderer reference = renderer({.compute = "reference"});
+    compare_each(opencl, {.atlas = AtlasForm::compute}, reference, {.atlas = AtlasForm::compute},
+                 [](const Drawn& a, const Drawn& b) {
+                     expect_same_samples(a, b);
+                     expect_same_picture(a, b);
+                 });
+}
+
+TEST_P(SamePicture, HostPointerEqualsCopy) {
+    Renderer host = renderer({.interop = "host-pointer"});
+    Renderer copy = renderer({.interop = "copy"});
+    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
+        compare_each(host, {.atlas = form}, copy, {.atlas = form}, expect_identical);
+    }
+}
+
+TEST_P(SamePicture, TheSameFrameTwiceIsIdentical) {
+    Renderer r = renderer({});
+    compare_each(r, {}, r, {}, expect_identical);
+}
+
+TEST_P(SamePicture, MeasuringStagesChangesNothing) {
+    Renderer r = renderer({});
+    compare_each(r, {}, r, {.measure_stages = true}, expect_identical);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, SamePicture, testing::Values("clevis", "house", "ship", "office"),
+                         [](const auto& info) { return info.param; });
+
+/// A copy of the kernels and shaders in which one piece of text is replaced, used while it lives.
+class PlantedError {
+  public:
+    PlantedError(const std::string& file, const std::string& from, const std::string& to)
+        : folder_(fs::temp_directory_path() / ("lineatlas_planted_" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
+        for (const char* source : {"kernels", "shaders"}) {
+            fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_,
+                     fs::copy_options::recursive);
+        }
+        std::ostringstream content;
+        content << std::ifstream{folder_ / file}.rdbuf();
+        std::string text = content.str();
+        const std::size_t place = text.find(from);
+        if (place == std::string::npos) throw Error(file + " does not hold: " + from);
+        std::ofstream{folder_ / file} << text.replace(place, from.size(), to);
+        ::setenv("LINEATLAS_KERNEL_DIR", folder_.c_str(), 1);
+        ::setenv("LINEATLAS_SHADER_DIR", folder_.c_str(), 1);
+    }
+    ~PlantedError() {
+        ::unsetenv("LINEATLAS_KERNEL_DIR");
+        ::unsetenv("LINEATLAS_SHADER_DIR");
+        fs::remove_all(folder_);
+    }
+    PlantedError(const PlantedError&) = delete;
+    PlantedError& operator=(const PlantedError&) = delete;
+
+  private:
+    fs::path folder_;
+};
+
+/// The comparisons above, each against an error planted on one side.
+class Planted : public Pictures {
+  protected:
+    Drawn draw_clevis(const FrameOptions& options, const DeviceOptions& device = {}) {
+        Renderer fresh{device};
+        fresh.set_lines(scene_lines("clevis"));
+        return draw(fresh, scene_cameras("clevis", canvas_.size())[0].camera, options);
+    }
+    static bool samples_differ(const Drawn& a, const Drawn& b) {
+        return compare_bytes(a.samples.alpha, b.samples.alpha).share() > 0.001;
+    }
+    static bool pictures_differ(const Drawn& a, const Drawn& b) {
+        return compare_bytes(a.pixels, b.pixels).share() > 0.001;
+    }
+};
+
+TEST_F(Planted, InTheAtlasKernelIsSeenBesideTheRasterForm) {
+    const PlantedError error{"atlas.cl", "seen >= -before", "seen >= before"};
+    EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
+                               draw_clevis({.atlas = AtlasForm::compute})));
+}
+
+TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
+    const PlantedError error{"probe.glsl", "- 0.5;", "- 0.2;"};
+    EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
+                               draw_clevis({.atlas = AtlasForm::compute})));
+}
+
+TEST_F(Planted, InTheSecondDrawIsSeenBesideTheGutter) {
+    const PlantedError error{"atlas.geom", "-float(row_width), 1.0", "-float(row_width), 2.0"};
+    const Drawn wrap = draw_clevis({.step = 0.25F, .atlas = AtlasForm::raster});
+    const Drawn gutter = draw_clevis({.step = 0.25F,
+                                      .atlas = AtlasForm::raster,
+                                      .atlas_layout = AtlasLayoutChoice::gutter});
+    EXPECT_FALSE(equal(wrap.samples.alpha, gutter.samples.alpha));
+}
+
+TEST_F(Planted, InOneStrokeShaderIsSeenBesideTheOther) {
+    const PlantedError error{"strokes_quad.vert", "local = corner.local", "local = corner.local * 1.3"};
+    EXPECT_TRUE(pictures_differ(draw_clevis({.stroke_shader = StrokeShader::geometry}),
+                                draw_clevis({.stroke_shader = StrokeShader::vertex})));
+}
+
+TEST_F(Planted, InTheKernelIsSeenBesideTheReference) {
+    const PlantedError error{"compact.cl", "(float)a - 0.5f", "(float)a + 0.5f"};
+    const Drawn opencl = draw_clevis({});
+    const Drawn reference = draw_clevis({}, {.compute = "reference"});
+    EXPECT_FALSE(samples_differ(opencl, reference));
+    EXPECT_TRUE(pictures_differ(opencl, reference));
+}
+
+class Frames : public testing::Test {
+  protected:
+    Frames() { renderer_.set_lines(scene_lines("house")); }
+
+    gl::HeadlessContext context_;
+    gl::Canvas canvas_{{400, 300}};
+    Renderer renderer_;
+    Camera camera_ = scene_cameras("house", {400, 300})[0].camera;
+};
+
+TEST_F(Frames, AnAtlasThatIsTooSmallGrowsAndDrawsEverything) {
+    // A finer step asks for more samples and runs than the renderer starts with.
+    for (const AtlasForm form : {AtlasForm::compute, AtlasForm::raster}) {
+        Renderer fresh;
+        fresh.set_lines(scene_lines("house"));
+        const FrameOptions fine{.probes = 1, .depth_scale = 1, .step = 0.05F, .atlas = form};
+        const FrameStats first = fresh.draw(camera_, fine, canvas_.framebuffer());
+        EXPECT_GT(first.samples, 1U << 20U) << "the test must exceed the first capacity";
+        const Renderer::Samples grown = fresh.read_samples();
+        fresh.draw(camera_, fine, canvas_.framebuffer());
+        const Renderer::Samples settled = fresh.read_samples();
+        EXPECT_EQ(grown.alpha.size(), first.samples);
+        EXPECT_TRUE(equal(grown.alpha, settled.alpha));
+        EXPECT_EQ(grown.runs.size(), settled.runs.size());
+    }
+}
+
+TEST_F(Frames, LineKindsAreChosenPerFrame) {
+    const FrameStats all = renderer_.draw(camera_, {}, canvas_.framebuffer());
+    const FrameStats creases =
+        renderer_.draw(camera_, {.lines = mask_of(LineKind::crease)}, canvas_.framebuffer());
+    const FrameStats none = renderer_.draw(camera_, {.lines = 0}, canvas_.framebuffer());
+    EXPECT_LT(creases.samples, all.samples);
+    EXPECT_GT(creases.samples, 0U);
+    EXPECT_EQ(none.samples, 0U);
+    EXPECT_EQ(none.runs, 0U);
+}
+
+TEST_F(Frames, SizeMayChangeFromFrameToFrame) {
+    for (const glm::ivec2 size : {glm::ivec2{400, 300}, {1, 1}, {33, 700}, {900, 20}, {400, 300}}) {
+        gl::Canvas canvas{size};
+        const Camera camera = scene_cameras("house", size)[0].camera;
+        EXPECT_NO_THROW(renderer_.draw(camera, {}, canvas.framebuffer())) << size.x << "x" << size.y;
+    }
+    const FrameStats again = renderer_.draw(camera_, {}, canvas_.framebuffer());
+    EXPECT_GT(again.runs, 0U);
+}
+
+TEST_F(Frames, ScenesMayBeReplaced) {
+    renderer_.set_lines(scene_lines("clevis"));
+    const Camera camera = scene_cameras("clevis", {400, 300})[0].camera;
+    EXPECT_EQ(renderer_.draw(camera, {}, canvas_.framebuffer()).segments,
+              scene_lines("clevis").segments.size());
+    renderer_.set_lines({});
+    EXPECT_EQ(renderer_.draw(camera, {}, canvas_.framebuffer()).runs, 0U);
+}
+
+TEST_F(Frames, BadOptionsAreRefused) {
+    const auto draw = [&](const FrameOptions& options) {
+        renderer_.draw(camera_, options, canvas_.framebuffer());
+    };
+    EXPECT_THROW(draw({.probes = 5}), UsageError);
+    EXPECT_THROW(draw({.probes = 0}), UsageError);
+    EXPECT_THROW(draw({.depth_scale = 0}), UsageError);
+    EXPECT_THROW(draw({.depth_scale = 5}), UsageError);
+    EXPECT_THROW(draw({.step = 0}), UsageError);
+    EXPECT_THROW(draw({.step = NAN}), UsageError);
+    EXPECT_THROW(draw({.width = -1}), UsageError);
+    EXPECT_THROW(draw({.pen = "crayon"}), UsageError);
+    EXPECT_THROW(Renderer{DeviceOptions{.compute = "cuda"}}, UsageError);
+    EXPECT_THROW(Renderer{DeviceOptions{.device = "opencl:no such platform"}}, UsageError);
+    EXPECT_THROW(Renderer{DeviceOptions{.interop = "telepathy"}}, UsageError);
+    EXPECT_NO_THROW(draw({})); // and the renderer still works
+}
+
+} // namespace
+} // namespace lineatlas::test

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::test {
+
+/// A built-in scene's lines, extracted once per process.
+const LineSet& scene_lines(const std::string& name);
+
+struct NamedCamera {
+    std::string name;
+    Camera camera;
+};
+
+/// Views on a scene: two from its camera path, and one from inside the model with much of it behind the
+/// eye and across the eye plane.
+std::vector<NamedCamera> scene_cameras(const std::string& name, glm::ivec2 size = {320, 240});
+
+} // namespace lineatlas::test

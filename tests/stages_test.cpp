@@ -1,0 +1,250 @@
+// Every stage on every device against the plain C++ backend, stage by stage: each gets the reference's
+// input. Four scenes, three cameras each, one of them inside the model.
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "compare.hpp"
+#include "devices.hpp"
+#include "glpasses/depth_pass.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/scenes.hpp"
+#include "scene_cameras.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+using compute::Backend;
+using compute::Buffer;
+
+constexpr int depth_scale = 2;
+constexpr std::uint32_t run_capacity = 1U << 20U;
+
+/// The state of a frame after some stage, on the host.
+struct FrameState {
+    std::vector<std::uint8_t> front;
+    std::vector<ClippedSegment> clipped;
+    std::vector<std::uint32_t> counts, lengths; ///< after project_clip
+    std::vector<std::uint32_t> offsets, arcs;   ///< after scan
+    std::vector<std::uint8_t> alpha;
+    std::vector<Run> runs;
+    FrameRecord record{};
+};
+
+/// One backend's buffers for a line set, and its stages one at a time.
+class Stages {
+  public:
+    Stages(std::unique_ptr<Backend> backend, const LineSet& lines)
+        : backend_(std::move(backend)), n_(static_cast<std::uint32_t>(lines.segments.size())),
+          triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
+          vertices_(to_device(*backend_, lines.vertices)),
+          triangles_(to_device(*backend_, lines.triangles)),
+          segments_(to_device(*backend_, lines.segments)),
+          front_(to_device(*backend_, std::vector<std::uint8_t>(triangle_count_))),
+          // Zeros where nothing is written, so that tables can be compared whole.
+          clipped_(to_device(*backend_, std::vector<ClippedSegment>(n_))),
+          offsets_(backend_->allocate((n_ + 1) * sizeof(std::uint32_t))),
+          arcs_(backend_->allocate((n_ + 1) * sizeof(std::uint32_t))) {}
+
+    void project(const Camera& camera, FrameState& state) {
+        const glm::mat4 clip_from_world = camera.clip_from_world();
+        backend_->facing({.table = table(), .eye = camera.eye(), .front = *front_});
+        state.front = read_back<std::uint8_t>(*backend_, *front_, triangle_count_);
+        backend_->project_clip(
+            {.table = table(),
+             .front = *front_,
+             .clip_from_world = clip_from_world,
+             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+             .viewport = glm::vec2{camera.size},
+             .step = 2,
+             .kind_mask = all_line_kinds,
+             .out = {*clipped_, *offsets_, *arcs_}});
+        state.counts = read_back<std::uint32_t>(*backend_, *offsets_, n_);
+        state.lengths = read_back<std::uint32_t>(*backend_, *arcs_, n_);
+        state.clipped = read_back<ClippedSegment>(*backend_, *clipped_, n_);
+    }
+
+    void scan(FrameState& state) {
+        set(offsets_, state.counts);
+        set(arcs_, state.lengths);
+        backend_->scan(*offsets_, n_, compute::ScanKind::saturate);
+        backend_->scan(*arcs_, n_, compute::ScanKind::wrap);
+        state.offsets = read_back<std::uint32_t>(*backend_, *offsets_, n_ + 1);
+        state.arcs = read_back<std::uint32_t>(*backend_, *arcs_, n_ + 1);
+    }
+
+    void atlas(const Camera& camera, const std::vector<float>& depth, const AtlasLayout& layout,
+               FrameState& state) {
+        set(clipped_, state.clipped);
+        set(offsets_, state.offsets);
+        const auto depth_buffer = to_device(*backend_, depth);
+        const std::uint32_t total = state.offsets.back();
+        const auto alpha =
+            to_device(*backend_, std::vector<std::uint8_t>(layout.texels(total) + 64));
+        const float depth_per_pixel = std::fabs(
+            camera.projection[3][2] /
+            (camera.projection[1][1] * static_cast<float>(camera.size.y)));
+        backend_->atlas({.clipped = {*clipped_, *offsets_, *arcs_},
+                         .segment_count = n_,
+                         .depth = *depth_buffer,
+                         .depth_size = camera.size * depth_scale,
+                         .viewport = glm::vec2{camera.size},
+                         .depth_scale = depth_scale,
+                         .probes = 3,
+                         .tolerance = depth_per_pixel,
+                         .layout = layout,
+                         .capacity = total,
+                         .alpha = *alpha});
+        state.alpha = read_back<std::uint8_t>(*backend_, *alpha, layout.texels(total) + 64);
+    }
+
+    void compact(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
+        set(clipped_, state.clipped);
+        set(offsets_, state.offsets);
+        set(arcs_, state.arcs);
+        const auto alpha = to_device(*backend_, state.alpha);
+        const auto runs = backend_->allocate(run_capacity * sizeof(Run));
+        const auto record = backend_->allocate(sizeof(FrameRecord));
+        backend_->compact_runs({.table = table(),
+                                .clipped = {*clipped_, *offsets_, *arcs_},
+                                .alpha = *alpha,
+                                .layout = layout,
+                                .capacity = state.offsets.back(),
+                                .viewport = glm::vec2{camera.size},
+                                .step = 2,
+                                .half_width = 1,
+                                .runs = *runs,
+                                .run_capacity = run_capacity,
+                                .record = *record});
+        state.record = read_back<FrameRecord>(*backend_, *record, 1)[0];
+        state.runs = read_back<Run>(*backend_, *runs, state.record.points[0]);
+    }
+
+  private:
+    compute::SegmentTable table() {
+        return {*vertices_, *triangles_, *segments_, triangle_count_, n_};
+    }
+    template <class T>
+    void set(std::unique_ptr<Buffer>& buffer, const std::vector<T>& values) {
+        backend_->upload(*buffer, std::as_bytes(std::span{values}));
+    }
+
+    std::unique_ptr<Backend> backend_;
+    std::uint32_t n_, triangle_count_;
+    std::unique_ptr<Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_, arcs_;
+};
+
+/// The scene's depth at a camera, drawn by GL.
+std::vector<float> draw_depth(const LineSet& lines, const Camera& camera) {
+    const auto upload = [](const auto& values) {
+        gl::Buffer buffer = gl::Buffer::create();
+        const auto bytes = std::as_bytes(std::span{values});
+        glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(bytes.size()), bytes.data(), 0);
+        return buffer;
+    };
+    const gl::Buffer vertices = upload(lines.vertices);
+    const gl::Buffer indices = upload(lines.triangles);
+    gl::DepthPass pass;
+    pass.draw({.vertices = vertices.id(),
+               .indices = indices.id(),
+               .triangle_count = static_cast<std::uint32_t>(lines.triangles.size())},
+              camera.clip_from_world(), camera.size, depth_scale);
+    std::vector<float> depth(static_cast<std::size_t>(pass.size().x) *
+                             static_cast<std::size_t>(pass.size().y));
+    glGetTextureImage(pass.texture(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                      static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
+    return depth;
+}
+
+template <class T>
+testing::AssertionResult all_close(const std::vector<T>& a, const std::vector<T>& b) {
+    if (a.size() != b.size()) {
+        return testing::AssertionFailure() << "sizes " << a.size() << ", " << b.size();
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!close(a[i], b[i])) return testing::AssertionFailure() << "first difference at " << i;
+    }
+    return testing::AssertionSuccess();
+}
+
+class StagesTest : public testing::TestWithParam<TestDevice> {
+  protected:
+    void compare_scene(const std::string& scene) {
+        const LineSet& lines = scene_lines(scene);
+        Stages reference{compute::make_reference_backend(), lines};
+        Stages device{GetParam().backend(), lines};
+        for (const NamedCamera& view : scene_cameras(scene)) {
+            SCOPED_TRACE(scene + " " + view.name);
+            compare_frame(reference, device, view.camera, draw_depth(lines, view.camera));
+        }
+    }
+
+    static void compare_frame(Stages& reference, Stages& device, const Camera& camera,
+                              const std::vector<float>& depth) {
+        FrameState expected;
+        reference.project(camera, expected);
+        FrameState seen = expected;
+        device.project(camera, seen);
+        EXPECT_TRUE(equal(expected.front, seen.front));
+        EXPECT_TRUE(equal(expected.counts, seen.counts));
+        EXPECT_TRUE(equal(expected.lengths, seen.lengths));
+        for (std::size_t i = 0; i < expected.counts.size(); ++i) {
+            if (expected.counts[i] == 0) continue; // not written
+            ASSERT_TRUE(close(expected.clipped[i], seen.clipped[i])) << "segment " << i;
+        }
+
+        reference.scan(expected);
+        seen = expected;
+        device.scan(seen);
+        EXPECT_TRUE(equal(expected.offsets, seen.offsets));
+        EXPECT_TRUE(equal(expected.arcs, seen.arcs));
+        ASSERT_GT(expected.offsets.back(), 0U) << "the view shows nothing: the test would prove nothing";
+
+        for (const auto kind : {AtlasLayoutKind::wrap, AtlasLayoutKind::gutter}) {
+            const AtlasLayout layout = make_atlas_layout(kind, 401, 16384);
+            reference.atlas(camera, depth, layout, expected);
+            seen = expected;
+            device.atlas(camera, depth, layout, seen);
+            const ByteDifference difference = compare_bytes(expected.alpha, seen.alpha);
+            EXPECT_LE(difference.share(), 0.001) << "largest " << difference.largest;
+
+            reference.compact(camera, layout, expected);
+            seen = expected;
+            device.compact(camera, layout, seen);
+            EXPECT_EQ(expected.record.sample_total, seen.record.sample_total);
+            EXPECT_EQ(expected.record.run_total, seen.record.run_total);
+            EXPECT_EQ(seen.record.points[0], seen.record.run_total);
+            EXPECT_EQ(seen.record.quads[1], seen.record.run_total);
+            EXPECT_GT(seen.record.run_total, 0U);
+            EXPECT_TRUE(all_close(expected.runs, seen.runs));
+        }
+    }
+
+    gl::HeadlessContext context_;
+};
+
+TEST_P(StagesTest, Clevis) { compare_scene("clevis"); }
+TEST_P(StagesTest, House) { compare_scene("house"); }
+TEST_P(StagesTest, Ship) { compare_scene("ship"); }
+TEST_P(StagesTest, Office) { compare_scene("office"); }
+
+TEST_P(StagesTest, NoSegmentsAtAll) {
+    LineSet nothing;
+    Stages device{GetParam().backend(), nothing};
+    const Camera camera = make_camera({.near = 1, .far = 2}, {64, 48}, {});
+    FrameState state;
+    device.project(camera, state);
+    device.scan(state);
+    EXPECT_TRUE(equal(state.offsets, {0}));
+    const AtlasLayout layout = make_atlas_layout(AtlasLayoutKind::wrap, 100, 4096);
+    device.atlas(camera, std::vector<float>(64 * 48 * 4, 1.0F), layout, state);
+    device.compact(camera, layout, state);
+    EXPECT_EQ(state.record.run_total, 0U);
+    EXPECT_EQ(state.record.points[0], 0U);
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StagesTest);
+INSTANTIATE_TEST_SUITE_P(OnDevice, StagesTest, testing::ValuesIn(test_devices()),
+                         [](const auto& info) { return info.param.name; });
+
+} // namespace
+} // namespace lineatlas::test

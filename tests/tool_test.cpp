@@ -1,0 +1,169 @@
+// The tool as a user meets it: what bad input ends in. One clear line that names the thing, exit code 1
+// or 2, and no file that was not there before.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace lineatlas::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+    int exit_code;
+    std::string output; ///< stdout and stderr together
+};
+
+class Tool : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("lineatlas_tool_test_" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    static Result run(const std::string& arguments) {
+        const std::string command = std::string{LINEATLAS_TOOL} + " " + arguments + " 2>&1";
+        FILE* pipe = ::popen(command.c_str(), "r");
+        Result result{-1, {}};
+        std::array<char, 512> part{};
+        while (std::fgets(part.data(), part.size(), pipe) != nullptr) result.output += part.data();
+        const int status = ::pclose(pipe);
+        if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+        return result;
+    }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream{path(name), std::ios::binary} << text;
+    }
+
+    /// The command fails with `code`, says `words` in at most two lines and leaves no new file.
+    void expect_refused(const std::string& arguments, int code, const std::string& words) {
+        const auto files = [&] {
+            return std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{});
+        };
+        const auto before = files();
+        const Result result = run(arguments);
+        EXPECT_EQ(result.exit_code, code) << arguments << "\n" << result.output;
+        EXPECT_NE(result.output.find(words), std::string::npos) << arguments << "\n" << result.output;
+        EXPECT_LE(std::ranges::count(result.output, '\n'), 2) << result.output;
+        EXPECT_EQ(files(), before) << "a file was left behind by: " << arguments;
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Tool, DrawsAScene) {
+    const Result result =
+        run("draw --scene clevis --size 200x150 -o " + path("clevis.png") + " --stats");
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    EXPECT_GT(fs::file_size(path("clevis.png")), 500U);
+    for (const char* word : {"triangles", "segments", "samples", "visible runs", "bytes per segment",
+                             "depth", "project_clip", "scan", "atlas", "compact", "strokes"}) {
+        EXPECT_NE(result.output.find(word), std::string::npos) << word;
+    }
+}
+
+TEST_F(Tool, DrawsAModelWithEveryOption) {
+    write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+                             "l 1 2\n");
+    const Result result =
+        run("draw " + path("tetrahedron.obj") + " -o " + path("t.png") +
+            " --size 120x90 --eye -2,1.5,-3 --target 0.2,0.2,0.2 --up z --fov 50 "
+            "--lines crease,boundary,material,silhouette,file --crease 20 --method atlas "
+            "--quality low --probes 4 --depth-scale 3 --step 1 --atlas raster "
+            "--atlas-layout gutter --width 2.5 --pen pencil --stroke-shader vertex "
+            "--compute reference --interop copy --stats --repeat 2");
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    EXPECT_TRUE(fs::exists(path("t.png")));
+}
+
+TEST_F(Tool, ListsDevicesAndHelps) {
+    const Result devices = run("devices");
+    EXPECT_EQ(devices.exit_code, 0);
+    for (const char* word : {"gl-sharing", "host-pointer", "copy", "reference", "* opencl:"}) {
+        EXPECT_NE(devices.output.find(word), std::string::npos) << word << "\n" << devices.output;
+    }
+    const Result help = run("draw --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.output.find("Examples:"), std::string::npos);
+}
+
+TEST_F(Tool, RefusesBadModels) {
+    const std::string out = " -o " + path("x.png");
+    expect_refused("draw " + path("missing.obj") + out, 1, "missing.obj");
+    write("empty.obj", "");
+    expect_refused("draw " + path("empty.obj") + out, 1, "empty.obj");
+    write("truncated.stl", std::string(84, '\0') + "x");
+    expect_refused("draw " + path("truncated.stl") + out, 1, "truncated.stl");
+    write("picture.obj", "\x89PNG\r\n\x1a\n" + std::string(100, 'x'));
+    expect_refused("draw " + path("picture.obj") + out, 1, "picture.obj");
+    write("model.xyz", "1 2 3\n");
+    expect_refused("draw " + path("model.xyz") + out, 1, "model.xyz");
+    expect_refused("draw " + folder_.string() + out, 1, folder_.filename().string());
+}
+
+TEST_F(Tool, RefusesBadOutputs) {
+    expect_refused("draw --scene clevis -o " + path("no/such/folder/x.png"), 1, "x.png");
+    expect_refused("draw --scene clevis -o " + path("x.doc"), 1, "x.doc");
+    expect_refused("draw --scene clevis -o " + folder_.string(), 1, folder_.filename().string());
+    expect_refused("draw --scene clevis", 2, "--output");
+}
+
+TEST_F(Tool, RefusesBadOptions) {
+    const std::string draw = "draw --scene clevis -o " + path("x.png") + " ";
+    expect_refused(draw + "--size 0x100", 2, "--size");
+    expect_refused(draw + "--size 100", 2, "--size");
+    expect_refused(draw + "--size 99999999999x10", 2, "--size");
+    expect_refused(draw + "--size 1000000x10", 2, "1000000x10");
+    expect_refused(draw + "--eye nan,0,0", 2, "--eye");
+    expect_refused(draw + "--eye 1,2", 2, "--eye");
+    expect_refused(draw + "--eye 1,1,1 --target 1,1,1", 2, "eye and target");
+    expect_refused(draw + "--fov 0", 2, "field of view");
+    expect_refused(draw + "--fov 180", 2, "field of view");
+    expect_refused(draw + "--up 0,0,0", 2, "--up");
+    expect_refused(draw + "--pen crayon", 2, "crayon");
+    expect_refused(draw + "--lines crease,edges", 2, "edges");
+    expect_refused(draw + "--device opencl:nonesuch", 2, "nonesuch");
+    expect_refused(draw + "--device vulkan", 2, "vulkan");
+    expect_refused(draw + "--compute cuda", 2, "cuda");
+    expect_refused(draw + "--interop magic", 2, "magic");
+    expect_refused(draw + "--interop gl-sharing", 1, "gl-sharing");
+    expect_refused(draw + "--atlas sometimes", 2, "sometimes");
+    expect_refused(draw + "--quality best", 2, "best");
+    expect_refused(draw + "--probes 5", 2, "probes");
+    expect_refused(draw + "--depth-scale 9", 2, "depth-scale");
+    expect_refused(draw + "--step 0", 2, "step");
+    expect_refused(draw + "--step nan", 2, "step");
+    expect_refused(draw + "--width 0", 2, "width");
+    expect_refused(draw + "--width two", 2, "--width");
+    expect_refused(draw + "--repeat 0", 2, "--repeat");
+    expect_refused(draw + "--no-such-option", 2, "--no-such-option");
+    expect_refused("draw --scene barn -o " + path("x.png"), 2, "barn");
+    expect_refused("draw -o " + path("x.png"), 2, "MODEL");
+    expect_refused("paint", 2, "paint");
+}
+
+TEST_F(Tool, KeepsTheOldPictureWhenItFails) {
+    write("old.png", "kept");
+    const Result result = run("draw " + path("missing.obj") + " -o " + path("old.png"));
+    EXPECT_EQ(result.exit_code, 1);
+    std::ifstream file{path("old.png")};
+    std::string content;
+    file >> content;
+    EXPECT_EQ(content, "kept");
+}
+
+} // namespace
+} // namespace lineatlas::test
