@@ -45,6 +45,7 @@ typedef struct Spine {
     float2 along;      /* unit vector along the segment */
     float depth_along; /* window depth per pixel along it */
     OwnFace a, b;
+    float outside;     /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; else 0 */
 } Spine;
 
 static Spine make_spine(__global const ClippedSegment* segment, const float2 viewport) {
@@ -64,6 +65,9 @@ static Spine make_spine(__global const ClippedSegment* segment, const float2 vie
     spine.depth_along = has_length ? spine.d.z / length_px : 0.0f;
     spine.a = unpack_own_face(segment->own_a);
     spine.b = unpack_own_face(segment->own_b);
+    const bool both_left = spine.a.height > 0.0f && spine.b.height > 0.0f;
+    const bool both_right = spine.a.height < 0.0f && spine.b.height < 0.0f;
+    spine.outside = both_left ? -1.0f : both_right ? 1.0f : 0.0f;
     return spine;
 }
 
@@ -81,20 +85,23 @@ static bool is_own_face(const OwnFace face, const float seen, const float across
 /* How many probes see sample j of l. They fill a box one pixel wide across the line and one sample long
  * along it (§3.2, §4.3). A probe sees the line if nothing in the depth buffer stands before it by more
  * than the tolerance, or if what stands there is one of the line's own two faces: their planes are
- * known, so they need no bias. tolerance is in window depth times w. */
+ * known, so they need no bias. tolerance is in window depth times w.
+ * A single probe on a smooth silhouette would hit the surface or miss it by chance, and the outline would
+ * be dashed; it stands outside instead. */
 static uint count_visible(const Spine spine, const uint j, const uint l, const uint probes_per_axis,
                           __global const float* depth, const int2 depth_size,
                           const float depth_scale, const float tolerance) {
     uint visible = 0;
     const float per_axis = (float)probes_per_axis;
     const float2 left = (float2)(-spine.along.y, spine.along.x);
+    const float shift = probes_per_axis == 1 ? spine.outside * LA_FOLD_CLEARANCE / depth_scale : 0.0f;
     for (uint row = 0; row < probes_per_axis; ++row) {
         const float u = ((float)j + ((float)row + 0.5f) / per_axis) / (float)l;
         const float3 point = spine.p + spine.d * u;
         const float before =
             tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
         for (uint column = 0; column < probes_per_axis; ++column) {
-            const float side = ((float)column + 0.5f) / per_axis - 0.5f;
+            const float side = ((float)column + 0.5f) / per_axis - 0.5f + shift;
             const float2 probe = (point.xy + left * side) * depth_scale;
             const int2 texel = clamp(convert_int2(floor(probe)), (int2)(0, 0), depth_size - 1);
             const float2 offset = (convert_float2(texel) + 0.5f) / depth_scale - point.xy;

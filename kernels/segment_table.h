@@ -99,6 +99,10 @@ typedef struct FrameRecord {
  * slope): the rasteriser snaps corners to a grid. */
 #define LA_OWN_FACE_SNAP 0.0625f
 
+/* A single probe beside a fold stands this many depth texels outside it: far enough that its texel's
+ * centre cannot lie on the surface that folds away. */
+#define LA_FOLD_CLEARANCE 0.75f
+
 /* A face whose depth changes by no more than this many pixel widths is recognised by depth alone: beyond
  * its own third corner other faces may lie in the same plane. */
 #define LA_OWN_FACE_REACH 8.0f

@@ -18,7 +18,7 @@ in VertexSegment {
 } segment[];
 
 flat out vec3 spine_p, spine_d;
-flat out vec2 spine_inverse_w;
+flat out vec3 spine_rest;   // inverse_w_p, inverse_w_d, outside
 flat out vec3 spine_along;  // unit vector and depth per pixel
 flat out vec4 spine_faces;
 flat out uvec2 sample_base; // address of the first sample, l
@@ -41,7 +41,7 @@ void main() {
     for (int i = 0; i < 2; ++i) {
         spine_p = spine.p;
         spine_d = spine.d;
-        spine_inverse_w = vec2(spine.inverse_w_p, spine.inverse_w_d);
+        spine_rest = vec3(spine.inverse_w_p, spine.inverse_w_d, spine.outside);
         spine_along = vec3(spine.along, spine.depth_along);
         spine_faces = vec4(spine.face_a, spine.face_b);
         sample_base = uvec2(place.y * uint(atlas_size.x) + place.x, l);

@@ -10,6 +10,7 @@ uniform float tolerance;       // window depth that may stand before a line, tim
 // As in kernels/segment_table.h.
 const float own_face_snap = 0.0625;
 const float own_face_reach = 8.0;
+const float fold_clearance = 0.75;
 const float depth_rounding = 2.4e-7;
 
 // A segment in window space. A face is its depth slope across the line and its height above it.
@@ -19,6 +20,7 @@ struct Spine {
     vec2 along;              // unit vector along the segment
     float depth_along;       // window depth per pixel along it
     vec2 face_a, face_b;
+    float outside;           // of a fold: 1 left, -1 right; else 0
 };
 
 vec2 unpack_own_face(uint packed_face) {
@@ -40,6 +42,9 @@ Spine make_spine(vec4 p, vec4 q, uvec2 own_faces) {
     spine.depth_along = has_length ? spine.d.z / length_px : 0.0;
     spine.face_a = unpack_own_face(own_faces.x);
     spine.face_b = unpack_own_face(own_faces.y);
+    bool both_left = spine.face_a.y > 0.0 && spine.face_b.y > 0.0;
+    bool both_right = spine.face_a.y < 0.0 && spine.face_b.y < 0.0;
+    spine.outside = both_left ? -1.0 : both_right ? 1.0 : 0.0;
     return spine;
 }
 
@@ -59,12 +64,13 @@ float visibility(Spine spine, uint j, uint l) {
     float per_axis = float(probes_per_axis);
     ivec2 last_texel = textureSize(depth, 0) - 1;
     vec2 left = vec2(-spine.along.y, spine.along.x);
+    float shift = probes_per_axis == 1u ? spine.outside * fold_clearance / depth_scale : 0.0;
     for (uint row = 0u; row < probes_per_axis; ++row) {
         float u = (float(j) + (float(row) + 0.5) / per_axis) / float(l);
         vec3 point = spine.p + spine.d * u;
         float before = tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + depth_rounding;
         for (uint column = 0u; column < probes_per_axis; ++column) {
-            float side = (float(column) + 0.5) / per_axis - 0.5;
+            float side = (float(column) + 0.5) / per_axis - 0.5 + shift;
             vec2 probe = (point.xy + left * side) * depth_scale;
             ivec2 texel = clamp(ivec2(floor(probe)), ivec2(0), last_texel);
             vec2 offset = (vec2(texel) + 0.5) / depth_scale - point.xy;

@@ -198,7 +198,7 @@ TEST_F(Planted, InTheAtlasKernelIsSeenBesideTheRasterForm) {
 }
 
 TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
-    const PlantedError error{"probe.glsl", "- 0.5;", "- 0.2;"};
+    const PlantedError error{"probe.glsl", "- 0.5 + shift", "- 0.2 + shift"};
     EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
                                draw_clevis({.atlas = AtlasForm::compute})));
 }
@@ -219,7 +219,7 @@ TEST_F(Planted, InOneStrokeShaderIsSeenBesideTheOther) {
 }
 
 TEST_F(Planted, InTheKernelIsSeenBesideTheReference) {
-    const PlantedError error{"compact.cl", "(float)a - 0.5f", "(float)a + 0.5f"};
+    const PlantedError error{"compact.cl", "c.xy / c.w + 1.0f", "c.xy / c.w + 1.01f"};
     const Drawn opencl = draw_clevis({});
     const Drawn reference = draw_clevis({}, {.compute = "reference"});
     EXPECT_FALSE(samples_differ(opencl, reference));

@@ -38,6 +38,12 @@ struct Spine {
     glm::vec2 along;
     float depth_along;
     OwnFace a, b;
+
+    /// The outside of a fold, both faces on one side: 1 left, -1 right; 0 if the line is none.
+    float outside() const {
+        if (a.height > 0 && b.height > 0) return -1;
+        return a.height < 0 && b.height < 0 ? 1.0F : 0.0F;
+    }
 };
 
 Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
@@ -65,6 +71,7 @@ std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint3
     std::uint32_t visible = 0;
     const auto per_axis = static_cast<float>(in.probes);
     const glm::vec2 left{-spine.along.y, spine.along.x};
+    const float shift = in.probes == 1 ? spine.outside() * LA_FOLD_CLEARANCE / in.depth_scale : 0;
     for (std::uint32_t row = 0; row < in.probes; ++row) {
         const float u = (static_cast<float>(j) + (static_cast<float>(row) + 0.5F) / per_axis) /
                         static_cast<float>(l);
@@ -72,7 +79,7 @@ std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint3
         const float before =
             in.tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
         for (std::uint32_t column = 0; column < in.probes; ++column) {
-            const float side = (static_cast<float>(column) + 0.5F) / per_axis - 0.5F;
+            const float side = (static_cast<float>(column) + 0.5F) / per_axis - 0.5F + shift;
             const glm::vec2 probe = (glm::vec2{point} + left * side) * in.depth_scale;
             const glm::ivec2 texel =
                 glm::clamp(glm::ivec2{std::floor(probe.x), std::floor(probe.y)}, glm::ivec2{0},
