@@ -5,9 +5,9 @@
 
 uniform vec2 atlas_size;
 
-flat in vec3 spine_p, spine_d;
-flat in vec3 spine_rest;
-flat in vec3 spine_along;
+flat in vec4 spine_line;
+flat in vec4 spine_depths;
+flat in vec4 spine_along;
 flat in vec4 spine_faces;
 flat in uvec2 sample_base;
 
@@ -16,7 +16,8 @@ layout(location = 0) out float alpha;
 void main() {
     uvec2 texel = uvec2(gl_FragCoord.xy);
     uint j = texel.y * uint(atlas_size.x) + texel.x - sample_base.x;
-    Spine spine = Spine(spine_p, spine_d, spine_rest.x, spine_rest.y, spine_along.xy,
-                        spine_along.z, spine_faces.xy, spine_faces.zw, spine_rest.z);
-    alpha = visibility(spine, j, sample_base.y);
+    Spine spine = Spine(spine_line.xy, spine_line.zw, spine_depths.xy, spine_depths.zw,
+                        spine_along.xy, spine_along.z, spine_faces.xy, spine_faces.zw,
+                        spine_along.w);
+    alpha = visibility(spine, float(j), 1.0 / float(sample_base.y));
 }

@@ -17,10 +17,10 @@ in VertexSegment {
     flat uvec2 range;
 } segment[];
 
-flat out vec3 spine_p, spine_d;
-flat out vec3 spine_rest;   // inverse_w_p, inverse_w_d, outside
-flat out vec3 spine_along;  // unit vector and depth per pixel
-flat out vec4 spine_faces;
+flat out vec4 spine_line;    // p, d
+flat out vec4 spine_depths;  // depth, inverse_w
+flat out vec4 spine_along;   // along, depth_along, outside
+flat out vec4 spine_faces;   // face_a, face_b
 flat out uvec2 sample_base; // address of the first sample, l
 
 void main() {
@@ -39,10 +39,9 @@ void main() {
 
     Spine spine = make_spine(segment[0].p, segment[0].q, segment[0].own_faces);
     for (int i = 0; i < 2; ++i) {
-        spine_p = spine.p;
-        spine_d = spine.d;
-        spine_rest = vec3(spine.inverse_w_p, spine.inverse_w_d, spine.outside);
-        spine_along = vec3(spine.along, spine.depth_along);
+        spine_line = vec4(spine.p, spine.d);
+        spine_depths = vec4(spine.depth, spine.inverse_w);
+        spine_along = vec4(spine.along, spine.depth_along, spine.outside);
         spine_faces = vec4(spine.face_a, spine.face_b);
         sample_base = uvec2(place.y * uint(atlas_size.x) + place.x, l);
         gl_Position = vec4((i == 0 ? start : end) / atlas_size * 2.0 - 1.0, 0.0, 1.0);

@@ -81,8 +81,8 @@ TEST(MakeAtlasLayout, RefusesSegmentsOfAnyLengthThatDoNotFit) {
     }
 }
 
-/// Segments one after the other, as the pipeline places them: each starts at the address of its first
-/// sample and, with a gutter, goes on from texel to texel.
+/// Segments one after the other, as the pipeline places them: each starts at the address of its
+/// first sample and, with a gutter, goes on from texel to texel.
 TEST(MakeAtlasLayout, SegmentsNeverShareATexelAndNeverLeaveTheirRow) {
     test::Random random{42};
     for (int round = 0; round < 40; ++round) {

@@ -236,9 +236,9 @@ TEST(CameraEye, OfAnObliqueParallelProjectionIsTheDirectionTowardsTheViewer) {
     EXPECT_LT(shift.z, 0);
 }
 
-constexpr std::array<glm::vec3, 6> axes{glm::vec3{1, 0, 0},  glm::vec3{-1, 0, 0},
-                                        glm::vec3{0, 1, 0},  glm::vec3{0, -1, 0},
-                                        glm::vec3{0, 0, 1},  glm::vec3{0, 0, -1}};
+constexpr std::array<glm::vec3, 6> axes{glm::vec3{1, 0, 0}, glm::vec3{-1, 0, 0},
+                                        glm::vec3{0, 1, 0}, glm::vec3{0, -1, 0},
+                                        glm::vec3{0, 0, 1}, glm::vec3{0, 0, -1}};
 
 TEST(FramePoints, ShowsAllPointsCentredAndAsLargeAsTheyFit) {
     test::Random random{34};
@@ -254,8 +254,7 @@ TEST(FramePoints, ShowsAllPointsCentredAndAsLargeAsTheyFit) {
         const glm::ivec2 size{50 + random.below(1500), 50 + random.below(1500)};
         const View view = frame_points(points, size, axes[static_cast<std::size_t>(round) % 6],
                                        random.between(0.1F, 1.2F));
-        const Bounds outline =
-            outline_of(make_camera(view, size, box_of(points)), points);
+        const Bounds outline = outline_of(make_camera(view, size, box_of(points)), points);
         constexpr float tolerance = 2e-3F;
         EXPECT_GE(outline.min.z, -1);
         EXPECT_LE(outline.max.z, 1);

@@ -157,8 +157,7 @@ TEST(Chains, AnOpenPolylineIsOneOpenChainFromEndToEnd) {
     for (int round = 0; round < 20; ++round) {
         Graph graph = polygon(20, false);
         for (std::size_t i = graph.edges.size() - 1; i > 0; --i) {
-            std::swap(graph.edges[i],
-                      graph.edges[random.below(static_cast<std::uint32_t>(i + 1))]);
+            std::swap(graph.edges[i], graph.edges[random.below(static_cast<std::uint32_t>(i + 1))]);
             if (random.coin()) std::swap(graph.edges[i].p, graph.edges[i].q);
         }
         const std::vector<Chain> chains = graph.chains(1);
@@ -225,10 +224,10 @@ TEST(Chains, TheSameEdgesGiveTheSameChains) {
     const std::vector<Chain> second = graph.chains(1.2F);
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
-        EXPECT_TRUE(std::ranges::equal(
-            first[i].steps, second[i].steps, [](const ChainStep& a, const ChainStep& b) {
-                return a.edge == b.edge && a.reversed == b.reversed;
-            }));
+        EXPECT_TRUE(std::ranges::equal(first[i].steps, second[i].steps,
+                                       [](const ChainStep& a, const ChainStep& b) {
+                                           return a.edge == b.edge && a.reversed == b.reversed;
+                                       }));
     }
 }
 

@@ -50,7 +50,9 @@ std::ptrdiff_t count(const Kinds& kinds, std::optional<LineKind> kind) {
     return std::ranges::count(kinds, kind, &Kinds::value_type::second);
 }
 
-LineOptions with_crease_angle(float angle) { return {.crease_angle = angle}; }
+LineOptions with_crease_angle(float angle) {
+    return {.crease_angle = angle};
+}
 
 /// Every edge against a map of all uses, built the slow way.
 void expect_every_edge_once(const Mesh& mesh) {
@@ -207,8 +209,7 @@ TEST(Classify, AKindThatIsNotWantedGivesWayToTheNext) {
 TEST(Classify, WindingsDoNotChangeTheKinds) {
     test::Random random{13};
     for (int round = 0; round < 10; ++round) {
-        const Mesh field =
-            test::with_random_groups(test::height_field(random, 8, 1.5F), random, 2);
+        const Mesh field = test::with_random_groups(test::height_field(random, 8, 1.5F), random, 2);
         EXPECT_TRUE(placed_kinds_of(test::with_random_windings(field, random)) ==
                     placed_kinds_of(field));
     }
@@ -253,9 +254,7 @@ struct JunctionKinds {
     }
     bool any(LineKind kind) const { return whole == kind || lower == kind || upper == kind; }
     /// All of the line from one end to the other is of this kind.
-    bool covered(LineKind kind) const {
-        return whole == kind || (lower == kind && upper == kind);
-    }
+    bool covered(LineKind kind) const { return whole == kind || (lower == kind && upper == kind); }
 };
 
 TEST(Slivers, NeitherMakeNorHideACrease) {
@@ -282,8 +281,8 @@ TEST(Slivers, WindingsDoNotMatter) {
     }
 }
 
-/// Coordinates of files are rounded: the split vertex lies beside the edge by some units in the last
-/// place, more of them the farther the model is from the origin.
+/// Coordinates of files are rounded: the split vertex lies beside the edge by some units in the
+/// last place, more of them the farther the model is from the origin.
 TEST(Slivers, NeitherMakeNorHideACreaseWhereCoordinatesAreRounded) {
     test::Random random{17};
     for (const float reach : {0.0F, 1.0F, 10.0F, 100.0F}) {
@@ -302,14 +301,14 @@ TEST(Slivers, NeitherMakeNorHideACreaseWhereCoordinatesAreRounded) {
     }
 }
 
-/// Slivers on a line from vertex 0 to vertex 2 whose middle one has only slivers beside it. On one side
-/// the line is split at vertex 3, on the other at 1, 4 and 5; the sides are bent.
+/// Slivers on a line from vertex 0 to vertex 2 whose middle one has only slivers beside it. On one
+/// side the line is split at vertex 3, on the other at 1, 4 and 5; the sides are bent.
 TEST(Slivers, ThatTouchSliversOnlyHideNoCrease) {
     Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {0, 2, 0}, {0, 4, 0}, {0, 2.5F, 0},
+    mesh.positions = {{0, 0, 0}, {0, 2, 0}, {0, 4, 0},  {0, 2.5F, 0},
                       {0, 1, 0}, {0, 3, 0}, {-1, 2, 0}, {0, 2, 1}};
-    mesh.triangles = {{0, 3, 6}, {3, 2, 6}, {4, 0, 7}, {1, 4, 7}, {5, 1, 7}, {2, 5, 7},
-                      {3, 0, 4}, {4, 1, 5}, {2, 3, 5}, {3, 4, 5}};
+    mesh.triangles = {{0, 3, 6}, {3, 2, 6}, {4, 0, 7}, {1, 4, 7}, {5, 1, 7},
+                      {2, 5, 7}, {3, 0, 4}, {4, 1, 5}, {2, 3, 5}, {3, 4, 5}};
     const WeldedMesh welded = weld(mesh);
     const std::vector<MeshEdge> edges = mesh_edges(welded);
     const std::vector<glm::dvec3> normals = face_normals(welded, edges);
@@ -319,8 +318,8 @@ TEST(Slivers, ThatTouchSliversOnlyHideNoCrease) {
         for (const MeshEdge& edge : edges) {
             const glm::vec3 p = welded.vertices[edge.p];
             const glm::vec3 q = welded.vertices[edge.q];
-            const bool here = p.x == 0 && p.z == 0 && q.x == 0 && q.z == 0 &&
-                              (p.y < y) != (q.y < y);
+            const bool here =
+                p.x == 0 && p.z == 0 && q.x == 0 && q.z == 0 && (p.y < y) != (q.y < y);
             covered = covered || (here && classify(edge, welded, normals, {}) == LineKind::crease);
         }
         hidden += covered ? 0 : 0.1F;

@@ -24,8 +24,12 @@ namespace {
 LineKind kind_of(const Segment& segment) {
     return static_cast<LineKind>(segment.tag & LA_TAG_KIND_MASK);
 }
-bool is_closed(const Segment& segment) { return (segment.tag & LA_TAG_CLOSED) != 0; }
-bool is_lone(const Segment& segment) { return (segment.tag & LA_TAG_LONE) != 0; }
+bool is_closed(const Segment& segment) {
+    return (segment.tag & LA_TAG_CLOSED) != 0;
+}
+bool is_lone(const Segment& segment) {
+    return (segment.tag & LA_TAG_LONE) != 0;
+}
 std::uint32_t count(const LineSet& lines, LineKind kind) {
     return lines.kind_counts[static_cast<std::size_t>(kind)];
 }
@@ -216,7 +220,8 @@ TEST(ExtractLines, PolylinesOnMeshEdgesStandOnceWithTheirFaces) {
     for (const glm::vec3& p : test::cube().positions) mesh.positions.push_back(p);
     const std::uint32_t far_away = first + 8;
     mesh.positions.emplace_back(5, 5, 5);
-    // Two creases, one of them twice and backwards; a diagonal, which is no line by itself; a free line.
+    // Two creases, one of them twice and backwards; a diagonal, which is no line by itself; a free
+    // line.
     mesh.polylines = {{first, first + 1, first + 3, first + 1},
                       {first + 1, first},
                       {first, first + 3},
@@ -281,13 +286,13 @@ constexpr LineOptions silhouettes_only{.kinds = mask_of(LineKind::silhouette)};
 
 TEST(Silhouettes, OfAClosedMeshFormClosedLoopsFromEverywhere) {
     test::Random random{54};
-    for (const Mesh& shape : {test::cube(), test::tetrahedron(), test::sphere(3),
-                              test::with_random_radii(test::sphere(3), random, 0.5F),
-                              test::cylinder(40, true)}) {
+    for (const Mesh& shape :
+         {test::cube(), test::tetrahedron(), test::sphere(3),
+          test::with_random_radii(test::sphere(3), random, 0.5F), test::cylinder(40, true)}) {
         for (const bool wound_right : {true, false}) {
             const Mesh placed = test::moved(shape, random.placement(3));
-            const LineSet lines = extract_lines(
-                wound_right ? placed : test::with_random_windings(placed, random));
+            const LineSet lines =
+                extract_lines(wound_right ? placed : test::with_random_windings(placed, random));
             for (int round = 0; round < 60; ++round) {
                 const bool parallel = round % 3 == 0;
                 const glm::vec4 eye{parallel ? random.direction() : random.point(8),

@@ -37,8 +37,8 @@ TEST(Pens, EveryNameIsAPen) {
     for (const std::string_view name : pen_names()) {
         for (const float width : widths) {
             const PenMark mark = make_pen(name, width);
-            EXPECT_EQ(mark.coverage.size(),
-                      static_cast<std::size_t>(mark.size.x) * static_cast<std::size_t>(mark.size.y));
+            EXPECT_EQ(mark.coverage.size(), static_cast<std::size_t>(mark.size.x) *
+                                                static_cast<std::size_t>(mark.size.y));
             EXPECT_GT(mark.repeat_length, 0);
             if (name == "solid") {
                 EXPECT_EQ(mark.size, glm::ivec2(0, 0));
@@ -104,8 +104,8 @@ TEST(Pens, GraphiteIsGrainy) {
     EXPECT_GT(values.size(), 40U);
 }
 
-/// The texture repeats along the stroke: its end must go on in its start, or the pen's edge jumps there.
-/// A smooth edge changes from a column to the next about as much as it does beside them.
+/// The texture repeats along the stroke: its end must go on in its start, or the pen's edge jumps
+/// there. A smooth edge changes from a column to the next about as much as it does beside them.
 TEST(Pens, InkRepeatsWithoutASeam) {
     const PenMark mark = make_pen("pen", 4);
     const int columns = mark.size.x;
@@ -141,7 +141,8 @@ TEST(Pens, ADashAndAGapAreTwoToOne) {
     }
 }
 
-/// A row is a share of the width; the grain must change across a wide stroke as often as its pixels ask.
+/// A row is a share of the width; the grain must change across a wide stroke as often as its pixels
+/// ask.
 TEST(Pens, GrainKeepsItsSizeOnTheScreen) {
     const auto change_across = [](float width) {
         const PenMark mark = make_pen("pencil", width);

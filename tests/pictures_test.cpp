@@ -192,7 +192,7 @@ class Planted : public Pictures {
 };
 
 TEST_F(Planted, InTheAtlasKernelIsSeenBesideTheRasterForm) {
-    const PlantedError error{"atlas.cl", "seen >= -before", "seen >= before"};
+    const PlantedError error{"atlas.cl", "sees = seen >= -before", "sees = seen >= before"};
     EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
                                draw_clevis({.atlas = AtlasForm::compute})));
 }

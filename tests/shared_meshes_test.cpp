@@ -16,19 +16,32 @@ namespace fs = std::filesystem;
 namespace lineatlas {
 namespace {
 
+struct EdgeCounts {
+    int creases; ///< bent by more than 30 degrees
+    int boundaries, non_manifold;
+};
+
 struct Row {
     const char* file;
     std::size_t triangles;
-    std::size_t creases, boundaries, non_manifold; ///< edges, bent by more than 30 degrees
+    EdgeCounts counted;
+    EdgeCounts difference{}; ///< what is found here, less what the table says
 };
 
-constexpr std::array<Row, 7> table{{{"featuretype.STL", 3'476, 1'435, 576, 0},
-                                    {"cycloidal.ply", 43'368, 17'838, 0, 242},
-                                    {"counter.unitsmm.STL", 83'750, 31'565, 0, 0},
-                                    {"parking_garage.obj", 6'413, 3'769, 2'578, 0},
-                                    {"small_house.obj", 145'842, 49'330, 10'232, 1},
-                                    {"koala.obj", 99'994, 479, 0, 0},
-                                    {"penguin_hr.obj", 26'880, 198, 0, 0}}};
+constexpr std::array<Row, 7> table{{
+    {"featuretype.STL", 3'476, {1'435, 576, 0}},
+    {"cycloidal.ply", 43'368, {17'838, 0, 242}},
+    {"counter.unitsmm.STL", 83'750, {31'565, 0, 0}},
+    // One triangle has no area. The table's counts are without it, which leaves a hole of three
+    // edges; here it stays, and the crease along one of them is seen.
+    {"parking_garage.obj", 6'413, {3'769, 2'578, 0}, {1, -3, 0}},
+    // The table's counts are of polygons cut into fans. load_mesh() cuts its 10,677 polygons, many
+    // of them not flat, along other diagonals; cut into fans beforehand, they give the table's
+    // counts.
+    {"small_house.obj", 145'842, {49'330, 10'232, 1}, {293, 2, 1}},
+    {"koala.obj", 99'994, {479, 0, 0}},
+    {"penguin_hr.obj", 26'880, {198, 0, 0}},
+}};
 
 fs::path meshes_folder() {
     const char* shared = std::getenv("LINEATLAS_SHARED");
@@ -53,21 +66,23 @@ TEST_P(SharedMesh, HasTheEdgesOfTheTable) {
     const std::vector<glm::dvec3> normals = face_normals(welded, edges);
     LineOptions options; // 30 degrees
     options.kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
-    std::size_t creases = 0;
-    std::size_t boundaries = 0;
-    std::size_t non_manifold = 0;
+    EdgeCounts difference{.creases = -row.counted.creases,
+                          .boundaries = -row.counted.boundaries,
+                          .non_manifold = -row.counted.non_manifold};
     for (const MeshEdge& edge : edges) {
         const auto kind = classify(edge, welded, normals, options);
-        if (kind == LineKind::crease) ++creases;
-        if (kind == LineKind::boundary) ++(edge.face_count > 2 ? non_manifold : boundaries);
+        if (kind == LineKind::crease) ++difference.creases;
+        if (kind == LineKind::boundary) {
+            ++(edge.face_count > 2 ? difference.non_manifold : difference.boundaries);
+        }
     }
-    EXPECT_EQ(creases, row.creases);
-    EXPECT_EQ(boundaries, row.boundaries);
-    EXPECT_EQ(non_manifold, row.non_manifold);
+    EXPECT_EQ(difference.creases, row.difference.creases);
+    EXPECT_EQ(difference.boundaries, row.difference.boundaries);
+    EXPECT_EQ(difference.non_manifold, row.difference.non_manifold);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, SharedMesh, testing::ValuesIn(table), [](const auto& parameters) {
-    std::string name = parameters.param.file;
+    const std::string name = parameters.param.file;
     return name.substr(0, name.find('.'));
 });
 

@@ -78,8 +78,7 @@ Mesh sphere(int level) {
             const std::uint32_t xy = middle(t.x, t.y);
             const std::uint32_t yz = middle(t.y, t.z);
             const std::uint32_t zx = middle(t.z, t.x);
-            finer.insert(finer.end(),
-                         {{t.x, xy, zx}, {t.y, yz, xy}, {t.z, zx, yz}, {xy, yz, zx}});
+            finer.insert(finer.end(), {{t.x, xy, zx}, {t.y, yz, xy}, {t.z, zx, yz}, {xy, yz, zx}});
         }
         mesh.triangles = std::move(finer);
     }

@@ -36,9 +36,9 @@ class Random {
 };
 
 // Closed and oriented outwards.
-Mesh cube();                                    ///< corners at +-1; 12 creases, 6 flat diagonals
-Mesh tetrahedron();                             ///< 6 creases
-Mesh sphere(int level);                         ///< an octahedron divided `level` times, radius 1
+Mesh cube();                                     ///< corners at +-1; 12 creases, 6 flat diagonals
+Mesh tetrahedron();                              ///< 6 creases
+Mesh sphere(int level);                          ///< an octahedron divided `level` times, radius 1
 Mesh cylinder(std::uint32_t sides, bool capped); ///< radius 1, along y from -1 to 1
 
 // Open.
@@ -46,7 +46,8 @@ Mesh open_strip(std::uint32_t quads); ///< flat, one row of unit squares
 Mesh height_field(Random& random, std::uint32_t quads, float height); ///< quads x quads, rough
 Mesh two_sided_quad(); ///< both diagonals' halves once per side: 4 triangles over 2
 
-/// Two triangles bent by `angle` radians along the y axis; `flipped`: the second one's winding disagrees.
+/// Two triangles bent by `angle` radians along the y axis; `flipped`: the second one's winding
+/// disagrees.
 Mesh bent_pair(float angle, bool flipped);
 
 /// A band of `quads` quads with a half twist, in which exactly one pair of triangles must disagree.
@@ -55,8 +56,8 @@ Mesh moebius_band(std::uint32_t quads);
 /// Triangles around one common edge, the edge from vertex 0 to vertex 1.
 Mesh faces_on_an_edge(std::uint32_t faces);
 
-/// A T-junction closed by a sliver: the edge from vertex 0 to vertex 1 is whole on one side and split at
-/// vertex 2 on the other, which is bent away by `angle`. Triangle 1 is the sliver.
+/// A T-junction closed by a sliver: the edge from vertex 0 to vertex 1 is whole on one side and
+/// split at vertex 2 on the other, which is bent away by `angle`. Triangle 1 is the sliver.
 Mesh split_edge(float angle);
 
 /// Any triangles over few vertices: non-manifold edges, any winding, repeated corners and faces.
@@ -64,8 +65,8 @@ Mesh random_soup(Random& random, std::uint32_t vertices, std::uint32_t triangles
 
 // The same mesh, changed.
 Mesh moved(Mesh mesh, const glm::mat4& placement);
-Mesh with_own_corners(const Mesh& mesh);                 ///< no two triangles share an index
-Mesh with_random_windings(Mesh mesh, Random& random);    ///< every other triangle turned over
+Mesh with_own_corners(const Mesh& mesh);                      ///< no two triangles share an index
+Mesh with_random_windings(Mesh mesh, Random& random);         ///< every other triangle turned over
 Mesh with_random_radii(Mesh mesh, Random& random, float low); ///< positions scaled by low to 1
 Mesh with_random_groups(Mesh mesh, Random& random, std::uint32_t groups);
 

@@ -19,7 +19,9 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-std::array<float, 3> key_of(glm::vec3 p) { return {p.x, p.y, p.z}; }
+std::array<float, 3> key_of(glm::vec3 p) {
+    return {p.x, p.y, p.z};
+}
 
 TEST(Weld, MergesTheCornersOfASoup) {
     const WeldedMesh welded = weld(test::with_own_corners(test::cube()));

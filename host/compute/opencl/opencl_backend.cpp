@@ -1,6 +1,7 @@
 #include "opencl_backend.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/sources.hpp"
@@ -144,9 +145,9 @@ class Implementation final : public OpenClBackend {
 
     void atlas(const AtlasArgs& args) override {
         const std::uint32_t blocks = divide_up(args.capacity, tuning_.atlas_block);
-        launch(atlas_, blocks, tuning_.block_local_size, args.clipped.clipped, args.clipped.offsets,
+        launch(atlas_kernel(args.probes), blocks, tuning_.block_local_size, args.clipped.clipped, args.clipped.offsets,
                args.segment_count, args.depth, to_cl(args.depth_size), to_cl(args.viewport),
-               args.depth_scale, args.probes, args.tolerance, args.layout.width,
+               args.depth_scale, args.tolerance, args.layout.width,
                args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
     }
 
@@ -224,7 +225,6 @@ class Implementation final : public OpenClBackend {
         guarded("creating kernels", [&] {
             facing_ = cl::Kernel{build("facing.cl"), "facing"};
             project_clip_ = cl::Kernel{build("project_clip.cl"), "project_clip"};
-            atlas_ = cl::Kernel{build("atlas.cl"), "atlas"};
             const cl::Program compact = build("compact.cl");
             compact_runs_count_ = cl::Kernel{compact, "compact_runs_count"};
             compact_runs_write_ = cl::Kernel{compact, "compact_runs_write"};
@@ -257,6 +257,22 @@ class Implementation final : public OpenClBackend {
         });
     }
 
+    /// The kernel for a number of probes per axis, built when first used.
+    cl::Kernel& atlas_kernel(std::uint32_t probes_per_axis) {
+        cl::Kernel& kernel = atlas_.at(probes_per_axis - 1);
+        if (kernel() == nullptr) {
+            const std::uint32_t probes = probes_per_axis * probes_per_axis;
+            const int lanes = !tuning_.atlas_vectors || probes == 1 ? 1 : probes == 4 ? 4 : 16;
+            kernel = guarded("creating a kernel", [&] {
+                return cl::Kernel{build("atlas.cl",
+                                        "-DPROBES_PER_AXIS=" + std::to_string(probes_per_axis) +
+                                            " -DPROBE_LANES=" + std::to_string(lanes)),
+                                  "atlas"};
+            });
+        }
+        return kernel;
+    }
+
     static std::string kernel_name(const cl::Kernel& kernel) {
         return kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
     }
@@ -272,7 +288,8 @@ class Implementation final : public OpenClBackend {
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    cl::Kernel facing_, project_clip_, atlas_;
+    cl::Kernel facing_, project_clip_;
+    std::array<cl::Kernel, 4> atlas_; ///< by probes per axis, from 1
     cl::Kernel compact_runs_count_, compact_runs_write_;
     cl::Kernel compact_samples_count_, compact_samples_write_;
     ScanKernels scan_[2];

@@ -10,7 +10,8 @@ constexpr Tuning cpu{.scan_tiles = false,
                      .scan_per_item = 8,
                      .local_size = 64,
                      .block_local_size = 1,
-                     .atlas_block = 1024,
+                     .atlas_block = 512,
+                     .atlas_vectors = true,
                      .segment_block = 4096,
                      .sample_block = 16384};
 
@@ -22,6 +23,7 @@ constexpr Tuning gpu{.scan_tiles = true,
                      .local_size = 64,
                      .block_local_size = 64,
                      .atlas_block = 4,
+                     .atlas_vectors = false,
                      .segment_block = 4,
                      .sample_block = 16};
 

@@ -15,6 +15,7 @@ struct Tuning {
     std::uint32_t local_size;     ///< work-group size of kernels with a work-item per element
     std::uint32_t block_local_size; ///< work-group size of kernels with a work-item per block
     std::uint32_t atlas_block;    ///< samples per work-item
+    bool atlas_vectors;           ///< all probes of a sample in one vector
     std::uint32_t segment_block;  ///< segments per work-item of compact_runs
     std::uint32_t sample_block;   ///< samples per work-item of compact_samples
 };

@@ -21,19 +21,20 @@ struct OwnFace {
 
     /// Whether a depth `seen` from the line's own, `across` pixels to its left, is this face.
     bool matches(float seen, float across, float before) const {
+        const float sign = height > 0 ? 1.0F : -1.0F;
+        const float snap = std::fabs(slope) * LA_OWN_FACE_SNAP + LA_DEPTH_ROUNDING;
         const float expected = slope * across;
-        const bool on_side = height > 0 ? across > -LA_OWN_FACE_SNAP : across < LA_OWN_FACE_SNAP;
+        const bool on_side = across * sign > -LA_OWN_FACE_SNAP;
         const bool in_reach = std::fabs(across) <= std::fabs(height) + LA_OWN_FACE_SNAP ||
                               std::fabs(expected) <= LA_OWN_FACE_REACH * before;
-        return on_side && in_reach &&
-               std::fabs(seen - expected) <=
-                   std::fmin(std::fabs(slope) * LA_OWN_FACE_SNAP + LA_DEPTH_ROUNDING, before);
+        return on_side && in_reach && std::fabs(seen - expected) <= std::fmin(snap, before);
     }
 };
 
-/// A segment in window space, ready for its samples.
+/// A segment on the screen, ready for its samples. Texels are those of the depth buffer.
 struct Spine {
-    glm::vec3 p, d;
+    glm::vec2 p, d;
+    float depth_p, depth_d;
     float inverse_w_p, inverse_w_d;
     glm::vec2 along;
     float depth_along;
@@ -46,7 +47,7 @@ struct Spine {
     }
 };
 
-Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
+Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport, float depth_scale) {
     const glm::vec3 p{segment.p[0], segment.p[1], segment.p[2]};
     const glm::vec3 q{segment.q[0], segment.q[1], segment.q[2]};
     const float wp = segment.p[3];
@@ -56,8 +57,10 @@ Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
     const glm::vec3 window_q = (q / wq + 1.0F) * scale;
     const glm::vec3 d = window_q - window_p;
     const float length_px = std::sqrt(d.x * d.x + d.y * d.y);
-    return {.p = window_p,
-            .d = d,
+    return {.p = glm::vec2{window_p} * depth_scale,
+            .d = glm::vec2{d} * depth_scale,
+            .depth_p = window_p.z,
+            .depth_d = d.z,
             .inverse_w_p = 1 / wp,
             .inverse_w_d = 1 / wq - 1 / wp,
             .along = length_px > 0 ? glm::vec2{d} / length_px : glm::vec2{1, 0},
@@ -67,33 +70,34 @@ Spine make_spine(const ClippedSegment& segment, glm::vec2 viewport) {
 }
 
 std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint32_t j,
-                            std::uint32_t l) {
+                            float inverse_l) {
     std::uint32_t visible = 0;
-    const auto per_axis = static_cast<float>(in.probes);
+    const float inverse_axis = 1.0F / static_cast<float>(in.probes);
+    const float inverse_scale = 1.0F / in.depth_scale;
     const glm::vec2 left{-spine.along.y, spine.along.x};
-    const float shift = in.probes == 1 ? spine.outside() * LA_FOLD_CLEARANCE / in.depth_scale : 0;
+    const float shift = in.probes == 1 ? spine.outside() * LA_FOLD_CLEARANCE * inverse_scale : 0;
     for (std::uint32_t row = 0; row < in.probes; ++row) {
-        const float u = (static_cast<float>(j) + (static_cast<float>(row) + 0.5F) / per_axis) /
-                        static_cast<float>(l);
-        const glm::vec3 point = spine.p + spine.d * u;
+        const float row_place = (static_cast<float>(row) + 0.5F) * inverse_axis;
+        const float u = (static_cast<float>(j) + row_place) * inverse_l;
+        const glm::vec2 point = spine.p + spine.d * u;
         const float before =
             in.tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
         for (std::uint32_t column = 0; column < in.probes; ++column) {
-            const float side = (static_cast<float>(column) + 0.5F) / per_axis - 0.5F + shift;
-            const glm::vec2 probe = (glm::vec2{point} + left * side) * in.depth_scale;
+            const float side = (static_cast<float>(column) + 0.5F) * inverse_axis - 0.5F + shift;
+            const glm::vec2 probe = point + left * (side * in.depth_scale);
             const glm::ivec2 texel =
                 glm::clamp(glm::ivec2{std::floor(probe.x), std::floor(probe.y)}, glm::ivec2{0},
                            in.depth_size - 1);
-            const glm::vec2 offset = (glm::vec2{texel} + 0.5F) / in.depth_scale - glm::vec2{point};
+            const glm::vec2 offset = (glm::vec2{texel} + 0.5F - point) * inverse_scale;
             const float along = offset.x * spine.along.x + offset.y * spine.along.y;
             const float across = offset.x * left.x + offset.y * left.y;
-            const float line_depth = point.z + spine.depth_along * along;
+            const float line_depth =
+                (spine.depth_p + spine.depth_d * u) + spine.depth_along * along;
             const auto index = static_cast<std::size_t>(texel.y) * in.depth_size.x + texel.x;
             const float seen = in.depth[index] - line_depth;
-            visible += seen >= -before || spine.a.matches(seen, across, before) ||
-                               spine.b.matches(seen, across, before)
-                           ? 1
-                           : 0;
+            const bool sees = seen >= -before || spine.a.matches(seen, across, before) ||
+                              spine.b.matches(seen, across, before);
+            visible += sees ? 1 : 0;
         }
     }
     return visible;
@@ -108,11 +112,12 @@ void atlas(const AtlasInput& in, std::span<std::uint8_t> alpha) {
         const std::uint32_t l = in.offsets[i + 1] - begin;
         if (l == 0) continue;
         if (begin >= in.capacity) return;
-        const Spine spine = make_spine(in.clipped[i], in.viewport);
+        const Spine spine = make_spine(in.clipped[i], in.viewport, in.depth_scale);
+        const float inverse_l = 1.0F / static_cast<float>(l);
         const std::uint32_t address = in.layout.address(begin);
         const std::uint32_t stop = std::min(l, in.capacity - begin);
         for (std::uint32_t j = 0; j < stop; ++j) {
-            const std::uint32_t visible = count_visible(in, spine, j, l);
+            const std::uint32_t visible = count_visible(in, spine, j, inverse_l);
             alpha[address + j] = static_cast<std::uint8_t>((visible * 255 + probes / 2) / probes);
         }
     }
