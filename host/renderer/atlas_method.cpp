@@ -1,0 +1,273 @@
+#include "atlas_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+// First guesses; a frame that needs more makes its tables grow.
+constexpr std::uint32_t first_sample_capacity = 1U << 18U;
+constexpr std::uint32_t first_run_capacity = 1U << 13U;
+
+bool gl_is_software() {
+    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return std::string_view{renderer}.find("llvmpipe") != std::string_view::npos;
+}
+
+std::size_t area(glm::ivec2 size) {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+} // namespace
+
+AtlasMethod::AtlasMethod(const interop::Connection& connection)
+    : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
+      raster_is_faster_(!gl_is_software()), record_(shared(sizeof(FrameRecord))) {
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_texture_);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
+}
+
+void AtlasMethod::set_scene(const SceneBuffers& scene) {
+    // The old tables first: a large model may not fit beside another.
+    front_.reset();
+    arcs_.reset();
+    clipped_.reset();
+    offsets_.reset();
+    segment_count_ = scene.segment_count();
+    front_ = backend_.allocate(scene.triangle_count());
+    clipped_ = shared(std::size_t{segment_count_} * sizeof(ClippedSegment));
+    offsets_ = shared((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
+    arcs_ = backend_.allocate((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
+    totals_ = {};
+}
+
+void AtlasMethod::prepare_layout(const Frame& frame) {
+    const float diagonal = glm::length(frame.viewport());
+    const auto longest =
+        static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
+    const AtlasLayoutKind kind = frame.options.atlas_layout == AtlasLayoutChoice::wrap
+                                     ? AtlasLayoutKind::wrap
+                                     : AtlasLayoutKind::gutter;
+    const AtlasLayout layout =
+        make_atlas_layout(kind, longest, static_cast<std::uint32_t>(largest_texture_));
+    if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
+    layout_ = layout;
+    sample_capacity_ = std::max(sample_capacity_, first_sample_capacity);
+    alpha_ = shared(layout_.texels(sample_capacity_));
+}
+
+void AtlasMethod::prepare(const Frame& frame) {
+    const glm::ivec2 depth_size = frame.camera.size * frame.options.depth_scale;
+    if (depth_size.x > largest_texture_ || depth_size.y > largest_texture_) {
+        throw UsageError("a depth buffer of " + std::to_string(depth_size.x) + "x" +
+                         std::to_string(depth_size.y) + " is larger than this device's limit of " +
+                         std::to_string(largest_texture_) +
+                         "; choose a smaller --size or --depth-scale");
+    }
+    prepare_layout(frame);
+    if (!runs_) {
+        run_capacity_ = first_run_capacity;
+        runs_ = shared(run_capacity_ * sizeof(Run));
+    }
+    raster_ = frame.options.atlas == AtlasForm::raster ||
+              (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
+    const std::size_t depth_bytes = area(depth_size) * sizeof(float);
+    if (!raster_ && (!depth_ || depth_->size() < depth_bytes)) depth_ = shared(depth_bytes);
+}
+
+void AtlasMethod::project(Frame& frame) {
+    const glm::mat4 clip_from_world = frame.camera.clip_from_world();
+    if ((frame.options.lines & mask_of(LineKind::silhouette)) != 0) {
+        frame.clock("facing", [&] {
+            backend_.facing({.table = frame.scene.table(),
+                             .eye = frame.camera.eye(),
+                             .front = *front_});
+        });
+    }
+    frame.clock("project_clip", [&] {
+        backend_.project_clip(
+            {.table = frame.scene.table(),
+             .front = *front_,
+             .clip_from_world = clip_from_world,
+             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+             .viewport = frame.viewport(),
+             .step = frame.options.step,
+             .kind_mask = frame.options.lines,
+             .out = clipped_table()});
+    });
+    frame.clock("scan", [&] {
+        backend_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
+        backend_.scan(*arcs_, segment_count_, compute::ScanKind::wrap);
+    });
+}
+
+void AtlasMethod::draw_depth(Frame& frame) {
+    frame.clock("depth", [&] {
+        depth_pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(),
+                         frame.camera.size, frame.options.depth_scale);
+        if (!raster_) depth_pass_.copy_to(depth_->gl());
+    });
+    if (raster_) return;
+    frame.clock("handover", [&] {
+        handover_.to_compute({{*depth_, area(depth_pass_.size()) * sizeof(float)}});
+    });
+}
+
+void AtlasMethod::sample(Frame& frame) {
+    if (raster_) return sample_raster(frame);
+    frame.clock("atlas", [&] {
+        backend_.atlas({.clipped = clipped_table(),
+                        .segment_count = segment_count_,
+                        .depth = depth_->compute(),
+                        .depth_size = depth_pass_.size(),
+                        .viewport = frame.viewport(),
+                        .depth_scale = static_cast<float>(frame.options.depth_scale),
+                        .probes = frame.probes_per_axis(),
+                        .tolerance = frame.depth_tolerance(),
+                        .layout = layout_,
+                        .capacity = sample_capacity_,
+                        .alpha = alpha_->compute()});
+    });
+}
+
+void AtlasMethod::sample_raster(Frame& frame) {
+    frame.clock("atlas", [&] {
+        // The total decides how many rows are drawn and read, so the host needs it here.
+        std::uint32_t total = 0;
+        handover_.to_gl(
+            {{*clipped_, clipped_->size()}, {*offsets_, offsets_->size()}, {*alpha_, 0}});
+        glGetNamedBufferSubData(offsets_->gl(),
+                                static_cast<GLintptr>(segment_count_ * sizeof(total)),
+                                sizeof(total), &total);
+        const bool fits = total <= sample_capacity_;
+        if (fits) {
+            atlas_pass_.draw({.clipped = clipped_->gl(),
+                              .offsets = offsets_->gl(),
+                              .segment_count = segment_count_},
+                             {.depth = depth_pass_.texture(),
+                              .viewport = frame.viewport(),
+                              .depth_scale = static_cast<float>(frame.options.depth_scale),
+                              .probes = frame.probes_per_axis(),
+                              .tolerance = frame.depth_tolerance()},
+                             layout_, total, alpha_->gl());
+        }
+        handover_.to_compute(
+            {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, fits ? layout_.texels(total) : 0}});
+    });
+}
+
+void AtlasMethod::compact(Frame& frame) {
+    frame.clock("compact", [&] {
+        backend_.compact_runs({.table = frame.scene.table(),
+                               .clipped = clipped_table(),
+                               .alpha = alpha_->compute(),
+                               .layout = layout_,
+                               .capacity = sample_capacity_,
+                               .viewport = frame.viewport(),
+                               .step = frame.options.step,
+                               .half_width = 0.5F * frame.options.width,
+                               .runs = runs_->compute(),
+                               .run_capacity = run_capacity_,
+                               .record = record_->compute()});
+        backend_.download(record_->compute(), std::as_writable_bytes(std::span{&totals_, 1}));
+    });
+}
+
+bool AtlasMethod::grow() {
+    bool grown = false;
+    if (totals_.sample_total > sample_capacity_) {
+        const std::uint64_t needed = totals_.sample_total;
+        const std::uint64_t limit =
+            static_cast<std::uint64_t>(largest_texture_buffer_) / layout_.pitch * layout_.width;
+        if (needed > limit) {
+            const bool uncountable = totals_.sample_total == 0xFFFFFFFFU;
+            throw DeviceError((uncountable ? "over 4 billion" : std::to_string(needed)) +
+                              " visibility samples are needed, this device's atlas holds " +
+                              std::to_string(limit) +
+                              "; use a larger --step, a smaller --size or fewer --lines kinds");
+        }
+        sample_capacity_ = static_cast<std::uint32_t>(std::min(needed + needed / 4, limit));
+        alpha_ = shared(layout_.texels(sample_capacity_));
+        handover_.to_compute({{*alpha_, 0}});
+        grown = true;
+    }
+    if (totals_.run_total > run_capacity_) {
+        run_capacity_ = totals_.run_total + totals_.run_total / 4;
+        runs_ = shared(std::size_t{run_capacity_} * sizeof(Run));
+        handover_.to_compute({{*runs_, 0}});
+        grown = true;
+    }
+    return grown;
+}
+
+void AtlasMethod::draw_strokes(Frame& frame) {
+    frame.clock("handover", [&] {
+        handover_.to_gl({{*clipped_, 0},
+                         {*offsets_, 0},
+                         {*record_, sizeof(FrameRecord)},
+                         {*runs_, std::size_t{totals_.points[0]} * sizeof(Run)},
+                         {*alpha_, layout_.texels(totals_.sample_total)}});
+        if (!raster_) handover_.to_gl({{*depth_, 0}});
+    });
+    frame.clock("strokes", [&] {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+        const bool geometry = frame.options.stroke_shader == StrokeShader::geometry;
+        stroke_pass_.draw(
+            {.runs = runs_->gl(), .record = record_->gl(), .alpha = alpha_->gl()},
+            {.viewport = frame.viewport(),
+             .width = frame.options.width,
+             .color = frame.options.color,
+             .pen = frame.pen,
+             .form = geometry ? gl::StrokeForm::geometry_shader : gl::StrokeForm::vertex_shader});
+    });
+}
+
+FrameStats AtlasMethod::draw(Frame& frame) {
+    prepare(frame);
+    handover_.to_compute({{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}, {*record_, 0}});
+    project(frame);
+    backend_.flush(); // runs while GL draws the depth
+    draw_depth(frame);
+    do {
+        sample(frame);
+        compact(frame);
+    } while (grow());
+    draw_strokes(frame);
+    return {.triangles = frame.scene.triangle_count(),
+            .segments = segment_count_,
+            .samples = totals_.sample_total,
+            .runs = totals_.run_total,
+            .segment_bytes = frame.scene.device_bytes() + front_->size() + clipped_->size() +
+                             offsets_->size() + arcs_->size(),
+            .sample_bytes = alpha_->size(),
+            .stages = frame.clock.take()};
+}
+
+Renderer::Samples AtlasMethod::read_samples() {
+    Renderer::Samples result;
+    result.offsets.resize(std::size_t{segment_count_} + 1);
+    result.runs.resize(totals_.points[0]);
+    std::vector<std::uint8_t> texels(layout_.texels(totals_.sample_total));
+    handover_.to_compute({{*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}});
+    backend_.download(offsets_->compute(), std::as_writable_bytes(std::span{result.offsets}));
+    backend_.download(alpha_->compute(), std::as_writable_bytes(std::span{texels}));
+    backend_.download(runs_->compute(), std::as_writable_bytes(std::span{result.runs}));
+    handover_.to_gl({{*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}});
+    result.alpha.reserve(totals_.sample_total);
+    for (std::size_t i = 0; i < segment_count_; ++i) {
+        const std::uint32_t l = result.offsets[i + 1] - result.offsets[i];
+        if (l == 0) continue;
+        const auto* first = texels.data() + layout_.address(result.offsets[i]);
+        result.alpha.insert(result.alpha.end(), first, first + l);
+    }
+    return result;
+}
+
+} // namespace lineatlas

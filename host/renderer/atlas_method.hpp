@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+
+#include "core/atlas_layout.hpp"
+#include "frame.hpp"
+#include "glpasses/atlas_pass.hpp"
+#include "glpasses/depth_pass.hpp"
+#include "glpasses/interop/connect.hpp"
+#include "glpasses/interop/handover.hpp"
+#include "glpasses/stroke_pass.hpp"
+
+namespace lineatlas {
+
+/// The segment atlas (§4): a frame from segments to strokes. Its tables grow when a frame needs more.
+class AtlasMethod {
+  public:
+    explicit AtlasMethod(const interop::Connection& connection);
+
+    /// Makes tables for another line set.
+    void set_scene(const SceneBuffers& scene);
+    FrameStats draw(Frame& frame);
+    Renderer::Samples read_samples();
+
+  private:
+    using SharedBuffer = interop::SharedBuffer;
+
+    void prepare(const Frame& frame);
+    void prepare_layout(const Frame& frame);
+    void project(Frame& frame);
+    void draw_depth(Frame& frame);
+    void sample(Frame& frame);
+    void sample_raster(Frame& frame);
+    void compact(Frame& frame);
+    /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
+    bool grow();
+    void draw_strokes(Frame& frame);
+
+    std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
+        return interop::make_shared_buffer(backend_, mode_, bytes);
+    }
+    compute::ClippedTable clipped_table() {
+        return {clipped_->compute(), offsets_->compute(), *arcs_};
+    }
+
+    compute::Backend& backend_;
+    interop::SharingMode mode_;
+    interop::Handover handover_;
+    bool raster_is_faster_;
+    GLint largest_texture_ = 0;
+    GLint largest_texture_buffer_ = 0;
+
+    std::uint32_t segment_count_ = 0;
+    std::unique_ptr<compute::Buffer> front_, arcs_;
+    std::unique_ptr<SharedBuffer> clipped_, offsets_, depth_, alpha_, runs_, record_;
+    std::uint32_t sample_capacity_ = 0;
+    std::uint32_t run_capacity_ = 0;
+    AtlasLayout layout_{0, 0};
+    bool raster_ = false;   ///< the current frame's form of `atlas`
+    FrameRecord totals_{};
+
+    gl::DepthPass depth_pass_;
+    gl::AtlasPass atlas_pass_;
+    gl::StrokePass stroke_pass_;
+};
+
+} // namespace lineatlas

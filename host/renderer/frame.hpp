@@ -1,0 +1,30 @@
+#pragma once
+
+#include <epoxy/gl.h>
+#include <glm/vec2.hpp>
+
+#include "glpasses/stroke_pass.hpp"
+#include "lineatlas/camera.hpp"
+#include "lineatlas/renderer.hpp"
+#include "scene_buffers.hpp"
+#include "stage_clock.hpp"
+
+namespace lineatlas {
+
+/// What a method needs to draw one frame.
+struct Frame {
+    const Camera& camera;
+    const FrameOptions& options;
+    const SceneBuffers& scene;
+    GLuint framebuffer;
+    gl::PenTexture pen;
+    StageClock clock;
+
+    glm::vec2 viewport() const { return glm::vec2{camera.size}; }
+    /// Probes per axis of the box of probes.
+    std::uint32_t probes_per_axis() const;
+    /// Window depth that may stand before a line, times w (kernels/atlas.cl).
+    float depth_tolerance() const;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,32 @@
+#include "pen_textures.hpp"
+
+#include "core/pens.hpp"
+
+namespace lineatlas {
+namespace {
+
+gl::Texture2D upload(const PenMark& mark) {
+    if (mark.size.x == 0) return {};
+    gl::Texture2D texture = gl::Texture2D::create();
+    glTextureStorage2D(texture.id(), 1, GL_R8, mark.size.x, mark.size.y);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, mark.size.x, mark.size.y, GL_RED, GL_UNSIGNED_BYTE,
+                        mark.coverage.data());
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+} // namespace
+
+gl::PenTexture PenTextures::get(const std::string& name, float width) {
+    const auto key = std::pair{name, width};
+    auto found = pens_.find(key);
+    if (found == pens_.end()) {
+        const PenMark mark = make_pen(name, width);
+        found = pens_.emplace(key, Pen{upload(mark), mark.repeat_length}).first;
+    }
+    return {.texture = found->second.texture.id(), .texels_per_repeat = found->second.repeat_length};
+}
+
+} // namespace lineatlas

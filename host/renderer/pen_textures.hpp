@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "glpasses/objects.hpp"
+#include "glpasses/stroke_pass.hpp"
+
+namespace lineatlas {
+
+/// The textures of the pens in use, made when first asked for.
+class PenTextures {
+  public:
+    /// Throws UsageError for an unknown pen.
+    gl::PenTexture get(const std::string& name, float width);
+
+  private:
+    struct Pen {
+        gl::Texture2D texture; ///< none for a solid pen
+        float repeat_length;
+    };
+    std::map<std::pair<std::string, float>, Pen> pens_;
+};
+
+} // namespace lineatlas
