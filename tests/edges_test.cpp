@@ -24,8 +24,9 @@ using Kinds = std::map<VertexPair, std::optional<LineKind>>;
 
 Kinds kinds_of(const Mesh& mesh, const LineOptions& options = {}) {
     const WeldedMesh welded = weld(mesh);
-    const std::vector<MeshEdge> edges = mesh_edges(welded);
-    const std::vector<glm::dvec3> normals = face_normals(welded, edges);
+    std::vector<MeshEdge> edges = mesh_edges(welded);
+    replace_slivers(welded, edges);
+    const std::vector<glm::dvec3> normals = face_normals(welded);
     Kinds kinds;
     for (const MeshEdge& edge : edges) {
         kinds[std::minmax(edge.p, edge.q)] = classify(edge, welded, normals, options);
@@ -310,8 +311,9 @@ TEST(Slivers, ThatTouchSliversOnlyHideNoCrease) {
     mesh.triangles = {{0, 3, 6}, {3, 2, 6}, {4, 0, 7}, {1, 4, 7}, {5, 1, 7},
                       {2, 5, 7}, {3, 0, 4}, {4, 1, 5}, {2, 3, 5}, {3, 4, 5}};
     const WeldedMesh welded = weld(mesh);
-    const std::vector<MeshEdge> edges = mesh_edges(welded);
-    const std::vector<glm::dvec3> normals = face_normals(welded, edges);
+    std::vector<MeshEdge> edges = mesh_edges(welded);
+    replace_slivers(welded, edges);
+    const std::vector<glm::dvec3> normals = face_normals(welded);
     float hidden = 0;
     for (float y = 0.05F; y < 4; y += 0.1F) {
         bool covered = false;

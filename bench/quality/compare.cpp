@@ -12,7 +12,9 @@
 namespace lineatlas::bench {
 namespace {
 
-float share_of(std::uint8_t alpha) { return static_cast<float>(alpha) / 255; }
+float share_of(std::uint8_t alpha) {
+    return static_cast<float>(alpha) / 255;
+}
 
 template <class Visit>
 void for_each_sample(const ViewSamples& view, Visit&& visit) {
@@ -36,10 +38,14 @@ Verdict verdict(float alpha, float truth) {
 
 glm::vec3 color(Verdict verdict, float alpha) {
     switch (verdict) {
-    case Verdict::false_visible: return {230, 0, 0};
-    case Verdict::false_hidden: return {0, 70, 255};
-    case Verdict::visible: return glm::mix(glm::vec3{200}, glm::vec3{0}, alpha);
-    case Verdict::hidden: break;
+    case Verdict::false_visible:
+        return {230, 0, 0};
+    case Verdict::false_hidden:
+        return {0, 70, 255};
+    case Verdict::visible:
+        return glm::mix(glm::vec3{200}, glm::vec3{0}, alpha);
+    case Verdict::hidden:
+        break;
     }
     return glm::vec3{235};
 }
@@ -59,8 +65,7 @@ class Painter {
         const glm::dvec2 way = to - from;
         const double squared = glm::dot(way, way);
         const glm::ivec2 low = glm::max(glm::ivec2{glm::min(from, to) - reach}, glm::ivec2{0});
-        const glm::ivec2 high =
-            glm::min(glm::ivec2{glm::max(from, to) + reach}, image_.size - 1);
+        const glm::ivec2 high = glm::min(glm::ivec2{glm::max(from, to) + reach}, image_.size - 1);
         for (int y = low.y; y <= high.y; ++y) {
             for (int x = low.x; x <= high.x; ++x) {
                 const glm::dvec2 offset = glm::dvec2{x, y} + 0.5 - from;
@@ -150,8 +155,8 @@ std::vector<WrongSegment> worst_segments(const ViewSamples& view, std::size_t co
 
 Image error_picture(const ViewSamples& view, glm::ivec2 viewport, int scale) {
     Painter painter{viewport, scale};
-    for (const Verdict layer : {Verdict::hidden, Verdict::visible, Verdict::false_visible,
-                                Verdict::false_hidden}) {
+    for (const Verdict layer :
+         {Verdict::hidden, Verdict::visible, Verdict::false_visible, Verdict::false_hidden}) {
         const bool wrong = layer > Verdict::visible;
         std::uint32_t current = ~0U;
         WindowSegment place{};

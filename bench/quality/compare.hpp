@@ -17,9 +17,9 @@ inline constexpr float wrong_threshold = 0.5F;
 /// The figures of docs/quality-study.md over any set of samples.
 struct Figures {
     std::uint64_t samples = 0;
-    double error_sum = 0;             ///< of |alpha - alpha*|
-    std::uint64_t false_visible = 0;  ///< wrong, and shown: leaks behind walls
-    std::uint64_t false_hidden = 0;   ///< wrong, and not shown: broken lines
+    double error_sum = 0;            ///< of |alpha - alpha*|
+    std::uint64_t false_visible = 0; ///< wrong, and shown: leaks behind walls
+    std::uint64_t false_hidden = 0;  ///< wrong, and not shown: broken lines
 
     void add(float alpha, float truth);
     void add(const Figures& other);
@@ -61,8 +61,8 @@ struct WrongSegment {
 /// The segments with the most wrong samples, at most `count`.
 std::vector<WrongSegment> worst_segments(const ViewSamples& view, std::size_t count);
 
-/// A picture of every sample: visible grey to black, hidden very light, false visible red, false hidden
-/// blue; wrong ones on top. `scale` times as large as the viewport.
+/// A picture of every sample: visible grey to black, hidden very light, false visible red, false
+/// hidden blue; wrong ones on top. `scale` times as large as the viewport.
 Image error_picture(const ViewSamples& view, glm::ivec2 viewport, int scale);
 
 } // namespace lineatlas::bench

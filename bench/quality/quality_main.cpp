@@ -51,7 +51,8 @@ CLI::App& set_up(CLI::App& app, Arguments& a) {
         ->check(CLI::PositiveNumber)
         ->needs(scene)
         ->excludes(at);
-    app.add_option("--distance", a.distances, "Times the eye's distance from its target, e.g. 0.5,1,2")
+    app.add_option("--distance", a.distances,
+                   "Times the eye's distance from its target, e.g. 0.5,1,2")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
     app.add_option("--size", a.size, "WIDTHxHEIGHT")->delimiter('x')->expected(2);
@@ -167,16 +168,14 @@ void measure(const Arguments& a) {
         canvas.clear(glm::vec4{1});
         renderer.draw(camera, options, canvas.framebuffer());
         const Renderer::Samples samples = renderer.read_samples();
-        const ClippedLines clipped =
-            clip_lines(subject.lines, camera, options.step, options.lines);
+        const ClippedLines clipped = clip_lines(subject.lines, camera, options.step, options.lines);
         if (clipped.offsets != samples.offsets) {
             throw DeviceError("the renderer's samples are not those of the reference");
         }
         const auto start = std::chrono::steady_clock::now();
         const std::vector<float> truth =
-            a.no_cache
-                ? oracle.visibility(clipped, camera, a.truth)
-                : cached_visibility(oracle, clipped, camera, a.truth, truth_cache_folder());
+            a.no_cache ? oracle.visibility(clipped, camera, a.truth)
+                       : cached_visibility(oracle, clipped, camera, a.truth, truth_cache_folder());
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         if (a.no_cache) {
             const double rays = static_cast<double>(truth.size()) * a.truth.rays;

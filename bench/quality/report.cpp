@@ -11,8 +11,8 @@ namespace {
 
 void print_row(const std::string& name, const Figures& f) {
     fmt::print("{:<22}{:>9}{:>9.4f}{:>8}{:>9.3f}{:>9.3f}{:>9.3f}\n", name, f.samples,
-               f.mean_error(), f.wrong(), 100 * f.share(f.wrong()),
-               100 * f.share(f.false_visible), 100 * f.share(f.false_hidden));
+               f.mean_error(), f.wrong(), 100 * f.share(f.wrong()), 100 * f.share(f.false_visible),
+               100 * f.share(f.false_hidden));
 }
 
 std::string json(const Figures& f) {
@@ -78,13 +78,12 @@ void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& ca
         const auto kind = view.lines.segments[i].tag & LA_TAG_KIND_MASK;
         const std::uint32_t index = view.clipped.offsets[i] + j;
         // From the upper left, as picture viewers count.
-        fmt::print("    {:>8} {:<11}{:>8.1f},{:>7.1f}{:>9}{:>7}{:>7}{:>7.2f}{:>7.2f}  {}\n", i,
-                   line_kind_names[kind], place.x, camera.size.y - place.y, l,
-                   wrong.figures.false_visible, wrong.figures.false_hidden,
-                   view.alpha[index] / 255.0, view.truth[index],
-                   blocker ? fmt::format("{:.2f} (triangle {})", blocker->distance,
-                                         blocker->triangle)
-                           : "none");
+        fmt::print(
+            "    {:>8} {:<11}{:>8.1f},{:>7.1f}{:>9}{:>7}{:>7}{:>7.2f}{:>7.2f}  {}\n", i,
+            line_kind_names[kind], place.x, camera.size.y - place.y, l, wrong.figures.false_visible,
+            wrong.figures.false_hidden, view.alpha[index] / 255.0, view.truth[index],
+            blocker ? fmt::format("{:.2f} (triangle {})", blocker->distance, blocker->triangle)
+                    : "none");
     }
 }
 

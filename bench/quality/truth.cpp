@@ -1,10 +1,10 @@
 #include "truth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <string>
 #include <thread>
 
@@ -13,13 +13,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "compute/reference/stages.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
 namespace {
-
-namespace reference = compute::reference;
 
 constexpr std::uint32_t packet = 8;
 
@@ -64,20 +61,22 @@ std::uint32_t mix(std::uint32_t a, std::uint32_t b) {
     return h;
 }
 
-double unit(std::uint32_t bits) { return (bits + 0.5) / 4294967296.0; }
+double unit(std::uint32_t bits) {
+    return (bits + 0.5) / 4294967296.0;
+}
 
 /// The camera in double precision: a depth that went through a float is too coarse to start from.
 struct Projection {
     glm::dmat4 clip_from_world, world_from_clip;
     glm::dvec2 viewport;
-    glm::dvec4 eye;         ///< w is 0 for a parallel projection
-    double pixel_rate;      ///< world size of a pixel per clip-space w
+    glm::dvec4 eye;                 ///< w is 0 for a parallel projection
+    double pixel_rate;              ///< world size of a pixel per clip-space w
     double farthest_toward_eye = 0; ///< of the bounds, for a parallel projection
 
     Projection(const Camera& camera, const Bounds& bounds)
         : clip_from_world(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
-          world_from_clip(glm::inverse(clip_from_world)), viewport(camera.size),
-          eye(camera.eye()), pixel_rate(2 / (camera.projection[1][1] * viewport.y)) {
+          world_from_clip(glm::inverse(clip_from_world)), viewport(camera.size), eye(camera.eye()),
+          pixel_rate(2 / (camera.projection[1][1] * viewport.y)) {
         if (eye.w == 0) {
             const glm::dvec3 toward = glm::normalize(glm::dvec3{eye});
             const glm::dvec3 corner{toward.x > 0 ? bounds.max.x : bounds.min.x,
@@ -219,8 +218,7 @@ float Oracle::Scene::visible_share(const Quad& quad, RayContext& context, std::u
             ray.dir_x[i] = static_cast<float>(sight.direction.x);
             ray.dir_y[i] = static_cast<float>(sight.direction.y);
             ray.dir_z[i] = static_cast<float>(sight.direction.z);
-            ray.tfar[i] =
-                static_cast<float>(sight.distance - options.neighbourhood * sight.pixel);
+            ray.tfar[i] = static_cast<float>(sight.distance - options.neighbourhood * sight.pixel);
             ray.mask[i] = ~0U;
             if (!(ray.tfar[i] > 0)) valid[i] = 0;
         }
@@ -296,40 +294,6 @@ std::optional<Blocker> Oracle::nearest_blocker(const ClippedLines& clipped, cons
         if (!nearest || distance < nearest->distance) nearest = {distance, ray.hit.primID};
     }
     return nearest;
-}
-
-ClippedLines clip_lines(const LineSet& lines, const Camera& camera, float step,
-                        LineKindMask kinds) {
-    const auto floats = std::span{reinterpret_cast<const float*>(lines.vertices.data()),
-                                  lines.vertices.size() * 3};
-    const auto indices = std::span{reinterpret_cast<const std::uint32_t*>(lines.triangles.data()),
-                                   lines.triangles.size() * 3};
-    std::vector<std::uint8_t> front(lines.triangles.size());
-    reference::facing(floats, indices, camera.eye(), front);
-    ClippedLines result;
-    result.clipped.resize(lines.segments.size());
-    result.offsets.resize(lines.segments.size() + 1);
-    std::vector<std::uint32_t> arcs(lines.segments.size() + 1);
-    const glm::mat4 clip_from_world = camera.clip_from_world();
-    reference::project_clip({.segments = lines.segments,
-                             .vertices = floats,
-                             .triangles = indices,
-                             .front = front,
-                             .clip_from_world = clip_from_world,
-                             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
-                             .viewport = glm::vec2{camera.size},
-                             .step = step,
-                             .kind_mask = kinds},
-                            result.clipped, result.offsets, arcs);
-    reference::scan(result.offsets, compute::ScanKind::saturate);
-    return result;
-}
-
-WindowSegment window_segment(const ClippedSegment& segment, glm::ivec2 viewport) {
-    const auto place = [&](const float* clip) {
-        return (glm::dvec2{clip[0], clip[1]} / double{clip[3]} + 1.0) * glm::dvec2{viewport} * 0.5;
-    };
-    return {place(segment.p), place(segment.q)};
 }
 
 } // namespace lineatlas::bench

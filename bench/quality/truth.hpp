@@ -5,20 +5,19 @@
 #include <optional>
 #include <vector>
 
-#include <glm/vec2.hpp>
-
+#include "clipped_lines.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
-// The truth that every visibility method is measured against: exact partial visibility (§3.2) by ray
-// casting, without a depth buffer and so without its resolution, biases and rounding.
+// The truth that every visibility method is measured against: exact partial visibility (§3.2) by
+// ray casting, without a depth buffer and so without its resolution, biases and rounding.
 namespace lineatlas::bench {
 
 /// The part of a line that stands for it: a quad this wide on the screen (§3.2).
 inline constexpr float quad_width_pixels = 1;
 
-/// What stands before a line by no more than this many pixel widths is its own neighbourhood and hides
-/// nothing: the quad dips into a curved surface beside a crease or a silhouette.
+/// What stands before a line by no more than this many pixel widths is its own neighbourhood and
+/// hides nothing: the quad dips into a curved surface beside a crease or a silhouette.
 inline constexpr float neighbourhood_pixels = 2;
 
 struct TruthOptions {
@@ -28,30 +27,9 @@ struct TruthOptions {
     unsigned threads = 2;
 };
 
-/// The segments of a view with their samples, equal to those of the renderer bit by bit.
-struct ClippedLines {
-    std::vector<ClippedSegment> clipped; ///< valid where a segment has samples
-    std::vector<std::uint32_t> offsets;  ///< first sample of each segment, then the total
-
-    std::uint32_t samples(std::size_t segment) const {
-        return offsets[segment + 1] - offsets[segment];
-    }
-};
-
-/// `step`: k, pixels between samples (§4.1 eq. 1).
-ClippedLines clip_lines(const LineSet& lines, const Camera& camera, float step,
-                        LineKindMask kinds = all_line_kinds);
-
-/// A segment's place in the window: pixels, origin at the lower left. A point at share `u` of it.
-struct WindowSegment {
-    glm::dvec2 p, q;
-    glm::dvec2 at(double u) const { return p + (q - p) * u; }
-};
-WindowSegment window_segment(const ClippedSegment& segment, glm::ivec2 viewport);
-
 /// What is nearest to a line among all that stands before it, the line's own faces apart.
 struct Blocker {
-    double distance;         ///< from the line towards the eye, in pixel widths there
+    double distance; ///< from the line towards the eye, in pixel widths there
     std::uint32_t triangle;
 };
 
@@ -66,9 +44,10 @@ class Oracle {
     /// The visible share of every sample, 0 to 1, in the order of `lines.offsets`.
     ///
     /// Sample j of l is the quad that reaches from j/l to (j+1)/l of the segment in the window and
-    /// `width` pixels across it. Rays go from the eye to jittered points of the quad, each at the depth
-    /// of the line beside it. A ray is blocked by any triangle on its way but those that hold both ends
-    /// of the segment and those within the neighbourhood of its end. The same on every machine.
+    /// `width` pixels across it. Rays go from the eye to jittered points of the quad, each at the
+    /// depth of the line beside it. A ray is blocked by any triangle on its way but those that hold
+    /// both ends of the segment and those within the neighbourhood of its end. The same on every
+    /// machine.
     std::vector<float> visibility(const ClippedLines& lines, const Camera& camera,
                                   const TruthOptions& options = {}) const;
 

@@ -38,7 +38,8 @@ class ContentHash {
 
   private:
     void add_word(std::uint64_t word) {
-        constexpr std::array<std::uint64_t, 2> factors{0x9E3779B97F4A7C15ULL, 0xD6E8FEB86659FD93ULL};
+        constexpr std::array<std::uint64_t, 2> factors{0x9E3779B97F4A7C15ULL,
+                                                       0xD6E8FEB86659FD93ULL};
         for (std::size_t i = 0; i < 2; ++i) {
             state_[i] = (state_[i] ^ word) * factors[i];
             state_[i] ^= state_[i] >> 32U;

@@ -12,13 +12,14 @@ AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest,
                               std::uint32_t largest_row) {
     // Long rows waste less of a gutter; a power of two makes eq. 2 cheap.
     constexpr std::uint32_t usual_row = 8192;
-    const std::uint32_t wanted = std::max(usual_row, std::bit_ceil(longest + 1) * 2);
-    const std::uint32_t pitch = std::min(wanted, largest_row);
-    if (longest >= pitch) {
+    if (longest >= largest_row) {
         throw UsageError("a segment may need " + std::to_string(longest) +
-                         " visibility samples, an atlas row holds " + std::to_string(pitch) +
+                         " visibility samples, an atlas row holds " + std::to_string(largest_row) +
                          "; use a larger --step or a smaller --size");
     }
+    const std::uint32_t wanted =
+        std::max(usual_row, longest < (1U << 30U) ? std::bit_ceil(longest + 1) * 2 : largest_row);
+    const std::uint32_t pitch = std::min(wanted, largest_row);
     return {.width = kind == AtlasLayoutKind::wrap ? pitch : pitch - longest, .pitch = pitch};
 }
 

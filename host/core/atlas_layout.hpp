@@ -17,7 +17,9 @@ struct AtlasLayout {
 
     std::uint32_t address(std::uint32_t s) const { return s / width * pitch + s % width; }
     /// Rows that hold `samples` samples.
-    std::uint32_t rows(std::uint32_t samples) const { return (samples + width - 1) / width; }
+    std::uint32_t rows(std::uint32_t samples) const {
+        return samples / width + (samples % width != 0 ? 1 : 0);
+    }
     std::uint64_t texels(std::uint32_t samples) const {
         return std::uint64_t{rows(samples)} * pitch;
     }

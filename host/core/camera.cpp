@@ -38,12 +38,11 @@ glm::vec2 fit_planes(const View& view, const Bounds& bounds) {
 } // namespace
 
 glm::vec4 Camera::eye() const {
-    // The eye is what every projection maps to x = y = w = 0: (0, 0, 1, 0) in clip space.
+    // The eye is what every projection maps to x = y = w = 0: (0, 0, 1, 0) in clip space. For a parallel
+    // projection that is the direction of sight.
     const glm::vec4 point = glm::inverse(clip_from_world()) * glm::vec4{0, 0, 1, 0};
-    // Scaled so that the sign of plane . eye means "in front of" for both kinds of projection.
     if (std::abs(projection[2][3]) > 0) return point / point.w;
-    const glm::vec3 back{view[0][2], view[1][2], view[2][2]};
-    return {back, 0};
+    return {-glm::normalize(glm::vec3{point}), 0};
 }
 
 Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
@@ -60,7 +59,9 @@ Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
     if (!(distance > 0) || !std::isfinite(distance)) {
         throw UsageError("camera: eye and target must be two different points");
     }
-    if (!(glm::length(glm::cross(sight / distance, view.up)) > 1e-6F * glm::length(view.up))) {
+    const glm::vec3 up_size = glm::abs(view.up);
+    const glm::vec3 up = view.up / std::max({up_size.x, up_size.y, up_size.z}); // no overflow
+    if (!(glm::length(glm::cross(sight / distance, up)) > 1e-6F)) {
         throw UsageError("camera: up must not point along the line of sight");
     }
     glm::vec2 planes{view.near, view.far};
@@ -74,7 +75,7 @@ Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
         throw UsageError("camera: the far plane must lie behind the near plane");
     }
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-    return {.view = glm::lookAt(view.eye, view.target, view.up),
+    return {.view = glm::lookAt(view.eye, view.target, up),
             .projection = glm::perspective(view.fov_y, aspect, planes.x, planes.y),
             .size = size};
 }
@@ -116,7 +117,14 @@ View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 
     }
     float forward = std::min((horizontal.high - horizontal.low) / (2 * tan_x),
                              (vertical.high - vertical.low) / (2 * tan_y));
-    if (!(forward < 0)) forward = -1; // a single point
+    // Clear of the nearest point also where the frame's borders would let the eye touch it.
+    constexpr float clearance = 5e-3F;
+    const float extent = glm::length(bounds.max - bounds.min);
+    float nearest = 0;
+    for (const glm::vec3& point : points) {
+        nearest = std::min(nearest, -glm::dot(point - center, toward_eye));
+    }
+    forward = std::min(forward, nearest - (extent > 0 ? clearance * extent : 1.0F));
     // Along the axis with room to spare, the model's outline is centred on the screen.
     const auto centred = [&](const Borders& borders, float tan, glm::vec3 axis) {
         float low = borders.low + tan * forward;

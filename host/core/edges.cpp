@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace lineatlas {
@@ -12,8 +13,10 @@ namespace {
 /// (a diagonal of a quad) can't be a silhouette. Radians.
 constexpr double coplanar_angle = 1e-4;
 
-/// A triangle whose height is below this share of its longest edge has no direction of its own.
+/// A triangle is a sliver if its height is below this share of its longest edge, or below this share of its
+/// largest coordinate: rounding to float alone makes such heights.
 constexpr double sliver_ratio = 1e-7;
+constexpr double rounding_ratio = 5e-7;
 
 struct EdgeUse {
     std::uint32_t other; ///< the larger vertex
@@ -21,7 +24,8 @@ struct EdgeUse {
     bool reversed; ///< the triangle runs from the larger to the smaller vertex
 };
 
-/// The uses of edges, grouped by their smaller vertex: uses of vertex v are [first[v], first[v + 1]).
+/// The uses of edges, grouped by their smaller vertex and sorted by the larger: uses of vertex v are
+/// [first[v], first[v + 1]).
 struct EdgeUses {
     std::vector<std::uint32_t> first;
     std::vector<EdgeUse> uses;
@@ -45,6 +49,12 @@ EdgeUses edge_uses(const WeldedMesh& mesh) {
     for_each_use([&](std::uint32_t face, std::uint32_t a, std::uint32_t b) {
         result.uses[next[std::min(a, b)]++] = {std::max(a, b), face, a > b};
     });
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        std::sort(result.uses.begin() + result.first[v], result.uses.begin() + result.first[v + 1],
+                  [](const EdgeUse& a, const EdgeUse& b) {
+                      return a.other != b.other ? a.other < b.other : a.face < b.face;
+                  });
+    }
     return result;
 }
 
@@ -54,19 +64,81 @@ glm::dvec3 corner(const WeldedMesh& mesh, std::uint32_t face, int index) {
 
 double squared_length(glm::dvec3 v) { return glm::dot(v, v); }
 
-/// The area-weighted normal, or zero for a sliver.
-glm::dvec3 own_normal(const WeldedMesh& mesh, std::uint32_t face) {
+/// The unit normal, or zero for a sliver.
+glm::dvec3 unit_normal(const WeldedMesh& mesh, std::uint32_t face) {
     const glm::dvec3 a = corner(mesh, face, 0);
-    const glm::dvec3 ab = corner(mesh, face, 1) - a;
-    const glm::dvec3 ac = corner(mesh, face, 2) - a;
-    const glm::dvec3 cross = glm::cross(ab, ac);
-    const double longest =
-        std::max({squared_length(ab), squared_length(ac), squared_length(ac - ab)});
-    const double length = glm::length(cross);
-    return length > sliver_ratio * longest ? cross / length : glm::dvec3{0};
+    const glm::dvec3 b = corner(mesh, face, 1);
+    const glm::dvec3 c = corner(mesh, face, 2);
+    const glm::dvec3 cross = glm::cross(b - a, c - a);
+    const double twice_area = glm::length(cross);
+    const double longest = std::sqrt(
+        std::max({squared_length(b - a), squared_length(c - a), squared_length(c - b)}));
+    const glm::dvec3 extent = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+    const double coordinate = std::max({extent.x, extent.y, extent.z});
+    const double least_height = std::max(sliver_ratio * longest, rounding_ratio * coordinate);
+    return twice_area > least_height * longest ? cross / twice_area : glm::dvec3{0};
 }
 
 bool is_zero(glm::dvec3 v) { return v == glm::dvec3{0}; }
+
+/// The triangle that stands for another one, and whether its winding disagrees with that one's.
+struct Substitute {
+    std::uint32_t face;
+    bool flipped;
+};
+
+class SliverReplacement {
+  public:
+    SliverReplacement(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges)
+        : mesh_(mesh), edges_(edges), substitutes_(mesh.triangles.size()),
+          resolved_(mesh.triangles.size()) {
+        for (std::uint32_t face = 0; face < resolved_.size(); ++face) {
+            substitutes_[face] = {face, false};
+            resolved_[face] = !is_zero(unit_normal(mesh, face));
+            any_ = any_ || !resolved_[face];
+        }
+    }
+
+    bool any() const { return any_; }
+    Substitute operator[](std::uint32_t face) const { return substitutes_[face]; }
+
+    /// Spreads from faces with area into the slivers beside them, ring by ring, each time across the
+    /// longest edge there is.
+    void spread() {
+        for (bool changed = true; changed;) {
+            changed = false;
+            longest_.assign(mesh_.triangles.size(), 0);
+            const std::vector<bool> before = resolved_;
+            for (const MeshEdge& edge : edges_) {
+                if (edge.face_b == LA_NO_FACE) continue;
+                const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
+                const bool flipped = (edge.face_b & LA_FACE_FLIPPED) != 0;
+                const double length = squared_length(glm::dvec3{mesh_.vertices[edge.p]} -
+                                                     glm::dvec3{mesh_.vertices[edge.q]});
+                changed |= adopt(before, edge.face_a, b, flipped, length);
+                changed |= adopt(before, b, edge.face_a, flipped, length);
+            }
+        }
+    }
+
+  private:
+    bool adopt(const std::vector<bool>& before, std::uint32_t sliver, std::uint32_t neighbour,
+               bool flipped, double length) {
+        if (before[sliver] || !before[neighbour] || length <= longest_[sliver]) return false;
+        const Substitute through = substitutes_[neighbour];
+        substitutes_[sliver] = {through.face, through.flipped != flipped};
+        longest_[sliver] = length;
+        resolved_[sliver] = true;
+        return true;
+    }
+
+    const WeldedMesh& mesh_;
+    const std::vector<MeshEdge>& edges_;
+    std::vector<Substitute> substitutes_;
+    std::vector<bool> resolved_;
+    std::vector<double> longest_;
+    bool any_ = false;
+};
 
 } // namespace
 
@@ -74,57 +146,44 @@ std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh) {
     const EdgeUses table = edge_uses(mesh);
     std::vector<MeshEdge> edges;
     edges.reserve(table.uses.size() / 2 + 1);
-    std::vector<bool> edge_reversed; // winding of face_a, for the edges of the current vertex
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        const std::size_t first_edge = edges.size();
-        edge_reversed.clear();
+        const EdgeUse* first_use = nullptr;
         for (std::uint32_t i = table.first[v]; i < table.first[v + 1]; ++i) {
             const EdgeUse& use = table.uses[i];
-            std::size_t e = first_edge;
-            while (e < edges.size() && std::max(edges[e].p, edges[e].q) != use.other) ++e;
-            if (e == edges.size()) {
+            if (first_use == nullptr || first_use->other != use.other) {
+                first_use = &use;
                 edges.push_back({.p = use.reversed ? use.other : v,
                                  .q = use.reversed ? v : use.other,
                                  .face_a = use.face,
                                  .face_b = LA_NO_FACE,
                                  .face_count = 1});
-                edge_reversed.push_back(use.reversed);
-                continue;
-            }
-            if (++edges[e].face_count == 2) {
-                const bool agrees = edge_reversed[e - first_edge] != use.reversed;
-                edges[e].face_b = use.face | (agrees ? 0U : LA_FACE_FLIPPED);
+            } else if (++edges.back().face_count == 2) {
+                const bool agrees = first_use->reversed != use.reversed;
+                edges.back().face_b = use.face | (agrees ? 0U : LA_FACE_FLIPPED);
             }
         }
     }
     return edges;
 }
 
-std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
-    std::vector<glm::dvec3> normals(mesh.triangles.size());
-    std::vector<double> longest_shared(mesh.triangles.size(), 0);
-    bool slivers = false;
-    for (std::uint32_t face = 0; face < normals.size(); ++face) {
-        normals[face] = own_normal(mesh, face);
-        slivers = slivers || is_zero(normals[face]);
-    }
-    if (!slivers) return normals;
-    const std::vector<glm::dvec3> own = normals;
-    for (const MeshEdge& edge : edges) {
+void replace_slivers(const WeldedMesh& mesh, std::vector<MeshEdge>& edges) {
+    SliverReplacement substitutes{mesh, edges};
+    if (!substitutes.any()) return;
+    substitutes.spread();
+    for (MeshEdge& edge : edges) {
+        const Substitute a = substitutes[edge.face_a];
+        edge.face_a = a.face;
         if (edge.face_b == LA_NO_FACE) continue;
-        const std::uint32_t a = edge.face_a;
-        const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
-        const double sign = (edge.face_b & LA_FACE_FLIPPED) != 0 ? -1 : 1;
-        const double length =
-            squared_length(glm::dvec3{mesh.vertices[edge.p]} - glm::dvec3{mesh.vertices[edge.q]});
-        const auto adopt = [&](std::uint32_t sliver, std::uint32_t neighbour) {
-            if (!is_zero(own[sliver]) || is_zero(own[neighbour])) return;
-            if (length <= longest_shared[sliver]) return;
-            longest_shared[sliver] = length;
-            normals[sliver] = sign * own[neighbour];
-        };
-        adopt(a, b);
-        adopt(b, a);
+        const Substitute b = substitutes[edge.face_b & LA_FACE_INDEX];
+        const bool flipped = (edge.face_b & LA_FACE_FLIPPED) != 0;
+        edge.face_b = b.face | (flipped != (a.flipped != b.flipped) ? LA_FACE_FLIPPED : 0U);
+    }
+}
+
+std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh) {
+    std::vector<glm::dvec3> normals(mesh.triangles.size());
+    for (std::uint32_t face = 0; face < normals.size(); ++face) {
+        normals[face] = unit_normal(mesh, face);
     }
     return normals;
 }

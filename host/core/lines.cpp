@@ -100,8 +100,9 @@ class LineSetBuilder {
 
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     WeldedMesh welded = weld(mesh);
-    const std::vector<MeshEdge> edges = mesh_edges(welded);
-    const std::vector<glm::dvec3> normals = face_normals(welded, edges);
+    std::vector<MeshEdge> edges = mesh_edges(welded);
+    replace_slivers(welded, edges);
+    const std::vector<glm::dvec3> normals = face_normals(welded);
 
     std::vector<Line> fixed;
     std::vector<Line> candidates;

@@ -40,6 +40,9 @@ float value_noise(float x, float y, int period) {
     return std::lerp(std::lerp(at(0, 0), at(1, 0), tx), std::lerp(at(0, 1), at(1, 1), tx), ty);
 }
 
+/// Pixels after which grain and unevenness repeat; a multiple of every feature size below.
+constexpr int repeat = 512;
+
 /// A texture whose columns are `columns` screen pixels, filled by coverage(x, v): x in pixels along the
 /// stroke, v from -1 to 1 across it.
 template <class Coverage>
@@ -59,15 +62,15 @@ PenMark paint(int columns, int rows, Coverage&& coverage) {
 
 /// Ink that flows unevenly: the edge wanders slowly by a fraction of the width.
 float ink(float x, float v) {
-    const float left = 0.74F + 0.26F * value_noise(x / 9, 1, 512 / 9);
-    const float right = 0.74F + 0.26F * value_noise(x / 9, 40, 512 / 9);
+    const float left = 0.74F + 0.26F * value_noise(x / 8, 1, repeat / 8);
+    const float right = 0.74F + 0.26F * value_noise(x / 8, 40, repeat / 8);
     return (v < 0 ? left - std::abs(v) : right - std::abs(v)) * 6;
 }
 
 /// Graphite: paper grain that takes more or less of it, pressure that varies, a soft edge.
 float graphite(float x, float v, float width) {
-    const float grain = value_noise(x / 1.6F, (v + 1) * width / 3.2F + 7, 320);
-    const float pressure = 0.65F + 0.35F * value_noise(x / 24, 90, 512 / 24);
+    const float grain = value_noise(x / 1.6F, (v + 1) * width / 3.2F + 7, repeat * 10 / 16);
+    const float pressure = 0.65F + 0.35F * value_noise(x / 32, 90, repeat / 32);
     const float edge = 1 - std::pow(std::abs(v), 3.0F);
     return edge * pressure * (0.35F + 0.9F * grain);
 }
@@ -79,12 +82,12 @@ std::span<const std::string_view> pen_names() { return names; }
 PenMark make_pen(std::string_view name, float width) {
     constexpr int rows = 16;
     if (name == "solid") return {};
-    if (name == "pen") return paint(512, rows, ink);
+    if (name == "pen") return paint(repeat, rows, ink);
     if (name == "pencil") {
-        return paint(512, rows, [&](float x, float v) { return graphite(x, v, width); });
+        return paint(repeat, rows, [&](float x, float v) { return graphite(x, v, width); });
     }
     if (name == "dashed") {
-        // Dash and gap grow with the width, as drawing standards ask (ISO 128: 12 and 3 widths).
+        // Dash and gap grow with the width, so that the pattern keeps its look.
         const int dash = std::max(4, static_cast<int>(std::lround(6 * width)));
         const int gap = std::max(3, static_cast<int>(std::lround(3 * width)));
         return paint(dash + gap, 1,

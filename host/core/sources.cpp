@@ -39,10 +39,11 @@ class SourceResolver {
     std::string text_of(std::string_view name) const {
         if (folder_ != nullptr) {
             const std::filesystem::path path = std::filesystem::path{folder_} / name;
-            std::ifstream file{path};
+            std::ifstream file;
+            if (std::filesystem::is_regular_file(path)) file.open(path);
             std::ostringstream text;
             text << file.rdbuf();
-            if (!file) {
+            if (!file.is_open() || file.bad()) {
                 throw FileError("cannot read \"" + path.string() + "\", which " + folder_variable_ +
                                 " names; unset it to use the built-in sources");
             }

@@ -54,7 +54,8 @@ class VertexWelder {
         std::uint32_t& result = welded_index_[index];
         if (result != empty_slot) return result;
         const glm::vec3 position = mesh_.positions[index] + 0.0F; // -0 becomes 0
-        if (!std::isfinite(position.x + position.y + position.z)) {
+        if (!std::isfinite(position.x) || !std::isfinite(position.y) ||
+            !std::isfinite(position.z)) {
             throw UsageError("mesh: position " + std::to_string(index) + " is not finite");
         }
         const auto fresh = static_cast<std::uint32_t>(vertices.size());
@@ -81,9 +82,36 @@ glm::uvec3 sorted(glm::uvec3 t) {
     return t;
 }
 
+/// Drops vertices that nothing uses any more; the others keep their order.
+void drop_unused_vertices(WeldedMesh& mesh) {
+    std::vector<std::uint32_t> index(mesh.vertices.size(), empty_slot);
+    const auto for_each_index = [&](auto&& visit) {
+        for (glm::uvec3& triangle : mesh.triangles) {
+            for (int corner = 0; corner < 3; ++corner) visit(triangle[corner]);
+        }
+        for (auto& polyline : mesh.polylines) {
+            for (std::uint32_t& vertex : polyline) visit(vertex);
+        }
+    };
+    for_each_index([&](std::uint32_t vertex) { index[vertex] = 0; });
+    std::uint32_t used = 0;
+    for (std::size_t v = 0; v < index.size(); ++v) {
+        if (index[v] == empty_slot) continue;
+        mesh.vertices[used] = mesh.vertices[v];
+        index[v] = used++;
+    }
+    mesh.vertices.resize(used);
+    for_each_index([&](std::uint32_t& vertex) { vertex = index[vertex]; });
+}
+
 } // namespace
 
 WeldedMesh weld(const Mesh& mesh) {
+    if (!mesh.triangle_group.empty() && mesh.triangle_group.size() != mesh.triangles.size()) {
+        throw UsageError("mesh: there are " + std::to_string(mesh.triangles.size()) +
+                         " triangles, but groups for " +
+                         std::to_string(mesh.triangle_group.size()));
+    }
     WeldedMesh result;
     VertexWelder weld_vertex{mesh};
     FirstSeen<glm::uvec3> seen{mesh.triangles.size()};
@@ -112,6 +140,7 @@ WeldedMesh weld(const Mesh& mesh) {
         if (welded.size() > 1) result.polylines.push_back(std::move(welded));
     }
     result.vertices = std::move(weld_vertex.vertices);
+    drop_unused_vertices(result);
     return result;
 }
 

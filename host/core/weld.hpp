@@ -20,7 +20,7 @@ struct WeldedMesh {
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and keeps
 /// one of several triangles over the same three vertices: exporters write two-sided faces as two
 /// coincident triangles, which would make every edge non-manifold.
-/// Throws UsageError when an index is out of range or a position is not finite.
+/// Throws UsageError when an index is out of range, a position is not finite or groups are missing.
 WeldedMesh weld(const Mesh& mesh);
 
 } // namespace lineatlas

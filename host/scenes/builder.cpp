@@ -259,28 +259,24 @@ void MeshBuilder::rope(Group g, glm::vec3 from, glm::vec3 to, float radius, int 
         const glm::vec3 centre = glm::mix(from, to, s) - glm::vec3(0, 4 * sag * s * (1 - s), 0);
         std::uint32_t here[3];
         for (int k = 0; k < 3; ++k) {
-            const float angle = two_pi * (static_cast<float>(k) + (i % 2 == 1 ? 0.5F : 0.0F)) / 3;
+            const float angle = two_pi * ratio(k, 3);
             here[k] = vertex(centre + radius * (glm::vec3(frame[0]) * std::cos(angle) -
                                                 glm::vec3(frame[2]) * std::sin(angle)));
         }
-        // From an unturned ring to a turned one the upper vertex k sits between lower k and k + 1.
-        const int shift = i % 2 == 1 ? 1 : 0;
-        for (int k = 0; i > 0 && k < 3; ++k) {
-            const int next = (k + 1) % 3;
-            if (shift == 1) {
-                triangle(g, below[k], below[next], here[k]);
-                triangle(g, below[next], here[next], here[k]);
-            } else {
-                triangle(g, below[k], below[next], here[next]);
-                triangle(g, below[k], here[next], here[k]);
-            }
-        }
+        for (int k = 0; i > 0 && k < 3; ++k)
+            quad(g, below[k], below[(k + 1) % 3], here[(k + 1) % 3], here[k]);
         for (int k = 0; k < 3; ++k) below[k] = here[k];
     }
 }
 
 void MeshBuilder::panel(const glm::mat4& at, Group g, int nu, int nv,
                         const std::function<glm::vec3(float, float)>& surface) {
+    patch(at, nu, nv, surface, [g](int) { return g; });
+}
+
+void MeshBuilder::patch(const glm::mat4& at, int nu, int nv,
+                        const std::function<glm::vec3(float, float)>& surface,
+                        const std::function<Group(int)>& group_of_row) {
     const auto first = static_cast<std::uint32_t>(m_mesh.positions.size());
     for (int j = 0; j <= nv; ++j)
         for (int i = 0; i <= nu; ++i) vertex(apply(at, surface(ratio(i, nu), ratio(j, nv))));
@@ -288,7 +284,7 @@ void MeshBuilder::panel(const glm::mat4& at, Group g, int nu, int nv,
     for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(nv); ++j)
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(nu); ++i) {
             const std::uint32_t a = first + j * row + i;
-            quad(g, a, a + 1, a + row + 1, a + row);
+            quad(group_of_row(static_cast<int>(j)), a, a + 1, a + row + 1, a + row);
         }
 }
 

@@ -91,11 +91,15 @@ class MeshBuilder {
     /// A bent round bar.
     void tube(const glm::mat4& at, Group g, std::span<const glm::vec3> path, float radius,
               int segments, bool closed = false);
-    /// A laid rope: three strands seen as a triangle that turns by half a step per length.
+    /// A rope, triangular so that it stays two or three lines however near it is seen.
     void rope(Group g, glm::vec3 from, glm::vec3 to, float radius, int lengths, float sag = 0);
     /// A surface over [0, 1]^2; its front side is where du x dv points.
     void panel(const glm::mat4& at, Group g, int nu, int nv,
                const std::function<glm::vec3(float, float)>& surface);
+    /// The same with a group per row in v, for a material line between rows.
+    void patch(const glm::mat4& at, int nu, int nv,
+               const std::function<glm::vec3(float, float)>& surface,
+               const std::function<Group(int)>& group_of_row);
     /// The band between two polylines of equal length (a plank, a cloth of a sail).
     void strip(const glm::mat4& at, Group g, std::span<const glm::vec3> lower,
                std::span<const glm::vec3> upper);

@@ -27,8 +27,8 @@ constexpr float lug_offset = 0.025F; // of a lug's middle from the middle of the
 constexpr float chamfer = 0.002F;
 constexpr float fillet_radius = 0.006F;
 constexpr int eye_segments = 12;
-constexpr int bore_segments = 12;
-constexpr int fillet_steps = 2;
+constexpr int bore_segments = 13;
+constexpr int fillet_steps = 1;
 
 struct Materials {
     Group cast;
@@ -61,9 +61,9 @@ Path circle_path(float radius, float height, float z, int segments, bool turned)
     return points;
 }
 
-/// A face of a lug: its outline, the raised boss ring and the bushing inside it. Returns the mouth
-/// of the bore. `side` is +1 for the face towards +z.
-Ring lug_face(MeshBuilder& b, const Materials& m, const Ring& outline, float z, float side) {
+/// A face of a lug: its outline, the raised boss ring and the bushing inside it. The pin fills the
+/// bore, which is left out. `side` is +1 for the face towards +z.
+void lug_face(MeshBuilder& b, const Materials& m, const Ring& outline, float z, float side) {
     const float boss = bore_radius + 0.0025F;
     const Outline hole = circle({0, eye_height}, boss, bore_segments);
     Outline flat;
@@ -78,13 +78,12 @@ Ring lug_face(MeshBuilder& b, const Materials& m, const Ring& outline, float z, 
         else
             b.triangle(m.cast, all[t.x], all[t.z], all[t.y]);
     }
-    Ring mouth = b.ring(glm::mat4(1), circle_path(bore_radius, eye_height, z + side * 0.0009F,
-                                                  bore_segments, true));
+    const Ring mouth = b.ring(glm::mat4(1), circle_path(bore_radius, eye_height, z + side * 0.0009F,
+                                                        bore_segments, true));
     if (side > 0)
         b.loft(m.bushing, boss_ring, mouth, true);
     else
         b.loft(m.bushing, mouth, boss_ring, true);
-    return mouth;
 }
 
 /// Points `distance` outside a closed loop in the x-z plane that runs counter-clockwise seen from
@@ -115,9 +114,8 @@ Ring lug(MeshBuilder& b, const Materials& m, float middle) {
     b.loft(m.cast, back_rim, front_rim, false);
     b.loft(m.cast, front_rim, front, false);
 
-    const Ring front_mouth = lug_face(b, m, front, middle + half, 1);
-    const Ring back_mouth = lug_face(b, m, back, middle - half, -1);
-    b.loft(m.bushing, front_mouth, back_mouth, true);
+    lug_face(b, m, front, middle + half, 1);
+    lug_face(b, m, back, middle - half, -1);
 
     const Ring foot{front.front(), front_rim.front(), back_rim.front(), back.front(),
                     back.back(),   back_rim.back(),   front_rim.back(), front.back()};
@@ -139,14 +137,13 @@ void plate(MeshBuilder& b, const Materials& m, std::span<const Ring> feet) {
     auto outline_ring = [&](float inset, float y) {
         Path points;
         const glm::vec2 corner = half - inset;
-        for (const glm::vec2& p : rounded_rectangle(-corner, corner, 0.014F - inset, 3))
+        for (const glm::vec2& p : rounded_rectangle(-corner, corner, 0.014F - inset, 4))
             points.emplace_back(p.x, y, -p.y);
         return b.ring(glm::mat4(1), points);
     };
-    auto hole_ring = [&](glm::vec2 centre, float radius, float y, bool turned) {
+    auto hole_ring = [&](glm::vec2 centre, float y) {
         Path points;
-        for (const glm::vec2& p : circle(centre, radius, 8, turned ? pi / 8 : 0.0F))
-            points.emplace_back(p.x, y, -p.y);
+        for (const glm::vec2& p : circle(centre, 0.0068F, 16)) points.emplace_back(p.x, y, -p.y);
         return b.ring(glm::mat4(1), points);
     };
     const Ring bottom = outline_ring(0, 0);
@@ -167,12 +164,9 @@ void plate(MeshBuilder& b, const Materials& m, std::span<const Ring> feet) {
     for (const float x : {-1.0F, 1.0F}) {
         for (const float y : {-1.0F, 1.0F}) {
             const glm::vec2 centre{x * 0.050F, y * 0.034F};
-            const Ring sink = hole_ring(centre, 0.0085F, plate_height + 0.3F * plate_crown, false);
-            const Ring throat = hole_ring(centre, 0.0052F, plate_height - 0.004F, true);
-            const Ring exit = hole_ring(centre, 0.0052F, 0, false);
-            b.loft(m.machined, sink, throat, true);
-            b.loft(m.machined, throat, exit, true);
-            add_hole(sink);
+            const Ring mouth = hole_ring(centre, plate_height + 0.3F * plate_crown);
+            b.loft(m.machined, mouth, hole_ring(centre, 0), true);
+            add_hole(mouth);
         }
     }
     Outline flat;
@@ -184,18 +178,19 @@ void plate(MeshBuilder& b, const Materials& m, std::span<const Ring> feet) {
 void pin(MeshBuilder& b, const Materials& m) {
     const glm::mat4 axis = along({0, eye_height, 0}, {0, eye_height, 1});
     const float r = bore_radius - 0.0006F;
-    const glm::vec2 body[] = {
-        {0, -0.0502F},      {r - 0.002F, -0.0498F}, {r, -0.0478F},      {r, 0.0352F},
-        {0.0180F, 0.0356F}, {0.0180F, 0.0425F},     {0.0150F, 0.0455F}, {0, 0.0463F}};
+    // The head shows its whole circle and is the finest; faces that lie against a lug are open.
+    const glm::vec2 body[] = {{0, -0.0502F}, {r - 0.002F, -0.0498F}, {r, -0.0478F}, {r, 0.0352F}};
     b.lathe(axis, m.steel, body, bore_segments, true);
-    const glm::vec2 washer[] = {
-        {r + 0.0008F, -0.0382F}, {0.0180F, -0.0381F}, {0.0182F, -0.0353F}, {r + 0.0008F, -0.0352F}};
-    b.lathe(axis, m.machined, washer, bore_segments, true);
+    const glm::vec2 head[] = {
+        {0.0180F, 0.0356F}, {0.0180F, 0.0425F}, {0.0150F, 0.0455F}, {0, 0.0463F}};
+    b.lathe(axis, m.steel, head, 20);
+    const glm::vec2 washer[] = {{r + 0.0008F, -0.0382F}, {0.0180F, -0.0381F}, {0.0182F, -0.0353F}};
+    b.lathe(axis, m.machined, washer, 18, true);
 
     // The split pin: a ring above the shaft, two legs bent apart below it.
     const float z = -0.0425F;
     Path eyelet;
-    for (const glm::vec2& p : circle({0, eye_height + r + 0.0045F}, 0.0035F, 8))
+    for (const glm::vec2& p : circle({0, eye_height + r + 0.0045F}, 0.0035F, 6))
         eyelet.emplace_back(p, z);
     b.tube(glm::mat4(1), m.steel, eyelet, 0.0011F, 3, true);
     for (const float side : {-1.0F, 1.0F}) {
@@ -220,7 +215,7 @@ Scene make_clevis() {
 
     Scene scene;
     scene.mesh = b.take();
-    scene.view = orbit({0, 0.042F, 0}, 0.235F, 0.44F, 0.9F, 0.1F, 0.6F);
+    scene.view = orbit({0, 0.030F, 0}, 0.246F, 0.44F, 0.9F, 0.1F, 0.6F);
     return scene;
 }
 

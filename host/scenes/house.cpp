@@ -1,208 +1,18 @@
 // A house over a waterfall: cantilevered terraces around a stone chimney, on ledges of rock.
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include <glm/common.hpp>
-
-#include "builder.hpp"
 #include "camera_path.hpp"
+#include "house_parts.hpp"
 #include "scene_list.hpp"
 
 namespace lineatlas::scenes {
+
+using namespace house;
 
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 const glm::mat4 here(1);
-
-struct Materials {
-    Group concrete, rim, stone, rock, frame, wood, fabric, metal, bark;
-};
-
-/// A terrace: one welded tray of floor, parapet with a rounded rim, and underside.
-void add_terrace(MeshBuilder& b, const Materials& m, glm::vec2 lo, glm::vec2 hi, float floor,
-                 float parapet) {
-    auto ring = [&](float inset, float y) {
-        Path points;
-        for (const glm::vec2& p : rounded_rectangle(lo + inset, hi - inset, 0.12F, 3))
-            points.emplace_back(p.x, y, -p.y);
-        return b.ring(here, points);
-    };
-    const float top = floor + parapet;
-    // Thickness of the parapet 0.26: out, over the rim, and down to the floor.
-    const auto underside = ring(0, floor - 0.38F);
-    const auto outside = ring(0, top - 0.09F);
-    const auto shoulder = ring(0.03F, top - 0.02F);
-    const auto crest = ring(0.10F, top);
-    const auto inner_crest = ring(0.16F, top);
-    const auto inside = ring(0.25F, top - 0.09F);
-    const auto foot = ring(0.26F, floor);
-    b.loft(m.concrete, underside, outside, true);
-    b.loft(m.rim, outside, shoulder, true);
-    b.loft(m.rim, shoulder, crest, true);
-    b.loft(m.rim, crest, inner_crest, true);
-    b.loft(m.rim, inner_crest, inside, true);
-    b.loft(m.concrete, inside, foot, true);
-    Outline paving;
-    for (const std::uint32_t v : foot) paving.emplace_back(b.position(v).x, -b.position(v).z);
-    for (const glm::uvec3& t : triangulate(paving, {}))
-        b.triangle(m.stone, foot[t.x], foot[t.y], foot[t.z]);
-    for (const glm::uvec3& t : triangulate(rounded_rectangle(lo, hi, 0.12F, 3), {}))
-        b.triangle(m.concrete, underside[t.x], underside[t.z], underside[t.y]);
-}
-
-/// Courses of stone along x from 0 to `length`, each stone through the whole thickness.
-void add_stone_wall(MeshBuilder& b, const Materials& m, const glm::mat4& at, float length,
-                    float height, float thickness, std::uint32_t key) {
-    float y = gap;
-    for (std::uint32_t course = 0; y < height - 0.12F; ++course) {
-        float rise = 0.26F + 0.20F * hash01(key, course);
-        if (y + rise > height - 0.14F) rise = height - gap - y;
-        float x = 0;
-        for (std::uint32_t i = 0; x < length - 0.01F; ++i) {
-            float run = 0.85F + 1.45F * hash01(key, course, i + 1);
-            if (x + run > length - 0.4F) run = length - x;
-            const float out = 0.06F * hash01(key + 7, course, i);
-            const float back = 0.06F * hash01(key + 9, course, i);
-            b.box(at, m.stone, {x + 0.003F, y, -0.5F * thickness - back},
-                  {x + run - 0.003F, y + rise - 0.006F, 0.5F * thickness + out});
-            x += run;
-        }
-        y += rise;
-    }
-}
-
-/// A band of windows along x: posts, three rows of muntins, and casements that stand open.
-void add_windows(MeshBuilder& b, const Materials& m, const glm::mat4& at, float length,
-                 float height, int bays) {
-    const float bay = length / static_cast<float>(bays);
-    for (const float y : {gap, height - 0.08F - gap})
-        b.box(at, m.frame, {0, y, -0.06F}, {length, y + 0.08F, 0.06F});
-    for (int i = 0; i <= bays; ++i) {
-        const float x =
-            glm::mix(0.03F, length - 0.03F, static_cast<float>(i) / static_cast<float>(bays));
-        b.box(at, m.frame, {x - 0.03F, 0.088F, -0.05F}, {x + 0.03F, height - 0.092F, 0.05F});
-    }
-    for (int i = 0; i < bays; ++i) {
-        const bool open = i % 5 == 3;
-        const glm::mat4 cell = at * move({bay * static_cast<float>(i), 0, 0});
-        for (int row = 1; row < 4; row += 2) {
-            const float y = height * static_cast<float>(row) / 4;
-            b.box(cell, m.frame, {0.068F, y - 0.02F, -0.025F}, {bay - 0.068F, y + 0.02F, 0.025F});
-        }
-        if (!open) continue;
-        const float y0 = 0.25F * height + 0.03F;
-        const float y1 = 0.75F * height - 0.03F;
-        const glm::mat4 leaf = cell * move({0.07F, 0, 0.06F}) * turn(-0.9F);
-        const float w = bay - 0.15F;
-        for (const float x : {0.0F, w - 0.04F})
-            b.box(leaf, m.frame, {x, y0, 0}, {x + 0.04F, y1, 0.03F});
-        for (const float y : {y0, y1 - 0.04F})
-            b.box(leaf, m.frame, {0.044F, y, 0}, {w - 0.044F, y + 0.04F, 0.03F});
-    }
-}
-
-void add_rail(MeshBuilder& b, const Materials& m, glm::vec3 from, glm::vec3 to, int posts) {
-    for (int i = 0; i <= posts; ++i) {
-        const glm::vec3 p = glm::mix(from, to, static_cast<float>(i) / static_cast<float>(posts));
-        b.rod(m.metal, p + glm::vec3(0, gap, 0), p + glm::vec3(0, 0.90F, 0), 0.02F, 6);
-    }
-    for (const float y : {0.35F, 0.63F, 0.935F})
-        b.rod(m.metal, from + glm::vec3(0, y, 0.045F), to + glm::vec3(0, y, 0.045F), 0.018F, 6);
-}
-
-void add_steps(MeshBuilder& b, Group g, glm::vec3 foot, glm::vec3 run, float rise, int count,
-               glm::vec3 half) {
-    for (int i = 0; i < count; ++i)
-        b.box(move(foot + static_cast<float>(i) * (run + glm::vec3(0, rise, 0))), g, -half, half);
-}
-
-void add_chair(MeshBuilder& b, const Materials& m, const glm::mat4& at) {
-    b.box(at, m.fabric, {-0.24F, 0.42F, -0.24F}, {0.24F, 0.48F, 0.24F});
-    b.box(at, m.wood, {-0.24F, 0.484F, 0.20F}, {0.24F, 0.95F, 0.24F});
-    for (const float x : {-0.2F, 0.2F})
-        for (const float z : {-0.2F, 0.2F})
-            b.box(at, m.wood, {x - 0.025F, gap, z - 0.025F}, {x + 0.025F, 0.416F, z + 0.025F});
-}
-
-void add_table(MeshBuilder& b, const Materials& m, const glm::mat4& at, float length, int chairs) {
-    b.box(at, m.wood, {-0.5F * length, 0.70F, -0.45F}, {0.5F * length, 0.75F, 0.45F});
-    for (const float x : {-0.42F, 0.42F})
-        b.box(at * move({x * length, 0, 0}), m.wood, {-0.04F, gap, -0.36F}, {0.04F, 0.696F, 0.36F});
-    for (int i = 0; i < chairs; ++i) {
-        const float x =
-            length * ((static_cast<float>(i) + 0.5F) / static_cast<float>(chairs) - 0.5F);
-        add_chair(b, m, at * move({x, 0, 0.62F}));
-        add_chair(b, m, at * move({x, 0, -0.62F}) * turn(pi));
-    }
-}
-
-void add_bed(MeshBuilder& b, const Materials& m, const glm::mat4& at) {
-    b.box(at, m.wood, {-0.85F, 0.10F, -1.05F}, {0.85F, 0.30F, 1.05F});
-    b.box(at, m.wood, {-0.95F, gap, -1.13F}, {0.95F, 1.0F, -1.06F});
-    b.panel(at * move({0, 0.305F, 0}), m.fabric, 6, 8, [](float u, float v) {
-        const float edge = std::pow(std::max(0.0F, std::sin(pi * u) * std::sin(pi * v)), 0.25F);
-        return glm::vec3(1.64F * (u - 0.5F), (0.24F + (v > 0.8F ? 0.1F : 0.0F)) * edge,
-                         -2.04F * (v - 0.5F));
-    });
-}
-
-void add_shelves(MeshBuilder& b, const Materials& m, const glm::mat4& at, float length,
-                 std::uint32_t key) {
-    for (std::uint32_t row = 0; row < 4; ++row) {
-        const float y = 0.3F + 0.45F * static_cast<float>(row);
-        b.box(at, m.wood, {0, y, -0.15F}, {length, y + 0.03F, 0.15F});
-        float x = 0.03F;
-        for (std::uint32_t i = 0; x < length - 0.12F; ++i) {
-            const float thick = 0.05F + 0.07F * hash01(key, row, i);
-            if (hash01(key + 1, row, i) < 0.5F)
-                b.box(at, i % 3 == 0 ? m.wood : m.fabric, {x, y + 0.033F, -0.10F},
-                      {x + thick, y + 0.20F + 0.14F * hash01(key + 2, row, i), 0.11F});
-            x += thick + gap;
-        }
-    }
-}
-
-/// Layered ledges of sandstone that step down to the stream.
-void add_terrain(MeshBuilder& b, const Materials& m) {
-    for (int layer = 0; layer < 8; ++layer) {
-        const auto key = static_cast<std::uint32_t>(layer);
-        Outline outline;
-        constexpr int points = 58;
-        const float s = static_cast<float>(layer);
-        for (int i = 0; i < points; ++i) {
-            const float angle = 2 * pi * static_cast<float>(i) / points;
-            const float front =
-                std::max(0.0F, -std::sin(angle)); // towards the stream the ledges draw back
-            const float rough = 0.91F + 0.14F * hash01(31, key, static_cast<std::uint32_t>(i));
-            const float radius = rough * (13.6F - 0.35F * s - front * 0.95F * s);
-            outline.emplace_back(1.15F * radius * std::cos(angle),
-                                 radius * std::sin(angle) + 0.25F * s);
-        }
-        const float y = -4.6F + 0.62F * s;
-        b.prism(lay_flat(), m.rock, outline, y + gap, y + 0.615F);
-    }
-}
-
-void add_tree(MeshBuilder& b, const Materials& m, glm::vec3 foot, float height, std::uint32_t key) {
-    const glm::vec2 trunk[] = {
-        {0.30F, 0}, {0.22F, 0.1F * height}, {0.16F, 0.5F * height}, {0.04F, height}};
-    b.lathe(move(foot), m.bark, trunk, 8, true);
-    for (std::uint32_t i = 0; i < 8; ++i) {
-        const float up = height * (0.32F + 0.08F * static_cast<float>(i));
-        const float angle = 2.4F * static_cast<float>(i) + hash01(key, i);
-        const float reach = (0.34F - 0.030F * static_cast<float>(i)) * height * 0.75F;
-        Path branch;
-        for (int k = 0; k < 3; ++k) {
-            const float s = static_cast<float>(k) / 2;
-            branch.push_back(foot + glm::vec3(std::cos(angle + 0.3F * s) * (0.1F + reach * s),
-                                              up + 0.55F * reach * s * (1.4F - 0.5F * s),
-                                              std::sin(angle + 0.3F * s) * (0.1F + reach * s)));
-        }
-        b.tube(here, m.bark, branch, 0.045F, 3);
-    }
-}
 
 void add_storey_one(MeshBuilder& b, const Materials& m) {
     constexpr float floor = 1.2F;
@@ -210,14 +20,15 @@ void add_storey_one(MeshBuilder& b, const Materials& m) {
     add_terrace(b, m, {8.3F, -4.0F}, {12.4F, 2.0F}, floor - 0.5F, 0.9F);
     const float up = floor;
     add_windows(b, m, move({-4.4F, up, 3.6F}), 10.4F, 2.62F, 13);
-    add_windows(b, m, move({6.1F, up, 3.5F}) * turn(0.5F * pi), 5.6F, 2.62F, 7);
+    add_windows(b, m, move({6.1F, up, 3.5F}) * turn(0.5F * pi), 3.6F, 2.62F, 5);
     add_windows(b, m, move({-4.5F, up, -0.6F}) * turn(-0.5F * pi), 4.1F, 2.62F, 5);
     add_stone_wall(b, m, move({-5.9F, up, -3.9F}), 13.2F, 2.62F, 0.5F, 1);
     add_stone_wall(b, m, move({6.8F, up, -2.2F}) * turn(0.5F * pi), 1.3F, 2.62F, 0.5F, 2);
     add_stone_wall(b, m, move({-5.4F, up, -3.5F}) * turn(-0.5F * pi), 2.7F, 2.62F, 0.5F, 3);
-    add_table(b, m, move({3.2F, up, -1.6F}), 2.6F, 4);
+    add_table(b, m, move({1.2F, up, -1.6F}), 2.6F, 4);
     add_table(b, m, move({-2.6F, up, 2.0F}), 1.6F, 2);
-    add_shelves(b, m, move({2.0F, up, -3.45F}), 3.6F, 21);
+    add_table(b, m, move({4.2F, up, 6.1F}), 1.8F, 2);
+    add_shelves(b, m, move({-3.4F, up, -3.41F}), 3.6F, 21);
     b.box(move({1.6F, up, 2.6F}), m.fabric, {-1.6F, 0.12F, -0.4F},
           {1.6F, 0.42F, 0.4F}); // window seat
     for (int i = 0; i < 4; ++i)
@@ -238,10 +49,12 @@ void add_storey_one(MeshBuilder& b, const Materials& m) {
         const float x = -4.6F + 3.4F * static_cast<float>(i);
         const glm::mat4 at = move({x, floor - 0.384F, 0}) * turn(-0.5F * pi);
         b.prism(at, m.concrete,
-                {{-3.5F, -1.1F}, {1.2F, -1.1F}, {5.0F, -0.35F}, {5.0F, 0}, {-3.5F, 0}}, -0.22F,
+                {{-3.5F, -0.455F}, {1.2F, -0.455F}, {5.0F, -0.35F}, {5.0F, 0}, {-3.5F, 0}}, -0.22F,
                 0.22F);
     }
-    add_stone_wall(b, m, move({-5.6F, -0.0F, 0.6F}), 11.2F, 0.40F, 0.7F, 4);
+    for (int i = 0; i < 3; ++i)
+        add_stone_wall(b, m, move({-4.34F + 3.4F * static_cast<float>(i), ground, 0.6F}), 2.88F,
+                       0.45F, 0.7F, 4 + 20 * static_cast<std::uint32_t>(i));
 }
 
 void add_storey_two(MeshBuilder& b, const Materials& m) {
@@ -252,32 +65,34 @@ void add_storey_two(MeshBuilder& b, const Materials& m) {
     for (int i = 0; i < 9; ++i) // trellis over the terrace beside it
         b.box(move({7.44F + 0.5F * static_cast<float>(i), floor - 0.26F, 0}), m.concrete,
               {0, 0, -3.4F}, {0.16F, 0.22F, 2.9F});
-    b.box(here, m.concrete, {7.42F, floor - 0.30F, 2.92F}, {11.9F, floor + 0.02F, 3.2F});
-    for (const float z : {2.3F})
-        b.box(move({11.7F, 0.7F, z}), m.stone, {-0.25F, gap, -0.25F},
-              {0.25F, floor - 0.7F - 0.264F, 0.25F});
-    add_windows(b, m, move({-5.0F, floor, 0.6F}), 7.4F, 2.35F, 9);
-    add_windows(b, m, move({-5.1F, floor, -3.5F}) * turn(-0.5F * pi), 4.0F, 2.35F, 5);
-    add_stone_wall(b, m, move({-5.0F, floor, -3.8F}), 8.0F, 2.35F, 0.5F, 5);
-    add_stone_wall(b, m, move({2.8F, floor, 0.7F}) * turn(0.5F * pi), 4.1F, 2.35F, 0.5F, 6);
+    for (const float z : {-3.68F, 2.92F}) // the beams that carry it, and their posts
+        b.box(here, m.concrete, {7.42F, floor - 0.30F, z}, {11.9F, floor + 0.02F, z + 0.26F});
+    b.box(move({11.6F, 0.7F, 3.05F}), m.stone, {-0.25F, gap, -0.25F},
+          {0.25F, floor - 0.7F - 0.304F, 0.25F});
+    b.box(move({11.6F, ground, -3.55F}), m.stone, {-0.25F, gap, -0.25F},
+          {0.25F, floor - ground - 0.304F, 0.25F});
+    add_windows(b, m, move({-5.0F, floor, 0.6F}), 7.4F, 2.31F, 9);
+    add_windows(b, m, move({-5.1F, floor, -3.5F}) * turn(-0.5F * pi), 4.0F, 2.31F, 5);
+    add_stone_wall(b, m, move({-5.0F, floor, -3.8F}), 8.0F, 2.31F, 0.5F, 5);
+    add_stone_wall(b, m, move({2.8F, floor, 0.7F}) * turn(0.5F * pi), 4.1F, 2.31F, 0.5F, 6);
     b.box(here, m.wood, {-1.0F, floor + gap, -3.4F},
-          {-0.9F, floor + 2.34F, -0.6F}); // between two bedrooms
+          {-0.9F, floor + 2.30F, -0.6F}); // between two bedrooms
     add_bed(b, m, move({-3.2F, floor, -2.2F}));
     add_bed(b, m, move({0.8F, floor, -2.2F}));
     add_shelves(b, m, move({-4.9F, floor, 0.1F}), 1.6F, 22);
-    add_table(b, m, move({-7.0F, floor, 0.4F}) * turn(0.5F * pi), 1.6F, 2);
-    add_steps(b, m.stone, {4.0F, floor + 0.1F, -2.4F}, {0.26F, 0, 0}, 0.2F, 12,
-              {0.15F, 0.09F, 0.6F});
+    add_table(b, m, move({-7.2F, floor, 1.6F}) * turn(0.5F * pi), 1.6F, 2);
+    add_steps(b, m.stone, {6.8F, floor + gap + 0.09F, -3.78F}, {-0.28F, 0, 0}, 0.19F, 12,
+              {0.19F, 0.09F, 0.46F});
 }
 
 void add_storey_three(MeshBuilder& b, const Materials& m) {
     constexpr float floor = 6.95F;
-    add_terrace(b, m, {-6.0F, -1.6F}, {4.6F, 4.2F}, floor, 0.75F);
+    add_terrace(b, m, {-6.0F, -1.6F}, {3.4F, 4.2F}, floor, 0.75F);
     add_windows(b, m, move({-3.6F, floor, 0.0F}), 5.0F, 2.2F, 6);
     add_windows(b, m, move({-3.7F, floor, -3.3F}) * turn(-0.5F * pi), 3.2F, 2.2F, 4);
     add_stone_wall(b, m, move({-3.8F, floor, -3.6F}), 5.4F, 2.2F, 0.45F, 7);
     add_table(b, m, move({-1.6F, floor, -1.6F}), 1.6F, 2);
-    b.prism(lay_flat(), m.concrete, rounded_rectangle({-5.0F, -1.1F}, {3.6F, 4.3F}, 0.3F, 4),
+    b.prism(lay_flat(), m.concrete, rounded_rectangle({-5.0F, -1.1F}, {3.3F, 4.3F}, 0.3F, 4),
             floor + 2.21F, floor + 2.46F);
     b.prism(lay_flat(), m.concrete, rounded_rectangle({-3.8F, -0.4F}, {2.6F, 3.6F}, 0.3F, 4),
             floor + 2.464F, floor + 2.62F);
@@ -285,16 +100,25 @@ void add_storey_three(MeshBuilder& b, const Materials& m) {
 
 /// The chimney: a tower of stone through all storeys.
 void add_chimney(MeshBuilder& b, const Materials& m) {
-    for (int face = 0; face < 2; ++face)
-        add_stone_wall(b, m, move({2.85F, -0.2F, face == 0 ? -0.95F : -2.45F}), 2.6F, 11.4F,
-                       face == 0 ? 1.35F : 1.45F, 8 + static_cast<std::uint32_t>(face));
-    b.box(here, m.concrete, {2.7F, 11.23F, -3.3F}, {5.6F, 11.42F, -0.15F});
-    for (const float x : {3.4F, 4.8F}) {
+    // It stands beside the terraces; the roof of the living room parts it in two.
+    for (int face = 0; face < 2; ++face) {
+        const float x = face == 0 ? 3.46F : 3.48F;
+        const float z = face == 0 ? -0.95F : -2.48F;
+        const float thickness = face == 0 ? 1.35F : 1.45F;
+        const auto key = 8 + 4 * static_cast<std::uint32_t>(face);
+        add_stone_wall(b, m, move({x, 1.2F, z}), 2.6F, 2.746F, thickness, key);
+        add_stone_wall(b, m, move({x, 4.25F, z}), 2.6F, 6.976F, thickness, key + 1);
+    }
+    b.box(here, m.concrete, {3.31F, 11.23F, -3.3F}, {6.21F, 11.42F, -0.15F});
+    for (const float x : {4.01F, 5.41F}) {
         const glm::vec2 pot[] = {{0.28F, 11.424F}, {0.24F, 11.9F}, {0.28F, 11.95F}, {0.28F, 12.05F},
                                  {0.2F, 12.05F},   {0.18F, 11.5F}, {0, 11.5F}};
         b.lathe(move({x, 0, -1.7F}), m.stone, pot, 12, true);
     }
-    add_stone_wall(b, m, move({-6.6F, -0.2F, -0.4F}) * turn(0.5F * pi), 2.2F, 7.2F, 0.7F, 11);
+    // The stair tower, below and above the second terrace.
+    const glm::mat4 tower = turn(0.5F * pi);
+    add_stone_wall(b, m, move({-6.97F, ground, -0.4F}) * tower, 2.2F, 3.866F - ground, 0.7F, 11);
+    add_stone_wall(b, m, move({-6.97F, 4.25F, -0.4F}) * tower, 2.2F, 2.75F, 0.7F, 16);
 }
 
 } // namespace
@@ -315,15 +139,16 @@ Scene make_house() {
     add_storey_two(b, m);
     add_storey_three(b, m);
     add_chimney(b, m);
-    add_rail(b, m, {7.4F, 4.25F, 4.1F}, {7.4F, 4.25F, -4.1F}, 8);
-    add_steps(b, m.rock, {-10.5F, 0.3F, -2.0F}, {0.34F, 0, 0}, 0.17F, 9, {0.2F, 0.08F, 0.8F});
+    add_rail(b, m, {7.25F, 4.25F, 4.1F}, {7.25F, 4.25F, -4.1F}, 8);
+    add_steps(b, m.rock, {-11.0F, ground + gap + 0.08F, -1.5F}, {0.34F, 0, 0}, 0.17F, 9,
+              {0.2F, 0.08F, 0.8F});
     const glm::vec3 trees[] = {
-        {-11, 0.3F, -4.5F}, {-8, 0.3F, -7.6F}, {9.5F, 0.3F, -6.5F}, {4.5F, 0.3F, -9.4F}};
+        {-11, ground, -4.5F}, {-8, ground, -7.6F}, {9.5F, ground, -6.5F}, {4.5F, ground, -9.4F}};
     for (std::uint32_t i = 0; i < 4; ++i) add_tree(b, m, trees[i], 10 + 4 * hash01(51, i), i);
 
     Scene scene;
     scene.mesh = b.take();
-    scene.view = orbit({0, 2.6F, 0}, 41, 0.26F, 1.05F, 10, 80);
+    scene.view = orbit({0, 0.6F, 0}, 43, 0.26F, 1.05F, 10, 80);
     return scene;
 }
 

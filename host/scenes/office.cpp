@@ -24,8 +24,8 @@ Scene make_office() {
     Scene scene;
     scene.mesh = b.take();
     // From the corner of the site down to eye height, through the entrance and along the aisle.
-    scene.view = walk({{{-46, 15, 34}, {-3, 5.5F, 2}},
-                       {{-36, 8, 17}, {-6, 7.0F, 0}},
+    scene.view = walk({{{-43.1F, 11.7F, 24.4F}, {-3.3F, 2.9F, -5.2F}},
+                       {{-35, 7.5F, 14}, {-6, 5.5F, -1}},
                        {{-27, 2.4F, 4.5F}, {-10, 3.2F, 1.0F}},
                        {{-20.5F, 1.75F, 1.2F}, {-8, 1.7F, 1.0F}},
                        {{-15, 1.75F, 1.0F}, {-5, 1.5F, 1.6F}},

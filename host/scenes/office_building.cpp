@@ -129,7 +129,7 @@ void add_building(MeshBuilder& b, const OfficeMaterials& m) {
           {half_length + 6, -0.01F, half_depth + 8});
     for (int i = 0; i < 22; ++i) // paving before the entrance
         for (int k = 0; k < 6; ++k)
-            b.box(move({-26.6F + 0.38F * static_cast<float>(i), 0,
+            b.box(move({-26.62F + 0.38F * static_cast<float>(i), 0,
                         -0.6F + 0.6F * static_cast<float>(k)}),
                   m.concrete, {0, -0.006F, 0}, {0.37F, 0.02F, 0.59F});
     // The shaft of the core is a hole in the slabs.
@@ -160,10 +160,11 @@ void add_building(MeshBuilder& b, const OfficeMaterials& m) {
             }
         add_facade(b, m, at * move({-half_length, 0, half_depth}), 2 * half_length, -1);
         add_facade(b, m, at * move({half_length, 0, -half_depth}) * turn(pi), 2 * half_length, -1);
-        add_facade(b, m, at * move({half_length, 0, half_depth}) * turn(0.5F * pi), 2 * half_depth,
-                   -1);
-        add_facade(b, m, at * move({-half_length, 0, -half_depth}) * turn(-0.5F * pi),
-                   2 * half_depth, s == 0 ? 7 : -1);
+        // The short sides stand between the corner posts of the long ones.
+        const float depth = half_depth - 0.14F;
+        add_facade(b, m, at * move({half_length, 0, depth}) * turn(0.5F * pi), 2 * depth, -1);
+        add_facade(b, m, at * move({-half_length, 0, -depth}) * turn(-0.5F * pi), 2 * depth,
+                   s == 0 ? 7 : -1);
         // The core: stairs, a lift and a store, behind walls.
         if (s + 1 < storeys)
             add_stairs(b, m, at * move({-4.9F, 0, -2.25F}) * turn(pi) * move({-2.6F, 0, 0}));
@@ -267,7 +268,7 @@ void furnish(MeshBuilder& b, const OfficeMaterials& m, int storey) {
             add_shelf(b, m, floor * move({-15.0F + 1.05F * static_cast<float>(i), 0, -7.55F}),
                       ++key);
     }
-    for (const float x : {-8.0F, 4.6F, 9.0F, 17.2F})
+    for (const float x : {-8.0F, 4.6F, 9.0F, 16.7F})
         add_plant(b, m, floor * move({x, 0, -1.3F}), ++key);
 }
 

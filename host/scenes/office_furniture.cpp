@@ -79,11 +79,11 @@ void add_books(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, fl
             continue;
         }
         const float tall = height * (0.66F + 0.28F * hash01(key, i, 2));
-        const float deep = 0.17F + 0.07F * hash01(key, i, 3);
+        const float deep = 0.15F + 0.06F * hash01(key, i, 3);
         const Group g = hash01(key, i, 5) < 0.4F   ? m.paper
                         : hash01(key, i, 6) < 0.5F ? m.fabric
                                                    : m.wood;
-        b.box(at, g, {x, 0.002F, -0.5F * deep + 0.02F}, {x + thick, tall, 0.5F * deep + 0.02F},
+        b.box(at, g, {x, 0.002F, -0.5F * deep + 0.045F}, {x + thick, tall, 0.5F * deep + 0.045F},
               all_faces & ~minus_z);
         x += thick + 0.003F;
     }
@@ -173,7 +173,7 @@ void add_shelf(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, st
     b.box(at, m.wood, {-0.478F, 0.05F, -0.15F}, {0.478F, 1.99F, -0.14F});
     for (std::uint32_t i = 0; i < 6; ++i) {
         const float y = 0.05F + 0.385F * static_cast<float>(i);
-        b.box(at, m.wood, {-0.477F, y, -0.137F}, {0.477F, y + 0.02F, 0.145F});
+        b.box(at, m.wood, {-0.477F, y, -0.07F}, {0.477F, y + 0.02F, 0.145F});
         if (i < 5) add_books(b, m, at * move({-0.475F, y + 0.02F, 0}), 0.95F, 0.35F, key * 8 + i);
     }
 }

@@ -47,34 +47,28 @@ void add_hatch(MeshBuilder& b, const ShipMaterials& m, const Hatch& h, int cover
     }
 }
 
-/// Walls of upright boards in a frame, with windows and a door; a cambered roof of planks.
+/// Walls between corner posts, with windows and a door; a cambered roof of planks.
 void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, float half,
                    float height) {
     const float y = deck_at(0.5F * (x0 + x1)) - 0.02F;
     auto wall = [&](const glm::mat4& at, float length, int windows, bool door) {
-        const int boards = static_cast<int>(length / 0.15F);
-        const float width = length / static_cast<float>(boards);
-        auto opening = [&](float s) { // 0 none, 1 window, 2 door
-            if (door && std::abs(s - 0.5F * length) < 0.42F) return 2;
-            for (int k = 0; k < windows; ++k) {
-                const float centre =
-                    length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
-                if (std::abs(s - centre) < 0.32F) return 1;
-            }
-            return 0;
-        };
-        for (int i = 0; i < boards; ++i) {
-            const float s = width * static_cast<float>(i);
-            const int kind = opening(s + 0.5F * width);
-            const float tops[] = {height, 0.95F, 0};
-            if (kind < 2)
-                b.box(at * move({s, 0, 0}), m.planking, {0.002F, 0.12F, -0.05F},
-                      {width - 0.002F, tops[kind], 0});
-            if (kind > 0)
-                b.box(at * move({s, 0, 0}), m.planking, {0.002F, kind == 1 ? 1.55F : 1.95F, -0.05F},
-                      {width - 0.002F, height, 0});
+        Outline outline{{0.1F, 0.12F}};
+        if (door) {
+            const float d = 0.5F * length;
+            outline.insert(
+                outline.end(),
+                {{d - 0.45F, 0.12F}, {d - 0.45F, 1.95F}, {d + 0.45F, 1.95F}, {d + 0.45F, 0.12F}});
         }
-        b.box(at, m.joinery, {-0.025F, 0, -0.07F}, {length + 0.025F, 0.115F, 0.03F});
+        outline.insert(outline.end(),
+                       {{length - 0.1F, 0.12F}, {length - 0.1F, height}, {0.1F, height}});
+        std::vector<Outline> holes;
+        for (int k = 0; k < windows; ++k) {
+            const float centre =
+                length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
+            holes.push_back(rectangle({centre - 0.33F, 0.92F}, {centre + 0.33F, 1.58F}));
+        }
+        b.prism(at, m.planking, outline, -0.05F, 0, holes);
+        b.box(at, m.joinery, {0.094F, 0, -0.07F}, {length - 0.094F, 0.115F, 0.033F});
         for (int k = 0; k < windows; ++k) {
             const float centre =
                 length * (static_cast<float>(k) + 0.5F) / static_cast<float>(windows);
@@ -104,12 +98,12 @@ void add_deckhouse(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, f
     for (const float x : {x0, x1})
         for (const float z : {-half, half})
             b.box(move({x, y, z}), m.joinery, {-0.09F, 0, -0.09F}, {0.09F, height - gap, 0.09F});
-    const int planks = static_cast<int>((2 * half + 0.5F) / 0.2F);
+    const int planks = static_cast<int>((2 * half + 0.5F) / 0.4F);
     for (int i = 0; i < planks; ++i) {
-        const float z = -half - 0.25F + 0.2F * static_cast<float>(i);
-        const float camber = 0.10F * (1 - (z + 0.1F) * (z + 0.1F) / (half * half));
-        b.box(move({0, y + height + gap + 0.10F + camber, z}), m.deck, {x0 - 0.25F, -0.06F, 0.001F},
-              {x1 + 0.25F, 0, 0.199F});
+        const float z = -half - 0.25F + 0.4F * static_cast<float>(i);
+        const float camber = 0.10F * (1 - (z + 0.2F) * (z + 0.2F) / (half * half));
+        b.box(move({0, y + height + gap + 0.10F + camber, z}), m.deck, {x0 - 0.25F, -0.06F, 0.002F},
+              {x1 + 0.25F, 0, 0.398F});
     }
 }
 
@@ -122,13 +116,13 @@ void add_boat(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float
                          0.02F + 0.85F * plan * std::sqrt(1 - (1 - h) * (1 - h)));
     };
     for (const float side : {-1.0F, 1.0F})
-        for (int strake = 0; strake < 9; ++strake) {
+        for (int strake = 0; strake < 6; ++strake) {
             Path lower;
             Path upper;
             for (int i = 0; i <= 24; ++i) {
                 const float u = static_cast<float>(i) / 24;
-                glm::vec3 a = form(u, static_cast<float>(strake) / 9 * 0.98F);
-                glm::vec3 c = form(u, static_cast<float>(strake + 1) / 9);
+                glm::vec3 a = form(u, static_cast<float>(strake) / 6 * 0.98F);
+                glm::vec3 c = form(u, static_cast<float>(strake + 1) / 6);
                 a.z = side * (a.z + 0.012F);
                 c.z *= side;
                 lower.push_back(a);
@@ -150,35 +144,21 @@ void add_boat(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float
               {0.08F, 0.30F, 0.6F});
 }
 
-void add_coil(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float radius,
-              int turns) {
-    for (int i = 0; i < turns; ++i) {
-        Path path;
-        for (const glm::vec2& p : circle({0, 0}, radius - 0.004F * static_cast<float>(i % 3), 12,
-                                         0.3F * static_cast<float>(i)))
-            path.emplace_back(p.x, 0.032F * static_cast<float>(i) + 0.02F, -p.y);
-        b.tube(at, m.rope, path, 0.015F, 4, true);
-    }
-}
-
 /// Racks of belaying pins with coiled lines, along the bulwark beside a mast.
 void add_pin_rail(MeshBuilder& b, const ShipMaterials& m, float x0, float x1, float side) {
-    const int pins = static_cast<int>((x1 - x0) / 0.30F);
+    const int pins = static_cast<int>((x1 - x0) / 0.45F);
     for (int i = 0; i < pins; ++i) {
-        const float x = x0 + 0.30F * (static_cast<float>(i) + 0.5F);
+        const float x = x0 + 0.45F * (static_cast<float>(i) + 0.5F);
         const float y = hull::sheer(x) - 0.22F;
-        const float z = side * (hull::half_breadth(x, y) - 0.55F);
-        b.box(move({x, y, z}), m.joinery, {-0.148F, -0.03F, -0.09F}, {0.148F, 0.03F, 0.09F});
+        const float z = side * (hull::half_breadth(x, y) - 0.58F);
+        b.box(move({x, y, z}), m.joinery, {-0.223F, -0.03F, -0.09F}, {0.223F, 0.03F, 0.09F});
         const glm::vec2 pin[] = {{0, -0.24F},     {0.014F, -0.23F}, {0.016F, 0.03F},
                                  {0.026F, 0.06F}, {0.022F, 0.16F},  {0, 0.20F}};
         b.lathe(move({x, y, z}), m.spars, pin, 6, true);
         Path coil;
         for (const glm::vec2& p : circle({0, 0}, 0.11F, 10))
             coil.emplace_back(p.x, 1.9F * p.y - 0.20F, 0.0F);
-        for (int k = 0; k < 3; ++k)
-            b.tube(move({x, y - 0.02F * static_cast<float>(k),
-                         z - side * (0.10F + 0.026F * static_cast<float>(k))}),
-                   m.rope, coil, 0.012F, 4, true);
+        b.tube(move({x, y - 0.02F, z - side * 0.13F}), m.rope, coil, 0.028F, 4, true);
     }
 }
 
@@ -198,6 +178,17 @@ void add_wheel(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at) {
 
 } // namespace
 
+void add_coil(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float radius, int turns,
+              int segments) {
+    for (int i = 0; i < turns; ++i) {
+        Path path;
+        for (const glm::vec2& p :
+             circle({0, 0}, radius - 0.012F * static_cast<float>(i % 2), segments))
+            path.emplace_back(p.x, 0.064F * static_cast<float>(i) + 0.04F, -p.y);
+        b.tube(at, m.rope, path, 0.030F, 4, true);
+    }
+}
+
 void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
     add_hatch(b, m, hatches[0], 2);
     add_hatch(b, m, hatches[1], 0);
@@ -212,9 +203,11 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
         const float z = hull::half_breadth(24, y - 0.3F);
         b.box(move({24, y + 0.12F, side * (z + 0.2F)}) * turn(side * 0.3F), m.joinery,
               {-0.14F, 0, -0.9F}, {0.14F, 0.26F, 0.9F});
-        const glm::mat4 anchor = move({23.6F, y - 0.5F, side * (z + 0.95F)});
-        b.rod(m.iron, {23.6F, y - 2.6F, side * (z + 0.95F)}, {23.6F, y - 0.1F, side * (z + 0.95F)},
+        const glm::mat4 anchor = move({24.2F, y - 0.5F, side * (z + 0.95F)});
+        b.rod(m.iron, {24.2F, y - 2.6F, side * (z + 0.95F)}, {24.2F, y - 0.1F, side * (z + 0.95F)},
               0.07F, 8);
+        lay(b, m, {24.2F, y - 0.1F, side * (z + 0.95F)}, {24.2F, y + 0.12F, side * (z + 0.95F)},
+            0.03F);
         Path arms;
         for (int i = 0; i <= 10; ++i) {
             const float angle = pi * (1.1F + 0.08F * static_cast<float>(i));
@@ -223,9 +216,9 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
         b.tube(anchor, m.iron, arms, 0.075F, 8);
         b.box(anchor, m.joinery, {-0.08F, 0.1F, -0.8F}, {0.08F, 0.26F, 0.8F});
     }
-    add_coil(b, m, move({11.0F, deck_at(11), 2.9F}), 0.42F, 7);
-    add_coil(b, m, move({-2.0F, deck_at(-2), -3.4F}), 0.38F, 6);
-    add_coil(b, m, move({19.5F, deck_at(19.5F), 1.9F}), 0.45F, 8);
+    add_coil(b, m, move({11.0F, deck_at(11), 2.9F}), 0.42F, 4);
+    add_coil(b, m, move({-2.0F, deck_at(-2), -3.4F}), 0.38F, 3);
+    add_coil(b, m, move({19.5F, deck_at(19.5F), 1.9F}), 0.45F, 4);
 
     // Capstan on the forecastle, windlass before the fore mast.
     const glm::vec2 capstan[] = {{0, 0},         {0.62F, 0},     {0.60F, 0.12F}, {0.34F, 0.22F},
@@ -256,9 +249,9 @@ void add_deck_gear(MeshBuilder& b, const ShipMaterials& m) {
     const glm::vec3 head{-2.4F, deck_at(0) + 9.5F, 0};
     const glm::vec2 boom[] = {{0, 0}, {0.13F, 0.05F}, {0.15F, 4}, {0.09F, 8.7F}, {0, 8.75F}};
     b.lathe(along(heel, head), m.spars, boom, 12, true);
-    b.rope(m.rope, head, {2.2F, deck_at(2) + 13, 0}, 0.02F, 30);
-    for (const float z : {-0.06F, -0.02F, 0.02F, 0.06F})
-        b.rope(m.rope, head + glm::vec3(0, -0.2F, z), {head.x, deck_at(0) + 3.1F, z}, 0.012F, 30);
+    b.rope(m.rope, head, {2.26F, deck_at(2) + 12.5F, 0}, 0.02F, 1);
+    for (const float z : {-0.06F, 0.06F})
+        b.rope(m.rope, head + glm::vec3(0, -0.2F, z), {head.x, deck_at(0) + 3.1F, z}, 0.012F, 1);
     const glm::vec2 block[] = {
         {0, -0.16F}, {0.10F, -0.10F}, {0.12F, 0}, {0.10F, 0.10F}, {0, 0.16F}};
     b.lathe(move(head + glm::vec3(0, -0.25F, 0)), m.joinery, block, 10, true);

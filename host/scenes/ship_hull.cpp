@@ -1,6 +1,7 @@
 // The hull of the ship: its form, lapped planking, ribs and ceiling.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <glm/common.hpp>
@@ -81,7 +82,8 @@ glm::vec3 inset_point(float u, float v, float inset) {
         hull::surface(u, std::min(h + 0.01F, 1.0F)) - hull::surface(u, std::max(h - 0.01F, 0.0F));
     const glm::vec3 normal = glm::normalize(glm::cross(du, dh) + glm::vec3(0, 0, 1e-6F));
     glm::vec3 result = p - inset * normal;
-    result.z = std::max(result.z, 0.02F);
+    // Where the two sides meet, layers keep apart by how deep they lie.
+    result.z = std::max(result.z, 0.16F - 0.3F * inset);
     return result;
 }
 
@@ -91,48 +93,45 @@ glm::vec3 mirrored(glm::vec3 p, bool port) {
 
 struct Planking {
     int strakes;
-    int stations; ///< segments over the whole length
-    int butts;    ///< planks in a strake
-    float inset;  ///< of the plank's upper edge inside the hull surface
-    float lap;    ///< how far the lower edge stands off, over the strake below
+    int stations;     ///< segments over the whole length
+    int rows;         ///< segments over the width of a strake
+    int butts;        ///< planks in a strake
+    int hidden_butts; ///< the same below the main deck
+    float inset;      ///< of the plank's upper edge inside the hull surface
+    float lap;     ///< how far the lower edge stands out (inwards if negative) over the one below
+    float overlap; ///< of the widths of two strakes
 };
 
 /// Lapped planks: each covers the top of the one below, so no daylight shows between them.
-void add_planking(MeshBuilder& b, Group upper_group, Group lower_group, const Planking& planking) {
+void add_planking(MeshBuilder& b, const std::function<Group(float)>& group_of,
+                  const Planking& planking) {
     const auto width = 1.0F / static_cast<float>(planking.strakes);
     for (int strake = 0; strake < planking.strakes; ++strake) {
-        const float v0 = std::max(0.0F, (static_cast<float>(strake) - 0.12F) * width);
+        const float v0 = std::max(0.0F, (static_cast<float>(strake) - planking.overlap) * width);
         const float v1 = static_cast<float>(strake + 1) * width;
-        const Group g = static_cast<float>(strake) * width > 0.56F ? upper_group : lower_group;
-        Path lower;
-        Path upper;
-        for (int i = 0; i <= planking.stations; ++i) {
-            const float u = static_cast<float>(i) / static_cast<float>(planking.stations);
-            lower.push_back(inset_point(u, v0, planking.inset - planking.lap));
-            upper.push_back(inset_point(u, v1, planking.inset));
-        }
+        auto group_of_row = [&](int row) {
+            return group_of(glm::mix(
+                v0, v1, (static_cast<float>(row) + 0.5F) / static_cast<float>(planking.rows)));
+        };
         // Butts are staggered from strake to strake; a plank ends 4 mm short of the next one.
-        const int length = planking.stations / planking.butts;
+        const int butts = v1 < 0.82F ? planking.hidden_butts : planking.butts;
+        const int length = planking.stations / butts;
         int from = 0;
-        int to = std::max(3, length * (1 + strake % 3) / 3);
+        int to = butts == 1 ? length : std::max(3, length * (1 + strake % 3) / 3);
         while (from < planking.stations) {
             to = std::min(to, planking.stations);
             if (planking.stations - to < 3) to = planking.stations;
             for (const bool port : {false, true}) {
-                Path a;
-                Path c;
-                for (int i = from; i <= to; ++i) {
-                    a.push_back(mirrored(lower[static_cast<std::size_t>(i)], port));
-                    c.push_back(mirrored(upper[static_cast<std::size_t>(i)], port));
-                }
-                if (from > 0) {
-                    a.front() += 0.004F * glm::normalize(a[1] - a[0]);
-                    c.front() += 0.004F * glm::normalize(c[1] - c[0]);
-                }
-                if (port)
-                    b.strip(glm::mat4(1), g, c, a);
-                else
-                    b.strip(glm::mat4(1), g, a, c);
+                auto surface = [&](float along, float up) {
+                    const float s = port ? 1 - along : along;
+                    const float u = glm::mix(static_cast<float>(from), static_cast<float>(to), s) /
+                                    static_cast<float>(planking.stations);
+                    const float butt = from > 0 && s == 0 ? 0.00007F : 0.0F;
+                    return mirrored(inset_point(u + butt, glm::mix(v0, v1, up),
+                                                planking.inset - planking.lap * (1 - up)),
+                                    port);
+                };
+                b.patch(glm::mat4(1), to - from, planking.rows, surface, group_of_row);
             }
             from = to;
             to += length;
@@ -140,10 +139,11 @@ void add_planking(MeshBuilder& b, Group upper_group, Group lower_group, const Pl
     }
 }
 
-/// Ribs of three planks' width: a face to the inside and two sides.
+/// Ribs: a face to the inside and two sides. They stay clear of the planking, whose hidden-line
+/// test could not tell them apart from far away.
 void add_ribs(MeshBuilder& b, Group g, int count, int segments) {
     for (int i = 0; i < count; ++i) {
-        const float u = 0.02F + 0.96F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+        const float u = 0.02F + 0.85F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
         const float half = 0.11F / (hull::bow - hull::stern);
         for (const bool port : {false, true}) {
             std::vector<std::uint32_t> edges[4];
@@ -151,8 +151,8 @@ void add_ribs(MeshBuilder& b, Group g, int count, int segments) {
                 const float v =
                     0.02F + 0.965F * static_cast<float>(k) / static_cast<float>(segments);
                 const glm::vec3 corners[4] = {
-                    inset_point(u - half, v, 0.03F), inset_point(u - half, v, 0.25F),
-                    inset_point(u + half, v, 0.25F), inset_point(u + half, v, 0.03F)};
+                    inset_point(u - half, v, 0.26F), inset_point(u - half, v, 0.35F),
+                    inset_point(u + half, v, 0.35F), inset_point(u + half, v, 0.26F)};
                 for (int e = 0; e < 4; ++e)
                     edges[e].push_back(b.vertex(mirrored(corners[e], port)));
             }
@@ -169,23 +169,27 @@ void add_ribs(MeshBuilder& b, Group g, int count, int segments) {
     }
 }
 
-/// The flat of the stern, planked across.
+/// The flat of the stern, planked across, with the windows of the great cabin.
 void add_transom(MeshBuilder& b, const ShipMaterials& m) {
-    constexpr int rows = 26;
-    for (int i = 0; i < rows; ++i) {
-        const float v0 = (static_cast<float>(i) - 0.1F * (i > 0 ? 1.0F : 0.0F)) / rows;
-        const float v1 = static_cast<float>(i + 1) / rows;
-        Path lower;
-        Path upper;
-        for (int k = 0; k <= 6; ++k) {
-            const float side = static_cast<float>(k) / 3 - 1;
-            const float bulge = 0.10F * (1 - side * side);
-            const glm::vec3 a = inset_point(0, v0, 0);
-            const glm::vec3 c = inset_point(0, v1, 0);
-            lower.emplace_back(a.x - bulge - 0.02F, a.y, a.z * side);
-            upper.emplace_back(c.x - bulge, c.y, c.z * side);
-        }
-        b.strip(glm::mat4(1), v0 > 0.5F ? m.planking : m.bottom, lower, upper);
+    auto at = [](float v, float side, float out) {
+        const glm::vec3 edge = inset_point(0, v, 0);
+        return glm::vec3(edge.x - 0.10F * (1 - side * side) - out, edge.y, edge.z * side);
+    };
+    constexpr int boards = 9;
+    for (int i = 0; i < boards; ++i) {
+        const float v0 = std::max(0.0F, (static_cast<float>(i) - 0.1F) / boards);
+        const float v1 = static_cast<float>(i + 1) / boards;
+        b.panel(glm::mat4(1), v0 > 0.6F ? m.planking : m.bottom, 8, 5, [&](float u, float v) {
+            return at(glm::mix(v0, v1, v), 2 * u - 1, 0.03F * (1 - v));
+        });
+    }
+    for (int i = -2; i <= 2; ++i) {
+        const float side = 0.30F * static_cast<float>(i);
+        const glm::mat4 window = along(at(0.74F, side, 0.035F), at(0.80F, side, 0.035F));
+        for (const float x : {-0.30F, 0.26F})
+            b.box(window, m.joinery, {-0.04F, 0, x}, {0.04F, 0.75F, x + 0.04F});
+        for (const float y : {0.0F, 0.35F, 0.71F})
+            b.box(window, m.joinery, {-0.04F, y, -0.256F}, {0.04F, y + 0.04F, 0.256F});
     }
 }
 
@@ -194,11 +198,12 @@ void add_rail(MeshBuilder& b, Group g, float v, float rise, float in, float out,
     for (const bool port : {false, true}) {
         std::vector<std::uint32_t> edges[4];
         for (int i = 0; i <= 58; ++i) {
-            const float u = 0.002F + 0.994F * static_cast<float>(i) / 58;
+            const float u = 0.002F + 0.997F * static_cast<float>(i) / 58;
             const glm::vec3 p = hull::surface(u, v) + glm::vec3(0, rise, 0);
             const float inner = std::max(0.03F, p.z - in);
-            const glm::vec3 corners[4] = {{p.x, p.y, p.z + out},
-                                          {p.x, p.y + height, p.z + out},
+            const float outer = std::max(inner + 0.02F, p.z + out);
+            const glm::vec3 corners[4] = {{p.x, p.y, outer},
+                                          {p.x, p.y + height, outer},
                                           {p.x, p.y + height, inner},
                                           {p.x, p.y, inner}};
             for (int e = 0; e < 4; ++e) edges[e].push_back(b.vertex(mirrored(corners[e], port)));
@@ -218,27 +223,40 @@ void add_rail(MeshBuilder& b, Group g, float v, float rise, float in, float out,
 } // namespace
 
 void add_hull(MeshBuilder& b, const ShipMaterials& m) {
-    add_planking(b, m.planking, m.bottom, {52, 264, 9, 0, 0.022F});
-    add_planking(b, m.ceiling, m.ceiling, {38, 180, 9, 0.30F, 0.016F});
-    add_ribs(b, m.frames, 100, 17);
+    // Few and wide strakes outside, where every edge shows; the inside can take many narrow ones.
+    add_planking(
+        b,
+        [&](float v) {
+            return v < 0.675F ? m.bottom : v > 0.945F && v < 0.978F ? m.stripe : m.planking;
+        },
+        {13, 116, 4, 1, 1, 0, 0.04F, 0.02F});
+    add_planking(b, [&](float) { return m.ceiling; }, {50, 210, 1, 10, 52, 0.42F, -0.03F, 0.02F});
+    add_ribs(b, m.frames, 116, 20);
     add_transom(b, m);
-    add_rail(b, m.joinery, 1, 0.01F, 0.22F, 0.08F, 0.09F);
-    add_rail(b, m.planking, 0.80F, 0, -0.03F, 0.11F, 0.12F);
-    add_rail(b, m.planking, 0.70F, 0, -0.03F, 0.09F, 0.10F);
+    add_rail(b, m.joinery, 1, 0.01F, 0.46F, 0.08F, 0.09F);
+    add_rail(b, m.planking, 0.80F, 0, -0.05F, 0.13F, 0.14F);
+    add_rail(b, m.planking, 0.70F, 0, -0.05F, 0.11F, 0.12F);
+    for (const float v : {0.22F, 0.42F, 0.58F}) add_rail(b, m.frames, v, 0, 0.56F, -0.47F, 0.16F);
 
-    // Keel, stem and sternpost.
+    // Keel and stem, each from one piece, a centimetre inside the planks that end on them.
     const float keel_y = hull::surface(0.5F, 0).y;
-    b.box(glm::mat4(1), m.frames, {-25.6F, keel_y - 0.42F, -0.155F},
-          {23.2F, keel_y + 0.05F, 0.155F});
-    for (int i = 0; i < 14; ++i) {
-        const float h0 = static_cast<float>(i) / 14;
-        const float h1 = static_cast<float>(i + 1) / 14;
-        const glm::vec3 a = hull::surface(1, h0);
-        const glm::vec3 c = hull::surface(1, h1);
-        const glm::mat4 at = along({a.x + 0.06F, a.y, 0}, {c.x + 0.06F, c.y, 0});
-        const float half = 0.5F * glm::distance(a, c);
-        b.box(at, m.frames, {-0.17F, 0.002F, -0.24F}, {0.17F, 2 * half - 0.002F, 0.24F});
+    constexpr int pieces = 14;
+    Outline keel{{-25.7F, keel_y - 0.42F}, {23.4F, keel_y - 0.42F}};
+    Outline stem;
+    for (int i = 0; i <= pieces; ++i) {
+        const glm::vec3 p = hull::surface(1 - static_cast<float>(i) / pieces, 0);
+        keel.emplace_back(std::clamp(p.x, -25.69F, 23.39F), p.y + 0.06F);
+        stem.emplace_back(hull::surface(1, static_cast<float>(i) / pieces) +
+                          glm::vec3(0.36F, 0.02F, 0));
     }
+    stem.front().y = keel_y - 0.42F;
+    for (int i = pieces; i >= 0; --i) {
+        const glm::vec3 p = hull::surface(1, static_cast<float>(i) / pieces);
+        stem.emplace_back(std::max(23.41F, p.x - 0.25F), p.y + (i == 0 ? 0.06F : 0.0F));
+    }
+    stem.emplace_back(23.41F, keel_y - 0.42F);
+    b.prism(glm::mat4(1), m.frames, keel, -0.145F, 0.145F);
+    b.prism(glm::mat4(1), m.frames, stem, -0.148F, 0.148F);
     // The rudder, with its iron straps.
     const glm::vec3 foot = hull::surface(0, 0.02F);
     const glm::vec3 head = hull::surface(0, 0.62F);
@@ -252,6 +270,10 @@ void add_hull(MeshBuilder& b, const ShipMaterials& m) {
              {-0.95F, 1.6F},
              {-0.95F, 0.3F}},
             -0.13F, 0.13F);
+    for (const float y : {0.8F, 2.6F, 4.4F})
+        for (const float side : {-1.0F, 1.0F})
+            b.box(rudder, m.iron, {-0.24F, y, side * 0.145F - 0.011F},
+                  {0.34F, y + 0.14F, side * 0.145F + 0.011F});
 }
 
 } // namespace lineatlas::scenes

@@ -25,7 +25,7 @@ void add_deck(MeshBuilder& b, const ShipMaterials& m, float drop, float first, f
         const float z = width * static_cast<float>(row);
         const float far_side = std::max(std::abs(z), std::abs(z + width));
         auto covered = [&](float x) {
-            return hull::half_breadth(x, deck_height(x, z, drop)) - 0.33F > far_side &&
+            return hull::half_breadth(x, deck_height(x, z, drop)) - 0.46F > far_side &&
                    !hull::in_hatch(x, z + 0.5F * width, 0.08F);
         };
         Path left;
@@ -56,9 +56,9 @@ void add_deck(MeshBuilder& b, const ShipMaterials& m, float drop, float first, f
         Path inner;
         Path outer;
         for (float x = first - 0.2F; x < last + 0.6F; x += 0.9F) {
-            const float half = hull::half_breadth(x, deck_height(x, 0, drop)) - 0.27F;
+            const float half = hull::half_breadth(x, deck_height(x, 0, drop)) - 0.455F;
             if (half < 0.2F) continue;
-            const float near_side = std::max(0.02F, half - 0.62F);
+            const float near_side = std::max(0.02F, half - 0.52F);
             outer.emplace_back(x, deck_height(x, half, drop) + 0.05F, side * half);
             inner.emplace_back(x, deck_height(x, near_side, drop) + 0.03F, side * near_side);
         }
@@ -69,7 +69,7 @@ void add_deck(MeshBuilder& b, const ShipMaterials& m, float drop, float first, f
     }
     // Beams below, with hanging knees at their ends.
     for (float x = first + 1; x < last; x += 1.15F) {
-        const float half = hull::half_breadth(x, deck_height(x, 0, drop) - 0.3F) - 0.36F;
+        const float half = hull::half_breadth(x, deck_height(x, 0, drop) - 0.3F) - 0.48F;
         if (half < 0.7F) continue;
         for (const float side : {-1.0F, 1.0F}) {
             const float from = hull::in_hatch(x, 0, 0.2F) ? 2.0F : 0.03F;
@@ -80,7 +80,17 @@ void add_deck(MeshBuilder& b, const ShipMaterials& m, float drop, float first, f
                 const float y = deck_height(x, z1, drop);
                 b.box(glm::mat4(1), m.frames,
                       {x - 0.12F, y - 0.30F, std::min(side * z0, side * z1)},
-                      {x + 0.12F, y - 0.02F, std::max(side * z0, side * z1)});
+                      {x + 0.12F, y - 0.02F, std::max(side * z0, side * z1)}, all_faces & ~plus_y);
+            }
+            // Boards line the underside of the deck from beam to beam.
+            for (float z = from; z + 0.06F < half - 0.3F; z += 0.06F) {
+                const float level = deck_height(x, z, drop) - 0.10F;
+                const float z0 = side * z;
+                const float z1 = side * (z + 0.056F);
+                b.open_quad(glm::mat4(1), m.ceiling, {x + 0.125F, level, std::min(z0, z1)},
+                            {x + 1.025F, level, std::min(z0, z1)},
+                            {x + 1.025F, level, std::max(z0, z1)},
+                            {x + 0.125F, level, std::max(z0, z1)});
             }
             const float y = deck_height(x, half, drop) - 0.32F;
             // No knees under the counter, where the side falls away below the beam.
@@ -101,19 +111,22 @@ void add_deck(MeshBuilder& b, const ShipMaterials& m, float drop, float first, f
 }
 
 void add_crate(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, glm::vec3 half) {
-    b.box(at, m.cargo, -half, half);
+    // No face lies against another: it would cost two triangles and show nothing.
+    b.box(at, m.cargo, -half, half, open_below);
     for (const float side : {-1.0F, 1.0F}) {
         const float x = side * (half.x + 0.016F);
+        const unsigned inner = all_faces & ~(side > 0 ? minus_x : plus_x);
         for (const float edge : {-1.0F, 1.0F}) { // battens on two faces
             b.box(at * move({x, edge * (half.y - 0.07F), 0}), m.cargo, {-0.012F, -0.06F, -half.z},
-                  {0.012F, 0.06F, half.z});
+                  {0.012F, 0.06F, half.z}, inner);
             b.box(at * move({x, 0, edge * (half.z - 0.06F)}), m.cargo,
-                  {-0.012F, -half.y + 0.135F, -0.06F}, {0.012F, half.y - 0.135F, 0.06F});
+                  {-0.012F, -half.y + 0.135F, -0.06F}, {0.012F, half.y - 0.135F, 0.06F}, inner);
         }
         for (int i = 1; i < 4; ++i) { // joints of the boards
             const float y = glm::mix(-half.y, half.y, static_cast<float>(i) / 4);
-            b.box(at * move({0, y, side * (half.z + 0.006F)}), m.cargo, {-half.x, -0.05F, -0.004F},
-                  {half.x, 0.05F, 0.004F}, all_faces & ~(side > 0 ? minus_z : plus_z));
+            const float board = std::min(0.05F, 0.2F * half.y);
+            b.box(at * move({0, y, side * (half.z + 0.006F)}), m.cargo, {-half.x, -board, -0.004F},
+                  {half.x, board, 0.004F}, all_faces & ~(side > 0 ? minus_z : plus_z));
         }
     }
 }
@@ -198,7 +211,9 @@ void add_decks(MeshBuilder& b, const ShipMaterials& m) {
             const float top = deck_height(x, z, 0) - 0.33F;
             const float middle = deck_height(x, z, hull::tween);
             b.rod(m.frames, {x, middle + 0.02F, z}, {x, top, z}, 0.10F, 10);
-            b.rod(m.frames, {x, -4.4F, z}, {x, middle - 0.33F, z}, 0.12F, 10);
+            float foot = -4.28F; // or where the side of the ship comes in
+            while (hull::half_breadth(x, foot) < 1.9F) foot += 0.1F;
+            b.rod(m.frames, {x, foot, z}, {x, middle - 0.33F, z}, 0.12F, 10);
         }
     }
     for (const Hatch& hatch : hatches) {
@@ -252,7 +267,7 @@ void add_hold(MeshBuilder& b, const ShipMaterials& m) {
     for (int i = -30; i < 30; ++i)
         for (const float z : {-0.35F, 0.0F, 0.35F})
             b.box(move({0.52F * static_cast<float>(i), -4.48F, z}), m.iron, {0, 0, -0.15F},
-                  {0.49F, 0.14F, 0.15F});
+                  {0.49F, 0.14F, 0.15F}, open_below);
 }
 
 } // namespace lineatlas::scenes

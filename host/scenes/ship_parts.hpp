@@ -8,7 +8,8 @@ namespace lineatlas::scenes {
 
 struct ShipMaterials {
     Group planking; ///< outer hull, above the wale
-    Group bottom;   ///< outer hull, below it
+    Group stripe;   ///< outer hull, the painted band below the rail
+    Group bottom;   ///< outer hull, below the waterline
     Group frames;   ///< ribs, beams, keel
     Group ceiling;  ///< the planking inside the ribs
     Group deck;
@@ -16,6 +17,7 @@ struct ShipMaterials {
     Group spars;
     Group rope;
     Group sail;
+    Group tabling; ///< the doubled edges of the sails
     Group iron;
     Group cargo;
     Group sacks;
@@ -51,15 +53,19 @@ void add_decks(MeshBuilder& b, const ShipMaterials& m);
 void add_hold(MeshBuilder& b, const ShipMaterials& m);
 void add_deck_gear(MeshBuilder& b, const ShipMaterials& m);
 void add_rigging(MeshBuilder& b, const ShipMaterials& m);
+void add_stores(MeshBuilder& b, const ShipMaterials& m);
 
-/// A rope in `lengths` * 2 / 5 lengths, about half a metre each.
+/// A rope; a slack one is bent.
 void lay(MeshBuilder& b, const ShipMaterials& m, glm::vec3 from, glm::vec3 to, float radius,
-         int lengths, float sag = 0);
+         float sag = 0);
+void add_coil(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float radius, int turns,
+              int segments = 14);
 /// A square sail of sewn cloths, bellied forward, with reef points.
 void add_square_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 head, float head_half,
                      float foot_y, float foot_half, float belly, int rows);
-/// A sail rolled up on its yard.
-void add_furled_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 middle, float half);
+/// A sail rolled up on its yard, which is `half` long to either side and `radius` thick.
+void add_furled_sail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 yard, float half,
+                     float radius);
 /// A three-cornered sail on a stay.
 void add_staysail(MeshBuilder& b, const ShipMaterials& m, glm::vec3 tack, glm::vec3 head,
                   glm::vec3 clew, int cloths, int rows);

@@ -33,46 +33,56 @@ void add_yard(MeshBuilder& b, const ShipMaterials& m, glm::vec3 middle, float ha
         const float s = static_cast<float>(i) / 4 - 1;
         profile[i] = {radius * (1 - 0.55F * s * s * std::abs(s)), half * (s + 1)};
     }
-    b.lathe(at, m.spars, profile, 12, true);
+    b.lathe(at, m.spars, profile, 14, true);
     // Footrope below, with its stirrups, and lifts above.
     for (const float side : {-1.0F, 1.0F}) {
         const glm::vec3 arm = middle + glm::vec3(0.1F, 0, side * half * 0.94F);
         const glm::vec3 slings = middle + glm::vec3(0.1F, 0, side * 0.5F);
-        lay(b, m, slings, arm, 0.018F, 36, 0.55F);
-        for (int i = 1; i < 6; ++i) {
-            const float s = static_cast<float>(i) / 6;
+        lay(b, m, slings, arm, 0.018F, 0.55F);
+        for (int i = 1; i < 4; ++i) {
+            const float s = static_cast<float>(i) / 4;
             const glm::vec3 p = glm::mix(slings, arm, s);
-            lay(b, m, p, p - glm::vec3(0, 2.2F * s * (1 - s), 0), 0.012F, 4);
+            lay(b, m, p, p - glm::vec3(0, 2.2F * s * (1 - s), 0), 0.012F);
         }
         lay(b, m, arm + glm::vec3(-0.1F, 0.15F, 0),
-            middle + glm::vec3(-0.1F, 0.42F * half, side * 0.12F), 0.016F, 30);
+            middle + glm::vec3(-0.3F, 0.42F * half, side * 0.12F), 0.016F);
     }
 }
 
 /// A fan of shrouds with ratlines tied between neighbours.
-void add_shrouds(MeshBuilder& b, const ShipMaterials& m, Path feet, Path heads, float step,
-                 int lengths) {
+void add_shrouds(MeshBuilder& b, const ShipMaterials& m, const Path& feet, const Path& heads,
+                 float step) {
+    const glm::vec2 deadeye[] = {
+        {0, -0.06F}, {0.09F, -0.04F}, {0.11F, 0}, {0.09F, 0.04F}, {0, 0.06F}};
     for (std::size_t i = 0; i < feet.size(); ++i) {
-        lay(b, m, feet[i], heads[i], 0.030F, lengths);
-        // Deadeye at the foot.
-        const glm::vec2 eye[] = {
-            {0, -0.06F}, {0.09F, -0.04F}, {0.11F, 0}, {0.09F, 0.04F}, {0, 0.06F}};
-        b.lathe(move(feet[i]) * turn(0.5F * std::numbers::pi_v<float>, {1, 0, 0}), m.iron, eye, 10,
-                true);
+        lay(b, m, feet[i], heads[i], 0.030F);
+        b.lathe(move(feet[i]) * turn(0.5F * std::numbers::pi_v<float>, {1, 0, 0}), m.iron, deadeye,
+                12, true);
     }
     const float height = heads[0].y - feet[0].y;
-    const int count = static_cast<int>(0.93F * height / step);
+    const int count = static_cast<int>(0.85F * height / step);
     for (int k = 1; k < count; ++k) {
         const float s = 0.03F + static_cast<float>(k) * step / height;
-        for (std::size_t i = 0; i + 1 < feet.size(); ++i) {
-            const glm::vec3 a = glm::mix(feet[i], heads[i], s);
-            const glm::vec3 c = glm::mix(feet[i + 1], heads[i + 1], s);
-            if (glm::distance(a, c) > 0.06F) lay(b, m, a, c, 0.014F, 4, 0.02F);
-        }
+        for (std::size_t i = 0; i + 1 < feet.size(); ++i)
+            lay(b, m, glm::mix(feet[i], heads[i], s), glm::mix(feet[i + 1], heads[i + 1], s),
+                0.014F, 0.02F);
     }
 }
 
-void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool square) {
+/// A rail round the foot of a mast, where its running rigging is made fast.
+void add_fife_rail(MeshBuilder& b, const ShipMaterials& m, float x) {
+    const float deck = deck_at(x);
+    for (const float side : {-1.0F, 1.0F}) {
+        b.box(move({x, deck + 0.95F, side * 1.0F}), m.joinery, {-0.7F, 0, -0.09F},
+              {0.9F, 0.08F, 0.09F});
+        for (const float end : {-0.5F, 0.7F})
+            b.box(move({x + end, deck + 0.12F, side * 1.0F}), m.joinery, {-0.07F, 0, -0.07F},
+                  {0.07F, 0.826F, 0.07F});
+    }
+}
+
+/// `aft_x` is where the next mast stands.
+void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool square, float aft_x) {
     const float deck = deck_at(mast.x);
     const glm::vec3 foot{mast.x, -4.6F, 0};
     const float top = deck + mast.lower;
@@ -95,6 +105,7 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
         {0, -0.1F},       {0.15F, 0}, {0.14F, 0.5F * pole}, {0.07F, pole}, {0.13F, pole + 0.04F},
         {0, pole + 0.12F}};
     b.lathe(move({mast.x + 1.02F, crosstrees - 0.3F, 0}), m.spars, upper, 14, true);
+    add_fife_rail(b, m, mast.x);
     for (int i = 0; i < 5; ++i) { // wooldings
         const glm::vec2 band[] = {{0.45F, 0}, {0.47F, 0.01F}, {0.47F, 0.15F}, {0.45F, 0.16F}};
         b.lathe(move({mast.x, deck + 2.0F + 1.9F * static_cast<float>(i), 0}), m.rope, band, 20);
@@ -120,34 +131,34 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
               {-2.6F, -0.06F, -0.24F}, {2.6F, 0.06F, 0.24F});
         Path feet;
         Path heads;
-        Path chains;
-        for (int i = 0; i < 7; ++i) {
-            const float x = mast.x + 0.5F - 0.62F * static_cast<float>(i);
+        for (int i = 0; i < 5; ++i) {
+            const float x = mast.x + 0.5F - 0.92F * static_cast<float>(i);
             feet.emplace_back(x, hull::sheer(mast.x) + 0.28F, side * (gunwale + 0.05F));
             heads.emplace_back(mast.x + 0.1F - 0.03F * static_cast<float>(i), top + 0.55F,
                                side * (0.42F - 0.01F * static_cast<float>(i)));
         }
-        add_shrouds(b, m, feet, heads, 0.38F, 48);
-        for (const glm::vec3& p : feet)
-            b.rod(m.iron, p - glm::vec3(0, 0.12F, 0), {p.x, p.y - 1.7F, p.z - side * 0.28F}, 0.025F,
-                  6);
+        add_shrouds(b, m, feet, heads, 0.85F);
+        for (const glm::vec3& p : feet) { // chain plates, down to the upper wale
+            const float y = p.y - 1.5F;
+            b.rod(m.iron, p - glm::vec3(0, 0.12F, 0),
+                  {p.x, y, side * (hull::half_breadth(p.x, y) + 0.10F)}, 0.025F, 4);
+        }
         Path upper_feet;
         Path upper_heads;
-        for (int i = 0; i < 5; ++i) {
+        for (int i = 0; i < 3; ++i) {
             const float s = static_cast<float>(i);
-            upper_feet.emplace_back(mast.x + 0.7F - 0.38F * s, top + 0.12F, side * 1.62F);
+            upper_feet.emplace_back(mast.x + 0.7F - 0.70F * s, top + 0.12F, side * 1.62F);
             upper_heads.emplace_back(mast.x + 0.66F - 0.02F * s, crosstrees + 0.4F,
                                      side * (0.22F - 0.01F * s));
         }
-        add_shrouds(b, m, upper_feet, upper_heads, 0.38F, 36);
-        for (int i = 0; i < 3; ++i) { // backstays
-            const float z = hull::half_breadth(mast.x - 4, hull::sheer(mast.x - 4)) + 0.2F;
+        add_shrouds(b, m, upper_feet, upper_heads, 0.85F);
+        for (int i = 0; i < 3; ++i) { // backstays, made fast on the rail
+            const float x = mast.x - 4.4F - 0.6F * static_cast<float>(i);
             const float heights[] = {crosstrees, crosstrees + 0.5F * pole,
                                      crosstrees + 0.9F * pole};
             lay(b, m,
-                {mast.x - 4.2F - 0.5F * static_cast<float>(i), hull::sheer(mast.x - 4) + 0.15F,
-                 side * z},
-                {mast.x + 0.8F, heights[i], side * 0.16F}, 0.022F, 70);
+                {x, hull::sheer(x) + 0.10F, side * (hull::half_breadth(x, hull::sheer(x)) - 0.05F)},
+                {mast.x + (i == 0 ? 0.62F : 0.95F), heights[i], side * 0.16F}, 0.022F);
         }
     }
     const float levels[] = {top - 1.0F, top + 3.4F, top + 6.4F, crosstrees + 1.6F,
@@ -157,27 +168,26 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
         const glm::vec3 yard{mast.x + (i == 0 ? 0.75F : i < 3 ? 1.20F : 1.45F), levels[i], 0};
         add_yard(b, m, yard, halves[i], 0.24F - 0.03F * static_cast<float>(i));
         if (i == 0 || i == 4) {
-            add_furled_sail(b, m, yard, halves[i] * 0.9F);
+            add_furled_sail(b, m, yard, halves[i] * 0.9F, 0.24F - 0.03F * static_cast<float>(i));
         } else {
             const float foot_y = levels[i - 1] + 0.35F;
             add_square_sail(b, m, yard + glm::vec3(0.22F, -0.16F, 0), halves[i] * 0.9F, foot_y,
-                            halves[i - 1] * 0.9F, 0.30F * (levels[i] - levels[i - 1]), 26);
+                            halves[i - 1] * 0.9F, 0.30F * (levels[i] - levels[i - 1]), 18);
         }
-        for (const float side : {-1.0F, 1.0F}) { // braces
+        for (const float side : {-1.0F, 1.0F}) {
+            // Braces lead aft: the lowest to the rail, the others to the next mast and down it.
             const glm::vec3 arm = yard + glm::vec3(-0.1F, 0, side * halves[i]);
-            lay(b, m, arm,
-                {mast.x - 11, deck + 1.5F + 2.2F * static_cast<float>(i),
-                 side * (i == 0 ? 4.9F : 0.5F)},
-                0.016F, 50, 0.25F);
-        }
-        for (int k = -3; k <= 3; ++k) { // buntlines
-            if (k == 0 || i == 0 || i == 4) continue;
-            const float z = 0.24F * static_cast<float>(k) * halves[i];
-            lay(b, m, yard + glm::vec3(-0.25F, 0.2F, z),
-                {yard.x - 0.3F, levels[i] + 0.28F * halves[i], 0.06F * static_cast<float>(k)},
-                0.012F, 14);
-            lay(b, m, {yard.x - 0.3F, levels[i] + 0.28F * halves[i], 0.06F * static_cast<float>(k)},
-                {mast.x + 0.6F, deck + 1.0F, 0.5F * static_cast<float>(k)}, 0.012F, 60);
+            const float rail = mast.x - 10.5F;
+            const float height = mast.lower - 3.0F + 2.4F * static_cast<float>(i);
+            const glm::vec3 lead =
+                i == 0 ? glm::vec3(rail, hull::sheer(rail) + 0.10F,
+                                   side * hull::half_breadth(rail, hull::sheer(rail)))
+                       : glm::vec3(aft_x + (i < 2 ? 0.38F : 0.86F), deck + height, side * 0.12F);
+            lay(b, m, arm, lead, 0.016F, 0.25F);
+            // Halyard or bunt line, down to the rail at the foot of the mast.
+            if (i == 0) continue;
+            lay(b, m, yard + glm::vec3(-0.3F, 0, side * 0.25F),
+                {mast.x - 0.6F + 0.4F * static_cast<float>(i), deck + 1.03F, side * 1.0F}, 0.014F);
         }
     }
 }
@@ -185,9 +195,9 @@ void add_mast(MeshBuilder& b, const ShipMaterials& m, const Mast& mast, bool squ
 } // namespace
 
 void add_rigging(MeshBuilder& b, const ShipMaterials& m) {
-    add_mast(b, m, masts[0], true);
-    add_mast(b, m, masts[1], true);
-    add_mast(b, m, masts[2], false);
+    add_mast(b, m, masts[0], true, masts[1].x);
+    add_mast(b, m, masts[1], true, masts[2].x);
+    add_mast(b, m, masts[2], false, 0);
 
     // Bowsprit and jib boom, their stays and jibs.
     const glm::vec3 heel{24.5F, hull::sheer(24.5F) - 0.2F, 0};
@@ -201,32 +211,37 @@ void add_rigging(MeshBuilder& b, const ShipMaterials& m) {
     const glm::vec3 fore_top{16.6F, deck_at(16.5F) + 13, 0};
     const glm::vec3 fore_cross{17.3F, deck_at(16.5F) + 23, 0};
     const glm::vec3 fore_truck{17.5F, deck_at(16.5F) + 31, 0};
-    lay(b, m, cap, fore_top, 0.035F, 90);
-    lay(b, m, glm::mix(boom, tip, 0.55F), fore_cross, 0.026F, 110);
-    lay(b, m, tip, fore_truck, 0.022F, 120);
+    lay(b, m, cap, fore_top, 0.035F);
+    lay(b, m, glm::mix(boom, tip, 0.55F), fore_cross, 0.026F);
+    lay(b, m, tip, fore_truck, 0.022F);
     add_staysail(b, m, glm::mix(cap, fore_top, 0.06F), glm::mix(cap, fore_top, 0.86F),
-                 {21.5F, 8.2F, 0.3F}, 16, 24);
+                 {21.5F, 8.2F, 0.3F}, 7, 16);
     add_staysail(b, m, glm::mix(glm::mix(boom, tip, 0.55F), fore_cross, 0.05F),
-                 glm::mix(glm::mix(boom, tip, 0.55F), fore_cross, 0.80F), {26.5F, 9.8F, 0.3F}, 22,
-                 24);
+                 glm::mix(glm::mix(boom, tip, 0.55F), fore_cross, 0.80F), {26.5F, 9.8F, 0.3F}, 7,
+                 16);
     add_staysail(b, m, glm::mix(tip, fore_truck, 0.05F), glm::mix(tip, fore_truck, 0.74F),
-                 {31.0F, 12.0F, 0.3F}, 22, 24);
+                 {31.0F, 12.0F, 0.3F}, 8, 16);
     for (const float side : {-1.0F, 1.0F}) { // bowsprit shrouds and the net below the boom
-        lay(b, m, cap, {26.5F, hull::sheer(26) - 1.2F, side * 2.0F}, 0.025F, 50);
-        lay(b, m, tip, {28.6F, hull::sheer(28) + 0.1F, side * 0.9F}, 0.020F, 60);
+        lay(b, m, cap,
+            {26.5F, hull::sheer(26) - 1.2F,
+             side * (hull::half_breadth(26.5F, hull::sheer(26) - 1.2F) + 0.02F)},
+            0.025F);
+        lay(b, m, tip,
+            {28.0F, hull::sheer(28) + 0.1F, side * hull::half_breadth(28, hull::sheer(28))},
+            0.020F);
         lay(b, m, glm::mix(cap, tip, 0.1F) + glm::vec3(0, -0.2F, side * 0.4F),
-            tip + glm::vec3(0, -0.15F, side * 0.08F), 0.016F, 40, 0.5F);
+            tip + glm::vec3(0, -0.15F, side * 0.08F), 0.016F, 0.5F);
     }
     // Stays from mast to mast.
     for (int i = 0; i < 2; ++i) {
         const Mast& fore = masts[i];
         const Mast& aft = masts[i + 1];
-        lay(b, m, {fore.x - 0.5F, deck_at(fore.x) + 1.0F, 0},
-            {aft.x + 0.3F, deck_at(aft.x) + aft.lower, 0}, 0.032F, 90);
-        lay(b, m, {fore.x - 0.5F, deck_at(fore.x) + fore.lower, 0},
-            {aft.x + 0.8F, deck_at(aft.x) + aft.upper, 0}, 0.026F, 100);
-        lay(b, m, {fore.x - 0.3F, deck_at(fore.x) + fore.upper, 0},
-            {aft.x + 1.0F, deck_at(aft.x) + aft.height - 1, 0}, 0.020F, 100);
+        lay(b, m, {fore.x - 0.42F, deck_at(fore.x) + 1.0F, 0},
+            {aft.x + 0.3F, deck_at(aft.x) + aft.lower, 0}, 0.032F);
+        lay(b, m, {fore.x - 0.31F, deck_at(fore.x) + fore.lower, 0},
+            {aft.x + 0.8F, deck_at(aft.x) + aft.upper, 0}, 0.026F);
+        lay(b, m, {fore.x + 0.43F, deck_at(fore.x) + fore.upper, 0},
+            {aft.x + 1.0F, deck_at(aft.x) + aft.height - 1, 0}, 0.020F);
     }
     // Spanker: gaff, boom and sail on the mizzen.
     const float x = masts[2].x - 0.5F;
@@ -237,26 +252,22 @@ void add_rigging(MeshBuilder& b, const ShipMaterials& m) {
     const glm::vec3 clew{x - 13.5F, deck + 3.8F, 0};
     b.rod(m.spars, throat, peak, 0.13F, 14);
     b.rod(m.spars, tack, clew, 0.16F, 14);
-    for (int i = 0; i < 22; ++i) {
-        auto point = [&](float s, float t) {
-            const glm::vec3 p = glm::mix(glm::mix(tack, clew, s * 0.97F),
-                                         glm::mix(throat, peak, s * 0.97F), 0.04F + 0.92F * t);
-            return p + glm::vec3(0, 0,
-                                 0.9F * std::sin(3.14F * s) * std::sin(3.14F * (0.1F + 0.8F * t)));
-        };
-        Path aft;
-        Path fore;
-        for (int k = 0; k <= 26; ++k) {
-            const float t = static_cast<float>(k) / 26;
-            fore.push_back(point(0.03F + 0.97F * static_cast<float>(i) / 22, t));
-            aft.push_back(
-                point(std::min(1.0F, 0.03F + 0.97F * (static_cast<float>(i) + 1.03F) / 22), t) +
-                glm::vec3(0, 0, 0.01F));
-        }
-        b.strip(glm::mat4(1), m.sail, fore, aft);
+    auto point = [&](float s, float t) {
+        const glm::vec3 p = glm::mix(glm::mix(tack, clew, s * 0.97F),
+                                     glm::mix(throat, peak, s * 0.97F), 0.04F + 0.92F * t);
+        return p +
+               glm::vec3(0, 0, 0.9F * std::sin(3.14F * s) * std::sin(3.14F * (0.1F + 0.8F * t)));
+    };
+    constexpr int cloths = 8;
+    for (int i = 0; i < cloths; ++i) {
+        const float s0 = 0.03F + 0.97F * static_cast<float>(i) / cloths;
+        const float s1 = std::min(1.0F, 0.03F + 0.97F * (static_cast<float>(i) + 1.02F) / cloths);
+        b.panel(glm::mat4(1), m.sail, 4, 16, [&](float u, float v) {
+            return point(glm::mix(s1, s0, u), v) + glm::vec3(0, 0, 0.02F * (1 - u));
+        });
     }
-    lay(b, m, peak, {x, deck + 17, 0}, 0.018F, 50);
-    lay(b, m, clew + glm::vec3(0.4F, 0, 0), {x - 0.2F, deck + 19, 0}, 0.018F, 80);
+    lay(b, m, peak, {masts[2].x + 0.41F, deck + 17, 0}, 0.018F);
+    lay(b, m, clew + glm::vec3(0.4F, 0, 0), {masts[2].x + 0.42F, deck + 19, 0}, 0.018F);
 }
 
 } // namespace lineatlas::scenes
