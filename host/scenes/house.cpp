@@ -17,7 +17,7 @@ const glm::mat4 here(1);
 void add_storey_one(MeshBuilder& b, const Materials& m) {
     constexpr float floor = 1.2F;
     add_terrace(b, m, {-6.5F, -8.2F}, {8.0F, 4.6F}, floor, 0.95F);
-    add_terrace(b, m, {8.3F, -4.0F}, {12.4F, 2.0F}, floor - 0.5F, 0.9F);
+    add_terrace(b, m, {8.3F, -4.0F}, {12.4F, 2.0F}, floor - 0.455F, 0.9F);
     const float up = floor;
     add_windows(b, m, move({-4.4F, up, 3.6F}), 10.4F, 2.62F, 13);
     add_windows(b, m, move({6.1F, up, 3.5F}) * turn(0.5F * pi), 3.6F, 2.62F, 5);
@@ -67,8 +67,8 @@ void add_storey_two(MeshBuilder& b, const Materials& m) {
               {0, 0, -3.4F}, {0.16F, 0.22F, 2.9F});
     for (const float z : {-3.68F, 2.92F}) // the beams that carry it, and their posts
         b.box(here, m.concrete, {7.42F, floor - 0.30F, z}, {11.9F, floor + 0.02F, z + 0.26F});
-    b.box(move({11.6F, 0.7F, 3.05F}), m.stone, {-0.25F, gap, -0.25F},
-          {0.25F, floor - 0.7F - 0.304F, 0.25F});
+    b.box(move({11.6F, 0.745F, 3.05F}), m.stone, {-0.25F, gap, -0.25F},
+          {0.25F, floor - 0.745F - 0.304F, 0.25F});
     b.box(move({11.6F, ground, -3.55F}), m.stone, {-0.25F, gap, -0.25F},
           {0.25F, floor - ground - 0.304F, 0.25F});
     add_windows(b, m, move({-5.0F, floor, 0.6F}), 7.4F, 2.31F, 9);

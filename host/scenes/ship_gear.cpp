@@ -136,8 +136,8 @@ void add_boat(MeshBuilder& b, const ShipMaterials& m, const glm::mat4& at, float
     for (int i = 0; i < 6; ++i) {
         const float u = 0.16F + 0.13F * static_cast<float>(i);
         const glm::vec3 p = form(u, 0.7F);
-        b.box(at * move({p.x, p.y, 0}), m.deck, {-0.12F, -0.02F, -p.z + 0.02F},
-              {0.12F, 0.02F, p.z - 0.02F});
+        b.box(at * move({p.x, p.y, 0}), m.deck, {-0.12F, -0.02F, -p.z + 0.10F},
+              {0.12F, 0.02F, p.z - 0.10F});
     }
     for (const float x : {-0.28F, 0.28F})
         b.box(at * move({x * length, -0.32F, 0}), m.joinery, {-0.08F, 0, -0.6F},

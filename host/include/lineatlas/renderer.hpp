@@ -13,6 +13,14 @@
 
 namespace lineatlas {
 
+/// How visibility is computed and strokes are drawn (Table 1).
+enum class Method {
+    atlas,       ///< the segment atlas (§4)
+    spine,       ///< the spine test in the fragment shader (§3)
+    item_buffer, ///< an item buffer (Northrup & Markosian 2000, Cole & Finkelstein 2008)
+    opengl,      ///< depth-tested GL lines, the yardstick; no pens, no silhouettes
+};
+
 /// Where visibility samples are computed.
 enum class AtlasForm {
     automatic, ///< compute beside a software GL, else raster
@@ -33,7 +41,10 @@ struct DeviceOptions {
 
 /// How a frame is drawn.
 struct FrameOptions {
-    std::uint32_t probes = 9;      ///< depth probes per sample: 1, 4, 9 or 16 (§3.2)
+    Method method = Method::atlas;
+    /// Depth probes per sample: 1, 4, 9 or 16 (§3.2). An item buffer is supersampled by the same number
+    /// and has three layers if it is more than one.
+    std::uint32_t probes = 9;
     int depth_scale = 2;           ///< depth texels per pixel and axis: 1 to 4
     float step = 2;                ///< k: pixels between samples, above 0 (§4.1)
     LineKindMask lines = all_line_kinds;
