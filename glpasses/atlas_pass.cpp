@@ -14,6 +14,15 @@ constexpr GLuint offset_binding = 1;
 
 } // namespace
 
+void ProbeParams::bind(const Program& program, GLuint unit) const {
+    glBindTextureUnit(unit, depth);
+    program.set("depth", static_cast<int>(unit));
+    program.set("viewport", viewport);
+    program.set("depth_scale", depth_scale);
+    program.set("probes_per_axis", probes);
+    program.set("tolerance", tolerance);
+}
+
 AtlasPass::AtlasPass()
     : program_({"atlas.vert", "atlas.geom", "atlas.frag"}), vertex_array_(VertexArray::create()),
       framebuffer_(Framebuffer::create()) {
@@ -59,13 +68,8 @@ void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glLineWidth(1.0F);
-    glBindTextureUnit(0, probes.depth);
+    probes.bind(program_, 0);
     program_.use();
-    program_.set("depth", 0);
-    program_.set("viewport", probes.viewport);
-    program_.set("depth_scale", probes.depth_scale);
-    program_.set("probes_per_axis", probes.probes);
-    program_.set("tolerance", probes.tolerance);
     program_.set("row_width", layout.width);
     program_.set("atlas_size", glm::vec2{size_});
     program_.set("capacity", samples);

@@ -17,6 +17,9 @@ struct ProbeParams {
     float depth_scale;         ///< depth texels per pixel
     std::uint32_t probes;      ///< per axis
     float tolerance;           ///< window depth that may stand before a line, times w
+
+    /// Binds the depth texture to `unit` and sets the uniforms of probe.glsl.
+    void bind(const Program& program, GLuint unit) const;
 };
 
 /// The clipped segment table on the GL side.

@@ -10,7 +10,8 @@
 namespace lineatlas::gl {
 
 Canvas::Canvas(glm::ivec2 size)
-    : size_(size), texture_(Texture2D::create()), framebuffer_(Framebuffer::create()) {
+    : size_(size), texture_(Texture2D::create()), depth_(Renderbuffer::create()),
+      framebuffer_(Framebuffer::create()) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
@@ -19,11 +20,14 @@ Canvas::Canvas(glm::ivec2 size)
                          " pixels here");
     }
     glTextureStorage2D(texture_.id(), 1, GL_RGBA8, size.x, size.y);
+    glNamedRenderbufferStorage(depth_.id(), GL_DEPTH_COMPONENT32F, size.x, size.y);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         throw DeviceError("GL has no memory for a picture of " + std::to_string(size.x) + "x" +
                           std::to_string(size.y) + "; choose a smaller --size");
     }
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
+    glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                   depth_.id());
 }
 
 void Canvas::clear(glm::vec4 color) {

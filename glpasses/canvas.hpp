@@ -10,7 +10,7 @@
 
 namespace lineatlas::gl {
 
-/// A picture to draw into, off screen: RGBA, 8 bits per channel, premultiplied.
+/// A picture to draw into, off screen: RGBA, 8 bits per channel, premultiplied, with a depth buffer.
 class Canvas {
   public:
     /// Throws UsageError if the size exceeds what the device can draw.
@@ -25,6 +25,7 @@ class Canvas {
   private:
     glm::ivec2 size_;
     Texture2D texture_;
+    Renderbuffer depth_;
     Framebuffer framebuffer_;
 };
 

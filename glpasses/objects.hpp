@@ -65,6 +65,15 @@ struct FramebufferTraits {
     static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
 };
 
+struct RenderbufferTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glCreateRenderbuffers(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+};
+
 struct VertexArrayTraits {
     static GLuint create() {
         GLuint id = 0;
@@ -78,6 +87,7 @@ using Buffer = Object<BufferTraits>;
 using Texture2D = Object<TextureTraits<GL_TEXTURE_2D>>;
 using TextureBuffer = Object<TextureTraits<GL_TEXTURE_BUFFER>>;
 using Framebuffer = Object<FramebufferTraits>;
+using Renderbuffer = Object<RenderbufferTraits>;
 using VertexArray = Object<VertexArrayTraits>;
 
 } // namespace lineatlas::gl

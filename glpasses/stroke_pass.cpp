@@ -24,6 +24,12 @@ VertexArray run_array(GLuint divisor) {
 
 } // namespace
 
+void PenTexture::bind(const Program& program, GLuint unit) const {
+    glBindTextureUnit(unit, texture);
+    program.set("pen", static_cast<int>(unit));
+    program.set("pen_repeat", texture != 0 ? repeat_length : 0.0F);
+}
+
 StrokePass::StrokePass()
     : geometry_program_({"strokes.vert", "strokes.geom", "strokes.frag"}),
       vertex_program_({"strokes_quad.vert", "strokes.frag"}), point_array_(run_array(0)),
@@ -45,12 +51,9 @@ void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params) {
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glBindTextureUnit(0, alpha_texture_.id());
-    glBindTextureUnit(1, params.pen.texture);
     program.use();
     program.set("alpha", 0);
-    program.set("pen", 1);
-    program.set("pen_is_solid", params.pen.texture == 0);
-    program.set("pen_scale", glm::vec2{1.0F / params.pen.texels_per_repeat, 1.0F});
+    params.pen.bind(program, 1);
     program.set("viewport", params.viewport);
     program.set("half_width", 0.5F * params.width);
     program.set("color", params.color);

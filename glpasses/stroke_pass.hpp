@@ -15,8 +15,11 @@ enum class StrokeForm { geometry_shader, vertex_shader };
 
 /// A pen's mark as a texture: coverage, u along the stroke and v across it.
 struct PenTexture {
-    GLuint texture;        ///< 0: a solid mark
-    float texels_per_repeat = 1; ///< pixels on the screen that one repeat of the texture covers
+    GLuint texture;          ///< 0: a solid mark
+    float repeat_length = 1; ///< pixels on the screen that one repeat of the texture covers
+
+    /// Binds the texture to `unit` and sets the uniforms of mark.glsl.
+    void bind(const Program& program, GLuint unit) const;
 };
 
 struct StrokeParams {

@@ -2,11 +2,8 @@
 // strokes: the pen's mark times the visibility along the run (§4.4).
 
 #include "strokes.glsl"
+#include "mark.glsl"
 
-uniform vec4 color;              // linear RGB and opacity
-uniform sampler2D pen;           // coverage; u along the stroke, v across it
-uniform vec2 pen_scale;          // texture coordinates per pixel along, per half-width across
-uniform bool pen_is_solid;
 uniform samplerBuffer alpha;     // the segment atlas
 
 noperspective in vec2 local;
@@ -15,10 +12,6 @@ flat in vec4 run_params;
 flat in uvec4 run_indices;
 
 layout(location = 0) out vec4 picture;
-
-// A third of the probes make a full stroke. On a smooth silhouette half of every pixel is surface, so
-// half of the probes is all that can see the line.
-const float visibility_gain = 3.0;
 
 // Visibility at a position counted in samples of the segment, linear between sample centres.
 float visibility_at(float position) {
@@ -39,15 +32,12 @@ void main() {
     if (end_style(run, 0u) == end_round) beyond = max(beyond, -local.x);
     if (end_style(run, 1u) == end_round) beyond = max(beyond, local.x - run_length);
     float distance_px = length(vec2(beyond, local.y));
-    float coverage = clamp(half_width + 0.5 - distance_px, 0.0, min(1.0, 2.0 * half_width));
+    float coverage = stroke_coverage(distance_px, half_width);
 
-    float t = run_length > 0.0 ? clamp(local.x / run_length, 0.0, 1.0) : 0.5;
-    coverage *= min(1.0, visibility_gain * visibility_at(mix(run_params.z, run_params.w, t)));
-    if (!pen_is_solid) {
-        float arc = run_params.x + (run_params.y - run_params.x) * (run_length > 0.0 ? local.x / run_length : 0.5);
-        vec2 mark = vec2(arc * pen_scale.x, local.y * pen_scale.y * 0.5 / max(half_width, 0.5) + 0.5);
-        coverage *= texture(pen, mark).r;
-    }
+    float t = run_length > 0.0 ? local.x / run_length : 0.5;
+    float position = mix(run_params.z, run_params.w, clamp(t, 0.0, 1.0));
+    coverage *= stroke_visibility(visibility_at(position));
+    coverage *= pen_mark(mix(run_params.x, run_params.y, t), local.y, half_width);
     float opacity = coverage * color.a;
     if (opacity <= 0.0) discard;
     picture = vec4(color.rgb * opacity, opacity);

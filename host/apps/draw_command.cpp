@@ -56,12 +56,17 @@ T choose(std::string_view option, const std::string& value, const std::map<std::
 
 /// Everything that can be wrong on the command line alone is found before any work starts.
 FrameOptions frame_options(const DrawArguments& arguments) {
-    choose<int>("--method", arguments.method, {{"atlas", 0}});
+    const Method method = choose<Method>("--method", arguments.method,
+                                         {{"atlas", Method::atlas},
+                                          {"spine", Method::spine},
+                                          {"itembuffer", Method::item_buffer},
+                                          {"opengl", Method::opengl}});
     const bool high = choose<bool>("--quality", arguments.quality, {{"low", false}, {"high", true}});
     if (std::ranges::find(pen_names(), arguments.pen) == pen_names().end()) {
         make_pen(arguments.pen, arguments.width); // says what there is
     }
     FrameOptions options;
+    options.method = method;
     options.probes = high ? 9 : 1;
     options.depth_scale = high ? 2 : 1;
     if (arguments.probes != 0) options.probes = arguments.probes;
@@ -220,7 +225,7 @@ Command setup_draw(CLI::App& app) {
         ->group(camera);
 
     const std::string visibility = "Visibility";
-    app.add_option("--method", a.method, "How visibility is computed: atlas")
+    app.add_option("--method", a.method, "How visibility is computed: atlas, spine, itembuffer or opengl")
         ->capture_default_str()
         ->group(visibility);
     app.add_option("--quality", a.quality,

@@ -64,13 +64,7 @@ void AtlasMethod::prepare_layout(const Frame& frame) {
 }
 
 void AtlasMethod::prepare(const Frame& frame) {
-    const glm::ivec2 depth_size = frame.camera.size * frame.options.depth_scale;
-    if (depth_size.x > largest_texture_ || depth_size.y > largest_texture_) {
-        throw UsageError("a depth buffer of " + std::to_string(depth_size.x) + "x" +
-                         std::to_string(depth_size.y) + " is larger than this device's limit of " +
-                         std::to_string(largest_texture_) +
-                         "; choose a smaller --size or --depth-scale");
-    }
+    check_depth_size(frame);
     prepare_layout(frame);
     if (!runs_) {
         run_capacity_ = first_run_capacity;
@@ -78,7 +72,8 @@ void AtlasMethod::prepare(const Frame& frame) {
     }
     raster_ = frame.options.atlas == AtlasForm::raster ||
               (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
-    const std::size_t depth_bytes = area(depth_size) * sizeof(float);
+    const std::size_t depth_bytes =
+        area(frame.camera.size * frame.options.depth_scale) * sizeof(float);
     if (!raster_ && (!depth_ || depth_->size() < depth_bytes)) depth_ = shared(depth_bytes);
 }
 
@@ -151,12 +146,8 @@ void AtlasMethod::sample_raster(Frame& frame) {
             atlas_pass_.draw({.clipped = clipped_->gl(),
                               .offsets = offsets_->gl(),
                               .segment_count = segment_count_},
-                             {.depth = depth_pass_.texture(),
-                              .viewport = frame.viewport(),
-                              .depth_scale = static_cast<float>(frame.options.depth_scale),
-                              .probes = frame.probes_per_axis(),
-                              .tolerance = frame.depth_tolerance()},
-                             layout_, total, alpha_->gl());
+                             frame.probe_params(depth_pass_.texture()), layout_, total,
+                             alpha_->gl());
         }
         handover_.to_compute(
             {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, fits ? layout_.texels(total) : 0}});
@@ -218,14 +209,8 @@ void AtlasMethod::draw_strokes(Frame& frame) {
     });
     frame.clock("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-        const bool geometry = frame.options.stroke_shader == StrokeShader::geometry;
-        stroke_pass_.draw(
-            {.runs = runs_->gl(), .record = record_->gl(), .alpha = alpha_->gl()},
-            {.viewport = frame.viewport(),
-             .width = frame.options.width,
-             .color = frame.options.color,
-             .pen = frame.pen,
-             .form = geometry ? gl::StrokeForm::geometry_shader : gl::StrokeForm::vertex_shader});
+        stroke_pass_.draw({.runs = runs_->gl(), .record = record_->gl(), .alpha = alpha_->gl()},
+                          frame.stroke_params());
     });
 }
 

@@ -31,4 +31,31 @@ std::uint32_t Frame::probes_per_axis() const {
 
 float Frame::depth_tolerance() const { return depth_tolerance_pixels * depth_per_pixel(camera); }
 
+gl::StrokeParams Frame::stroke_params() const {
+    const bool geometry = options.stroke_shader == StrokeShader::geometry;
+    return {.viewport = viewport(),
+            .width = options.width,
+            .color = options.color,
+            .pen = pen,
+            .form = geometry ? gl::StrokeForm::geometry_shader : gl::StrokeForm::vertex_shader};
+}
+
+gl::ProbeParams Frame::probe_params(GLuint depth) const {
+    return {.depth = depth,
+            .viewport = viewport(),
+            .depth_scale = static_cast<float>(options.depth_scale),
+            .probes = probes_per_axis(),
+            .tolerance = depth_tolerance()};
+}
+
+void check_depth_size(const Frame& frame) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    const glm::ivec2 size = frame.camera.size * frame.options.depth_scale;
+    if (size.x <= largest && size.y <= largest) return;
+    throw UsageError("a depth buffer of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                     " is larger than this device's limit of " + std::to_string(largest) +
+                     "; choose a smaller --size or --depth-scale");
+}
+
 } // namespace lineatlas

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <glm/vec2.hpp>
 
+#include "glpasses/atlas_pass.hpp"
 #include "glpasses/stroke_pass.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/renderer.hpp"
@@ -15,7 +16,7 @@ namespace lineatlas {
 struct Frame {
     const Camera& camera;
     const FrameOptions& options;
-    const SceneBuffers& scene;
+    SceneBuffers& scene;
     GLuint framebuffer;
     gl::PenTexture pen;
     StageClock clock;
@@ -25,6 +26,12 @@ struct Frame {
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).
     float depth_tolerance() const;
+    /// Pens and visibility as the passes take them.
+    gl::StrokeParams stroke_params() const;
+    gl::ProbeParams probe_params(GLuint depth) const;
 };
+
+/// Throws UsageError if the device has no textures as large as the frame's depth buffer.
+void check_depth_size(const Frame& frame);
 
 } // namespace lineatlas

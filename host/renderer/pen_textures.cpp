@@ -26,7 +26,7 @@ gl::PenTexture PenTextures::get(const std::string& name, float width) {
         const PenMark mark = make_pen(name, width);
         found = pens_.emplace(key, Pen{upload(mark), mark.repeat_length}).first;
     }
-    return {.texture = found->second.texture.id(), .texels_per_repeat = found->second.repeat_length};
+    return {.texture = found->second.texture.id(), .repeat_length = found->second.repeat_length};
 }
 
 } // namespace lineatlas

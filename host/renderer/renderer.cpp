@@ -7,7 +7,9 @@
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "lineatlas/error.hpp"
+#include "opengl_method.hpp"
 #include "pen_textures.hpp"
+#include "spine_method.hpp"
 
 namespace lineatlas {
 namespace {
@@ -72,16 +74,30 @@ class Renderer::State {
                     .pen = pens_.get(options.pen, options.width),
                     .clock = {*connection_.backend, options.measure_stages}};
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
-        return atlas_.draw(frame);
+        switch (options.method) {
+        case Method::atlas:
+        case Method::item_buffer: return atlas_.draw(frame);
+        case Method::spine: return made(spine_).draw(frame);
+        case Method::opengl: return made(opengl_).draw(frame);
+        }
+        throw UsageError("renderer: unknown method");
     }
 
     Samples read_samples() { return atlas_.read_samples(); }
 
   private:
+    /// A method's shaders are compiled when it is first used.
+    template <class T>
+    static T& made(std::optional<T>& method) {
+        return method ? *method : method.emplace();
+    }
+
     interop::Connection connection_;
     std::optional<SceneBuffers> scene_;
     PenTextures pens_;
     AtlasMethod atlas_;
+    std::optional<SpineMethod> spine_;
+    std::optional<OpenGlMethod> opengl_;
 };
 
 Renderer::Renderer(const DeviceOptions& options) : state_(std::make_unique<State>(options)) {}

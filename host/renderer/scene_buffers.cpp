@@ -37,12 +37,39 @@ std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
 } // namespace
 
 SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
-    : vertices_(upload(backend, bytes_of(lines.vertices))),
+    : backend_(backend), vertices_(upload(backend, bytes_of(lines.vertices))),
       triangles_(upload(backend, bytes_of(lines.triangles))),
       segments_(upload(backend, bytes_of(lines.segments))),
       gl_vertices_(upload_gl(bytes_of(lines.vertices))),
       gl_indices_(upload_gl(bytes_of(lines.triangles))),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {}
+
+std::vector<Segment> SceneBuffers::download_segments() {
+    std::vector<Segment> segments(segment_count_);
+    backend_.download(*segments_, std::as_writable_bytes(std::span{segments}));
+    return segments;
+}
+
+gl::SegmentBuffers SceneBuffers::gl_segments() {
+    if (!gl_segments_) gl_segments_ = upload_gl(bytes_of(download_segments()));
+    return {gl_segments_.id(), gl_vertices_.id(), gl_indices_.id(), segment_count_};
+}
+
+gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
+    kinds &= ~mask_of(LineKind::silhouette); // which edges those are changes from frame to frame
+    if (!gl_lines_ || line_kinds_ != kinds) {
+        std::vector<std::uint32_t> ends;
+        for (const Segment& segment : download_segments()) {
+            if ((kinds & (1U << (segment.tag & LA_TAG_KIND_MASK))) == 0) continue;
+            ends.push_back(segment.p);
+            ends.push_back(segment.q);
+        }
+        gl_lines_ = upload_gl(bytes_of(ends));
+        line_kinds_ = kinds;
+        line_count_ = static_cast<std::uint32_t>(ends.size() / 2);
+    }
+    return {gl_vertices_.id(), gl_lines_.id(), line_count_};
+}
 
 } // namespace lineatlas

@@ -2,10 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "compute/backend.hpp"
 #include "glpasses/depth_pass.hpp"
+#include "glpasses/line_pass.hpp"
 #include "glpasses/objects.hpp"
+#include "glpasses/spine_pass.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas {
@@ -22,6 +25,9 @@ class SceneBuffers {
     gl::TriangleBuffers gl_triangles() const {
         return {gl_vertices_.id(), gl_indices_.id(), triangle_count_};
     }
+    gl::SegmentBuffers gl_segments();
+    /// The fixed lines among `kinds` as pairs of vertices.
+    gl::LineBuffers gl_lines(LineKindMask kinds);
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
     std::uint64_t device_bytes() const {
@@ -29,8 +35,15 @@ class SceneBuffers {
     }
 
   private:
+    std::vector<Segment> download_segments();
+
+    compute::Backend& backend_;
     std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_;
     gl::Buffer gl_vertices_, gl_indices_;
+    // What only the methods besides the atlas need; made when first asked for.
+    gl::Buffer gl_segments_, gl_lines_;
+    LineKindMask line_kinds_ = 0; ///< that `gl_lines_` holds
+    std::uint32_t line_count_ = 0;
     std::uint32_t triangle_count_;
     std::uint32_t segment_count_;
 };

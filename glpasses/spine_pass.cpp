@@ -1,0 +1,69 @@
+#include "spine_pass.hpp"
+
+#include <cstddef>
+
+#include "segment_table.h"
+
+namespace lineatlas::gl {
+namespace {
+
+/// Attributes of one segment, per vertex or per instance.
+VertexArray segment_array(GLuint divisor) {
+    VertexArray array = VertexArray::create();
+    for (GLuint attribute = 0; attribute < 2; ++attribute) {
+        glEnableVertexArrayAttrib(array.id(), attribute);
+        glVertexArrayAttribBinding(array.id(), attribute, 0);
+    }
+    glVertexArrayAttribIFormat(array.id(), 0, 4, GL_UNSIGNED_INT, offsetof(Segment, p));
+    glVertexArrayAttribIFormat(array.id(), 1, 1, GL_UNSIGNED_INT, offsetof(Segment, tag));
+    glVertexArrayBindingDivisor(array.id(), 0, divisor);
+    return array;
+}
+
+} // namespace
+
+SpinePass::SpinePass()
+    : geometry_program_({"spine.vert", "spine.geom", "spine.frag"}),
+      vertex_program_({"spine_quad.vert", "spine.frag"}), point_array_(segment_array(0)),
+      quad_array_(segment_array(1)) {}
+
+void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
+                     const ProbeParams& probes, const StrokeParams& stroke) {
+    const TextureBuffer vertices = TextureBuffer::create();
+    const TextureBuffer triangles = TextureBuffer::create();
+    glTextureBuffer(vertices.id(), GL_RGB32F, segments.vertices);
+    glTextureBuffer(triangles.id(), GL_RGB32UI, segments.triangles);
+
+    const bool geometry = stroke.form == StrokeForm::geometry_shader;
+    const Program& program = geometry ? geometry_program_ : vertex_program_;
+    const VertexArray& array = geometry ? point_array_ : quad_array_;
+    glViewport(0, 0, static_cast<GLsizei>(stroke.viewport.x),
+               static_cast<GLsizei>(stroke.viewport.y));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    probes.bind(program, 0);
+    stroke.pen.bind(program, 1);
+    glBindTextureUnit(2, vertices.id());
+    glBindTextureUnit(3, triangles.id());
+    program.use();
+    program.set("vertices", 2);
+    program.set("triangles", 3);
+    program.set("clip_from_world", spine.clip_from_world);
+    program.set("world_from_clip", spine.world_from_clip);
+    program.set("eye", spine.eye);
+    program.set("kind_mask", spine.kind_mask);
+    program.set("probe_step", spine.step);
+    program.set("half_width", 0.5F * stroke.width);
+    program.set("color", stroke.color);
+    glVertexArrayVertexBuffer(array.id(), 0, segments.segments, 0, sizeof(Segment));
+    glBindVertexArray(array.id());
+    const auto count = static_cast<GLsizei>(segments.segment_count);
+    if (geometry) glDrawArrays(GL_POINTS, 0, count);
+    else glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    glDisable(GL_BLEND);
+}
+
+} // namespace lineatlas::gl

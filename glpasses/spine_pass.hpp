@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "atlas_pass.hpp"
+#include "objects.hpp"
+#include "program.hpp"
+#include "stroke_pass.hpp"
+
+namespace lineatlas::gl {
+
+/// The segment table on the GL side.
+struct SegmentBuffers {
+    GLuint segments;  ///< `Segment` each
+    GLuint vertices;  ///< 3 floats each
+    GLuint triangles; ///< 3 uint32 each
+    std::uint32_t segment_count;
+};
+
+struct SpineParams {
+    glm::mat4 clip_from_world;
+    glm::mat4 world_from_clip;
+    glm::vec4 eye;           ///< Camera::eye()
+    std::uint32_t kind_mask; ///< kinds to draw, bit 1 << kind
+    float step;              ///< length of the box of probes along the line, pixels
+};
+
+/// `spine`: strokes straight from the segment table in one pass, with visibility tested in the fragment
+/// shader at the nearest point of the spine (§3).
+class SpinePass {
+  public:
+    SpinePass();
+    /// Draws over the bound framebuffer, premultiplied.
+    void draw(const SegmentBuffers& segments, const SpineParams& spine, const ProbeParams& probes,
+              const StrokeParams& stroke);
+
+  private:
+    Program geometry_program_;
+    Program vertex_program_;
+    VertexArray point_array_;
+    VertexArray quad_array_;
+};
+
+} // namespace lineatlas::gl

@@ -1,0 +1,32 @@
+#include "opengl_method.hpp"
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+
+FrameStats OpenGlMethod::draw(Frame& frame) {
+    GLint depth = GL_NONE;
+    glGetNamedFramebufferAttachmentParameteriv(frame.framebuffer,
+                                               frame.framebuffer != 0 ? GL_DEPTH_ATTACHMENT
+                                                                      : GL_DEPTH,
+                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &depth);
+    if (depth == GL_NONE) {
+        throw UsageError("method opengl: the framebuffer has no depth attachment; add one or use "
+                         "method atlas");
+    }
+    const glm::mat4 clip_from_world = frame.camera.clip_from_world();
+    const gl::LineBuffers lines = frame.scene.gl_lines(frame.options.lines);
+    frame.clock("depth", [&] {
+        line_pass_.draw_depth(frame.scene.gl_triangles(), clip_from_world, frame.camera.size,
+                              frame.framebuffer);
+    });
+    frame.clock("lines", [&] {
+        line_pass_.draw_lines(lines, clip_from_world, frame.options.width, frame.options.color);
+    });
+    return {.triangles = frame.scene.triangle_count(),
+            .segments = frame.scene.segment_count(),
+            .segment_bytes = frame.scene.device_bytes(),
+            .stages = frame.clock.take()};
+}
+
+} // namespace lineatlas
