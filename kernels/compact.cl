@@ -75,9 +75,8 @@ static uint join(const float2 own, const float2 other, const float room, const f
 typedef struct Frame {
     __global const Segment* segments;
     __global const ClippedSegment* clipped;
-    __global const uint* offsets;
+    __global const uint* arcs;
     float2 viewport;
-    float step;
     float half_width;
 } Frame;
 
@@ -93,11 +92,11 @@ static uint segment_end(const Frame frame, const uint i, const uint at_end, cons
     const bool last = at_end != 0 ? after == 0 : before == 0;
     if (last && (tag & LA_TAG_CLOSED) == 0) return LA_END_ROUND;
     const uint neighbour = at_end != 0 ? (last ? i - before : i + 1) : (last ? i + after : i - 1);
-    const uint neighbour_samples = frame.offsets[neighbour + 1] - frame.offsets[neighbour];
-    if (neighbour_samples == 0) return LA_END_ROUND;
-    const uint own_samples = frame.offsets[i + 1] - frame.offsets[i];
-    /* Sample counts give the lengths closely enough to see whether a mitre has room. */
-    const float room = (float)min(own_samples, neighbour_samples) * frame.step;
+    /* Arc lengths, not sample counts: a neighbour that is hidden whole has no samples. */
+    const uint neighbour_length = frame.arcs[neighbour + 1] - frame.arcs[neighbour];
+    if (neighbour_length == 0) return LA_END_ROUND;
+    const uint own_length = frame.arcs[i + 1] - frame.arcs[i];
+    const float room = (float)min(own_length, neighbour_length) * (1.0f / LA_ARC_UNITS_PER_PIXEL);
     const float2 other = window_direction(frame.clipped + neighbour, frame.viewport);
     return join(direction, other, room, frame.half_width, mitre);
 }
@@ -111,7 +110,7 @@ __kernel void compact_runs_write(__global const Segment* restrict segments,
                                  __global const uint* restrict arcs, const uint count,
                                  __global const uchar* restrict alpha, const uint width,
                                  const uint pitch, const uint capacity, const float2 viewport,
-                                 const float step, const float half_width, const uint block,
+                                 const float half_width, const uint block,
                                  __global const uint* restrict block_offsets, const uint blocks,
                                  const uint run_capacity, __global Run* restrict runs,
                                  __global FrameRecord* restrict record) {
@@ -132,7 +131,7 @@ __kernel void compact_runs_write(__global const Segment* restrict segments,
     const uint first = b * block;
     if (first >= count || run_total > run_capacity) return;
     const uint last = min(first + block, count);
-    const Frame frame = {segments, clipped, offsets, viewport, step, half_width};
+    const Frame frame = {segments, clipped, arcs, viewport, half_width};
     uint next = block_offsets[b];
     for (uint i = first; i < last; ++i) {
         const uint s = offsets[i];

@@ -73,14 +73,53 @@ static bool is_silhouette(const uint face_a, const uint face_b, __global const u
     return front[face_a] != (front[face_b & LA_FACE_INDEX] ^ flipped);
 }
 
+/* How far before the line a probe may take what it sees for this own face (is_own_face in atlas.cl), in
+ * window depth. reach: pixels between the line and the centre of any texel that is probed. */
+static float own_depth(const uint packed, const float reach, const float before) {
+    const float slope = fabs(as_float(packed << 16));
+    const float height = fabs(as_float(packed & 0xFFFF0000u));
+    const float within = slope * fmin(height + LA_OWN_FACE_SNAP, reach);
+    return fmin(slope * reach, fmax(within, LA_OWN_FACE_REACH * before));
+}
+
+/* Whether every probe of every sample of the segment is sure to be blocked: in no tile that a probe can
+ * touch is there a texel as far away as the line less all tolerances. p, d: window position in texels and
+ * depth of one end, and the way to the other. reach: texels between the line and what probes touch. */
+static bool is_hidden(const float3 p, const float3 d, const float length_texels,
+                      const float reach, const float depth_margin, __global const float* tiles,
+                      const int2 tile_count) {
+    const int pieces = (int)(length_texels * (1.0f / LA_TILE)) + 1;
+    if (pieces > LA_MOST_TILES_TESTED) return false;
+    const float per_piece = 1.0f / (float)pieces;
+    for (int i = 0; i < pieces; ++i) {
+        const float3 a = p + d * ((float)i * per_piece);
+        const float3 b = p + d * ((float)(i + 1) * per_piece);
+        const float nearest = fmin(a.z, b.z) - depth_margin;
+        const float2 low = (fmin(a.xy, b.xy) - reach) * (1.0f / LA_TILE);
+        const float2 high = (fmax(a.xy, b.xy) + reach) * (1.0f / LA_TILE);
+        const int2 first = clamp(convert_int2_rtn(low), (int2)(0, 0), tile_count - 1);
+        const int2 last = clamp(convert_int2_rtn(high), (int2)(0, 0), tile_count - 1);
+        for (int y = first.y; y <= last.y; ++y) {
+            for (int x = first.x; x <= last.x; ++x) {
+                if (tiles[y * tile_count.x + x] >= nearest) return false;
+            }
+        }
+    }
+    return true;
+}
+
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
- * arcs[i]: clipped window length in 1/256 pixels. clipped[i] is written only where l > 0. */
+ * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden: the
+ * texture of a path must not depend on what hides it. clipped[i] is written where arcs[i] is not 0.
+ * use_tiles 0: keep hidden segments. */
 __kernel void project_clip(__global const Segment* restrict segments, const uint count,
                            __global const float* restrict vertices,
                            __global const uint* restrict triangles,
                            __global const uchar* restrict front, const float16 clip_from_world,
                            const float16 world_from_clip, const float2 viewport, const float step,
-                           const uint kind_mask, __global ClippedSegment* restrict clipped,
+                           const uint kind_mask, __global const float* restrict tiles,
+                           const int2 tile_count, const uint use_tiles, const float depth_scale,
+                           const float tolerance, __global ClippedSegment* restrict clipped,
                            __global uint* restrict counts, __global uint* restrict arcs) {
     const uint i = (uint)get_global_id(0);
     if (i >= count) return;
@@ -97,27 +136,46 @@ __kernel void project_clip(__global const Segment* restrict segments, const uint
     const float4 q = transform_point(clip_from_world, vload3(segments[i].q, vertices));
     float t0, t1;
     if (!clip_to_frustum(p, q, &t0, &t1)) return;
-    const float4 d = q - p;
-    const float4 cp = p + d * t0;
-    const float4 cq = t1 < 1.0f ? p + d * t1 : q;
+    const float4 way = q - p;
+    const float4 cp = p + way * t0;
+    const float4 cq = t1 < 1.0f ? p + way * t1 : q;
 
-    const float2 span = (cq.xy / cq.w - cp.xy / cp.w) * (viewport * 0.5f);
-    const float length_px = sqrt(span.x * span.x + span.y * span.y);
+    const float3 scale = (float3)(viewport * 0.5f, 0.5f);
+    const float3 window_p = (cp.xyz / cp.w + 1.0f) * scale;
+    const float3 d = (cq.xyz / cq.w + 1.0f) * scale - window_p;
+    const float length_px = sqrt(d.x * d.x + d.y * d.y);
     uint l = (uint)ceil(length_px / step);
     if (l <= 1) {
         if ((tag & LA_TAG_LONE) != 0) return;
         l = 1; /* a path must not look broken (§4.1) */
     }
-    counts[i] = l;
+    const float2 across = (float2)(-d.y, d.x) / length_px;
+    const uint p_index = segments[i].p, q_index = segments[i].q;
+    const uint own_a = own_face(face_a, p_index, q_index, cp, cq, across, length_px, vertices,
+                                triangles, clip_from_world, world_from_clip, viewport);
+    const uint own_b = own_face(face_b, p_index, q_index, cp, cq, across, length_px, vertices,
+                                triangles, clip_from_world, world_from_clip, viewport);
     arcs[i] = (uint)(length_px * LA_ARC_UNITS_PER_PIXEL);
+    if (use_tiles != 0) {
+        const float before = tolerance / fmin(cp.w, cq.w) + LA_DEPTH_ROUNDING;
+        const float reach_texels = LA_PROBE_REACH(depth_scale);
+        const float reach = reach_texels / depth_scale;
+        const float own = fmax(own_depth(own_a, reach, before), own_depth(own_b, reach, before));
+        const float along = length_px > 0.0f ? fabs(d.z) / length_px * reach : 0.0f;
+        const float margin = before + own + along + 2.0f * LA_DEPTH_ROUNDING;
+        const float3 texels = (float3)(depth_scale, depth_scale, 1.0f);
+        if (is_hidden(window_p * texels, d * texels, length_px * depth_scale, reach_texels,
+                      margin, tiles, tile_count)) {
+            /* Neighbours of its path still need to know where it runs. */
+            if ((segments[i].from_start | segments[i].to_end) == 0) return;
+            l = 0;
+        }
+    }
+    counts[i] = l;
     vstore4(cp, 0, clipped[i].p);
     vstore4(cq, 0, clipped[i].q);
     clipped[i].t0 = t0;
     clipped[i].t1 = t1;
-    const float2 across = (float2)(-span.y, span.x) / length_px;
-    const uint p_index = segments[i].p, q_index = segments[i].q;
-    clipped[i].own_a = own_face(face_a, p_index, q_index, cp, cq, across, length_px, vertices,
-                                triangles, clip_from_world, world_from_clip, viewport);
-    clipped[i].own_b = own_face(face_b, p_index, q_index, cp, cq, across, length_px, vertices,
-                                triangles, clip_from_world, world_from_clip, viewport);
+    clipped[i].own_a = own_a;
+    clipped[i].own_b = own_b;
 }

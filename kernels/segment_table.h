@@ -97,7 +97,7 @@ typedef struct FrameRecord {
 
 /* A line's own face is recognised by its place and by its depth to within this many pixels (worth of
  * slope): the rasteriser snaps corners to a grid. */
-#define LA_OWN_FACE_SNAP 0.0625f
+#define LA_OWN_FACE_SNAP 0.015625f
 
 /* A single probe beside a fold stands this many depth texels outside it: far enough that its texel's
  * centre cannot lie on the surface that folds away. */
@@ -105,10 +105,20 @@ typedef struct FrameRecord {
 
 /* A face whose depth changes by no more than this many pixel widths is recognised by depth alone: beyond
  * its own third corner other faces may lie in the same plane. */
-#define LA_OWN_FACE_REACH 8.0f
+#define LA_OWN_FACE_REACH 4.0f
 
 /* Rounding in the depth buffer: a few units in the last place of a float just below 1. */
 #define LA_DEPTH_ROUNDING 2.4e-7f
+
+/* No probe touches a texel whose centre is farther than this many texels from its line: half a pixel
+ * across, or for a single probe the clearance from a fold, and half a diagonal to the texel's centre. */
+#define LA_PROBE_REACH(depth_scale) (0.5f * (depth_scale) + 1.0f)
+
+/* Texels per axis of a tile of the depth pyramid. */
+#define LA_TILE 16
+
+/* Segments over more tiles than this are not tested against the pyramid: they are seldom hidden whole. */
+#define LA_MOST_TILES_TESTED 64
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);

@@ -8,8 +8,8 @@ uniform uint probes_per_axis;  // the probes fill a box of 1 pixel across by 1 s
 uniform float tolerance;       // window depth that may stand before a line, times w
 
 // As in kernels/segment_table.h.
-const float own_face_snap = 0.0625;
-const float own_face_reach = 8.0;
+const float own_face_snap = 0.015625;
+const float own_face_reach = 4.0;
 const float fold_clearance = 0.75;
 const float depth_rounding = 2.4e-7;
 

@@ -131,6 +131,26 @@ TEST_P(SamePicture, HostPointerEqualsCopy) {
     }
 }
 
+TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
+    Renderer r = renderer({});
+    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
+        for (const bool high : {false, true}) {
+            const FrameOptions culled{.probes = high ? 9U : 1U,
+                                      .depth_scale = high ? 2 : 1,
+                                      .atlas = form,
+                                      .pen = "pencil",
+                                      .cull_hidden = true};
+            FrameOptions kept = culled;
+            kept.cull_hidden = false;
+            compare_each(r, culled, r, kept, [](const Drawn& a, const Drawn& b) {
+                EXPECT_LT(a.stats.samples, b.stats.samples) << "nothing was culled";
+                EXPECT_EQ(a.stats.runs, b.stats.runs);
+                EXPECT_TRUE(equal(a.pixels, b.pixels));
+            });
+        }
+    }
+}
+
 TEST_P(SamePicture, TheSameFrameTwiceIsIdentical) {
     Renderer r = renderer({});
     compare_each(r, {}, r, {}, expect_identical);

@@ -1,6 +1,8 @@
 // Every stage on every device against the plain C++ backend, stage by stage: each gets the reference's
 // input. Four scenes, three cameras each, one of them inside the model.
 
+#include <array>
+
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "compare.hpp"
@@ -22,6 +24,7 @@ constexpr std::uint32_t run_capacity = 1U << 20U;
 /// The state of a frame after some stage, on the host.
 struct FrameState {
     std::vector<std::uint8_t> front;
+    std::vector<float> tiles;
     std::vector<ClippedSegment> clipped;
     std::vector<std::uint32_t> counts, lengths; ///< after project_clip
     std::vector<std::uint32_t> offsets, arcs;   ///< after scan
@@ -45,7 +48,23 @@ class Stages {
           offsets_(backend_->allocate((n_ + 1) * sizeof(std::uint32_t))),
           arcs_(backend_->allocate((n_ + 1) * sizeof(std::uint32_t))) {}
 
-    void project(const Camera& camera, FrameState& state) {
+    void pyramid(const Camera& camera, const std::vector<float>& depth, FrameState& state) {
+        const glm::ivec2 size = camera.size * depth_scale;
+        const glm::ivec2 count = compute::tiles_for(size);
+        const auto depth_buffer = to_device(*backend_, depth);
+        state.tiles.resize(static_cast<std::size_t>(count.x * count.y));
+        tiles_ = to_device(*backend_, state.tiles);
+        backend_->pyramid({.depth = *depth_buffer, .depth_size = size, .tiles = *tiles_});
+        state.tiles = read_back<float>(*backend_, *tiles_, state.tiles.size());
+    }
+
+    /// With the pyramid of the last call if `cull_hidden`.
+    void project(const Camera& camera, bool cull_hidden, FrameState& state) {
+        const compute::OcclusionTest occlusion{.tiles = *tiles_,
+                                               .tile_count =
+                                                   compute::tiles_for(camera.size * depth_scale),
+                                               .depth_scale = depth_scale,
+                                               .tolerance = depth_tolerance(camera)};
         const glm::mat4 clip_from_world = camera.clip_from_world();
         backend_->facing({.table = table(), .eye = camera.eye(), .front = *front_});
         state.front = read_back<std::uint8_t>(*backend_, *front_, triangle_count_);
@@ -57,6 +76,7 @@ class Stages {
              .viewport = glm::vec2{camera.size},
              .step = 2,
              .kind_mask = all_line_kinds,
+             .occlusion = cull_hidden ? &occlusion : nullptr,
              .out = {*clipped_, *offsets_, *arcs_}});
         state.counts = read_back<std::uint32_t>(*backend_, *offsets_, n_);
         state.lengths = read_back<std::uint32_t>(*backend_, *arcs_, n_);
@@ -80,9 +100,6 @@ class Stages {
         const std::uint32_t total = state.offsets.back();
         const auto alpha =
             to_device(*backend_, std::vector<std::uint8_t>(layout.texels(total) + 64));
-        const float depth_per_pixel = std::fabs(
-            camera.projection[3][2] /
-            (camera.projection[1][1] * static_cast<float>(camera.size.y)));
         backend_->atlas({.clipped = {*clipped_, *offsets_, *arcs_},
                          .segment_count = n_,
                          .depth = *depth_buffer,
@@ -90,7 +107,7 @@ class Stages {
                          .viewport = glm::vec2{camera.size},
                          .depth_scale = depth_scale,
                          .probes = 3,
-                         .tolerance = depth_per_pixel,
+                         .tolerance = depth_tolerance(camera),
                          .layout = layout,
                          .capacity = total,
                          .alpha = *alpha});
@@ -110,7 +127,6 @@ class Stages {
                                 .layout = layout,
                                 .capacity = state.offsets.back(),
                                 .viewport = glm::vec2{camera.size},
-                                .step = 2,
                                 .half_width = 1,
                                 .runs = *runs,
                                 .run_capacity = run_capacity,
@@ -120,6 +136,11 @@ class Stages {
     }
 
   private:
+    /// One pixel's width in window depth, times w.
+    static float depth_tolerance(const Camera& camera) {
+        return std::fabs(camera.projection[3][2] /
+                         (camera.projection[1][1] * static_cast<float>(camera.size.y)));
+    }
     compute::SegmentTable table() {
         return {*vertices_, *triangles_, *segments_, triangle_count_, n_};
     }
@@ -130,7 +151,7 @@ class Stages {
 
     std::unique_ptr<Backend> backend_;
     std::uint32_t n_, triangle_count_;
-    std::unique_ptr<Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_, arcs_;
+    std::unique_ptr<Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_, arcs_, tiles_;
 };
 
 /// The scene's depth at a camera, drawn by GL.
@@ -181,16 +202,26 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
     static void compare_frame(Stages& reference, Stages& device, const Camera& camera,
                               const std::vector<float>& depth) {
         FrameState expected;
-        reference.project(camera, expected);
+        reference.pyramid(camera, depth, expected);
         FrameState seen = expected;
-        device.project(camera, seen);
-        EXPECT_TRUE(equal(expected.front, seen.front));
-        EXPECT_TRUE(equal(expected.counts, seen.counts));
-        EXPECT_TRUE(equal(expected.lengths, seen.lengths));
-        for (std::size_t i = 0; i < expected.counts.size(); ++i) {
-            if (expected.counts[i] == 0) continue; // not written
-            ASSERT_TRUE(close(expected.clipped[i], seen.clipped[i])) << "segment " << i;
+        device.pyramid(camera, depth, seen);
+        EXPECT_TRUE(equal(expected.tiles, seen.tiles));
+
+        std::array<std::uint64_t, 2> samples{};
+        for (const bool cull_hidden : {true, false}) {
+            reference.project(camera, cull_hidden, expected);
+            seen = expected;
+            device.project(camera, cull_hidden, seen);
+            EXPECT_TRUE(equal(expected.front, seen.front));
+            EXPECT_TRUE(equal(expected.counts, seen.counts));
+            EXPECT_TRUE(equal(expected.lengths, seen.lengths));
+            for (std::size_t i = 0; i < expected.counts.size(); ++i) {
+                samples[cull_hidden ? 1 : 0] += expected.counts[i];
+                if (expected.counts[i] == 0) continue; // perhaps not written
+                ASSERT_TRUE(close(expected.clipped[i], seen.clipped[i])) << "segment " << i;
+            }
         }
+        EXPECT_LE(samples[1], samples[0]);
 
         reference.scan(expected);
         seen = expected;
@@ -232,7 +263,8 @@ TEST_P(StagesTest, NoSegmentsAtAll) {
     Stages device{GetParam().backend(), nothing};
     const Camera camera = make_camera({.near = 1, .far = 2}, {64, 48}, {});
     FrameState state;
-    device.project(camera, state);
+    device.pyramid(camera, std::vector<float>(64 * 48 * 4, 1.0F), state);
+    device.project(camera, true, state);
     device.scan(state);
     EXPECT_TRUE(equal(state.offsets, {0}));
     const AtlasLayout layout = make_atlas_layout(AtlasLayoutKind::wrap, 100, 4096);

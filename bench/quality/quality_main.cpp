@@ -87,6 +87,7 @@ FrameOptions frame_options(const Arguments& a) {
     options.probes = a.probes != 0 ? a.probes : high ? 9 : 1;
     options.depth_scale = a.depth_scale != 0 ? a.depth_scale : high ? 2 : 1;
     options.step = a.step;
+    options.cull_hidden = false; // every sample is compared
     return options;
 }
 

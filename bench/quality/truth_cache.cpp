@@ -1,7 +1,6 @@
 #include "truth_cache.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -14,7 +13,7 @@ namespace lineatlas::bench {
 namespace {
 
 /// Counts up when the definition of the truth changes.
-constexpr std::uint32_t definition = 1;
+constexpr std::uint32_t definition = 2;
 
 /// 128 bits of two differently seeded 64-bit hashes over the words of what is added.
 class ContentHash {
@@ -70,9 +69,6 @@ std::string key(const LineSet& lines, const ClippedLines& clipped, const Camera&
     return hash.name();
 }
 
-/// Shares are kept in 16 bits: any number of rays up to 256 x 256 survives.
-constexpr float levels = 65535;
-
 } // namespace
 
 std::filesystem::path truth_cache_folder() {
@@ -86,30 +82,23 @@ std::vector<float> cached_visibility(const Oracle& oracle, const ClippedLines& l
                                      const Camera& camera, const TruthOptions& options,
                                      const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / key(oracle.lines(), lines, camera, options);
-    std::vector<std::uint16_t> kept(lines.offsets.back());
-    const auto bytes = static_cast<std::streamsize>(kept.size() * sizeof(kept[0]));
+    // Floats as they are: a rounded share of exactly one half would turn verdicts over.
+    std::vector<float> result(lines.offsets.back());
+    const auto bytes = static_cast<std::streamsize>(result.size() * sizeof(result[0]));
     std::error_code error;
     if (std::filesystem::file_size(path, error) == static_cast<std::uintmax_t>(bytes) && !error) {
         std::ifstream file{path, std::ios::binary};
-        if (file.read(reinterpret_cast<char*>(kept.data()), bytes)) {
-            std::vector<float> result(kept.size());
-            for (std::size_t i = 0; i < kept.size(); ++i) {
-                result[i] = static_cast<float>(kept[i]) / levels;
-            }
-            return result;
-        }
+        if (file.read(reinterpret_cast<char*>(result.data()), bytes)) return result;
     }
-    std::vector<float> result = oracle.visibility(lines, camera, options);
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        kept[i] = static_cast<std::uint16_t>(std::lround(result[i] * levels));
-    }
+    result = oracle.visibility(lines, camera, options);
     // Written whole or not at all, also when two programs do so at once.
     const std::filesystem::path unfinished = path.string() + "." + std::to_string(getpid());
     std::filesystem::create_directories(folder, error);
     bool written = false;
     {
         std::ofstream file{unfinished, std::ios::binary};
-        written = static_cast<bool>(file.write(reinterpret_cast<const char*>(kept.data()), bytes));
+        written =
+            static_cast<bool>(file.write(reinterpret_cast<const char*>(result.data()), bytes));
     }
     if (written) std::filesystem::rename(unfinished, path, error);
     if (!written || error) std::filesystem::remove(unfinished, error);

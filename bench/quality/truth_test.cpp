@@ -3,12 +3,16 @@
 #include "truth.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "compare.hpp"
+#include "truth_cache.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -194,6 +198,23 @@ TEST_P(Truth, IsTheSameWithAnyNumberOfThreads) {
     const Mesh mesh = sphere();
     EXPECT_EQ(see(mesh, camera_, all_line_kinds, {.threads = 1}).truth,
               see(mesh, camera_, all_line_kinds, {.threads = 3}).truth);
+}
+
+TEST_P(Truth, CacheGivesBackExactlyWhatWasComputed) {
+    // Shares of exactly one half stand on the threshold of a wrong sample.
+    Mesh mesh;
+    mesh.positions = {{-9, 0, 1}, {9, 0, 1}, {0, 9, 1}};
+    mesh.triangles = {{0, 1, 2}};
+    add_line(mesh, {-1, 0, 0}, {1, 0, 0});
+    const Seen seen = see(mesh, camera_, file);
+    const Oracle oracle{seen.lines};
+    const auto folder = std::filesystem::path{testing::TempDir()} /
+                        ("lineatlas-truth-" + std::to_string(getpid()) + (GetParam() ? "p" : "o"));
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(cached_visibility(oracle, seen.clipped, camera_, {}, folder), seen.truth);
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folder}, {}), 1);
+    std::filesystem::remove_all(folder);
 }
 
 TEST_P(Truth, ComparisonFindsPlantedErrors) {

@@ -42,7 +42,7 @@ struct SegmentTable {
 
 /// `project_clip`'s and `scan`'s results: the clipped segment table.
 struct ClippedTable {
-    Buffer& clipped; ///< `ClippedSegment` per segment, valid where the segment has samples
+    Buffer& clipped; ///< `ClippedSegment` per segment, valid where its window length is not 0
     Buffer& offsets; ///< segment_count + 1 uint32: counts l, after `scan` offsets s and the total
     Buffer& arcs;    ///< segment_count + 1 uint32: window lengths, after `scan` arc lengths; 1/256 px
 };
@@ -53,6 +53,25 @@ struct FacingArgs {
     Buffer& front; ///< out: a byte per triangle
 };
 
+/// Tiles of the depth pyramid per axis.
+inline glm::ivec2 tiles_for(glm::ivec2 depth_size) {
+    return (depth_size + (LA_TILE - 1)) / LA_TILE;
+}
+
+struct PyramidArgs {
+    Buffer& depth;         ///< floats in [0, 1], rows from the lower left
+    glm::ivec2 depth_size; ///< texels
+    Buffer& tiles;         ///< out: a float per tile, tiles_for(depth_size) of them, row by row
+};
+
+/// What `project_clip` needs to drop segments that are hidden whole.
+struct OcclusionTest {
+    Buffer& tiles;         ///< of `pyramid`
+    glm::ivec2 tile_count;
+    float depth_scale;     ///< depth texels per pixel
+    float tolerance;       ///< as in AtlasArgs
+};
+
 struct ProjectClipArgs {
     SegmentTable table;
     Buffer& front;
@@ -61,6 +80,7 @@ struct ProjectClipArgs {
     glm::vec2 viewport;      ///< pixels
     float step;              ///< k: pixels per sample, above 0
     std::uint32_t kind_mask; ///< kinds to draw, bit 1 << kind
+    const OcclusionTest* occlusion; ///< null: segments that are hidden whole get samples too
     ClippedTable out;
 };
 
@@ -90,7 +110,6 @@ struct CompactRunsArgs {
     AtlasLayout layout;
     std::uint32_t capacity; ///< samples that `alpha` has room for
     glm::vec2 viewport;     ///< pixels
-    float step;             ///< k
     float half_width;       ///< of the stroke, in pixels: decides where a mitre has room
     Buffer& runs;           ///< out: `Run` each
     std::uint32_t run_capacity;
@@ -127,6 +146,7 @@ class Backend {
     virtual void upload(Buffer& buffer, std::span<const std::byte> data) = 0;
     virtual void download(Buffer& buffer, std::span<std::byte> data) = 0; ///< waits
 
+    virtual void pyramid(const PyramidArgs& args) = 0;
     virtual void facing(const FacingArgs& args) = 0;
     virtual void project_clip(const ProjectClipArgs& args) = 0;
     /// `values`: n inputs and room for one more; see kernels/scan.cl.

@@ -70,15 +70,27 @@ void AtlasMethod::prepare(const Frame& frame) {
         run_capacity_ = first_run_capacity;
         runs_ = shared(run_capacity_ * sizeof(Run));
     }
-    raster_ = frame.options.atlas == AtlasForm::raster ||
+    // An item buffer keeps its depth to itself, as the raster form does.
+    raster_ = frame.options.method == Method::item_buffer ||
+              frame.options.atlas == AtlasForm::raster ||
               (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
-    const std::size_t depth_bytes =
-        area(frame.camera.size * frame.options.depth_scale) * sizeof(float);
-    if (!raster_ && (!depth_ || depth_->size() < depth_bytes)) depth_ = shared(depth_bytes);
+    cull_hidden_ = frame.options.cull_hidden && frame.options.method != Method::item_buffer;
+    const glm::ivec2 depth_size = frame.camera.size * frame.options.depth_scale;
+    const std::size_t depth_bytes = area(depth_size) * sizeof(float);
+    if (reads_depth() && (!depth_ || depth_->size() < depth_bytes)) depth_ = shared(depth_bytes);
+    const std::size_t tile_bytes = area(compute::tiles_for(depth_size)) * sizeof(float);
+    if (!tiles_ || tiles_->size() < tile_bytes) tiles_ = backend_.allocate(tile_bytes);
 }
 
 void AtlasMethod::project(Frame& frame) {
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
+    if (cull_hidden_) {
+        frame.clock("pyramid", [&] {
+            backend_.pyramid({.depth = depth_->compute(),
+                              .depth_size = depth_pass_.size(),
+                              .tiles = *tiles_});
+        });
+    }
     if ((frame.options.lines & mask_of(LineKind::silhouette)) != 0) {
         frame.clock("facing", [&] {
             backend_.facing({.table = frame.scene.table(),
@@ -86,6 +98,11 @@ void AtlasMethod::project(Frame& frame) {
                              .front = *front_});
         });
     }
+    const compute::OcclusionTest occlusion{
+        .tiles = *tiles_,
+        .tile_count = compute::tiles_for(depth_pass_.size()),
+        .depth_scale = static_cast<float>(frame.options.depth_scale),
+        .tolerance = frame.depth_tolerance()};
     frame.clock("project_clip", [&] {
         backend_.project_clip(
             {.table = frame.scene.table(),
@@ -95,6 +112,7 @@ void AtlasMethod::project(Frame& frame) {
              .viewport = frame.viewport(),
              .step = frame.options.step,
              .kind_mask = frame.options.lines,
+             .occlusion = cull_hidden_ ? &occlusion : nullptr,
              .out = clipped_table()});
     });
     frame.clock("scan", [&] {
@@ -107,15 +125,16 @@ void AtlasMethod::draw_depth(Frame& frame) {
     frame.clock("depth", [&] {
         depth_pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(),
                          frame.camera.size, frame.options.depth_scale);
-        if (!raster_) depth_pass_.copy_to(depth_->gl());
+        if (reads_depth()) depth_pass_.copy_to(depth_->gl());
     });
-    if (raster_) return;
+    if (!reads_depth()) return;
     frame.clock("handover", [&] {
         handover_.to_compute({{*depth_, area(depth_pass_.size()) * sizeof(float)}});
     });
 }
 
 void AtlasMethod::sample(Frame& frame) {
+    if (frame.options.method == Method::item_buffer) return sample_item_buffer(frame);
     if (raster_) return sample_raster(frame);
     frame.clock("atlas", [&] {
         backend_.atlas({.clipped = clipped_table(),
@@ -154,6 +173,17 @@ void AtlasMethod::sample_raster(Frame& frame) {
     });
 }
 
+void AtlasMethod::sample_item_buffer(Frame& frame) {
+    frame.clock("item_buffer", [&] {
+        if (!item_buffer_) item_buffer_.emplace();
+        const ItemBufferSampler::Tables tables = item_buffer_->tables(segment_count_);
+        backend_.download(offsets_->compute(), std::as_writable_bytes(tables.offsets));
+        if (tables.offsets.back() > sample_capacity_) return; // grow() sees to it
+        backend_.download(clipped_->compute(), std::as_writable_bytes(tables.clipped));
+        backend_.upload(alpha_->compute(), std::as_bytes(item_buffer_->sample(frame, layout_)));
+    });
+}
+
 void AtlasMethod::compact(Frame& frame) {
     frame.clock("compact", [&] {
         backend_.compact_runs({.table = frame.scene.table(),
@@ -162,7 +192,6 @@ void AtlasMethod::compact(Frame& frame) {
                                .layout = layout_,
                                .capacity = sample_capacity_,
                                .viewport = frame.viewport(),
-                               .step = frame.options.step,
                                .half_width = 0.5F * frame.options.width,
                                .runs = runs_->compute(),
                                .run_capacity = run_capacity_,
@@ -205,7 +234,7 @@ void AtlasMethod::draw_strokes(Frame& frame) {
                          {*record_, sizeof(FrameRecord)},
                          {*runs_, std::size_t{totals_.points[0]} * sizeof(Run)},
                          {*alpha_, layout_.texels(totals_.sample_total)}});
-        if (!raster_) handover_.to_gl({{*depth_, 0}});
+        if (reads_depth()) handover_.to_gl({{*depth_, 0}});
     });
     frame.clock("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
@@ -217,9 +246,8 @@ void AtlasMethod::draw_strokes(Frame& frame) {
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     handover_.to_compute({{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}, {*record_, 0}});
+    if (frame.options.method != Method::item_buffer) draw_depth(frame);
     project(frame);
-    backend_.flush(); // runs while GL draws the depth
-    draw_depth(frame);
     do {
         sample(frame);
         compact(frame);

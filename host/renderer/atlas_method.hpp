@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/atlas_layout.hpp"
 #include "frame.hpp"
@@ -9,6 +10,7 @@
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
 #include "glpasses/stroke_pass.hpp"
+#include "item_buffer_sampler.hpp"
 
 namespace lineatlas {
 
@@ -31,6 +33,7 @@ class AtlasMethod {
     void draw_depth(Frame& frame);
     void sample(Frame& frame);
     void sample_raster(Frame& frame);
+    void sample_item_buffer(Frame& frame);
     void compact(Frame& frame);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
@@ -39,6 +42,8 @@ class AtlasMethod {
     std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
         return interop::make_shared_buffer(backend_, mode_, bytes);
     }
+    /// Whether kernels need the current frame's depth.
+    bool reads_depth() const { return !raster_ || cull_hidden_; }
     compute::ClippedTable clipped_table() {
         return {clipped_->compute(), offsets_->compute(), *arcs_};
     }
@@ -51,17 +56,19 @@ class AtlasMethod {
     GLint largest_texture_buffer_ = 0;
 
     std::uint32_t segment_count_ = 0;
-    std::unique_ptr<compute::Buffer> front_, arcs_;
+    std::unique_ptr<compute::Buffer> front_, arcs_, tiles_;
     std::unique_ptr<SharedBuffer> clipped_, offsets_, depth_, alpha_, runs_, record_;
     std::uint32_t sample_capacity_ = 0;
     std::uint32_t run_capacity_ = 0;
     AtlasLayout layout_{0, 0};
-    bool raster_ = false;   ///< the current frame's form of `atlas`
+    bool raster_ = false;      ///< the current frame's form of `atlas`
+    bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
     FrameRecord totals_{};
 
     gl::DepthPass depth_pass_;
     gl::AtlasPass atlas_pass_;
     gl::StrokePass stroke_pass_;
+    std::optional<ItemBufferSampler> item_buffer_; ///< made when first used
 };
 
 } // namespace lineatlas

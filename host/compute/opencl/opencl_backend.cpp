@@ -106,6 +106,12 @@ class Implementation final : public OpenClBackend {
         });
     }
 
+    void pyramid(const PyramidArgs& args) override {
+        const glm::ivec2 tiles = tiles_for(args.depth_size);
+        launch(pyramid_, static_cast<std::uint32_t>(tiles.x * tiles.y), tuning_.local_size,
+               args.depth, to_cl(args.depth_size), to_cl(tiles), args.tiles);
+    }
+
     void facing(const FacingArgs& args) override {
         const std::uint32_t n = args.table.triangle_count;
         launch(facing_, n, tuning_.local_size, args.table.vertices, args.table.triangles, n,
@@ -114,9 +120,14 @@ class Implementation final : public OpenClBackend {
 
     void project_clip(const ProjectClipArgs& args) override {
         const std::uint32_t n = args.table.segment_count;
+        // Without a pyramid any buffer will do: it isn't read.
+        const OcclusionTest unused{args.table.vertices, {1, 1}, 1, 0};
+        const OcclusionTest& test = args.occlusion != nullptr ? *args.occlusion : unused;
+        const cl_uint use_tiles = args.occlusion != nullptr ? 1 : 0;
         launch(project_clip_, n, tuning_.local_size, args.table.segments, n, args.table.vertices,
                args.table.triangles, args.front, to_cl(args.clip_from_world),
                to_cl(args.world_from_clip), to_cl(args.viewport), args.step, args.kind_mask,
+               test.tiles, to_cl(test.tile_count), use_tiles, test.depth_scale, test.tolerance,
                args.out.clipped, args.out.offsets, args.out.arcs);
     }
 
@@ -162,7 +173,7 @@ class Implementation final : public OpenClBackend {
         launch(compact_runs_write_, std::max(blocks, 1U), tuning_.block_local_size,
                args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs, n,
                args.alpha, args.layout.width, args.layout.pitch, args.capacity,
-               to_cl(args.viewport), args.step, args.half_width, tuning_.segment_block, counts,
+               to_cl(args.viewport), args.half_width, tuning_.segment_block, counts,
                blocks, args.run_capacity, args.runs, args.record);
     }
 
@@ -223,6 +234,7 @@ class Implementation final : public OpenClBackend {
 
     void build_kernels() {
         guarded("creating kernels", [&] {
+            pyramid_ = cl::Kernel{build("pyramid.cl"), "pyramid"};
             facing_ = cl::Kernel{build("facing.cl"), "facing"};
             project_clip_ = cl::Kernel{build("project_clip.cl"), "project_clip"};
             const cl::Program compact = build("compact.cl");
@@ -288,7 +300,7 @@ class Implementation final : public OpenClBackend {
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    cl::Kernel facing_, project_clip_;
+    cl::Kernel pyramid_, facing_, project_clip_;
     std::array<cl::Kernel, 4> atlas_; ///< by probes per axis, from 1
     cl::Kernel compact_runs_count_, compact_runs_write_;
     cl::Kernel compact_samples_count_, compact_samples_write_;

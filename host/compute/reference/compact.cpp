@@ -42,10 +42,12 @@ End segment_end(const CompactRunsInput& in, std::uint32_t i, bool at_end, glm::v
     if (last && (segment.tag & LA_TAG_CLOSED) == 0) return {LA_END_ROUND, left_of(direction)};
     std::uint32_t neighbour = at_end ? i + 1 : i - 1;
     if (last) neighbour = at_end ? i - segment.from_start : i + segment.to_end;
-    const std::uint32_t neighbour_samples = in.offsets[neighbour + 1] - in.offsets[neighbour];
-    if (neighbour_samples == 0) return {LA_END_ROUND, left_of(direction)};
-    const std::uint32_t own_samples = in.offsets[i + 1] - in.offsets[i];
-    const float room = static_cast<float>(std::min(own_samples, neighbour_samples)) * in.step;
+    // Arc lengths, not sample counts: a neighbour that is hidden whole has no samples.
+    const std::uint32_t neighbour_length = in.arcs[neighbour + 1] - in.arcs[neighbour];
+    if (neighbour_length == 0) return {LA_END_ROUND, left_of(direction)};
+    const std::uint32_t own_length = in.arcs[i + 1] - in.arcs[i];
+    const float room = static_cast<float>(std::min(own_length, neighbour_length)) *
+                       (1.0F / LA_ARC_UNITS_PER_PIXEL);
     return join(direction, window_direction(in.clipped[neighbour], in.viewport), room,
                 in.half_width);
 }

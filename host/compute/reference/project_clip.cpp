@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 namespace lineatlas::compute::reference {
@@ -95,6 +96,55 @@ bool is_silhouette(const Segment& segment, std::span<const std::uint8_t> front) 
     return (front[segment.face_a] != 0) != ((front[segment.face_b & LA_FACE_INDEX] != 0) != flipped);
 }
 
+/// See own_depth in project_clip.cl.
+float own_depth(std::uint32_t packed, float reach, float before) {
+    const float slope = std::fabs(std::bit_cast<float>(packed << 16U));
+    const float height = std::fabs(std::bit_cast<float>(packed & 0xFFFF0000U));
+    const float within = slope * std::fmin(height + LA_OWN_FACE_SNAP, reach);
+    return std::fmin(slope * reach, std::fmax(within, LA_OWN_FACE_REACH * before));
+}
+
+/// See is_hidden in project_clip.cl.
+bool is_hidden(glm::vec3 p, glm::vec3 d, float length_texels, float reach, float depth_margin,
+               std::span<const float> tiles, glm::ivec2 tile_count) {
+    const int pieces = static_cast<int>(length_texels * (1.0F / LA_TILE)) + 1;
+    if (pieces > LA_MOST_TILES_TESTED) return false;
+    const float per_piece = 1.0F / static_cast<float>(pieces);
+    const auto tile = [&](glm::vec2 texel) {
+        const glm::vec2 place = texel * (1.0F / LA_TILE);
+        return glm::clamp(glm::ivec2{std::floor(place.x), std::floor(place.y)}, glm::ivec2{0},
+                          tile_count - 1);
+    };
+    for (int i = 0; i < pieces; ++i) {
+        const glm::vec3 a = p + d * (static_cast<float>(i) * per_piece);
+        const glm::vec3 b = p + d * (static_cast<float>(i + 1) * per_piece);
+        const float nearest = std::fmin(a.z, b.z) - depth_margin;
+        const glm::ivec2 first = tile(glm::min(glm::vec2{a}, glm::vec2{b}) - reach);
+        const glm::ivec2 last = tile(glm::max(glm::vec2{a}, glm::vec2{b}) + reach);
+        for (int y = first.y; y <= last.y; ++y) {
+            for (int x = first.x; x <= last.x; ++x) {
+                const auto index = static_cast<std::size_t>(y) * tile_count.x + x;
+                if (tiles[index] >= nearest) return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Whether the pyramid shows the whole segment hidden.
+bool is_hidden(const ProjectClipInput& in, const ScreenLine& line, glm::vec3 window_p, glm::vec3 d,
+               std::uint32_t own_a, std::uint32_t own_b) {
+    const float before = in.tolerance / std::fmin(line.p.w, line.q.w) + LA_DEPTH_ROUNDING;
+    const float reach_texels = LA_PROBE_REACH(in.depth_scale);
+    const float reach = reach_texels / in.depth_scale;
+    const float own = std::fmax(own_depth(own_a, reach, before), own_depth(own_b, reach, before));
+    const float along = line.length_px > 0 ? std::fabs(d.z) / line.length_px * reach : 0;
+    const float margin = before + own + along + 2 * LA_DEPTH_ROUNDING;
+    const glm::vec3 texels{in.depth_scale, in.depth_scale, 1};
+    return is_hidden(window_p * texels, d * texels, line.length_px * in.depth_scale,
+                     reach_texels, margin, in.tiles, in.tile_count);
+}
+
 } // namespace
 
 void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles, glm::vec4 eye,
@@ -122,33 +172,39 @@ void project_clip(const ProjectClipInput& in, std::span<ClippedSegment> clipped,
         const glm::vec4 q = transform_point(in.clip_from_world, load3(in.vertices, segment.q));
         ClipRange range;
         if (!clip_to_frustum(p, q, range)) continue;
-        const glm::vec4 d = q - p;
-        const glm::vec4 cp = p + d * range.t0;
-        const glm::vec4 cq = range.t1 < 1 ? p + d * range.t1 : q;
+        const glm::vec4 way = q - p;
+        const glm::vec4 cp = p + way * range.t0;
+        const glm::vec4 cq = range.t1 < 1 ? p + way * range.t1 : q;
 
-        const glm::vec2 half_viewport = in.viewport * 0.5F;
-        const float span_x = (cq.x / cq.w - cp.x / cp.w) * half_viewport.x;
-        const float span_y = (cq.y / cq.w - cp.y / cp.w) * half_viewport.y;
-        const float length_px = std::sqrt(span_x * span_x + span_y * span_y);
+        const glm::vec3 scale{in.viewport * 0.5F, 0.5F};
+        const glm::vec3 window_p = (glm::vec3{cp} / cp.w + 1.0F) * scale;
+        const glm::vec3 d = (glm::vec3{cq} / cq.w + 1.0F) * scale - window_p;
+        const float length_px = std::sqrt(d.x * d.x + d.y * d.y);
         auto l = static_cast<std::uint32_t>(std::ceil(length_px / in.step)); // eq. 1
         if (l <= 1) {
             if ((segment.tag & LA_TAG_LONE) != 0) continue;
             l = 1;
         }
-        counts[i] = l;
-        arcs[i] = static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL);
         const ScreenLine line{.vertex_p = segment.p,
                               .vertex_q = segment.q,
                               .p = cp,
                               .q = cq,
-                              .across = glm::vec2{-span_y, span_x} / length_px,
+                              .across = glm::vec2{-d.y, d.x} / length_px,
                               .length_px = length_px};
+        const std::uint32_t own_a = own_face(in, segment.face_a, line);
+        const std::uint32_t own_b = own_face(in, segment.face_b, line);
+        arcs[i] = static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL);
+        if (!in.tiles.empty() && is_hidden(in, line, window_p, d, own_a, own_b)) {
+            if (segment.from_start == 0 && segment.to_end == 0) continue;
+            l = 0;
+        }
+        counts[i] = l;
         clipped[i] = {.p = {cp.x, cp.y, cp.z, cp.w},
                       .q = {cq.x, cq.y, cq.z, cq.w},
                       .t0 = range.t0,
                       .t1 = range.t1,
-                      .own_a = own_face(in, segment.face_a, line),
-                      .own_b = own_face(in, segment.face_b, line)};
+                      .own_a = own_a,
+                      .own_b = own_b};
     }
 }
 

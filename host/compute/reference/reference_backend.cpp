@@ -54,6 +54,11 @@ class ReferenceBackend final : public Backend {
         std::ranges::copy(memory_of(buffer).first(data.size()), data.begin());
     }
 
+    void pyramid(const PyramidArgs& args) override {
+        reference::pyramid(view_all<float>(args.depth), args.depth_size,
+                           view_all<float>(args.tiles));
+    }
+
     void facing(const FacingArgs& args) override {
         const std::size_t triangles = args.table.triangle_count;
         reference::facing(view_all<float>(args.table.vertices),
@@ -63,6 +68,7 @@ class ReferenceBackend final : public Backend {
 
     void project_clip(const ProjectClipArgs& args) override {
         const std::size_t n = args.table.segment_count;
+        const OcclusionTest* occlusion = args.occlusion;
         reference::project_clip({.segments = view<Segment>(args.table.segments, n),
                                  .vertices = view_all<float>(args.table.vertices),
                                  .triangles = view_all<std::uint32_t>(args.table.triangles),
@@ -71,7 +77,12 @@ class ReferenceBackend final : public Backend {
                                  .world_from_clip = args.world_from_clip,
                                  .viewport = args.viewport,
                                  .step = args.step,
-                                 .kind_mask = args.kind_mask},
+                                 .kind_mask = args.kind_mask,
+                                 .tiles = occlusion ? view_all<float>(occlusion->tiles)
+                                                    : std::span<float>{},
+                                 .tile_count = occlusion ? occlusion->tile_count : glm::ivec2{0},
+                                 .depth_scale = occlusion ? occlusion->depth_scale : 1,
+                                 .tolerance = occlusion ? occlusion->tolerance : 0},
                                 view<ClippedSegment>(args.out.clipped, n),
                                 view<std::uint32_t>(args.out.offsets, n),
                                 view<std::uint32_t>(args.out.arcs, n));
@@ -106,7 +117,6 @@ class ReferenceBackend final : public Backend {
                                  .layout = args.layout,
                                  .capacity = args.capacity,
                                  .viewport = args.viewport,
-                                 .step = args.step,
                                  .half_width = args.half_width},
                                 view<Run>(args.runs, args.run_capacity),
                                 view<FrameRecord>(args.record, 1)[0]);

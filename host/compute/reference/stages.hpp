@@ -17,6 +17,9 @@ namespace lineatlas::compute::reference {
 void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles, glm::vec4 eye,
             std::span<std::uint8_t> front);
 
+/// tiles: tiles_for(depth_size) of them, row by row.
+void pyramid(std::span<const float> depth, glm::ivec2 depth_size, std::span<float> tiles);
+
 struct ProjectClipInput {
     std::span<const Segment> segments;
     std::span<const float> vertices;
@@ -27,6 +30,10 @@ struct ProjectClipInput {
     glm::vec2 viewport;
     float step;
     std::uint32_t kind_mask;
+    std::span<const float> tiles{}; ///< the depth pyramid; empty: keep hidden segments
+    glm::ivec2 tile_count{0, 0};
+    float depth_scale = 1;
+    float tolerance = 0;
 };
 
 void project_clip(const ProjectClipInput& input, std::span<ClippedSegment> clipped,
@@ -59,7 +66,6 @@ struct CompactRunsInput {
     AtlasLayout layout;
     std::uint32_t capacity;
     glm::vec2 viewport;
-    float step;
     float half_width;
 };
 

@@ -54,11 +54,13 @@ struct FrameOptions {
     float width = 2;               ///< of strokes, in pixels
     glm::vec4 color{0, 0, 0, 1};   ///< of strokes: RGB and opacity, 0 to 1
     std::string pen = "solid";     ///< solid, pen, pencil or dashed
+    /// Give no samples to segments that the depth buffer hides whole. Changes nothing in the picture.
+    bool cull_hidden = true;
     bool measure_stages = false;   ///< wait after every stage and report its time; slower
 };
 
 struct StageTime {
-    std::string name;    ///< depth, facing, project_clip, scan, atlas, compact, strokes
+    std::string name;    ///< depth, pyramid, facing, project_clip, scan, atlas, compact, strokes, ...
     double milliseconds;
 };
 
@@ -94,7 +96,8 @@ class Renderer {
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
     /// The visibility of every sample of the last frame in order of the segment table, and the samples
-    /// per segment: for tests and studies; waits for the device.
+    /// per segment: for tests and studies; waits for the device. With `cull_hidden`, segments that are
+    /// hidden whole have none.
     struct Samples {
         std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible

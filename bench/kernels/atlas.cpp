@@ -1,0 +1,78 @@
+// atlas: n samples with 9 probes each, of segments of 20 samples strewn over the picture, half
+// hidden. Bytes: per sample 9 depth texels (36) and the result (1), per segment the clipped segment
+// (48) and an offset (4). Neighbouring probes share texels in the cache: a share of the copy above
+// 1 is possible.
+
+#include <cmath>
+
+#include "common.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+constexpr glm::ivec2 viewport{1024, 768};
+constexpr int depth_scale = 2;
+constexpr float step = 2;
+constexpr std::uint32_t samples_each = 20;
+
+/// Segments of the right length anywhere in the picture, on either side of depth 0.5.
+std::vector<ClippedSegment> strewn_segments(std::uint32_t count) {
+    Random random{5};
+    std::vector<ClippedSegment> result(count);
+    const glm::vec2 size{viewport};
+    constexpr float length = step * samples_each * 0.99F;
+    for (ClippedSegment& segment : result) {
+        const float angle = random.between(0, 6.2831853F);
+        const glm::vec2 half =
+            0.5F * length * glm::vec2{std::cos(angle), std::sin(angle)} / size * 2.0F;
+        const glm::vec2 middle{random.between(-0.9F, 0.9F), random.between(-0.9F, 0.9F)};
+        const float z = random.between(-0.5F, 0.5F);
+        segment = {.p = {middle.x - half.x, middle.y - half.y, z, 1},
+                   .q = {middle.x + half.x, middle.y + half.y, z, 1},
+                   .t0 = 0,
+                   .t1 = 1,
+                   .own_a = 0,
+                   .own_b = 0};
+    }
+    return result;
+}
+
+Job prepare(compute::Backend& backend, std::uint32_t n) {
+    const std::uint32_t count = (n + samples_each - 1) / samples_each;
+    std::vector<std::uint32_t> offset_values(count + 1);
+    for (std::uint32_t i = 0; i <= count; ++i) offset_values[i] = std::min(i * samples_each, n);
+    const glm::ivec2 depth_size = viewport * depth_scale;
+    const std::vector<float> depth_values(
+        static_cast<std::size_t>(depth_size.x) * static_cast<std::size_t>(depth_size.y), 0.5F);
+    const AtlasLayout layout = make_atlas_layout(AtlasLayoutKind::wrap, samples_each, 16384);
+
+    const SharedBuffer clipped = to_device(backend, strewn_segments(count));
+    const SharedBuffer offsets = to_device(backend, offset_values);
+    const SharedBuffer arcs = backend.allocate(sizeof(std::uint32_t)); // atlas doesn't read them
+    const SharedBuffer depth = to_device(backend, depth_values);
+    const SharedBuffer alpha = backend.allocate(layout.texels(n));
+    const auto run = [=, &backend] {
+        backend.atlas({.clipped = {*clipped, *offsets, *arcs},
+                       .segment_count = count,
+                       .depth = *depth,
+                       .depth_size = depth_size,
+                       .viewport = glm::vec2{viewport},
+                       .depth_scale = depth_scale,
+                       .probes = 3,
+                       .tolerance = 1e-4F,
+                       .layout = layout,
+                       .capacity = n,
+                       .alpha = *alpha});
+        backend.finish();
+    };
+    run();
+    return {.run = run, .bytes = 37.0 * n + 52.0 * count};
+}
+
+} // namespace
+
+Rows atlas_rows(const Backends& backends) {
+    return own_rows(backends, "atlas", prepare);
+}
+
+} // namespace lineatlas::bench

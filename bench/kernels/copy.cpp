@@ -1,0 +1,93 @@
+// copy: the limit. n uint32 from one buffer to another.
+// Bytes: 4 read and 4 written per element.
+
+#include <cstring>
+
+#include "common.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+constexpr const char* kernel_source = R"(
+__kernel void copy_one(__global const uint* restrict from, __global uint* restrict to) {
+    to[get_global_id(0)] = from[get_global_id(0)];
+}
+__kernel void copy_chunk(__global const uint16* restrict from, __global uint16* restrict to,
+                         const uint chunk) {
+    const uint begin = (uint)get_global_id(0) * chunk;
+    for (uint i = begin; i < begin + chunk; ++i) to[i] = from[i];
+}
+)";
+
+struct Pair {
+    std::vector<std::uint32_t> values;
+    SharedBuffer from, to;
+
+    Pair(compute::Backend& backend, std::uint32_t n) : values(n) {
+        Random random{1};
+        for (std::uint32_t& value : values) value = random.below(700);
+        from = to_device(backend, values);
+        to = backend.allocate(n * sizeof(std::uint32_t));
+    }
+};
+
+const cl::Buffer& memory_of(const SharedBuffer& buffer) {
+    return static_cast<compute::OpenClBuffer&>(*buffer).memory;
+}
+
+/// Runs the job once and checks what it copied.
+Job checked(compute::Backend& backend, const Pair& pair, std::function<void()> run) {
+    const std::size_t n = pair.values.size();
+    run();
+    require(read_back<std::uint32_t>(backend, *pair.to, n) == pair.values, "copy");
+    return {.run = std::move(run), .bytes = 8.0 * static_cast<double>(n)};
+}
+
+/// clEnqueueCopyBuffer. On PoCL a memcpy by one thread.
+Job prepare_enqueue(compute::OpenClBackend& backend, std::uint32_t n) {
+    const Pair pair{backend, n};
+    return checked(backend, pair, [&backend, from = pair.from, to = pair.to, n] {
+        cl::CommandQueue queue = backend.queue();
+        queue.enqueueCopyBuffer(memory_of(from), memory_of(to), 0, 0, n * sizeof(cl_uint));
+        backend.finish();
+    });
+}
+
+/// The plainest kernel that suits the device: on a CPU as many serial pieces as `scan` has, on a
+/// GPU a work-item per element. Sizes are powers of two, so that nothing is left over.
+Job prepare_kernel(compute::OpenClBackend& backend, std::uint32_t n) {
+    const Pair pair{backend, n};
+    const bool chunks = backend.device().is_cpu;
+    constexpr cl_uint pieces = 16, width = 16;
+    cl::Program program{backend.context(), kernel_source};
+    program.build({backend.device().device}, "-cl-std=CL1.2");
+    cl::Kernel kernel{program, chunks ? "copy_chunk" : "copy_one"};
+    kernel.setArg(0, memory_of(pair.from));
+    kernel.setArg(1, memory_of(pair.to));
+    if (chunks) kernel.setArg(2, n / (pieces * width));
+    const cl::NDRange global{chunks ? pieces : n}, local{chunks ? 1U : 64U};
+    return checked(backend, pair,
+                   [&backend, kernel, global, local, from = pair.from, to = pair.to] {
+                       cl::CommandQueue queue = backend.queue();
+                       queue.enqueueNDRangeKernel(kernel, cl::NullRange, global, local);
+                       backend.finish();
+                   });
+}
+
+Job prepare_memcpy(std::uint32_t n) {
+    const auto from = std::make_shared<std::vector<std::uint32_t>>(n, 1);
+    const auto to = std::make_shared<std::vector<std::uint32_t>>(n);
+    return {.run = [from, to] { std::memcpy(to->data(), from->data(), from->size() * 4); },
+            .bytes = 8.0 * n};
+}
+
+} // namespace
+
+Rows copy_rows(const Backends& backends) {
+    compute::OpenClBackend& device = *backends.device;
+    return {{"copy/device_enqueue", [&](std::uint32_t n) { return prepare_enqueue(device, n); }},
+            {"copy/device_kernel", [&](std::uint32_t n) { return prepare_kernel(device, n); }},
+            {"copy/memcpy", prepare_memcpy}};
+}
+
+} // namespace lineatlas::bench

@@ -1,0 +1,151 @@
+// lineatlas-bench-kernels: every kernel beside its rivals, from 2^14 to 2^24 elements.
+//
+// The time is the mean wall-clock time of a run, waiting for the device included. bytes_per_second
+// and share_of_copy come from the median: what else happens on the machine moves it less. Rows at
+// small sizes show what a launch costs.
+
+#include <algorithm>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+#include <benchmark/benchmark.h>
+
+#include "goals.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+constexpr std::int64_t smallest = 1 << 14, largest = 1 << 24;
+
+bool any_failed = false;
+
+void fail(benchmark::State& state, const std::exception& error) {
+    any_failed = true;
+    state.SkipWithError(error.what());
+}
+
+/// Google Benchmark calls a row several times to find how often to run it: the job is kept, one at
+/// a time.
+const Job& prepared(const Row& row, std::uint32_t n) {
+    static std::pair<std::string, std::uint32_t> key;
+    static Job job;
+    if (key != std::pair{row.name, n}) {
+        job = {}; // frees its memory first
+        key = {};
+        job = row.prepare(n);
+        key = {row.name, n};
+    }
+    return job;
+}
+
+void time_row(benchmark::State& state, const Backends& backends, const Row& row) {
+    try {
+        const auto n = static_cast<std::uint32_t>(state.range(0));
+        const double limit = copy_limit(backends, n);
+        const Job& job = prepared(row, n);
+        std::vector<double> seconds;
+        for (auto _ : state) {
+            seconds.push_back(seconds_of(job));
+            state.SetIterationTime(seconds.back());
+        }
+        const double speed = job.bytes / median(std::move(seconds));
+        state.counters["bytes_per_second"] = {speed, benchmark::Counter::kDefaults,
+                                              benchmark::Counter::kIs1000};
+        state.counters["share_of_copy"] = speed / limit;
+    } catch (const std::exception& error) {
+        fail(state, error);
+    }
+}
+
+void time_goal(benchmark::State& state, Goal& goal, const Rows& rows) {
+    try {
+        for (auto _ : state) measure(goal, rows);
+        state.counters["wanted"] = goal.wanted;
+        state.counters["seen"] = goal.seen;
+        state.counters["reached"] = goal.seen >= goal.wanted ? 1 : 0;
+    } catch (const std::exception& error) {
+        fail(state, error);
+    }
+}
+
+Rows all_rows(const Backends& backends) {
+    Rows result;
+    for (const auto rows_of :
+         {copy_rows, facing_rows, project_clip_rows, scan_rows, atlas_rows, compact_rows}) {
+        for (Row& row : rows_of(backends)) result.push_back(std::move(row));
+    }
+    return result;
+}
+
+void run(const std::string& device) {
+    const Backends backends = open_backends(device);
+    benchmark::AddCustomContext("device", backends.device->description());
+    benchmark::AddCustomContext("driver", backends.device->device().driver_version);
+    const Rows rows = all_rows(backends);
+    for (const Row& row : rows) {
+        benchmark::RegisterBenchmark(
+            row.name.c_str(), [&](benchmark::State& state) { time_row(state, backends, row); })
+            ->RangeMultiplier(4)
+            ->Range(smallest, largest)
+            ->UseManualTime()
+            ->Unit(benchmark::kMicrosecond);
+    }
+    std::vector<Goal> goals = known_goals();
+    for (Goal& goal : goals) {
+        benchmark::RegisterBenchmark(("goal/" + goal.name).c_str(),
+                                     [&](benchmark::State& state) { time_goal(state, goal, rows); })
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+    // Not into the stream of the rows, which may be JSON or CSV; there, goals are rows.
+    if (std::ranges::any_of(goals, [](const Goal& goal) { return goal.seen != 0; })) {
+        std::cerr << table(goals);
+    }
+}
+
+int guarded_main(int argc, char** argv) {
+    CLI::App app{"Times every kernel beside its rivals, from 2^14 to 2^24 elements"};
+    std::string device, json;
+    app.add_option("--device", device, "opencl:<platform>[:<device>]; else LINEATLAS_DEVICE");
+    app.add_option("--json", json, "Figures to write");
+    app.allow_extras();
+    app.footer("Flags of Google Benchmark are passed on, e.g. --benchmark_filter=scan or "
+               "--benchmark_min_time=0.5.");
+    CLI11_PARSE(app, argc, argv);
+
+    // Short by default: there are more than a hundred rows. What the user says comes later and
+    // wins.
+    std::vector<std::string> passed_on{argv[0], "--benchmark_min_time=0.1",
+                                       "--benchmark_counters_tabular=true"};
+    if (!json.empty()) {
+        passed_on.push_back("--benchmark_out=" + json);
+        passed_on.emplace_back("--benchmark_out_format=json");
+    }
+    for (const std::string& extra : app.remaining()) passed_on.push_back(extra);
+    std::vector<char*> pointers;
+    for (std::string& argument : passed_on) pointers.push_back(argument.data());
+    int count = static_cast<int>(pointers.size());
+    benchmark::Initialize(&count, pointers.data());
+    if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
+    try {
+        run(device);
+    } catch (const UsageError& error) {
+        std::cerr << "lineatlas-bench-kernels: " << error.what() << '\n';
+        return 2;
+    }
+    return any_failed ? 1 : 0;
+}
+
+} // namespace
+} // namespace lineatlas::bench
+
+int main(int argc, char** argv) {
+    try {
+        return lineatlas::bench::guarded_main(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "lineatlas-bench-kernels: " << error.what() << '\n';
+        return 1;
+    }
+}
