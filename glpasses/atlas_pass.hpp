@@ -12,11 +12,11 @@ namespace lineatlas::gl {
 
 /// How visibility is probed; the same for both forms of `atlas`.
 struct ProbeParams {
-    GLuint depth;              ///< depth texture
-    glm::vec2 viewport;        ///< pixels
-    float depth_scale;         ///< depth texels per pixel
-    std::uint32_t probes;      ///< per axis
-    float tolerance;           ///< window depth that may stand before a line, times w
+    GLuint depth;         ///< depth texture
+    glm::vec2 viewport;   ///< pixels
+    float depth_scale;    ///< depth texels per pixel
+    std::uint32_t probes; ///< per axis
+    float tolerance;      ///< window depth that may stand before a line, times w
 
     /// Binds the depth texture to `unit` and sets the uniforms of probe.glsl.
     void bind(const Program& program, GLuint unit) const;
@@ -29,12 +29,14 @@ struct ClippedBuffers {
     std::uint32_t segment_count;
 };
 
-/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). In a wrapped layout they are drawn twice.
+/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). In a wrapped layout they are drawn
+/// twice.
 class AtlasPass {
   public:
     AtlasPass();
 
-    /// Draws an atlas of `samples` samples and copies it to `alpha`: one byte per texel, row by row.
+    /// Draws an atlas of `samples` samples and copies it to `alpha`: one byte per texel, row by
+    /// row.
     void draw(const ClippedBuffers& segments, const ProbeParams& probes, const AtlasLayout& layout,
               std::uint32_t samples, GLuint alpha);
 

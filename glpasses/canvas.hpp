@@ -10,7 +10,8 @@
 
 namespace lineatlas::gl {
 
-/// A picture to draw into, off screen: RGBA, 8 bits per channel, premultiplied, with a depth buffer.
+/// A picture to draw into, off screen: RGBA, 8 bits per channel, premultiplied, with a depth
+/// buffer.
 class Canvas {
   public:
     /// Throws UsageError if the size exceeds what the device can draw.

@@ -21,9 +21,13 @@ void DepthPass::resize(glm::ivec2 size) {
     size_ = size;
 }
 
-void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
-                     glm::ivec2 viewport, int scale) {
+void DepthPass::begin(glm::ivec2 viewport, int scale) {
     resize(viewport * scale);
+    const float far = 1.0F;
+    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far);
+}
+
+void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, size_.x, size_.y);
     glEnable(GL_DEPTH_TEST);
@@ -32,17 +36,34 @@ void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_fro
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    const float far = 1.0F;
-    glClearBufferfv(GL_DEPTH, 0, &far);
-    if (triangles.triangle_count > 0) {
-        glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
-        glVertexArrayElementBuffer(vertex_array_.id(), triangles.indices);
-        glBindVertexArray(vertex_array_.id());
-        program_.use();
-        program_.set("clip_from_world", clip_from_world);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.triangle_count * 3),
-                       GL_UNSIGNED_INT, nullptr);
+    glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
+    glVertexArrayElementBuffer(vertex_array_.id(), triangles.indices);
+    glBindVertexArray(vertex_array_.id());
+    program_.use();
+    program_.set("clip_from_world", clip_from_world);
+}
+
+void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world) {
+    if (triangles.triangle_count == 0) return;
+    bind(triangles, clip_from_world);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.triangle_count * 3),
+                   GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
+                            std::span<const TriangleRange> ranges) {
+    if (ranges.empty()) return;
+    bind(triangles, clip_from_world);
+    counts_.clear();
+    first_bytes_.clear();
+    for (const TriangleRange& range : ranges) {
+        counts_.push_back(static_cast<GLsizei>(range.count * 3));
+        const std::uintptr_t offset = std::uintptr_t{range.first} * 3 * sizeof(std::uint32_t);
+        first_bytes_.push_back(reinterpret_cast<const void*>(offset));
     }
+    glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, first_bytes_.data(),
+                        static_cast<GLsizei>(ranges.size()));
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -17,15 +19,24 @@ struct TriangleBuffers {
     std::uint32_t triangle_count;
 };
 
-/// `depth`: draws triangles into a depth texture of its own, larger than the viewport by `scale` per
-/// axis (§3.2). Without a polygon offset: probes know the planes of a line's own faces (probe.glsl) and
-/// recognise them by their exact depth.
+/// A piece of a list of triangles.
+struct TriangleRange {
+    std::uint32_t first, count;
+};
+
+/// `depth`: draws triangles into a depth texture of its own, larger than the viewport by `scale`
+/// per axis (§3.2). Without a polygon offset: probes know the planes of a line's own faces
+/// (probe.glsl) and recognise them by their exact depth.
 class DepthPass {
   public:
     DepthPass();
 
-    void draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
-              glm::ivec2 viewport, int scale);
+    /// Clears the depth and makes it the target of what follows.
+    void begin(glm::ivec2 viewport, int scale);
+    void draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world);
+    /// Draws only these pieces of the list of triangles.
+    void draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
+                     std::span<const TriangleRange> ranges);
 
     /// Copies the depth of the last draw into a buffer: floats, rows from the lower left.
     void copy_to(GLuint buffer) const;
@@ -35,12 +46,15 @@ class DepthPass {
 
   private:
     void resize(glm::ivec2 size);
+    void bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world);
 
     Program program_;
     VertexArray vertex_array_;
     Framebuffer framebuffer_;
     Texture2D texture_;
     glm::ivec2 size_{0, 0};
+    std::vector<GLsizei> counts_; ///< of the ranges being drawn
+    std::vector<const void*> first_bytes_;
 };
 
 } // namespace lineatlas::gl

@@ -78,9 +78,9 @@ std::span<ItemLine> ItemBufferPass::map_lines(std::uint32_t count) {
                              GL_MAP_WRITE_BIT);
         glVertexArrayVertexBuffer(line_array_.id(), 0, lines_.id(), 0, sizeof(glm::vec3));
     }
-    void* memory = glMapNamedBufferRange(lines_.id(), 0,
-                                         static_cast<GLsizeiptr>(count * sizeof(ItemLine)),
-                                         GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    void* memory =
+        glMapNamedBufferRange(lines_.id(), 0, static_cast<GLsizeiptr>(count * sizeof(ItemLine)),
+                              GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
     if (memory == nullptr) throw DeviceError("GL has no memory for the lines of an item buffer");
     return {static_cast<ItemLine*>(memory), count};
 }
@@ -182,8 +182,8 @@ ItemImages ItemBufferPass::draw(const TriangleBuffers& triangles, const glm::mat
     glDisable(GL_DEPTH_TEST);
 
     for (std::uint32_t i = 0; i < shape.layers; ++i) {
-        images.texels[i] = static_cast<const std::uint32_t*>(glMapNamedBufferRange(
-            layers_[i].readback.id(), 0, bytes_of(size), GL_MAP_READ_BIT));
+        images.texels[i] = static_cast<const std::uint32_t*>(
+            glMapNamedBufferRange(layers_[i].readback.id(), 0, bytes_of(size), GL_MAP_READ_BIT));
         if (images.texels[i] == nullptr) throw DeviceError("an item buffer can't be read back");
     }
     return images;

@@ -14,23 +14,24 @@
 
 namespace lineatlas::gl {
 
-/// A line as the item buffer draws it: its ends in normalised device coordinates, within the frustum.
+/// A line as the item buffer draws it: its ends in normalised device coordinates, within the
+/// frustum.
 struct ItemLine {
     glm::vec3 p, q;
 };
 
 /// How fine an item buffer is.
 struct ItemBufferShape {
-    glm::ivec2 viewport;   ///< pixels
-    int scale;             ///< texels per pixel and axis
-    std::uint32_t layers;  ///< lines that a texel can hold: 1 to 3
+    glm::ivec2 viewport;  ///< pixels
+    int scale;            ///< texels per pixel and axis
+    std::uint32_t layers; ///< lines that a texel can hold: 1 to 3
 
     glm::ivec2 size() const { return viewport * scale; }
     bool operator==(const ItemBufferShape&) const = default;
 };
 
-/// The ID images of a frame in host memory, the nearest layer first. A texel is 0 or the place of a line in
-/// the list of lines, plus 1. Rows from the lower left.
+/// The ID images of a frame in host memory, the nearest layer first. A texel is 0 or the place of a
+/// line in the list of lines, plus 1. Rows from the lower left.
 struct ItemImages {
     std::array<const std::uint32_t*, 3> texels; ///< null beyond `layers`
     std::uint32_t layers;
@@ -38,10 +39,11 @@ struct ItemImages {
     int line_width; ///< texels that a line covers in each column (or row) that it crosses
 };
 
-/// `item_buffer`: the ID reference image of Northrup & Markosian 2000, or the supersampled and peeled one
-/// of Cole & Finkelstein 2008: the polygons' depth, then every line with its ID in place of a colour.
-/// Polygons are drawn with the slope-scaled offset of the published methods. Where supersampled, lines are
-/// one pixel, not one texel, wide: what covers a part of that width hides a part of the line.
+/// `item_buffer`: the ID reference image of Northrup & Markosian 2000, or the supersampled and
+/// peeled one of Cole & Finkelstein 2008: the polygons' depth, then every line with its ID in place
+/// of a colour. Polygons are drawn with the slope-scaled offset of the published methods. Where
+/// supersampled, lines are one pixel, not one texel, wide: what covers a part of that width hides a
+/// part of the line.
 class ItemBufferPass {
   public:
     static constexpr std::uint32_t max_layers = 3;

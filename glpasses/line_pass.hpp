@@ -19,8 +19,8 @@ struct LineBuffers {
     std::uint32_t line_count;
 };
 
-/// `opengl`: what everybody does. Polygons into the depth buffer of the framebuffer, pushed back by a
-/// slope-scaled offset, then line primitives under the depth test (§2, §5 OGL).
+/// `opengl`: what everybody does. Polygons into the depth buffer of the framebuffer, pushed back by
+/// a slope-scaled offset, then line primitives under the depth test (§2, §5 OGL).
 class LinePass {
   public:
     LinePass();

@@ -61,8 +61,10 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     glVertexArrayVertexBuffer(array.id(), 0, segments.segments, 0, sizeof(Segment));
     glBindVertexArray(array.id());
     const auto count = static_cast<GLsizei>(segments.segment_count);
-    if (geometry) glDrawArrays(GL_POINTS, 0, count);
-    else glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    if (geometry)
+        glDrawArrays(GL_POINTS, 0, count);
+    else
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     glDisable(GL_BLEND);
 }
 

@@ -28,8 +28,8 @@ struct SpineParams {
     float step;              ///< length of the box of probes along the line, pixels
 };
 
-/// `spine`: strokes straight from the segment table in one pass, with visibility tested in the fragment
-/// shader at the nearest point of the spine (§3).
+/// `spine`: strokes straight from the segment table in one pass, with visibility tested in the
+/// fragment shader at the nearest point of the spine (§3).
 class SpinePass {
   public:
     SpinePass();

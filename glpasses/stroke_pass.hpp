@@ -37,8 +37,8 @@ struct RunBuffers {
     GLuint alpha;  ///< the segment atlas, one byte per texel
 };
 
-/// `strokes`: draws the visible runs over the bound framebuffer, premultiplied. How many there are stays
-/// on the device: the draw is indirect.
+/// `strokes`: draws the visible runs over the bound framebuffer, premultiplied. How many there are
+/// stays on the device: the draw is indirect.
 class StrokePass {
   public:
     StrokePass();

@@ -1,10 +1,10 @@
 /* atlas: the visibility of every sample of every segment (§4.2, §4.3), the compute form.
  *
- * One work-item per block of `block` neighbouring samples: it finds the segment of its first sample by
- * bisection and walks on from there.
+ * One work-item per block of `block` neighbouring samples: it finds the segment of its first sample
+ * by bisection and walks on from there.
  *
- * PROBES_PER_AXIS: 1, 2, 3 or 4. PROBE_LANES: 1 probes one after the other (GPUs), 4 or 16 all probes of
- * a sample in one vector (CPUs); at least the number of probes then. */
+ * PROBES_PER_AXIS: 1, 2, 3 or 4. PROBE_LANES: 1 probes one after the other (GPUs), 4 or 16 all
+ * probes of a sample in one vector (CPUs); at least the number of probes then. */
 
 #include "segment_table.h"
 
@@ -24,7 +24,7 @@ typedef int lanes_int;
 #define FLOOR_TO_INT(x) convert_int_rtn(x)
 #define LOAD_LANES(from, i) ((from)[i])
 #define ANY(mask) ((mask) != 0)
-#define COUNT(mask) ((mask) & 1)
+#define COUNT(mask) ((mask)&1)
 #elif PROBE_LANES == 4
 typedef float4 lanes_float;
 typedef int4 lanes_int;
@@ -78,8 +78,10 @@ static uint segment_of_sample(__global const uint* offsets, const uint count, co
     uint low = 0, high = count;
     while (high - low > 1) {
         const uint middle = low + (high - low) / 2;
-        if (offsets[middle] <= s) low = middle;
-        else high = middle;
+        if (offsets[middle] <= s)
+            low = middle;
+        else
+            high = middle;
     }
     return low;
 }
@@ -97,14 +99,14 @@ static OwnFace unpack_own_face(const uint packed) {
 
 /* A segment on the screen, ready for its samples. Texels are those of the depth buffer. */
 typedef struct Spine {
-    float2 p, d;                  /* p' in texels, and the way to q' */
-    float depth_p, depth_d;       /* window depth, linear on the screen */
+    float2 p, d;                    /* p' in texels, and the way to q' */
+    float depth_p, depth_d;         /* window depth, linear on the screen */
     float inverse_w_p, inverse_w_d; /* so is 1/w */
-    float2 along;                 /* unit vector along the segment */
-    float depth_along;            /* window depth per pixel along it */
+    float2 along;                   /* unit vector along the segment */
+    float depth_along;              /* window depth per pixel along it */
     OwnFace a, b;
-    float outside;     /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; else 0 */
-    float inverse_l;   /* 1 / sample count */
+    float outside; /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; else 0 */
+    float inverse_l; /* 1 / sample count */
 } Spine;
 
 static Spine make_spine(__global const ClippedSegment* segment, const float2 viewport,
@@ -135,8 +137,8 @@ static Spine make_spine(__global const ClippedSegment* segment, const float2 vie
     return spine;
 }
 
-/* Which probes see the line's own face. seen: depth less the line's depth beside it; across: pixels to
- * the left of the line; before: the tolerance there, in window depth. */
+/* Which probes see the line's own face. seen: depth less the line's depth beside it; across: pixels
+ * to the left of the line; before: the tolerance there, in window depth. */
 static lanes_int is_own_face(const OwnFace face, const lanes_float seen, const lanes_float across,
                              const lanes_float before) {
     const float sign = face.height > 0.0f ? 1.0f : -1.0f;
@@ -149,12 +151,12 @@ static lanes_int is_own_face(const OwnFace face, const lanes_float seen, const l
     return on_side && in_reach && fabs(seen - expected) <= fmin(snap, before);
 }
 
-/* How many probes see sample j. They fill a box one pixel wide across the line and one sample long along
- * it (§3.2, §4.3). A probe sees the line if nothing in the depth buffer stands before it by more than
- * the tolerance, or if what stands there is one of the line's own two faces: their planes are known, so
- * they need no bias. tolerance is in window depth times w.
- * A single probe on a smooth silhouette would hit the surface or miss it by chance, and the outline would
- * be dashed; it stands outside instead. */
+/* How many probes see sample j. They fill a box one pixel wide across the line and one sample long
+ * along it (§3.2, §4.3). A probe sees the line if nothing in the depth buffer stands before it by
+ * more than the tolerance, or if what stands there is one of the line's own two faces: their planes
+ * are known, so they need no bias. tolerance is in window depth times w. A single probe on a smooth
+ * silhouette would hit the surface or miss it by chance, and the outline would be dashed; it stands
+ * outside instead. */
 static uint count_visible(const Spine spine, const uint j, __global const float* depth,
                           const int2 depth_size, const float depth_scale, const float tolerance) {
     const float inverse_scale = 1.0f / depth_scale;
@@ -200,8 +202,8 @@ static uint count_visible(const Spine spine, const uint j, __global const float*
     return visible;
 }
 
-/* alpha: one byte per sample at its atlas address, 0 to 255. Samples at or beyond `capacity` are left
- * out: the host sees the total, enlarges the atlas and runs the kernel again. */
+/* alpha: one byte per sample at its atlas address, 0 to 255. Samples at or beyond `capacity` are
+ * left out: the host sees the total, enlarges the atlas and runs the kernel again. */
 __kernel void atlas(__global const ClippedSegment* restrict clipped,
                     __global const uint* restrict offsets, const uint count,
                     __global const float* restrict depth, const int2 depth_size,

@@ -1,9 +1,9 @@
 /* compact: from visibility per sample to a packed list of what is visible (§4.6).
  *
- * compact_runs_*: maximal visible runs of every segment, with all that the stroke pass needs to draw
- * them, and the indirect draw record. compact_samples_*: the addresses of all visible samples.
- * Each has two steps with the `scan` stage between them: count per block, then write from the block's
- * offset. One work-item per block of neighbouring segments or samples. */
+ * compact_runs_*: maximal visible runs of every segment, with all that the stroke pass needs to
+ * draw them, and the indirect draw record. compact_samples_*: the addresses of all visible samples.
+ * Each has two steps with the `scan` stage between them: count per block, then write from the
+ * block's offset. One work-item per block of neighbouring segments or samples. */
 
 #include "segment_table.h"
 
@@ -58,8 +58,9 @@ static float2 window_direction(__global const ClippedSegment* segment, const flo
 }
 
 /* How the end of a segment meets the neighbour that continues its path (§4.5, mitering). `own` and
- * `other` are unit directions along the path, `room` is the length of the shorter of the two. The mitre
- * vector leads from the spine to the corner, for half-width 1: 1/cos of half the turn long. */
+ * `other` are unit directions along the path, `room` is the length of the shorter of the two. The
+ * mitre vector leads from the spine to the corner, for half-width 1: 1/cos of half the turn long.
+ */
 static uint join(const float2 own, const float2 other, const float room, const float half_width,
                  float2* mitre) {
     const float cosine = own.x * other.x + own.y * other.y;
@@ -101,19 +102,16 @@ static uint segment_end(const Frame frame, const uint i, const uint at_end, cons
     return join(direction, other, room, frame.half_width, mitre);
 }
 
-/* Writes the runs of every block from its offset on, and (the first work-item) the frame's record. If
- * the runs exceed the table, none is drawn; the host sees the total, enlarges it and runs the kernel
- * again. */
-__kernel void compact_runs_write(__global const Segment* restrict segments,
-                                 __global const ClippedSegment* restrict clipped,
-                                 __global const uint* restrict offsets,
-                                 __global const uint* restrict arcs, const uint count,
-                                 __global const uchar* restrict alpha, const uint width,
-                                 const uint pitch, const uint capacity, const float2 viewport,
-                                 const float half_width, const uint block,
-                                 __global const uint* restrict block_offsets, const uint blocks,
-                                 const uint run_capacity, __global Run* restrict runs,
-                                 __global FrameRecord* restrict record) {
+/* Writes the runs of every block from its offset on, and (the first work-item) the frame's record.
+ * If the runs exceed the table, none is drawn; the host sees the total, enlarges it and runs the
+ * kernel again. */
+__kernel void compact_runs_write(
+    __global const Segment* restrict segments, __global const ClippedSegment* restrict clipped,
+    __global const uint* restrict offsets, __global const uint* restrict arcs, const uint count,
+    __global const uchar* restrict alpha, const uint width, const uint pitch, const uint capacity,
+    const float2 viewport, const float half_width, const uint block,
+    __global const uint* restrict block_offsets, const uint blocks, const uint run_capacity,
+    __global Run* restrict runs, __global FrameRecord* restrict record) {
     const uint b = (uint)get_global_id(0);
     const uint run_total = block_offsets[blocks];
     if (b == 0) {
@@ -157,7 +155,8 @@ __kernel void compact_runs_write(__global const Segment* restrict segments,
             const uint path_first = i - segments[i].from_start;
             const uint path_last = i + segments[i].to_end;
             const float per_unit = 1.0f / LA_ARC_UNITS_PER_PIXEL;
-            const float half_path = (float)(arcs[path_last + 1] - arcs[path_first]) * per_unit * 0.5f;
+            const float half_path =
+                (float)(arcs[path_last + 1] - arcs[path_first]) * per_unit * 0.5f;
             const float arc = (float)(arcs[i] - arcs[path_first]) * per_unit - half_path;
             const float length_px = (float)(arcs[i + 1] - arcs[i]) * per_unit;
             const float u0 = start_sample / (float)l;
@@ -194,16 +193,19 @@ __kernel void compact_samples_count(__global const uchar* restrict alpha, const 
     counts[b] = visible;
 }
 
-/* packed: the addresses of the visible samples, in order. */
+/* packed: the addresses of the visible samples, in order. Every address is written and only a
+ * visible one kept, since a branch on visibility is often mispredicted; the loop ends with the
+ * block's last visible sample, so that nothing is written into the next block's part. */
 __kernel void compact_samples_write(__global const uchar* restrict alpha, const uint n,
                                     const uint block, __global const uint* restrict block_offsets,
                                     __global uint* restrict packed) {
     const uint b = (uint)get_global_id(0);
     const uint first = b * block;
     if (first >= n) return;
-    const uint last = n - first < block ? n : first + block;
     uint next = block_offsets[b];
-    for (uint i = first; i < last; ++i) {
-        if (alpha[i] != 0) packed[next++] = i;
+    const uint end = block_offsets[b + 1];
+    for (uint i = first; next < end; ++i) {
+        packed[next] = i;
+        next += alpha[i] != 0 ? 1u : 0u;
     }
 }

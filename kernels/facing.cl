@@ -7,8 +7,9 @@
 
 /* eye: homogeneous; w is 1 for a point, 0 for the direction towards a parallel viewer.
  * front[i]: 1 if triangle i is counter-clockwise as seen from the eye, else 0. */
-__kernel void facing(__global const float* restrict vertices, __global const uint* restrict triangles,
-                     const uint count, const float4 eye, __global uchar* restrict front) {
+__kernel void facing(__global const float* restrict vertices,
+                     __global const uint* restrict triangles, const uint count, const float4 eye,
+                     __global uchar* restrict front) {
     const uint i = (uint)get_global_id(0);
     if (i >= count) return;
     const float3 a = vload3(triangles[3 * i], vertices);

@@ -1,7 +1,7 @@
 /* project_clip: segments to clip space, clipped to the frustum, with their sample counts (§4.1).
  *
- * One work-item per segment. Every operation is written out in a fixed order without contraction, so
- * that sample counts are equal bit by bit on every device. */
+ * One work-item per segment. Every operation is written out in a fixed order without contraction,
+ * so that sample counts are equal bit by bit on every device. */
 
 #include "segment_table.h"
 
@@ -30,10 +30,10 @@ static bool clip_to_frustum(const float4 p, const float4 q, float* t0, float* t1
            *t0 < *t1;
 }
 
-/* What a face looks like beside its line on the screen, so that a probe can recognise it: the change of
- * window depth per pixel across the line (to the left), and the height of the third corner above the
- * line in pixels, positive to the left. Each is cut to the upper half of a float. p and q are the ends
- * of the line in clip space, `across` is the unit vector to its left. */
+/* What a face looks like beside its line on the screen, so that a probe can recognise it: the
+ * change of window depth per pixel across the line (to the left), and the height of the third
+ * corner above the line in pixels, positive to the left. Each is cut to the upper half of a float.
+ * p and q are the ends of the line in clip space, `across` is the unit vector to its left. */
 static uint own_face(const uint face, const uint vertex_p, const uint vertex_q, const float4 p,
                      const float4 q, const float2 across, const float length_px,
                      __global const float* vertices, __global const uint* triangles,
@@ -55,9 +55,11 @@ static uint own_face(const uint face, const uint vertex_p, const uint vertex_q, 
     const float b = (nx * m.s4 + ny * m.s5) + (nz * m.s6 + nw * m.s7);
     const float c = (nx * m.s8 + ny * m.s9) + (nz * m.sa + nw * m.sb);
     const float slope = -(a / viewport.x * across.x + b / viewport.y * across.y) / c;
-    /* The corner's side is the sign of a determinant that stays right where the corner is behind the
-     * eye; there, and at the eye plane, the face reaches as far as can be. */
-    const uint i3 = i0 != vertex_p && i0 != vertex_q ? i0 : i1 != vertex_p && i1 != vertex_q ? i1 : i2;
+    /* The corner's side is the sign of a determinant that stays right where the corner is behind
+     * the eye; there, and at the eye plane, the face reaches as far as can be. */
+    const uint i3 = i0 != vertex_p && i0 != vertex_q   ? i0
+                    : i1 != vertex_p && i1 != vertex_q ? i1
+                                                       : i2;
     const float4 r = transform_point(clip_from_world, vload3(i3, vertices));
     const float det = ((p.y * q.w - p.w * q.y) * r.x + (p.w * q.x - p.x * q.w) * r.y) +
                       (p.x * q.y - p.y * q.x) * r.w;
@@ -73,8 +75,9 @@ static bool is_silhouette(const uint face_a, const uint face_b, __global const u
     return front[face_a] != (front[face_b & LA_FACE_INDEX] ^ flipped);
 }
 
-/* How far before the line a probe may take what it sees for this own face (is_own_face in atlas.cl), in
- * window depth. reach: pixels between the line and the centre of any texel that is probed. */
+/* How far before the line a probe may take what it sees for this own face (is_own_face in
+ * atlas.cl), in window depth. reach: pixels between the line and the centre of any texel that is
+ * probed. */
 static float own_depth(const uint packed, const float reach, const float before) {
     const float slope = fabs(as_float(packed << 16));
     const float height = fabs(as_float(packed & 0xFFFF0000u));
@@ -82,11 +85,12 @@ static float own_depth(const uint packed, const float reach, const float before)
     return fmin(slope * reach, fmax(within, LA_OWN_FACE_REACH * before));
 }
 
-/* Whether every probe of every sample of the segment is sure to be blocked: in no tile that a probe can
- * touch is there a texel as far away as the line less all tolerances. p, d: window position in texels and
- * depth of one end, and the way to the other. reach: texels between the line and what probes touch. */
-static bool is_hidden(const float3 p, const float3 d, const float length_texels,
-                      const float reach, const float depth_margin, __global const float* tiles,
+/* Whether every probe of every sample of the segment is sure to be blocked: in no tile that a probe
+ * can touch is there a texel as far away as the line less all tolerances. p, d: window position in
+ * texels and depth of one end, and the way to the other. reach: texels between the line and what
+ * probes touch. */
+static bool is_hidden(const float3 p, const float3 d, const float length_texels, const float reach,
+                      const float depth_margin, __global const float* tiles,
                       const int2 tile_count) {
     const int pieces = (int)(length_texels * (1.0f / LA_TILE)) + 1;
     if (pieces > LA_MOST_TILES_TESTED) return false;
@@ -109,9 +113,9 @@ static bool is_hidden(const float3 p, const float3 d, const float length_texels,
 }
 
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
- * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden: the
- * texture of a path must not depend on what hides it. clipped[i] is written where arcs[i] is not 0.
- * use_tiles 0: keep hidden segments. */
+ * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden:
+ * the texture of a path must not depend on what hides it. clipped[i] is written where arcs[i] is
+ * not 0. use_tiles 0: keep hidden segments. */
 __kernel void project_clip(__global const Segment* restrict segments, const uint count,
                            __global const float* restrict vertices,
                            __global const uint* restrict triangles,
@@ -164,8 +168,8 @@ __kernel void project_clip(__global const Segment* restrict segments, const uint
         const float along = length_px > 0.0f ? fabs(d.z) / length_px * reach : 0.0f;
         const float margin = before + own + along + 2.0f * LA_DEPTH_ROUNDING;
         const float3 texels = (float3)(depth_scale, depth_scale, 1.0f);
-        if (is_hidden(window_p * texels, d * texels, length_px * depth_scale, reach_texels,
-                      margin, tiles, tile_count)) {
+        if (is_hidden(window_p * texels, d * texels, length_px * depth_scale, reach_texels, margin,
+                      tiles, tile_count)) {
             /* Neighbours of its path still need to know where it runs. */
             if ((segments[i].from_start | segments[i].to_end) == 0) return;
             l = 0;

@@ -1,9 +1,10 @@
-/* scan: exclusive prefix sum of unsigned integers, in place (§4.1; Sengupta et al. 2007 as cited there).
+/* scan: exclusive prefix sum of unsigned integers, in place (§4.1; Sengupta et al. 2007 as cited
+ * there).
  *
- * values holds n inputs and room for one more: afterwards values[i] is the sum of the inputs before i
- * and values[n] the total. Two forms of one algorithm: chunks, each summed serially by one work-item,
- * for CPU devices; tiles in local memory, one per work-group, for GPUs. Neither relies on work-groups
- * waiting for each other, for which OpenCL promises no progress.
+ * values holds n inputs and room for one more: afterwards values[i] is the sum of the inputs before
+ * i and values[n] the total. Two forms of one algorithm: chunks, each summed serially by one
+ * work-item, for CPU devices; tiles in local memory, one per work-group, for GPUs. Neither relies
+ * on work-groups waiting for each other, for which OpenCL promises no progress.
  *
  * SCAN_SATURATE 1: the sum stops at 0xFFFFFFFF, so that a total too large to count is seen as such.
  * SCAN_SATURATE 0: the sum wraps; differences stay right (arc lengths). */
@@ -18,15 +19,23 @@
 #define SCAN_ADD(a, b) ((uint)(a) + (uint)(b))
 #endif
 
-/* Chunks, step 1: sums[c] = sum of chunk c. One work-item per chunk of `chunk` values. */
+/* Chunks, step 1: sums[c] = sum of chunk c. One work-item per chunk of `chunk` values. Summed in 64
+ * bits, which no chunk exceeds: unlike a saturating sum, that is one vector addition for several
+ * values. */
 __kernel void scan_chunks_reduce(__global const uint* restrict values, const uint n,
                                  const uint chunk, __global uint* restrict sums) {
     const uint c = (uint)get_global_id(0);
     const uint begin = min(c * chunk, n);
     const uint end = n - begin < chunk ? n : begin + chunk;
+#if SCAN_SATURATE
+    ulong sum = 0;
+    for (uint i = begin; i < end; ++i) sum += values[i];
+    sums[c] = (uint)min(sum, (ulong)0xFFFFFFFFu);
+#else
     uint sum = 0;
-    for (uint i = begin; i < end; ++i) sum = SCAN_ADD(sum, values[i]);
+    for (uint i = begin; i < end; ++i) sum += values[i];
     sums[c] = sum;
+#endif
 }
 
 /* Chunks, step 2: each work-item adds up the chunks before its own (there are few) and scans it. */
@@ -37,7 +46,20 @@ __kernel void scan_chunks_apply(__global uint* restrict values, const uint n, co
     for (uint i = 0; i < c; ++i) sum = SCAN_ADD(sum, sums[i]);
     const uint begin = min(c * chunk, n);
     const uint end = n - begin < chunk ? n : begin + chunk;
-    for (uint i = begin; i < end; ++i) {
+    uint i = begin;
+    /* Where the sum stays below the largest value, the chunk needs no saturation. Four at a time:
+     * each sum waits for the one before it, and so only every fourth addition does. */
+    if (!SCAN_SATURATE || SCAN_ADD(sum, sums[c]) != 0xFFFFFFFFu) {
+        for (; end - i >= 4; i += 4) {
+            const uint v0 = values[i], v1 = values[i + 1], v2 = values[i + 2], v3 = values[i + 3];
+            values[i] = sum;
+            values[i + 1] = sum + v0;
+            values[i + 2] = sum + (v0 + v1);
+            values[i + 3] = sum + (v0 + v1 + v2);
+            sum += (v0 + v1) + (v2 + v3);
+        }
+    }
+    for (; i < end; ++i) {
         const uint value = values[i];
         values[i] = sum;
         sum = SCAN_ADD(sum, value);
@@ -80,7 +102,8 @@ static uint sum_own(__global const uint* values, const uint n, const uint begin)
 
 /* Tiles, step 1: sums[g] = sum of tile g, of SCAN_TILE * SCAN_PER_ITEM values. */
 __kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
-scan_tiles_reduce(__global const uint* restrict values, const uint n, __global uint* restrict sums) {
+scan_tiles_reduce(__global const uint* restrict values, const uint n,
+                  __global uint* restrict sums) {
     __local uint scratch[SCAN_TILE];
     uint total;
     const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;

@@ -30,7 +30,8 @@ using la_uint = std::uint32_t;
 #define LA_TAG_LONE 0x10u  /* touches no other segment: dropped when sub-pixel (§4.1) */
 
 /* Segment.face_a, face_b: a triangle index, or LA_NO_FACE. LA_FACE_FLIPPED in face_b says that its
- * winding disagrees with face_a's, so that its facing must be negated before the two are compared. */
+ * winding disagrees with face_a's, so that its facing must be negated before the two are compared.
+ */
 #define LA_NO_FACE 0xFFFFFFFFu
 #define LA_FACE_FLIPPED 0x80000000u
 #define LA_FACE_INDEX 0x7FFFFFFFu
@@ -47,10 +48,17 @@ typedef struct Segment {
 
 /* A segment after projection and clipping; written only where its sample count is above 0. */
 typedef struct ClippedSegment {
-    float p[4], q[4];         /* p', q': clipped end points in homogeneous clip space, w > 0 */
-    float t0, t1;             /* clip parameters: p' lies at t0, q' at t1 of the segment; 0 and 1: whole */
-    la_uint own_a, own_b;     /* the two faces beside the line on the screen, see own_face in project_clip.cl */
+    float p[4], q[4]; /* p', q': clipped end points in homogeneous clip space, w > 0 */
+    float t0, t1;     /* clip parameters: p' lies at t0, q' at t1 of the segment; 0 and 1: whole */
+    la_uint own_a,
+        own_b; /* the two faces beside the line on the screen, see own_face in project_clip.cl */
 } ClippedSegment;
+
+/* A piece of the list of triangles with the box around it. */
+typedef struct Cluster {
+    float low[3], high[3];
+    la_uint first, count; /* triangles */
+} Cluster;
 
 /* Run.flags: how either end of the run is drawn. */
 #define LA_END_BUTT 0u  /* cut square: visibility or the viewport ends here */
@@ -62,25 +70,26 @@ typedef struct ClippedSegment {
 #define LA_RUN_KIND_SHIFT 4u
 
 /* A maximal piece of one segment whose samples are all at least partly visible; everything that the
- * stroke pass and the readback need to know of it. Positions in pixels, origin at the lower left. */
+ * stroke pass and the readback need to know of it. Positions in pixels, origin at the lower left.
+ */
 typedef struct Run {
     float start[2], end[2];             /* window position of the run's two ends */
     float start_mitre[2], end_mitre[2]; /* from the spine to the left corner, for half-width 1 */
     float start_arc, end_arc;           /* arc length along the path, 0 in its middle, in pixels */
-    float start_sample, end_sample;     /* the same ends counted in samples of the segment, 0 to l */
-    la_uint address;                    /* of the segment's first sample in the atlas */
-    la_uint samples;                    /* l, the segment's sample count */
-    la_uint flags;                      /* ends and kind, LA_RUN_* */
-    la_uint segment;                    /* index into the segment table */
+    float start_sample, end_sample; /* the same ends counted in samples of the segment, 0 to l */
+    la_uint address;                /* of the segment's first sample in the atlas */
+    la_uint samples;                /* l, the segment's sample count */
+    la_uint flags;                  /* ends and kind, LA_RUN_* */
+    la_uint segment;                /* index into the segment table */
 } Run;
 
 /* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */
 typedef struct FrameRecord {
-    la_uint points[4];     /* {runs, 1, 0, 0}: one point per run for the geometry shader */
-    la_uint quads[4];      /* {4, runs, 0, 0}: one instanced strip per run for the vertex shader */
-    la_uint sample_total;  /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
-    la_uint run_total;     /* runs the frame needs; above the table's capacity nothing is drawn */
+    la_uint points[4];    /* {runs, 1, 0, 0}: one point per run for the geometry shader */
+    la_uint quads[4];     /* {4, runs, 0, 0}: one instanced strip per run for the vertex shader */
+    la_uint sample_total; /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
+    la_uint run_total;    /* runs the frame needs; above the table's capacity nothing is drawn */
     la_uint unused[2];
 } FrameRecord;
 
@@ -95,34 +104,36 @@ typedef struct FrameRecord {
 #define LA_SLOPE_LIMIT 100.0f
 #define LA_HEIGHT_LIMIT 100000.0f
 
-/* A line's own face is recognised by its place and by its depth to within this many pixels (worth of
- * slope): the rasteriser snaps corners to a grid. */
+/* A line's own face is recognised by its place and by its depth to within this many pixels (worth
+ * of slope): the rasteriser snaps corners to a grid. */
 #define LA_OWN_FACE_SNAP 0.015625f
 
-/* A single probe beside a fold stands this many depth texels outside it: far enough that its texel's
- * centre cannot lie on the surface that folds away. */
+/* A single probe beside a fold stands this many depth texels outside it: far enough that its
+ * texel's centre cannot lie on the surface that folds away. */
 #define LA_FOLD_CLEARANCE 0.75f
 
-/* A face whose depth changes by no more than this many pixel widths is recognised by depth alone: beyond
- * its own third corner other faces may lie in the same plane. */
+/* A face whose depth changes by no more than this many pixel widths is recognised by depth alone:
+ * beyond its own third corner other faces may lie in the same plane. */
 #define LA_OWN_FACE_REACH 4.0f
 
 /* Rounding in the depth buffer: a few units in the last place of a float just below 1. */
 #define LA_DEPTH_ROUNDING 2.4e-7f
 
-/* No probe touches a texel whose centre is farther than this many texels from its line: half a pixel
- * across, or for a single probe the clearance from a fold, and half a diagonal to the texel's centre. */
+/* No probe touches a texel whose centre is farther than this many texels from its line: half a
+ * pixel across, or for a single probe the clearance from a fold, and half a diagonal to the texel's
+ * centre. */
 #define LA_PROBE_REACH(depth_scale) (0.5f * (depth_scale) + 1.0f)
 
 /* Texels per axis of a tile of the depth pyramid. */
 #define LA_TILE 16
 
-/* Segments over more tiles than this are not tested against the pyramid: they are seldom hidden whole. */
+/* Segments over more tiles than this are not tested against the pyramid: they are seldom hidden
+ * whole. */
 #define LA_MOST_TILES_TESTED 64
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);
-static_assert(sizeof(Run) == 64 && sizeof(FrameRecord) == 48);
+static_assert(sizeof(Cluster) == 32 && sizeof(Run) == 64 && sizeof(FrameRecord) == 48);
 static_assert(offsetof(ClippedSegment, t0) == 32 && offsetof(Run, start_arc) == 32);
 } // namespace lineatlas
 #endif

@@ -24,8 +24,8 @@ class CompactSamples : public testing::TestWithParam<TestDevice> {
                                    .packed_count = *count});
         ASSERT_EQ(read_back<std::uint32_t>(*backend_, *count, 1)[0], expected.size());
         const auto seen = read_back<std::uint32_t>(*backend_, *packed, alpha.size() + 1);
-        EXPECT_TRUE(equal({seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(expected.size())},
-                          expected));
+        EXPECT_TRUE(equal(
+            {seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(expected.size())}, expected));
         // Nothing is written beyond what was kept.
         EXPECT_TRUE(std::all_of(seen.begin() + static_cast<std::ptrdiff_t>(expected.size()),
                                 seen.end(), [](std::uint32_t value) { return value == 77; }));
@@ -36,8 +36,8 @@ class CompactSamples : public testing::TestWithParam<TestDevice> {
 
 TEST_P(CompactSamples, AllSizesAroundBlocks) {
     std::uint32_t state = 7;
-    for (const std::size_t n : {0U, 1U, 15U, 16U, 17U, 1023U, 1024U, 1025U, 16383U, 16384U, 16385U,
-                                (1U << 20U) + 3}) {
+    for (const std::size_t n :
+         {0U, 1U, 15U, 16U, 17U, 1023U, 1024U, 1025U, 16383U, 16384U, 16385U, (1U << 20U) + 3}) {
         std::vector<std::uint8_t> alpha(n);
         for (std::uint8_t& value : alpha) {
             state = state * 1664525U + 1013904223U;

@@ -29,7 +29,8 @@ bool close(const ClippedSegment& a, const ClippedSegment& b) {
 bool close(const Run& a, const Run& b) {
     constexpr float pixel = 1e-3F;
     for (int i = 0; i < 2; ++i) {
-        if (!close(a.start[i], b.start[i], 1e-5F, pixel) || !close(a.end[i], b.end[i], 1e-5F, pixel) ||
+        if (!close(a.start[i], b.start[i], 1e-5F, pixel) ||
+            !close(a.end[i], b.end[i], 1e-5F, pixel) ||
             !close(a.start_mitre[i], b.start_mitre[i], 1e-4F, pixel) ||
             !close(a.end_mitre[i], b.end_mitre[i], 1e-4F, pixel)) {
             return false;

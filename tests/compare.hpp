@@ -48,10 +48,12 @@ bool close(const Run& a, const Run& b);
 
 /// How two arrays of 8-bit values differ.
 struct ByteDifference {
-    std::size_t count = 0;   ///< values compared
-    std::size_t beyond = 0;  ///< values that differ by more than the allowed step
+    std::size_t count = 0;  ///< values compared
+    std::size_t beyond = 0; ///< values that differ by more than the allowed step
     int largest = 0;
-    double share() const { return count == 0 ? 0 : static_cast<double>(beyond) / static_cast<double>(count); }
+    double share() const {
+        return count == 0 ? 0 : static_cast<double>(beyond) / static_cast<double>(count);
+    }
 };
 
 /// Arrays of different length differ everywhere.

@@ -31,12 +31,18 @@ TEST(Compare, ClippedSegmentsDifferInEveryField) {
     EXPECT_TRUE(close(a, a));
     for (int field = 0; field < 12; ++field) {
         ClippedSegment b = a;
-        if (field < 4) b.p[field] += 0.01F;
-        else if (field < 8) b.q[field - 4] += 0.01F;
-        else if (field == 8) b.t0 += 0.01F;
-        else if (field == 9) b.t1 += 0.01F;
-        else if (field == 10) b.own_a ^= 0x8000U;
-        else b.own_b += 0x00400000U;
+        if (field < 4)
+            b.p[field] += 0.01F;
+        else if (field < 8)
+            b.q[field - 4] += 0.01F;
+        else if (field == 8)
+            b.t0 += 0.01F;
+        else if (field == 9)
+            b.t1 += 0.01F;
+        else if (field == 10)
+            b.own_a ^= 0x8000U;
+        else
+            b.own_b += 0x00400000U;
         EXPECT_FALSE(close(a, b)) << "field " << field;
     }
 }
@@ -48,21 +54,45 @@ TEST(Compare, RunsDifferInEveryField) {
         lineatlas::Run b = a;
         switch (field) {
         case 0:
-        case 1: b.start[field] += 0.1F; break;
+        case 1:
+            b.start[field] += 0.1F;
+            break;
         case 2:
-        case 3: b.end[field - 2] += 0.1F; break;
+        case 3:
+            b.end[field - 2] += 0.1F;
+            break;
         case 4:
-        case 5: b.start_mitre[field - 4] += 0.1F; break;
+        case 5:
+            b.start_mitre[field - 4] += 0.1F;
+            break;
         case 6:
-        case 7: b.end_mitre[field - 6] += 0.1F; break;
-        case 8: b.start_arc += 0.1F; break;
-        case 9: b.end_arc += 0.1F; break;
-        case 10: b.start_sample += 0.5F; break;
-        case 11: b.end_sample += 0.5F; break;
-        case 12: ++b.address; break;
-        case 13: ++b.samples; break;
-        case 14: ++b.flags; break;
-        default: ++b.segment; break;
+        case 7:
+            b.end_mitre[field - 6] += 0.1F;
+            break;
+        case 8:
+            b.start_arc += 0.1F;
+            break;
+        case 9:
+            b.end_arc += 0.1F;
+            break;
+        case 10:
+            b.start_sample += 0.5F;
+            break;
+        case 11:
+            b.end_sample += 0.5F;
+            break;
+        case 12:
+            ++b.address;
+            break;
+        case 13:
+            ++b.samples;
+            break;
+        case 14:
+            ++b.flags;
+            break;
+        default:
+            ++b.segment;
+            break;
         }
         EXPECT_FALSE(close(a, b)) << "field " << field;
     }

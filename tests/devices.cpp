@@ -9,7 +9,8 @@
 namespace lineatlas::test {
 namespace {
 
-/// The forms that are right for a CPU on a GPU and the other way round: slower, but equal in result.
+/// The forms that are right for a CPU on a GPU and the other way round: slower, but equal in
+/// result.
 compute::Tuning other_tuning(const compute::OpenClDevice& device) {
     compute::OpenClDevice other = device;
     other.is_cpu = !device.is_cpu;

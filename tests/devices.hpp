@@ -17,9 +17,9 @@ struct TestDevice {
     std::unique_ptr<compute::Backend> backend() const { return make(index); }
 };
 
-/// Every OpenCL device of this machine, each in its own tuning and in the other one (CPU form on GPU
-/// devices, GPU form on CPU devices). Without OpenCL the list is empty and the suites are skipped, which
-/// `Devices.AtLeastOne` reports as a failure.
+/// Every OpenCL device of this machine, each in its own tuning and in the other one (CPU form on
+/// GPU devices, GPU form on CPU devices). Without OpenCL the list is empty and the suites are
+/// skipped, which `Devices.AtLeastOne` reports as a failure.
 std::vector<TestDevice> test_devices();
 
 /// Content of a device buffer.
@@ -31,7 +31,8 @@ std::vector<T> read_back(compute::Backend& backend, compute::Buffer& buffer, std
 }
 
 template <class T>
-std::unique_ptr<compute::Buffer> to_device(compute::Backend& backend, const std::vector<T>& values) {
+std::unique_ptr<compute::Buffer> to_device(compute::Backend& backend,
+                                           const std::vector<T>& values) {
     auto buffer = backend.allocate(values.size() * sizeof(T));
     backend.upload(*buffer, std::as_bytes(std::span{values}));
     return buffer;

@@ -44,8 +44,12 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high) {
         mesh.positions.emplace_back((i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
                                     (i & 4U) != 0 ? high.z : low.z);
     }
-    for (const glm::uvec4 side : {glm::uvec4{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    for (const glm::uvec4 side : {glm::uvec4{0, 2, 3, 1},
+                                  {4, 5, 7, 6},
+                                  {0, 1, 5, 4},
+                                  {2, 6, 7, 3},
+                                  {0, 4, 6, 2},
+                                  {1, 3, 7, 5}}) {
         const glm::uvec4 corner = side + first;
         mesh.triangles.emplace_back(corner.x, corner.y, corner.z);
         mesh.triangles.emplace_back(corner.x, corner.z, corner.w);
@@ -54,7 +58,8 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high) {
 
 class ItemBuffer : public testing::Test {
   protected:
-    Renderer::Samples draw(const LineSet& lines, const Camera& camera, const FrameOptions& options) {
+    Renderer::Samples draw(const LineSet& lines, const Camera& camera,
+                           const FrameOptions& options) {
         renderer_.set_lines(lines);
         canvas_.clear(glm::vec4{1});
         stats_ = renderer_.draw(camera, options, canvas_.framebuffer());
@@ -228,9 +233,8 @@ TEST_F(ItemBuffer, AgreesWithTheSegmentAtlasOnAModel) {
     for (const NamedCamera& view : scene_cameras("clevis", {400, 300})) {
         for (const bool high : {false, true}) {
             SCOPED_TRACE(view.name + (high ? " high" : " low"));
-            FrameOptions options{.probes = high ? 9U : 1U,
-                                 .depth_scale = high ? 2 : 1,
-                                 .cull_hidden = false};
+            FrameOptions options{
+                .probes = high ? 9U : 1U, .depth_scale = high ? 2 : 1, .cull_hidden = false};
             const Renderer::Samples atlas = draw(lines, view.camera, options);
             options.method = Method::item_buffer;
             const Renderer::Samples item = draw(lines, view.camera, options);
@@ -240,7 +244,8 @@ TEST_F(ItemBuffer, AgreesWithTheSegmentAtlasOnAModel) {
             for (std::size_t i = 0; i < item.alpha.size(); ++i) {
                 close += std::abs(item.alpha[i] - atlas.alpha[i]) <= 128 ? 1U : 0U;
             }
-            const double share = static_cast<double>(close) / static_cast<double>(item.alpha.size());
+            const double share =
+                static_cast<double>(close) / static_cast<double>(item.alpha.size());
             EXPECT_GE(share, 0.9);
             RecordProperty("agreement " + view.name, std::to_string(share));
         }

@@ -1,5 +1,5 @@
-// Whole frames: every choice that must not change the picture, compared on the four scenes at several
-// cameras, one of them inside the model.
+// Whole frames: every choice that must not change the picture, compared on the four scenes at
+// several cameras, one of them inside the model.
 
 #include <filesystem>
 #include <fstream>
@@ -37,7 +37,6 @@ class Pictures : public testing::Test {
         drawn.samples = renderer.read_samples();
         return drawn;
     }
-
 
     gl::HeadlessContext context_;
     gl::Canvas canvas_{{400, 300}};
@@ -107,7 +106,8 @@ TEST_P(SamePicture, WrapEqualsGutter) {
 TEST_P(SamePicture, GeometryShaderStrokesEqualVertexShaderStrokes) {
     Renderer r = renderer({});
     for (const char* pen : {"solid", "pencil"}) {
-        const FrameOptions geometry{.stroke_shader = StrokeShader::geometry, .width = 3, .pen = pen};
+        const FrameOptions geometry{
+            .stroke_shader = StrokeShader::geometry, .width = 3, .pen = pen};
         const FrameOptions vertex{.stroke_shader = StrokeShader::vertex, .width = 3, .pen = pen};
         compare_each(r, geometry, r, vertex, expect_same_picture);
     }
@@ -171,8 +171,7 @@ class PlantedError {
         : folder_(fs::temp_directory_path() / ("lineatlas_planted_" + std::to_string(::getpid()))) {
         fs::create_directories(folder_);
         for (const char* source : {"kernels", "shaders"}) {
-            fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_,
-                     fs::copy_options::recursive);
+            fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_, fs::copy_options::recursive);
         }
         std::ostringstream content;
         content << std::ifstream{folder_ / file}.rdbuf();
@@ -226,14 +225,14 @@ TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
 TEST_F(Planted, InTheSecondDrawIsSeenBesideTheGutter) {
     const PlantedError error{"atlas.geom", "-float(row_width), 1.0", "-float(row_width), 2.0"};
     const Drawn wrap = draw_clevis({.step = 0.25F, .atlas = AtlasForm::raster});
-    const Drawn gutter = draw_clevis({.step = 0.25F,
-                                      .atlas = AtlasForm::raster,
-                                      .atlas_layout = AtlasLayoutChoice::gutter});
+    const Drawn gutter = draw_clevis(
+        {.step = 0.25F, .atlas = AtlasForm::raster, .atlas_layout = AtlasLayoutChoice::gutter});
     EXPECT_FALSE(equal(wrap.samples.alpha, gutter.samples.alpha));
 }
 
 TEST_F(Planted, InOneStrokeShaderIsSeenBesideTheOther) {
-    const PlantedError error{"strokes_quad.vert", "local = corner.local", "local = corner.local * 1.3"};
+    const PlantedError error{"strokes_quad.vert", "local = corner.local",
+                             "local = corner.local * 1.3"};
     EXPECT_TRUE(pictures_differ(draw_clevis({.stroke_shader = StrokeShader::geometry}),
                                 draw_clevis({.stroke_shader = StrokeShader::vertex})));
 }
@@ -288,7 +287,8 @@ TEST_F(Frames, SizeMayChangeFromFrameToFrame) {
     for (const glm::ivec2 size : {glm::ivec2{400, 300}, {1, 1}, {33, 700}, {900, 20}, {400, 300}}) {
         gl::Canvas canvas{size};
         const Camera camera = scene_cameras("house", size)[0].camera;
-        EXPECT_NO_THROW(renderer_.draw(camera, {}, canvas.framebuffer())) << size.x << "x" << size.y;
+        EXPECT_NO_THROW(renderer_.draw(camera, {}, canvas.framebuffer()))
+            << size.x << "x" << size.y;
     }
     const FrameStats again = renderer_.draw(camera_, {}, canvas_.framebuffer());
     EXPECT_GT(again.runs, 0U);

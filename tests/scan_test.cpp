@@ -15,8 +15,9 @@ class Scan : public testing::TestWithParam<TestDevice> {
         std::vector<std::uint32_t> result;
         std::uint64_t sum = 0;
         for (std::size_t i = 0; i <= values.size(); ++i) {
-            const std::uint64_t limited =
-                kind == compute::ScanKind::saturate ? std::min<std::uint64_t>(sum, UINT32_MAX) : sum;
+            const std::uint64_t limited = kind == compute::ScanKind::saturate
+                                              ? std::min<std::uint64_t>(sum, UINT32_MAX)
+                                              : sum;
             result.push_back(static_cast<std::uint32_t>(limited));
             if (i < values.size()) sum += values[i];
         }
@@ -46,8 +47,8 @@ std::uint32_t next_random(std::uint64_t& state) {
 TEST_P(Scan, AllSizesAroundTilesAndChunks) {
     std::uint64_t state = 1;
     for (const std::size_t n :
-         {0U, 1U, 2U, 15U, 16U, 17U, 63U, 64U, 65U, 255U, 256U, 257U, 511U, 512U, 513U, 2047U,
-          2048U, 2049U, 65535U, 65536U, 65537U, (1U << 20U) + 3}) {
+         {0U,   1U,   2U,   15U,  16U,   17U,   63U,   64U,    65U,    255U,   256U,
+          257U, 511U, 512U, 513U, 2047U, 2048U, 2049U, 65535U, 65536U, 65537U, (1U << 20U) + 3}) {
         std::vector<std::uint32_t> values(n);
         for (std::uint32_t& value : values) value = next_random(state) % 700;
         expect_scan(values);

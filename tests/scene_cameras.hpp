@@ -16,8 +16,8 @@ struct NamedCamera {
     Camera camera;
 };
 
-/// Views on a scene: two from its camera path, and one from inside the model with much of it behind the
-/// eye and across the eye plane.
+/// Views on a scene: two from its camera path, and one from inside the model with much of it behind
+/// the eye and across the eye plane.
 std::vector<NamedCamera> scene_cameras(const std::string& name, glm::ivec2 size = {320, 240});
 
 } // namespace lineatlas::test

@@ -1,5 +1,5 @@
-// Every stage on every device against the plain C++ backend, stage by stage: each gets the reference's
-// input. Four scenes, three cameras each, one of them inside the model.
+// Every stage on every device against the plain C++ backend, stage by stage: each gets the
+// reference's input. Four scenes, three cameras each, one of them inside the model.
 
 #include <array>
 
@@ -151,7 +151,8 @@ class Stages {
 
     std::unique_ptr<Backend> backend_;
     std::uint32_t n_, triangle_count_;
-    std::unique_ptr<Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_, arcs_, tiles_;
+    std::unique_ptr<Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_, arcs_,
+        tiles_;
 };
 
 /// The scene's depth at a camera, drawn by GL.
@@ -165,10 +166,11 @@ std::vector<float> draw_depth(const LineSet& lines, const Camera& camera) {
     const gl::Buffer vertices = upload(lines.vertices);
     const gl::Buffer indices = upload(lines.triangles);
     gl::DepthPass pass;
+    pass.begin(camera.size, depth_scale);
     pass.draw({.vertices = vertices.id(),
                .indices = indices.id(),
                .triangle_count = static_cast<std::uint32_t>(lines.triangles.size())},
-              camera.clip_from_world(), camera.size, depth_scale);
+              camera.clip_from_world());
     std::vector<float> depth(static_cast<std::size_t>(pass.size().x) *
                              static_cast<std::size_t>(pass.size().y));
     glGetTextureImage(pass.texture(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
@@ -228,7 +230,8 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         device.scan(seen);
         EXPECT_TRUE(equal(expected.offsets, seen.offsets));
         EXPECT_TRUE(equal(expected.arcs, seen.arcs));
-        ASSERT_GT(expected.offsets.back(), 0U) << "the view shows nothing: the test would prove nothing";
+        ASSERT_GT(expected.offsets.back(), 0U)
+            << "the view shows nothing: the test would prove nothing";
 
         for (const auto kind : {AtlasLayoutKind::wrap, AtlasLayoutKind::gutter}) {
             const AtlasLayout layout = make_atlas_layout(kind, 401, 16384);
@@ -253,10 +256,18 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
     gl::HeadlessContext context_;
 };
 
-TEST_P(StagesTest, Clevis) { compare_scene("clevis"); }
-TEST_P(StagesTest, House) { compare_scene("house"); }
-TEST_P(StagesTest, Ship) { compare_scene("ship"); }
-TEST_P(StagesTest, Office) { compare_scene("office"); }
+TEST_P(StagesTest, Clevis) {
+    compare_scene("clevis");
+}
+TEST_P(StagesTest, House) {
+    compare_scene("house");
+}
+TEST_P(StagesTest, Ship) {
+    compare_scene("ship");
+}
+TEST_P(StagesTest, Office) {
+    compare_scene("office");
+}
 
 TEST_P(StagesTest, NoSegmentsAtAll) {
     LineSet nothing;

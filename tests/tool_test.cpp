@@ -1,5 +1,5 @@
-// The tool as a user meets it: what bad input ends in. One clear line that names the thing, exit code 1
-// or 2, and no file that was not there before.
+// The tool as a user meets it: what bad input ends in. One clear line that names the thing, exit
+// code 1 or 2, and no file that was not there before.
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,8 @@ class Tool : public testing::Test {
         const auto before = files();
         const Result result = run(arguments);
         EXPECT_EQ(result.exit_code, code) << arguments << "\n" << result.output;
-        EXPECT_NE(result.output.find(words), std::string::npos) << arguments << "\n" << result.output;
+        EXPECT_NE(result.output.find(words), std::string::npos) << arguments << "\n"
+                                                                << result.output;
         EXPECT_LE(std::ranges::count(result.output, '\n'), 2) << result.output;
         EXPECT_EQ(files(), before) << "a file was left behind by: " << arguments;
     }
@@ -69,15 +70,17 @@ TEST_F(Tool, DrawsAScene) {
         run("draw --scene clevis --size 200x150 -o " + path("clevis.png") + " --stats");
     EXPECT_EQ(result.exit_code, 0) << result.output;
     EXPECT_GT(fs::file_size(path("clevis.png")), 500U);
-    for (const char* word : {"triangles", "segments", "samples", "visible runs", "bytes per segment",
-                             "depth", "project_clip", "scan", "atlas", "compact", "strokes"}) {
+    for (const char* word :
+         {"triangles", "segments", "samples", "visible runs", "bytes per segment", "depth",
+          "project_clip", "scan", "atlas", "compact", "strokes"}) {
         EXPECT_NE(result.output.find(word), std::string::npos) << word;
     }
 }
 
 TEST_F(Tool, DrawsAModelWithEveryOption) {
-    write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
-                             "l 1 2\n");
+    write("tetrahedron.obj",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+          "l 1 2\n");
     const Result result =
         run("draw " + path("tetrahedron.obj") + " -o " + path("t.png") +
             " --size 120x90 --eye -2,1.5,-3 --target 0.2,0.2,0.2 --up z --fov 50 "

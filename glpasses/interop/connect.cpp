@@ -16,8 +16,8 @@
 namespace lineatlas::interop {
 namespace {
 
-/// A function of a window-system library, if this process has that library loaded already. Loading it
-/// here would be wrong: a context can only be current through a library that is in use.
+/// A function of a window-system library, if this process has that library loaded already. Loading
+/// it here would be wrong: a context can only be current through a library that is in use.
 template <class Function>
 Function* loaded_function(const char* library, const char* name) {
     void* handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
@@ -35,7 +35,9 @@ void* current_object(const char* library, const char* name) {
 
 /// The GL context of this thread, as OpenCL context properties (cl_khr_gl_sharing).
 std::vector<cl_context_properties> current_gl_properties() {
-    const auto property = [](void* value) { return reinterpret_cast<cl_context_properties>(value); };
+    const auto property = [](void* value) {
+        return reinterpret_cast<cl_context_properties>(value);
+    };
     if (void* context = current_object("libEGL.so.1", "eglGetCurrentContext")) {
         void* display = current_object("libEGL.so.1", "eglGetCurrentDisplay");
         return {CL_GL_CONTEXT_KHR, property(context), CL_EGL_DISPLAY_KHR, property(display)};
@@ -111,9 +113,12 @@ ModeReport probe_host_pointer(const compute::OpenClDevice& device) {
 
 ModeReport probe(const compute::OpenClDevice& device, SharingMode mode) {
     switch (mode) {
-    case SharingMode::gl_sharing: return probe_gl_sharing(device);
-    case SharingMode::host_pointer: return probe_host_pointer(device);
-    case SharingMode::copy: break;
+    case SharingMode::gl_sharing:
+        return probe_gl_sharing(device);
+    case SharingMode::host_pointer:
+        return probe_host_pointer(device);
+    case SharingMode::copy:
+        break;
     }
     return {SharingMode::copy, true, "always works"};
 }
@@ -175,9 +180,10 @@ std::array<ModeReport, 3> probe_modes(const compute::OpenClDevice& device) {
 
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
     const bool software_gl = gl_is_software();
-    const auto best = std::ranges::min_element(
-        devices, {},
-        [&](const compute::OpenClDevice& device) { return rank(device, software_gl); });
+    const auto best =
+        std::ranges::min_element(devices, {}, [&](const compute::OpenClDevice& device) {
+            return rank(device, software_gl);
+        });
     return static_cast<std::size_t>(best - devices.begin());
 }
 

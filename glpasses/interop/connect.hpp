@@ -24,8 +24,8 @@ std::array<ModeReport, 3> probe_modes(const compute::OpenClDevice& device);
 
 /// What the user chose; empty means: find the best.
 struct ConnectOptions {
-    bool reference = false;           ///< the plain C++ backend instead of OpenCL
-    std::string device;               ///< "opencl:<platform>[:<device>]"
+    bool reference = false; ///< the plain C++ backend instead of OpenCL
+    std::string device;     ///< "opencl:<platform>[:<device>]"
     std::optional<SharingMode> mode;
 };
 

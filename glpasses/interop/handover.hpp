@@ -6,7 +6,8 @@
 
 namespace lineatlas::interop {
 
-/// One buffer to pass on, and how much of its content the other side needs: 0 if it will only write.
+/// One buffer to pass on, and how much of its content the other side needs: 0 if it will only
+/// write.
 struct Passed {
     SharedBuffer& buffer;
     std::size_t bytes;

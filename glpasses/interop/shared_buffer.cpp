@@ -24,8 +24,7 @@ class GlSharingBuffer final : public SharedBuffer {
             compute_ = std::make_unique<compute::OpenClBuffer>(opened, bytes);
         } catch (const cl::Error& error) {
             throw DeviceError(std::string{"sharing a GL buffer failed: "} + error.what() +
-                              " returned " + std::to_string(error.err()) +
-                              "; use --interop copy");
+                              " returned " + std::to_string(error.err()) + "; use --interop copy");
         }
     }
 
@@ -136,9 +135,12 @@ void check_gl_memory(std::size_t bytes) {
 
 std::string_view name_of(SharingMode mode) {
     switch (mode) {
-    case SharingMode::gl_sharing: return "gl-sharing";
-    case SharingMode::host_pointer: return "host-pointer";
-    case SharingMode::copy: return "copy";
+    case SharingMode::gl_sharing:
+        return "gl-sharing";
+    case SharingMode::host_pointer:
+        return "host-pointer";
+    case SharingMode::copy:
+        return "copy";
     }
     return "unknown";
 }
@@ -159,7 +161,9 @@ std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, Shar
     case SharingMode::host_pointer:
         buffer = std::make_unique<HostPointerBuffer>(backend, bytes);
         break;
-    case SharingMode::copy: buffer = std::make_unique<CopyBuffer>(backend, bytes); break;
+    case SharingMode::copy:
+        buffer = std::make_unique<CopyBuffer>(backend, bytes);
+        break;
     }
     check_gl_memory(bytes);
     return buffer;

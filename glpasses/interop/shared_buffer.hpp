@@ -14,7 +14,8 @@ namespace lineatlas::interop {
 /// How a buffer is seen by both GL and the compute device.
 enum class SharingMode {
     gl_sharing,   ///< one GL buffer, opened by OpenCL (cl_khr_gl_sharing): no copy
-    host_pointer, ///< one piece of host memory, persistently mapped by GL and wrapped by compute: no copy
+    host_pointer, ///< one piece of host memory, persistently mapped by GL and wrapped by compute:
+                  ///< no copy
     copy,         ///< one buffer on each side; content is copied over at each hand-over
 };
 

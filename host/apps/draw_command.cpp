@@ -61,7 +61,8 @@ FrameOptions frame_options(const DrawArguments& arguments) {
                                           {"spine", Method::spine},
                                           {"itembuffer", Method::item_buffer},
                                           {"opengl", Method::opengl}});
-    const bool high = choose<bool>("--quality", arguments.quality, {{"low", false}, {"high", true}});
+    const bool high =
+        choose<bool>("--quality", arguments.quality, {{"low", false}, {"high", true}});
     if (std::ranges::find(pen_names(), arguments.pen) == pen_names().end()) {
         make_pen(arguments.pen, arguments.width); // says what there is
     }
@@ -128,8 +129,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Draws `repeat` frames and prints medians; whole frames and stages are measured in frames of their own,
-/// since waiting between stages slows a frame down.
+/// Draws `repeat` frames and prints medians; whole frames and stages are measured in frames of
+/// their own, since waiting between stages slows a frame down.
 void print_stats(Renderer& renderer, gl::Canvas& canvas, const Camera& camera, FrameOptions options,
                  int repeat, const Subject& subject) {
     std::vector<double> frame_times;
@@ -154,7 +155,8 @@ void print_stats(Renderer& renderer, gl::Canvas& canvas, const Camera& camera, F
             stage_times[stage.name].push_back(stage.milliseconds);
         }
     }
-    fmt::print("{}: {} triangles, {} segments\n", subject.name, stats.triangles, stats.segments);
+    fmt::print("{}: {} triangles ({} drawn), {} segments\n", subject.name, stats.triangles,
+               stats.triangles_drawn, stats.segments);
     fmt::print("{}\n", renderer.description());
     fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
     fmt::print("device memory: {:.1f} bytes per segment, {:.1f} per sample\n",
@@ -212,7 +214,9 @@ Command setup_draw(CLI::App& app) {
         ->group(model);
 
     const std::string camera = "Camera (by default it frames the whole model)";
-    app.add_option("--size", a.size, "Picture size in pixels")->capture_default_str()->group(camera);
+    app.add_option("--size", a.size, "Picture size in pixels")
+        ->capture_default_str()
+        ->group(camera);
     app.add_option("--eye", a.eye, "Position of the eye: X,Y,Z")->group(camera);
     app.add_option("--target", a.target, "The point looked at: X,Y,Z")->group(camera);
     app.add_option("--up", a.up, "Upward axis of the model: x, y, z or X,Y,Z; default y")
@@ -225,11 +229,11 @@ Command setup_draw(CLI::App& app) {
         ->group(camera);
 
     const std::string visibility = "Visibility";
-    app.add_option("--method", a.method, "How visibility is computed: atlas, spine, itembuffer or opengl")
+    app.add_option("--method", a.method,
+                   "How visibility is computed: atlas, spine, itembuffer or opengl")
         ->capture_default_str()
         ->group(visibility);
-    app.add_option("--quality", a.quality,
-                   "low: 1 probe, 1x depth; high: 9 probes, 2x depth")
+    app.add_option("--quality", a.quality, "low: 1 probe, 1x depth; high: 9 probes, 2x depth")
         ->capture_default_str()
         ->group(visibility);
     app.add_option("--probes", a.probes, "Depth probes per sample: 1, 4, 9 or 16")

@@ -32,8 +32,8 @@ int run(int argc, char** argv) {
     const std::string first = argc > 1 ? argv[1] : "";
     if (!first.empty() && first[0] != '-' && first != draw->get_name() &&
         first != devices->get_name()) {
-        throw lineatlas::UsageError(fmt::format("there is no command \"{}\"; there is {}, {}", first,
-                                                draw->get_name(), devices->get_name()));
+        throw lineatlas::UsageError(fmt::format("there is no command \"{}\"; there is {}, {}",
+                                                first, draw->get_name(), devices->get_name()));
     }
     try {
         app.parse(argc, argv);

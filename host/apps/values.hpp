@@ -16,7 +16,7 @@ namespace lineatlas::apps {
 
 glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "1024x768"
 glm::vec3 parse_vector(std::string_view option, const std::string& text); ///< "1,-2.5,3"
-glm::vec3 parse_up(std::string_view option, const std::string& text);     ///< "x", "y", "z" or a vector
+glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", "y", "z" or a vector
 LineKindMask parse_lines(std::string_view option, const std::string& text); ///< "crease,silhouette"
 
 /// The parts of `text` between separators.

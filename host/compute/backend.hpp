@@ -16,8 +16,8 @@
 
 namespace lineatlas::compute {
 
-/// Memory that a backend's stages read and write. Made by the backend that uses it; may outlive neither
-/// the backend nor, if it wraps other memory, that memory.
+/// Memory that a backend's stages read and write. Made by the backend that uses it; may outlive
+/// neither the backend nor, if it wraps other memory, that memory.
 class Buffer {
   public:
     explicit Buffer(std::size_t size) : size_(size) {}
@@ -44,7 +44,7 @@ struct SegmentTable {
 struct ClippedTable {
     Buffer& clipped; ///< `ClippedSegment` per segment, valid where its window length is not 0
     Buffer& offsets; ///< segment_count + 1 uint32: counts l, after `scan` offsets s and the total
-    Buffer& arcs;    ///< segment_count + 1 uint32: window lengths, after `scan` arc lengths; 1/256 px
+    Buffer& arcs; ///< segment_count + 1 uint32: window lengths, after `scan` arc lengths; 1/256 px
 };
 
 struct FacingArgs {
@@ -64,12 +64,21 @@ struct PyramidArgs {
     Buffer& tiles;         ///< out: a float per tile, tiles_for(depth_size) of them, row by row
 };
 
+struct CullArgs {
+    Buffer& clusters; ///< `Cluster` each
+    std::uint32_t count;
+    glm::mat4 clip_from_world;
+    glm::ivec2 depth_size;
+    Buffer& tiles;   ///< of `pyramid`
+    Buffer& visible; ///< out: a byte per cluster, 1 if it may be seen
+};
+
 /// What `project_clip` needs to drop segments that are hidden whole.
 struct OcclusionTest {
-    Buffer& tiles;         ///< of `pyramid`
+    Buffer& tiles; ///< of `pyramid`
     glm::ivec2 tile_count;
-    float depth_scale;     ///< depth texels per pixel
-    float tolerance;       ///< as in AtlasArgs
+    float depth_scale; ///< depth texels per pixel
+    float tolerance;   ///< as in AtlasArgs
 };
 
 struct ProjectClipArgs {
@@ -77,9 +86,9 @@ struct ProjectClipArgs {
     Buffer& front;
     glm::mat4 clip_from_world;
     glm::mat4 world_from_clip;
-    glm::vec2 viewport;      ///< pixels
-    float step;              ///< k: pixels per sample, above 0
-    std::uint32_t kind_mask; ///< kinds to draw, bit 1 << kind
+    glm::vec2 viewport;             ///< pixels
+    float step;                     ///< k: pixels per sample, above 0
+    std::uint32_t kind_mask;        ///< kinds to draw, bit 1 << kind
     const OcclusionTest* occlusion; ///< null: segments that are hidden whole get samples too
     ClippedTable out;
 };
@@ -92,15 +101,15 @@ enum class ScanKind {
 struct AtlasArgs {
     ClippedTable clipped;
     std::uint32_t segment_count;
-    Buffer& depth;           ///< floats in [0, 1], rows from the lower left
-    glm::ivec2 depth_size;   ///< viewport times depth_scale
-    glm::vec2 viewport;      ///< pixels
-    float depth_scale;       ///< depth texels per pixel
-    std::uint32_t probes;    ///< per axis: 1, 2, 3 or 4
-    float tolerance;           ///< window depth that may stand before a line, times w
+    Buffer& depth;         ///< floats in [0, 1], rows from the lower left
+    glm::ivec2 depth_size; ///< viewport times depth_scale
+    glm::vec2 viewport;    ///< pixels
+    float depth_scale;     ///< depth texels per pixel
+    std::uint32_t probes;  ///< per axis: 1, 2, 3 or 4
+    float tolerance;       ///< window depth that may stand before a line, times w
     AtlasLayout layout;
-    std::uint32_t capacity;  ///< samples that `alpha` has room for in this layout
-    Buffer& alpha;           ///< out: a byte per texel, 0 hidden to 255 visible
+    std::uint32_t capacity; ///< samples that `alpha` has room for in this layout
+    Buffer& alpha;          ///< out: a byte per texel, 0 hidden to 255 visible
 };
 
 struct CompactRunsArgs {
@@ -118,16 +127,16 @@ struct CompactRunsArgs {
 
 struct CompactSamplesArgs {
     Buffer& alpha;
-    std::uint32_t count; ///< bytes of alpha to look at
-    Buffer& packed;      ///< out: uint32 addresses of the visible ones; room for `count`
+    std::uint32_t count;  ///< bytes of alpha to look at
+    Buffer& packed;       ///< out: uint32 addresses of the visible ones; room for `count`
     Buffer& packed_count; ///< out: one uint32
 };
 
 /// Everything that runs as a compute kernel: one method per stage, the same for every backend.
 ///
 /// Calls are asynchronous and run in the order they are made; `finish` and `download` wait. All
-/// methods throw DeviceError when the device fails. A backend and its buffers belong to one thread at a
-/// time. Integer results are equal bit by bit on every backend, floats within 1e-5 relative.
+/// methods throw DeviceError when the device fails. A backend and its buffers belong to one thread
+/// at a time. Integer results are equal bit by bit on every backend, floats within 1e-5 relative.
 class Backend {
   public:
     virtual ~Backend() = default;
@@ -147,6 +156,7 @@ class Backend {
     virtual void download(Buffer& buffer, std::span<std::byte> data) = 0; ///< waits
 
     virtual void pyramid(const PyramidArgs& args) = 0;
+    virtual void cull(const CullArgs& args) = 0;
     virtual void facing(const FacingArgs& args) = 0;
     virtual void project_clip(const ProjectClipArgs& args) = 0;
     /// `values`: n inputs and room for one more; see kernels/scan.cl.

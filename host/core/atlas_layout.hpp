@@ -27,6 +27,7 @@ struct AtlasLayout {
 
 /// A layout for segments of up to `longest` samples, with rows no longer than `largest_row` texels.
 /// Throws UsageError if they can't be held: the sample step is too fine for the picture size.
-AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest, std::uint32_t largest_row);
+AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest,
+                              std::uint32_t largest_row);
 
 } // namespace lineatlas

@@ -12,10 +12,12 @@
 namespace lineatlas {
 namespace {
 
-bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
-/// Near and far distances that just hold the bounds in front of the eye. Inside a model the near plane
-/// is a fixed small share of the far distance: depth precision against what may be cut off.
+/// Near and far distances that just hold the bounds in front of the eye. Inside a model the near
+/// plane is a fixed small share of the far distance: depth precision against what may be cut off.
 glm::vec2 fit_planes(const View& view, const Bounds& bounds) {
     const glm::vec3 forward = glm::normalize(view.target - view.eye);
     float nearest = std::numeric_limits<float>::infinity();
@@ -38,8 +40,8 @@ glm::vec2 fit_planes(const View& view, const Bounds& bounds) {
 } // namespace
 
 glm::vec4 Camera::eye() const {
-    // The eye is what every projection maps to x = y = w = 0: (0, 0, 1, 0) in clip space. For a parallel
-    // projection that is the direction of sight.
+    // The eye is what every projection maps to x = y = w = 0: (0, 0, 1, 0) in clip space. For a
+    // parallel projection that is the direction of sight.
     const glm::vec4 point = glm::inverse(clip_from_world()) * glm::vec4{0, 0, 1, 0};
     if (std::abs(projection[2][3]) > 0) return point / point.w;
     return {-glm::normalize(glm::vec3{point}), 0};
@@ -96,8 +98,8 @@ View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 
     const glm::vec3 above = glm::cross(toward_eye, side);
 
     // The nearest eye from which all points lie inside the frame, less a margin. Each border of the
-    // frame is a plane through the eye; in the coordinates (along the axis, forward) of an axis the two
-    // borders ask that low + tan * e_forward <= e_axis <= high - tan * e_forward.
+    // frame is a plane through the eye; in the coordinates (along the axis, forward) of an axis the
+    // two borders ask that low + tan * e_forward <= e_axis <= high - tan * e_forward.
     constexpr float margin = 0.92F;
     const float tan_y = std::tan(0.5F * fov_y) * margin;
     const float tan_x = tan_y * static_cast<float>(size.x) / static_cast<float>(size.y);
@@ -143,7 +145,8 @@ View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 
         }
         return 0.5F * (low + high);
     };
-    const glm::vec3 on_axis = centred(horizontal, tan_x, side) * side + centred(vertical, tan_y, above) * above;
+    const glm::vec3 on_axis =
+        centred(horizontal, tan_x, side) * side + centred(vertical, tan_y, above) * above;
     const glm::vec3 eye = center + on_axis - forward * toward_eye;
     return {.eye = eye, .target = center + on_axis, .up = up, .fov_y = fov_y};
 }

@@ -11,12 +11,14 @@ namespace {
 
 constexpr std::uint32_t no_end = std::numeric_limits<std::uint32_t>::max();
 
-/// Pairing compares every two edges at a vertex; above this many (the apex of a fan) nothing continues
-/// recognisably, and paths end there.
+/// Pairing compares every two edges at a vertex; above this many (the apex of a fan) nothing
+/// continues recognisably, and paths end there.
 constexpr std::size_t most_edges_paired = 64;
 
 // An edge end is 2 * edge + (0 at p, 1 at q).
-std::uint32_t opposite(std::uint32_t end) { return end ^ 1U; }
+std::uint32_t opposite(std::uint32_t end) {
+    return end ^ 1U;
+}
 
 struct Continuation {
     float cosine; ///< of the turn: 1 is straight on
@@ -25,7 +27,8 @@ struct Continuation {
 
 class Chainer {
   public:
-    Chainer(std::span<const glm::vec3> vertices, std::span<const ChainEdge> edges, float chain_angle)
+    Chainer(std::span<const glm::vec3> vertices, std::span<const ChainEdge> edges,
+            float chain_angle)
         : vertices_(vertices), edges_(edges), smallest_cosine_(std::cos(chain_angle)),
           linked_(edges.size() * 2, no_end) {}
 
@@ -110,8 +113,8 @@ class Chainer {
 
 } // namespace
 
-std::vector<Chain> chain_edges(std::span<const glm::vec3> vertices, std::span<const ChainEdge> edges,
-                               float chain_angle) {
+std::vector<Chain> chain_edges(std::span<const glm::vec3> vertices,
+                               std::span<const ChainEdge> edges, float chain_angle) {
     Chainer chainer{vertices, edges, chain_angle};
     chainer.link_ends();
     return chainer.walk();

@@ -25,10 +25,10 @@ struct Chain {
     bool closed = false; ///< the last step continues in the first
 };
 
-/// Joins edges into paths. At each vertex the straightest continuations are paired first; a path goes
-/// on where it turns by no more than `chain_angle` (radians). Every edge is in exactly one path. The
-/// result depends on the order of `edges` alone.
-std::vector<Chain> chain_edges(std::span<const glm::vec3> vertices, std::span<const ChainEdge> edges,
-                               float chain_angle);
+/// Joins edges into paths. At each vertex the straightest continuations are paired first; a path
+/// goes on where it turns by no more than `chain_angle` (radians). Every edge is in exactly one
+/// path. The result depends on the order of `edges` alone.
+std::vector<Chain> chain_edges(std::span<const glm::vec3> vertices,
+                               std::span<const ChainEdge> edges, float chain_angle);
 
 } // namespace lineatlas

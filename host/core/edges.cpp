@@ -9,12 +9,12 @@
 namespace lineatlas {
 namespace {
 
-/// Faces that meet at a smaller angle are one plane to the precision of their coordinates; such an edge
-/// (a diagonal of a quad) can't be a silhouette. Radians.
+/// Faces that meet at a smaller angle are one plane to the precision of their coordinates; such an
+/// edge (a diagonal of a quad) can't be a silhouette. Radians.
 constexpr double coplanar_angle = 1e-4;
 
-/// A triangle is a sliver if its height is below this share of its longest edge, or below this share of its
-/// largest coordinate: rounding to float alone makes such heights.
+/// A triangle is a sliver if its height is below this share of its longest edge, or below this
+/// share of its largest coordinate: rounding to float alone makes such heights.
 constexpr double sliver_ratio = 1e-7;
 constexpr double rounding_ratio = 5e-7;
 
@@ -24,8 +24,8 @@ struct EdgeUse {
     bool reversed; ///< the triangle runs from the larger to the smaller vertex
 };
 
-/// The uses of edges, grouped by their smaller vertex and sorted by the larger: uses of vertex v are
-/// [first[v], first[v + 1]).
+/// The uses of edges, grouped by their smaller vertex and sorted by the larger: uses of vertex v
+/// are [first[v], first[v + 1]).
 struct EdgeUses {
     std::vector<std::uint32_t> first;
     std::vector<EdgeUse> uses;
@@ -62,7 +62,9 @@ glm::dvec3 corner(const WeldedMesh& mesh, std::uint32_t face, int index) {
     return mesh.vertices[mesh.triangles[face][index]];
 }
 
-double squared_length(glm::dvec3 v) { return glm::dot(v, v); }
+double squared_length(glm::dvec3 v) {
+    return glm::dot(v, v);
+}
 
 /// The unit normal, or zero for a sliver.
 glm::dvec3 unit_normal(const WeldedMesh& mesh, std::uint32_t face) {
@@ -71,15 +73,17 @@ glm::dvec3 unit_normal(const WeldedMesh& mesh, std::uint32_t face) {
     const glm::dvec3 c = corner(mesh, face, 2);
     const glm::dvec3 cross = glm::cross(b - a, c - a);
     const double twice_area = glm::length(cross);
-    const double longest = std::sqrt(
-        std::max({squared_length(b - a), squared_length(c - a), squared_length(c - b)}));
+    const double longest =
+        std::sqrt(std::max({squared_length(b - a), squared_length(c - a), squared_length(c - b)}));
     const glm::dvec3 extent = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
     const double coordinate = std::max({extent.x, extent.y, extent.z});
     const double least_height = std::max(sliver_ratio * longest, rounding_ratio * coordinate);
     return twice_area > least_height * longest ? cross / twice_area : glm::dvec3{0};
 }
 
-bool is_zero(glm::dvec3 v) { return v == glm::dvec3{0}; }
+bool is_zero(glm::dvec3 v) {
+    return v == glm::dvec3{0};
+}
 
 /// The triangle that stands for another one, and whether its winding disagrees with that one's.
 struct Substitute {
@@ -102,8 +106,8 @@ class SliverReplacement {
     bool any() const { return any_; }
     Substitute operator[](std::uint32_t face) const { return substitutes_[face]; }
 
-    /// Spreads from faces with area into the slivers beside them, ring by ring, each time across the
-    /// longest edge there is.
+    /// Spreads from faces with area into the slivers beside them, ring by ring, each time across
+    /// the longest edge there is.
     void spread() {
         for (bool changed = true; changed;) {
             changed = false;

@@ -11,18 +11,21 @@ namespace lineatlas {
 
 /// An undirected mesh edge with the first two triangles that use it.
 struct MeshEdge {
-    std::uint32_t p, q;           ///< vertices, in the winding of `face_a`
-    std::uint32_t face_a, face_b; ///< LA_NO_FACE where there is none; `face_b` may be LA_FACE_FLIPPED
-    std::uint32_t face_count;     ///< triangles that use the edge: 1 boundary, above 2 non-manifold
+    std::uint32_t p, q; ///< vertices, in the winding of `face_a`
+    std::uint32_t face_a,
+        face_b;               ///< LA_NO_FACE where there is none; `face_b` may be LA_FACE_FLIPPED
+    std::uint32_t face_count; ///< triangles that use the edge: 1 boundary, above 2 non-manifold
 };
 
-/// Every edge of the mesh once, ordered by its smaller vertex, then the larger. Any number of triangles may
-/// share an edge, in any winding, which a halfedge structure cannot hold (docs/decisions.md).
+/// Every edge of the mesh once, ordered by its smaller vertex, then the larger. Any number of
+/// triangles may share an edge, in any winding, which a halfedge structure cannot hold
+/// (docs/decisions.md).
 std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh);
 
-/// Lets a neighbour stand for every triangle without area in the edges' `face_a` and `face_b`: such a
-/// sliver has no direction, and must neither make nor hide a crease or a silhouette. The neighbour is the
-/// one across the sliver's longest edge, or across that one's if it is a sliver too.
+/// Lets a neighbour stand for every triangle without area in the edges' `face_a` and `face_b`: such
+/// a sliver has no direction, and must neither make nor hide a crease or a silhouette. The
+/// neighbour is the one across the sliver's longest edge, or across that one's if it is a sliver
+/// too.
 void replace_slivers(const WeldedMesh& mesh, std::vector<MeshEdge>& edges);
 
 /// Unit normals per triangle in double precision; zero for a triangle without area.
@@ -30,6 +33,7 @@ std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh);
 
 /// The kind of line that the edge is under `options`; nothing if it is never one.
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,
-                                 const std::vector<glm::dvec3>& normals, const LineOptions& options);
+                                 const std::vector<glm::dvec3>& normals,
+                                 const LineOptions& options);
 
 } // namespace lineatlas

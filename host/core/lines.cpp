@@ -81,8 +81,8 @@ class LineSetBuilder {
         }
     }
 
-    /// Silhouette candidates: which of them are silhouettes changes from frame to frame, so each is a
-    /// path of its own (§4.1).
+    /// Silhouette candidates: which of them are silhouettes changes from frame to frame, so each is
+    /// a path of its own (§4.1).
     void append_candidates(const std::vector<Line>& candidates) {
         for (const Line& line : candidates) {
             append(line, false, 0, 0, false);

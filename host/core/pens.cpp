@@ -43,13 +43,12 @@ float value_noise(float x, float y, int period) {
 /// Pixels after which grain and unevenness repeat; a multiple of every feature size below.
 constexpr int repeat = 512;
 
-/// A texture whose columns are `columns` screen pixels, filled by coverage(x, v): x in pixels along the
-/// stroke, v from -1 to 1 across it.
+/// A texture whose columns are `columns` screen pixels, filled by coverage(x, v): x in pixels along
+/// the stroke, v from -1 to 1 across it.
 template <class Coverage>
 PenMark paint(int columns, int rows, Coverage&& coverage) {
-    PenMark mark{.size = {columns, rows},
-                 .coverage = {},
-                 .repeat_length = static_cast<float>(columns)};
+    PenMark mark{
+        .size = {columns, rows}, .coverage = {}, .repeat_length = static_cast<float>(columns)};
     for (int row = 0; row < rows; ++row) {
         const float v = (static_cast<float>(row) + 0.5F) / static_cast<float>(rows) * 2 - 1;
         for (int column = 0; column < columns; ++column) {
@@ -77,7 +76,9 @@ float graphite(float x, float v, float width) {
 
 } // namespace
 
-std::span<const std::string_view> pen_names() { return names; }
+std::span<const std::string_view> pen_names() {
+    return names;
+}
 
 PenMark make_pen(std::string_view name, float width) {
     constexpr int rows = 16;
@@ -94,7 +95,8 @@ PenMark make_pen(std::string_view name, float width) {
                      [&](float x, float) { return x < static_cast<float>(dash) ? 1.0F : 0.0F; });
     }
     std::string known;
-    for (const std::string_view pen : names) known += (known.empty() ? "" : ", ") + std::string{pen};
+    for (const std::string_view pen : names)
+        known += (known.empty() ? "" : ", ") + std::string{pen};
     throw UsageError("unknown pen \"" + std::string{name} + "\"; there is " + known);
 }
 

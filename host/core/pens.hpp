@@ -11,7 +11,7 @@ namespace lineatlas {
 
 /// A pen's mark: coverage from 0 to 255, rows across the stroke, columns along it; repeats along.
 struct PenMark {
-    glm::ivec2 size{0, 0};             ///< 0: a solid mark
+    glm::ivec2 size{0, 0}; ///< 0: a solid mark
     std::vector<std::uint8_t> coverage;
     float repeat_length = 1; ///< pixels on the screen that one repeat covers
 };

@@ -15,9 +15,10 @@ struct EmbeddedSource {
 const std::vector<EmbeddedSource>& embedded_kernels(); ///< kernels/
 const std::vector<EmbeddedSource>& embedded_shaders(); ///< shaders/
 
-/// The text of a kernel or shader file, with lines `#include "name"` replaced by the files they name
-/// (each once). Read from the folder in LINEATLAS_KERNEL_DIR or LINEATLAS_SHADER_DIR if that is set, so
-/// that sources can be edited and profiled without a build. Throws FileError if there is no such file.
+/// The text of a kernel or shader file, with lines `#include "name"` replaced by the files they
+/// name (each once). Read from the folder in LINEATLAS_KERNEL_DIR or LINEATLAS_SHADER_DIR if that
+/// is set, so that sources can be edited and profiled without a build. Throws FileError if there is
+/// no such file.
 std::string kernel_source(std::string_view name);
 std::string shader_source(std::string_view name);
 

@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint32_t empty_slot = std::numeric_limits<std::uint32_t>::max();
 
 std::uint32_t mix(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    std::uint64_t h = a * 0x9E3779B97F4A7C15ULL ^ (std::uint64_t{b} << 32U | c) * 0xC2B2AE3D27D4EB4FULL;
+    std::uint64_t h =
+        a * 0x9E3779B97F4A7C15ULL ^ (std::uint64_t{b} << 32U | c) * 0xC2B2AE3D27D4EB4FULL;
     h ^= h >> 29U;
     h *= 0xBF58476D1CE4E5B9ULL;
     return static_cast<std::uint32_t>(h >> 32U);
@@ -48,7 +49,8 @@ class VertexWelder {
 
     std::uint32_t operator()(std::uint32_t index) {
         if (index >= mesh_.positions.size()) {
-            throw UsageError("mesh: index " + std::to_string(index) + " is out of range, there are " +
+            throw UsageError("mesh: index " + std::to_string(index) +
+                             " is out of range, there are " +
                              std::to_string(mesh_.positions.size()) + " positions");
         }
         std::uint32_t& result = welded_index_[index];
@@ -122,7 +124,8 @@ WeldedMesh weld(const Mesh& mesh) {
 
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3 source = mesh.triangles[i];
-        const glm::uvec3 triangle{weld_vertex(source.x), weld_vertex(source.y), weld_vertex(source.z)};
+        const glm::uvec3 triangle{weld_vertex(source.x), weld_vertex(source.y),
+                                  weld_vertex(source.z)};
         const glm::uvec3 key = sorted(triangle);
         if (key.x == key.y || key.y == key.z) continue;
         const auto fresh = static_cast<std::uint32_t>(keys.size());

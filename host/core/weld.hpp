@@ -13,14 +13,14 @@ namespace lineatlas {
 struct WeldedMesh {
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec3> triangles;
-    std::vector<std::uint32_t> triangle_group;         ///< per triangle; 0 where the mesh has no groups
+    std::vector<std::uint32_t> triangle_group; ///< per triangle; 0 where the mesh has no groups
     std::vector<std::vector<std::uint32_t>> polylines; ///< repeated neighbours removed
 };
 
-/// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and keeps
-/// one of several triangles over the same three vertices: exporters write two-sided faces as two
-/// coincident triangles, which would make every edge non-manifold.
-/// Throws UsageError when an index is out of range, a position is not finite or groups are missing.
+/// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and
+/// keeps one of several triangles over the same three vertices: exporters write two-sided faces as
+/// two coincident triangles, which would make every edge non-manifold. Throws UsageError when an
+/// index is out of range, a position is not finite or groups are missing.
 WeldedMesh weld(const Mesh& mesh);
 
 } // namespace lineatlas

@@ -21,15 +21,12 @@ bool gl_is_software() {
     return std::string_view{renderer}.find("llvmpipe") != std::string_view::npos;
 }
 
-std::size_t area(glm::ivec2 size) {
-    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-}
-
 } // namespace
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raster_is_faster_(!gl_is_software()), record_(shared(sizeof(FrameRecord))) {
+      raster_is_faster_(!gl_is_software()), depth_(connection),
+      record_(shared(sizeof(FrameRecord))) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_texture_);
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -46,12 +43,12 @@ void AtlasMethod::set_scene(const SceneBuffers& scene) {
     offsets_ = shared((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
     arcs_ = backend_.allocate((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
     totals_ = {};
+    depth_.set_scene(scene);
 }
 
 void AtlasMethod::prepare_layout(const Frame& frame) {
     const float diagonal = glm::length(frame.viewport());
-    const auto longest =
-        static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
+    const auto longest = static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
     const AtlasLayoutKind kind = frame.options.atlas_layout == AtlasLayoutChoice::wrap
                                      ? AtlasLayoutKind::wrap
                                      : AtlasLayoutKind::gutter;
@@ -75,32 +72,19 @@ void AtlasMethod::prepare(const Frame& frame) {
               frame.options.atlas == AtlasForm::raster ||
               (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
     cull_hidden_ = frame.options.cull_hidden && frame.options.method != Method::item_buffer;
-    const glm::ivec2 depth_size = frame.camera.size * frame.options.depth_scale;
-    const std::size_t depth_bytes = area(depth_size) * sizeof(float);
-    if (reads_depth() && (!depth_ || depth_->size() < depth_bytes)) depth_ = shared(depth_bytes);
-    const std::size_t tile_bytes = area(compute::tiles_for(depth_size)) * sizeof(float);
-    if (!tiles_ || tiles_->size() < tile_bytes) tiles_ = backend_.allocate(tile_bytes);
 }
 
 void AtlasMethod::project(Frame& frame) {
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
-    if (cull_hidden_) {
-        frame.clock("pyramid", [&] {
-            backend_.pyramid({.depth = depth_->compute(),
-                              .depth_size = depth_pass_.size(),
-                              .tiles = *tiles_});
-        });
-    }
     if ((frame.options.lines & mask_of(LineKind::silhouette)) != 0) {
         frame.clock("facing", [&] {
-            backend_.facing({.table = frame.scene.table(),
-                             .eye = frame.camera.eye(),
-                             .front = *front_});
+            backend_.facing(
+                {.table = frame.scene.table(), .eye = frame.camera.eye(), .front = *front_});
         });
     }
     const compute::OcclusionTest occlusion{
-        .tiles = *tiles_,
-        .tile_count = compute::tiles_for(depth_pass_.size()),
+        .tiles = cull_hidden_ ? depth_.tiles() : *arcs_, // any buffer where it isn't read
+        .tile_count = compute::tiles_for(depth_.pass().size()),
         .depth_scale = static_cast<float>(frame.options.depth_scale),
         .tolerance = frame.depth_tolerance()};
     frame.clock("project_clip", [&] {
@@ -121,26 +105,14 @@ void AtlasMethod::project(Frame& frame) {
     });
 }
 
-void AtlasMethod::draw_depth(Frame& frame) {
-    frame.clock("depth", [&] {
-        depth_pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(),
-                         frame.camera.size, frame.options.depth_scale);
-        if (reads_depth()) depth_pass_.copy_to(depth_->gl());
-    });
-    if (!reads_depth()) return;
-    frame.clock("handover", [&] {
-        handover_.to_compute({{*depth_, area(depth_pass_.size()) * sizeof(float)}});
-    });
-}
-
 void AtlasMethod::sample(Frame& frame) {
     if (frame.options.method == Method::item_buffer) return sample_item_buffer(frame);
     if (raster_) return sample_raster(frame);
     frame.clock("atlas", [&] {
         backend_.atlas({.clipped = clipped_table(),
                         .segment_count = segment_count_,
-                        .depth = depth_->compute(),
-                        .depth_size = depth_pass_.size(),
+                        .depth = depth_.buffer(),
+                        .depth_size = depth_.pass().size(),
                         .viewport = frame.viewport(),
                         .depth_scale = static_cast<float>(frame.options.depth_scale),
                         .probes = frame.probes_per_axis(),
@@ -165,7 +137,7 @@ void AtlasMethod::sample_raster(Frame& frame) {
             atlas_pass_.draw({.clipped = clipped_->gl(),
                               .offsets = offsets_->gl(),
                               .segment_count = segment_count_},
-                             frame.probe_params(depth_pass_.texture()), layout_, total,
+                             frame.probe_params(depth_.pass().texture()), layout_, total,
                              alpha_->gl());
         }
         handover_.to_compute(
@@ -234,7 +206,7 @@ void AtlasMethod::draw_strokes(Frame& frame) {
                          {*record_, sizeof(FrameRecord)},
                          {*runs_, std::size_t{totals_.points[0]} * sizeof(Run)},
                          {*alpha_, layout_.texels(totals_.sample_total)}});
-        if (reads_depth()) handover_.to_gl({{*depth_, 0}});
+        if (reads_depth()) depth_.take_back();
     });
     frame.clock("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
@@ -245,8 +217,12 @@ void AtlasMethod::draw_strokes(Frame& frame) {
 
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
-    handover_.to_compute({{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}, {*record_, 0}});
-    if (frame.options.method != Method::item_buffer) draw_depth(frame);
+    handover_.to_compute(
+        {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}, {*record_, 0}});
+    if (reads_depth())
+        depth_.draw_for_compute(frame);
+    else if (frame.options.method != Method::item_buffer)
+        depth_.draw_texture(frame);
     project(frame);
     do {
         sample(frame);
@@ -254,6 +230,7 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     } while (grow());
     draw_strokes(frame);
     return {.triangles = frame.scene.triangle_count(),
+            .triangles_drawn = depth_.triangles_drawn(),
             .segments = segment_count_,
             .samples = totals_.sample_total,
             .runs = totals_.run_total,

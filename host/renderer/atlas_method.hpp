@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/atlas_layout.hpp"
+#include "depth_stage.hpp"
 #include "frame.hpp"
 #include "glpasses/atlas_pass.hpp"
-#include "glpasses/depth_pass.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
 #include "glpasses/stroke_pass.hpp"
@@ -14,7 +14,8 @@
 
 namespace lineatlas {
 
-/// The segment atlas (§4): a frame from segments to strokes. Its tables grow when a frame needs more.
+/// The segment atlas (§4): a frame from segments to strokes. Its tables grow when a frame needs
+/// more.
 class AtlasMethod {
   public:
     explicit AtlasMethod(const interop::Connection& connection);
@@ -30,7 +31,6 @@ class AtlasMethod {
     void prepare(const Frame& frame);
     void prepare_layout(const Frame& frame);
     void project(Frame& frame);
-    void draw_depth(Frame& frame);
     void sample(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
@@ -55,9 +55,10 @@ class AtlasMethod {
     GLint largest_texture_ = 0;
     GLint largest_texture_buffer_ = 0;
 
+    DepthStage depth_;
     std::uint32_t segment_count_ = 0;
-    std::unique_ptr<compute::Buffer> front_, arcs_, tiles_;
-    std::unique_ptr<SharedBuffer> clipped_, offsets_, depth_, alpha_, runs_, record_;
+    std::unique_ptr<compute::Buffer> front_, arcs_;
+    std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_, runs_, record_;
     std::uint32_t sample_capacity_ = 0;
     std::uint32_t run_capacity_ = 0;
     AtlasLayout layout_{0, 0};
@@ -65,7 +66,6 @@ class AtlasMethod {
     bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
     FrameRecord totals_{};
 
-    gl::DepthPass depth_pass_;
     gl::AtlasPass atlas_pass_;
     gl::StrokePass stroke_pass_;
     std::optional<ItemBufferSampler> item_buffer_; ///< made when first used

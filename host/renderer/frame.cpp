@@ -8,8 +8,9 @@ namespace lineatlas {
 namespace {
 
 // A surface hides a line if it stands before it by more than this many pixel widths: the line's own
-// neighbourhood, a curved surface or a third face at a corner, must not. Two pixels along the ray is what
-// bench/quality takes for the truth; along the view axis, as measured here, that is a little less.
+// neighbourhood, a curved surface or a third face at a corner, must not. Two pixels along the ray
+// is what bench/quality takes for the truth; along the view axis, as measured here, that is a
+// little less.
 constexpr float depth_tolerance_pixels = 1.9F;
 
 /// Window depth that one pixel's width is worth, in the direction of sight, times w.
@@ -30,7 +31,9 @@ std::uint32_t Frame::probes_per_axis() const {
     return root;
 }
 
-float Frame::depth_tolerance() const { return depth_tolerance_pixels * depth_per_pixel(camera); }
+float Frame::depth_tolerance() const {
+    return depth_tolerance_pixels * depth_per_pixel(camera);
+}
 
 gl::StrokeParams Frame::stroke_params() const {
     const bool geometry = options.stroke_shader == StrokeShader::geometry;

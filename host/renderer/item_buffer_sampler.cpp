@@ -8,8 +8,9 @@
 namespace lineatlas {
 namespace {
 
-/// A line on the raster. Columns are counted along its major axis, rows across it; it is drawn in the
-/// columns whose centre it crosses, so that lines that follow each other share none, but in one at least.
+/// A line on the raster. Columns are counted along its major axis, rows across it; it is drawn in
+/// the columns whose centre it crosses, so that lines that follow each other share none, but in one
+/// at least.
 class RasterLine {
   public:
     RasterLine(const ClippedSegment& segment, glm::ivec2 size)
@@ -21,15 +22,15 @@ class RasterLine {
         first_ = std::max(column_from(low), 0);
         last_ = std::min(column_from(low + length), size[axis_]);
         if (first_ >= last_) {
-            first_ = std::clamp(static_cast<int>(std::floor(low + 0.5F * length)), 0,
-                                size[axis_] - 1);
+            first_ =
+                std::clamp(static_cast<int>(std::floor(low + 0.5F * length)), 0, size[axis_] - 1);
             last_ = first_ + 1;
         }
     }
 
     int axis() const { return axis_; }
-    /// The columns of the piece from `from` to `to`, 0 to 1 along the line: the first, and one past the
-    /// last. One at least.
+    /// The columns of the piece from `from` to `to`, 0 to 1 along the line: the first, and one past
+    /// the last. One at least.
     glm::ivec2 columns(float from, float to) const {
         const float a = p_[axis_] + d_[axis_] * from;
         const float b = p_[axis_] + d_[axis_] * to;
@@ -46,8 +47,9 @@ class RasterLine {
     /// Place across the line at a column's centre.
     float row_at(int column) const { return point_at(centre(column))[1 - axis_]; }
 
-    /// The line as it must be drawn. By the diamond-exit rule it has to cross the centre of its last
-    /// column by half a texel, and must not reach the next one; ends on a centre are left to rounding.
+    /// The line as it must be drawn. By the diamond-exit rule it has to cross the centre of its
+    /// last column by half a texel, and must not reach the next one; ends on a centre are left to
+    /// rounding.
     gl::ItemLine ends(glm::ivec2 size) const {
         const bool forward = d_[axis_] >= 0.0F;
         const float before = forward ? -0.25F : 0.25F;
@@ -69,8 +71,8 @@ class RasterLine {
     /// The first column whose centre does not lie before `place`.
     static int column_from(float place) { return static_cast<int>(std::ceil(place - 0.5F)); }
 
-    /// Where the line, or what it would be if it went on, is at a place along the major axis. What goes
-    /// on goes on at the depth of the end: so short a line may lead far away.
+    /// Where the line, or what it would be if it went on, is at a place along the major axis. What
+    /// goes on goes on at the depth of the end: so short a line may lead far away.
     glm::vec3 point_at(float place) const {
         const float along = place - p_[axis_];
         const float u = d_[axis_] != 0.0F ? std::clamp(along / d_[axis_], 0.0F, 1.0F) : 0.0F;
@@ -116,18 +118,19 @@ class LineSearch {
     }
 
   private:
-    /// The lowest row that the line covers in a column: it is `line_width` texels high, around its spine.
+    /// The lowest row that the line covers in a column: it is `line_width` texels high, around its
+    /// spine.
     int lowest_row(int column) const {
         const float half = 0.5F * static_cast<float>(images_.line_width - 1);
         return static_cast<int>(std::floor(line_.row_at(column) - half));
     }
-    /// Texels of a column that hold the line; one row more on either side is looked at, for where the
-    /// raster rounds another way.
+    /// Texels of a column that hold the line; one row more on either side is looked at, for where
+    /// the raster rounds another way.
     int found_in(int column, int row) const {
         const int first = std::max(row - 1, 0);
         const int last = std::min(row + images_.line_width + 1, rows_);
-        std::ptrdiff_t texel = std::ptrdiff_t{column} * column_stride_ +
-                               std::ptrdiff_t{first} * row_stride_;
+        std::ptrdiff_t texel =
+            std::ptrdiff_t{column} * column_stride_ + std::ptrdiff_t{first} * row_stride_;
         int found = 0;
         for (int r = first; r < last; ++r, texel += row_stride_) {
             for (std::uint32_t layer = 0; layer < images_.layers; ++layer) {
@@ -189,15 +192,14 @@ void ItemBufferSampler::walk_lines(const gl::ItemImages& images, const AtlasLayo
 std::span<const std::uint8_t> ItemBufferSampler::sample(const Frame& frame,
                                                         const AtlasLayout& layout) {
     const auto scale = static_cast<int>(frame.probes_per_axis());
-    const gl::ItemBufferShape shape{
-        .viewport = frame.camera.size,
-        .scale = scale,
-        .layers = scale > 1 ? gl::ItemBufferPass::max_layers : 1};
+    const gl::ItemBufferShape shape{.viewport = frame.camera.size,
+                                    .scale = scale,
+                                    .layers = scale > 1 ? gl::ItemBufferPass::max_layers : 1};
     const std::uint64_t texels = layout.texels(offsets_[segment_count_]);
     if (alpha_.size() < texels) alpha_.resize(texels);
     fill_lines(shape.size());
-    const gl::ItemImages images = pass_.draw(frame.scene.gl_triangles(),
-                                             frame.camera.clip_from_world(), shape);
+    const gl::ItemImages images =
+        pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(), shape);
     walk_lines(images, layout);
     pass_.unmap_images();
     return std::span{alpha_}.first(texels);

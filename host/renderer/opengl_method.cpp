@@ -6,10 +6,9 @@ namespace lineatlas {
 
 FrameStats OpenGlMethod::draw(Frame& frame) {
     GLint depth = GL_NONE;
-    glGetNamedFramebufferAttachmentParameteriv(frame.framebuffer,
-                                               frame.framebuffer != 0 ? GL_DEPTH_ATTACHMENT
-                                                                      : GL_DEPTH,
-                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &depth);
+    glGetNamedFramebufferAttachmentParameteriv(
+        frame.framebuffer, frame.framebuffer != 0 ? GL_DEPTH_ATTACHMENT : GL_DEPTH,
+        GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &depth);
     if (depth == GL_NONE) {
         throw UsageError("method opengl: the framebuffer has no depth attachment; add one or use "
                          "method atlas");
@@ -24,6 +23,7 @@ FrameStats OpenGlMethod::draw(Frame& frame) {
         line_pass_.draw_lines(lines, clip_from_world, frame.options.width, frame.options.color);
     });
     return {.triangles = frame.scene.triangle_count(),
+            .triangles_drawn = frame.scene.triangle_count(),
             .segments = frame.scene.segment_count(),
             .segment_bytes = frame.scene.device_bytes(),
             .stages = frame.clock.take()};

@@ -76,9 +76,12 @@ class Renderer::State {
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
         switch (options.method) {
         case Method::atlas:
-        case Method::item_buffer: return atlas_.draw(frame);
-        case Method::spine: return made(spine_).draw(frame);
-        case Method::opengl: return made(opengl_).draw(frame);
+        case Method::item_buffer:
+            return atlas_.draw(frame);
+        case Method::spine:
+            return made(spine_).draw(frame);
+        case Method::opengl:
+            return made(opengl_).draw(frame);
         }
         throw UsageError("renderer: unknown method");
     }
@@ -105,12 +108,18 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-std::string Renderer::description() const { return state_->description(); }
-void Renderer::set_lines(const LineSet& lines) { state_->set_lines(lines); }
+std::string Renderer::description() const {
+    return state_->description();
+}
+void Renderer::set_lines(const LineSet& lines) {
+    state_->set_lines(lines);
+}
 FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
                           std::uint32_t framebuffer) {
     return state_->draw(camera, options, framebuffer);
 }
-Renderer::Samples Renderer::read_samples() { return state_->read_samples(); }
+Renderer::Samples Renderer::read_samples() {
+    return state_->read_samples();
+}
 
 } // namespace lineatlas

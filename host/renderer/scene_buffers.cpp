@@ -4,10 +4,15 @@
 #include <span>
 #include <string>
 
+#include "core/clusters.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
+
+// Below this a depth pass costs less than finding out what to leave out of it.
+constexpr std::uint32_t fewest_triangles_culled = 50'000;
+constexpr std::uint32_t cluster_size = 128;
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -41,19 +46,37 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
       triangles_(upload(backend, bytes_of(lines.triangles))),
       segments_(upload(backend, bytes_of(lines.segments))),
       gl_vertices_(upload_gl(bytes_of(lines.vertices))),
-      gl_indices_(upload_gl(bytes_of(lines.triangles))),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
-      segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {}
+      segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
+    if (triangle_count_ < fewest_triangles_culled) {
+        gl_indices_ = upload_gl(bytes_of(lines.triangles));
+    } else {
+        TriangleClusters parts = build_clusters(lines.vertices, lines.triangles, cluster_size);
+        gl_indices_ = upload_gl(bytes_of(parts.triangles));
+        clusters_ = std::move(parts.clusters);
+    }
+    cluster_buffer_ = upload(backend, bytes_of(clusters_));
+}
+
+template <class T>
+std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count) {
+    std::vector<T> values(count);
+    backend_.download(buffer, std::as_writable_bytes(std::span{values}));
+    return values;
+}
 
 std::vector<Segment> SceneBuffers::download_segments() {
-    std::vector<Segment> segments(segment_count_);
-    backend_.download(*segments_, std::as_writable_bytes(std::span{segments}));
-    return segments;
+    return download<Segment>(*segments_, segment_count_);
 }
 
 gl::SegmentBuffers SceneBuffers::gl_segments() {
-    if (!gl_segments_) gl_segments_ = upload_gl(bytes_of(download_segments()));
-    return {gl_segments_.id(), gl_vertices_.id(), gl_indices_.id(), segment_count_};
+    if (!gl_segments_) {
+        gl_segments_ = upload_gl(bytes_of(download_segments()));
+        // In the order that segments refer to; gl_indices_ may have another.
+        gl_table_triangles_ =
+            upload_gl(bytes_of(download<glm::uvec3>(*triangles_, triangle_count_)));
+    }
+    return {gl_segments_.id(), gl_vertices_.id(), gl_table_triangles_.id(), segment_count_};
 }
 
 gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {

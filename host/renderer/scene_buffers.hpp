@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "compute/backend.hpp"
@@ -13,7 +14,8 @@
 
 namespace lineatlas {
 
-/// A line set on the device: what is uploaded once and read in every frame, by kernels and by GL passes.
+/// A line set on the device: what is uploaded once and read in every frame, by kernels and by GL
+/// passes.
 class SceneBuffers {
   public:
     /// Throws DeviceError when memory runs out.
@@ -22,12 +24,16 @@ class SceneBuffers {
     compute::SegmentTable table() const {
         return {*vertices_, *triangles_, *segments_, triangle_count_, segment_count_};
     }
+    /// For drawing: the triangles in an order of their own.
     gl::TriangleBuffers gl_triangles() const {
         return {gl_vertices_.id(), gl_indices_.id(), triangle_count_};
     }
     gl::SegmentBuffers gl_segments();
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);
+    /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up.
+    std::span<const Cluster> clusters() const { return clusters_; }
+    compute::Buffer& cluster_buffer() const { return *cluster_buffer_; }
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
     std::uint64_t device_bytes() const {
@@ -35,13 +41,16 @@ class SceneBuffers {
     }
 
   private:
+    template <class T>
+    std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
 
     compute::Backend& backend_;
-    std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_;
+    std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, cluster_buffer_;
+    std::vector<Cluster> clusters_;
     gl::Buffer gl_vertices_, gl_indices_;
     // What only the methods besides the atlas need; made when first asked for.
-    gl::Buffer gl_segments_, gl_lines_;
+    gl::Buffer gl_segments_, gl_table_triangles_, gl_lines_;
     LineKindMask line_kinds_ = 0; ///< that `gl_lines_` holds
     std::uint32_t line_count_ = 0;
     std::uint32_t triangle_count_;

@@ -42,7 +42,9 @@ OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
 
 } // namespace
 
-std::string OpenClDevice::name() const { return "opencl:" + platform_name + ":" + device_name; }
+std::string OpenClDevice::name() const {
+    return "opencl:" + platform_name + ":" + device_name;
+}
 
 bool OpenClDevice::has_extension(std::string_view extension) const {
     std::istringstream words{extensions};
@@ -89,7 +91,8 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
     if (all.empty()) throw DeviceError("no OpenCL device was found; " + opencl_advice());
     std::vector<OpenClDevice> found;
     for (const OpenClDevice& candidate : all) {
-        if (contains(candidate.platform_name, platform) && contains(candidate.device_name, device)) {
+        if (contains(candidate.platform_name, platform) &&
+            contains(candidate.device_name, device)) {
             found.push_back(candidate);
         }
     }

@@ -10,21 +10,33 @@
 namespace lineatlas::compute {
 namespace {
 
-std::uint32_t divide_up(std::uint32_t n, std::uint32_t by) { return n / by + (n % by != 0 ? 1 : 0); }
+std::uint32_t divide_up(std::uint32_t n, std::uint32_t by) {
+    return n / by + (n % by != 0 ? 1 : 0);
+}
 
-cl_float2 to_cl(glm::vec2 v) { return {{v.x, v.y}}; }
-cl_int2 to_cl(glm::ivec2 v) { return {{v.x, v.y}}; }
-cl_float4 to_cl(glm::vec4 v) { return {{v.x, v.y, v.z, v.w}}; }
+cl_float2 to_cl(glm::vec2 v) {
+    return {{v.x, v.y}};
+}
+cl_int2 to_cl(glm::ivec2 v) {
+    return {{v.x, v.y}};
+}
+cl_float4 to_cl(glm::vec4 v) {
+    return {{v.x, v.y, v.z, v.w}};
+}
 cl_float16 to_cl(const glm::mat4& m) {
     cl_float16 result;
     std::memcpy(&result, &m, sizeof(result));
     return result;
 }
 
-const cl::Buffer& memory_of(Buffer& buffer) { return static_cast<OpenClBuffer&>(buffer).memory; }
+const cl::Buffer& memory_of(Buffer& buffer) {
+    return static_cast<OpenClBuffer&>(buffer).memory;
+}
 
 /// What can stand as a kernel argument.
-const cl::Buffer& argument(Buffer& buffer) { return memory_of(buffer); }
+const cl::Buffer& argument(Buffer& buffer) {
+    return memory_of(buffer);
+}
 template <class T>
 const T& argument(const T& value) {
     return value;
@@ -58,7 +70,8 @@ class Implementation final : public OpenClBackend {
         const cl_ulong largest = device_.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
         if (size > largest) {
             throw DeviceError(description() + ": a buffer of " + std::to_string(size >> 20U) +
-                              " MiB is needed, the device allows " + std::to_string(largest >> 20U) +
+                              " MiB is needed, the device allows " +
+                              std::to_string(largest >> 20U) +
                               " MiB; draw fewer --lines kinds or choose another --device");
         }
         return guarded("allocating " + std::to_string(size >> 10U) + " KiB", [&] {
@@ -112,6 +125,12 @@ class Implementation final : public OpenClBackend {
                args.depth, to_cl(args.depth_size), to_cl(tiles), args.tiles);
     }
 
+    void cull(const CullArgs& args) override {
+        launch(cull_, args.count, tuning_.local_size, args.clusters, args.count,
+               to_cl(args.clip_from_world), to_cl(args.depth_size), args.tiles,
+               to_cl(tiles_for(args.depth_size)), args.visible);
+    }
+
     void facing(const FacingArgs& args) override {
         const std::uint32_t n = args.table.triangle_count;
         launch(facing_, n, tuning_.local_size, args.table.vertices, args.table.triangles, n,
@@ -156,9 +175,9 @@ class Implementation final : public OpenClBackend {
 
     void atlas(const AtlasArgs& args) override {
         const std::uint32_t blocks = divide_up(args.capacity, tuning_.atlas_block);
-        launch(atlas_kernel(args.probes), blocks, tuning_.block_local_size, args.clipped.clipped, args.clipped.offsets,
-               args.segment_count, args.depth, to_cl(args.depth_size), to_cl(args.viewport),
-               args.depth_scale, args.tolerance, args.layout.width,
+        launch(atlas_kernel(args.probes), blocks, tuning_.block_local_size, args.clipped.clipped,
+               args.clipped.offsets, args.segment_count, args.depth, to_cl(args.depth_size),
+               to_cl(args.viewport), args.depth_scale, args.tolerance, args.layout.width,
                args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
     }
 
@@ -171,10 +190,10 @@ class Implementation final : public OpenClBackend {
                tuning_.segment_block, counts);
         scan(counts, blocks, ScanKind::saturate);
         launch(compact_runs_write_, std::max(blocks, 1U), tuning_.block_local_size,
-               args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs, n,
-               args.alpha, args.layout.width, args.layout.pitch, args.capacity,
-               to_cl(args.viewport), args.half_width, tuning_.segment_block, counts,
-               blocks, args.run_capacity, args.runs, args.record);
+               args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs,
+               n, args.alpha, args.layout.width, args.layout.pitch, args.capacity,
+               to_cl(args.viewport), args.half_width, tuning_.segment_block, counts, blocks,
+               args.run_capacity, args.runs, args.record);
     }
 
     void compact_samples(const CompactSamplesArgs& args) override {
@@ -235,6 +254,7 @@ class Implementation final : public OpenClBackend {
     void build_kernels() {
         guarded("creating kernels", [&] {
             pyramid_ = cl::Kernel{build("pyramid.cl"), "pyramid"};
+            cull_ = cl::Kernel{build("cull.cl"), "cull"};
             facing_ = cl::Kernel{build("facing.cl"), "facing"};
             project_clip_ = cl::Kernel{build("project_clip.cl"), "project_clip"};
             const cl::Program compact = build("compact.cl");
@@ -243,10 +263,10 @@ class Implementation final : public OpenClBackend {
             compact_samples_count_ = cl::Kernel{compact, "compact_samples_count"};
             compact_samples_write_ = cl::Kernel{compact, "compact_samples_write"};
             for (int saturate = 0; saturate < 2; ++saturate) {
-                const cl::Program scan =
-                    build("scan.cl", "-DSCAN_SATURATE=" + std::to_string(saturate) +
-                                         " -DSCAN_TILE=" + std::to_string(tuning_.scan_tile) +
-                                         " -DSCAN_PER_ITEM=" + std::to_string(tuning_.scan_per_item));
+                const cl::Program scan = build(
+                    "scan.cl", "-DSCAN_SATURATE=" + std::to_string(saturate) +
+                                   " -DSCAN_TILE=" + std::to_string(tuning_.scan_tile) +
+                                   " -DSCAN_PER_ITEM=" + std::to_string(tuning_.scan_per_item));
                 scan_[saturate] = {.chunks_reduce = cl::Kernel{scan, "scan_chunks_reduce"},
                                    .chunks_apply = cl::Kernel{scan, "scan_chunks_apply"},
                                    .tiles_reduce = cl::Kernel{scan, "scan_tiles_reduce"},
@@ -276,10 +296,10 @@ class Implementation final : public OpenClBackend {
             const std::uint32_t probes = probes_per_axis * probes_per_axis;
             const int lanes = !tuning_.atlas_vectors || probes == 1 ? 1 : probes == 4 ? 4 : 16;
             kernel = guarded("creating a kernel", [&] {
-                return cl::Kernel{build("atlas.cl",
-                                        "-DPROBES_PER_AXIS=" + std::to_string(probes_per_axis) +
-                                            " -DPROBE_LANES=" + std::to_string(lanes)),
-                                  "atlas"};
+                return cl::Kernel{
+                    build("atlas.cl", "-DPROBES_PER_AXIS=" + std::to_string(probes_per_axis) +
+                                          " -DPROBE_LANES=" + std::to_string(lanes)),
+                    "atlas"};
             });
         }
         return kernel;
@@ -300,7 +320,7 @@ class Implementation final : public OpenClBackend {
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    cl::Kernel pyramid_, facing_, project_clip_;
+    cl::Kernel pyramid_, cull_, facing_, project_clip_;
     std::array<cl::Kernel, 4> atlas_; ///< by probes per axis, from 1
     cl::Kernel compact_runs_count_, compact_runs_write_;
     cl::Kernel compact_samples_count_, compact_samples_write_;

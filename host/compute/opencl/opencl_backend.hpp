@@ -26,9 +26,9 @@ class OpenClBackend : public Backend {
     virtual const cl::CommandQueue& queue() const = 0;
 };
 
-/// A backend on `device`. `context_properties`, if not empty, ties the context to a GL context: pairs of
-/// name and value without the closing 0. Throws DeviceError when the driver refuses or a kernel
-/// doesn't build; the message then holds the whole build log.
+/// A backend on `device`. `context_properties`, if not empty, ties the context to a GL context:
+/// pairs of name and value without the closing 0. Throws DeviceError when the driver refuses or a
+/// kernel doesn't build; the message then holds the whole build log.
 std::unique_ptr<OpenClBackend>
 make_opencl_backend(const OpenClDevice& device,
                     std::span<const cl_context_properties> context_properties = {});

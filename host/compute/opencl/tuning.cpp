@@ -29,6 +29,8 @@ constexpr Tuning gpu{.scan_tiles = true,
 
 } // namespace
 
-Tuning tuning_for(const OpenClDevice& device) { return device.is_cpu ? cpu : gpu; }
+Tuning tuning_for(const OpenClDevice& device) {
+    return device.is_cpu ? cpu : gpu;
+}
 
 } // namespace lineatlas::compute

@@ -11,13 +11,14 @@ glm::vec2 window_position(const float (&clip)[4], glm::vec2 viewport) {
 }
 
 glm::vec2 window_direction(const ClippedSegment& segment, glm::vec2 viewport) {
-    const glm::vec2 d =
-        window_position(segment.q, viewport) - window_position(segment.p, viewport);
+    const glm::vec2 d = window_position(segment.q, viewport) - window_position(segment.p, viewport);
     const float length_px = std::sqrt(d.x * d.x + d.y * d.y);
     return length_px > 0 ? d / length_px : glm::vec2{0};
 }
 
-glm::vec2 left_of(glm::vec2 direction) { return {-direction.y, direction.x}; }
+glm::vec2 left_of(glm::vec2 direction) {
+    return {-direction.y, direction.x};
+}
 
 struct End {
     std::uint32_t style;
@@ -121,7 +122,8 @@ void compact_runs(const CompactRunsInput& in, std::span<Run> runs, FrameRecord& 
               .unused = {0, 0}};
 }
 
-std::uint32_t compact_samples(std::span<const std::uint8_t> alpha, std::span<std::uint32_t> packed) {
+std::uint32_t compact_samples(std::span<const std::uint8_t> alpha,
+                              std::span<std::uint32_t> packed) {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < alpha.size(); ++i) {
         if (alpha[i] != 0) packed[count++] = i;

@@ -55,7 +55,9 @@ struct ScreenLine {
 };
 
 /// fmax and fmin, not clamp: a NaN (a plane without a direction) becomes a limit.
-float limited(float value, float limit) { return std::fmin(std::fmax(value, -limit), limit); }
+float limited(float value, float limit) {
+    return std::fmin(std::fmax(value, -limit), limit);
+}
 
 /// See own_face in project_clip.cl.
 std::uint32_t own_face(const ProjectClipInput& in, std::uint32_t face, const ScreenLine& line) {
@@ -93,7 +95,8 @@ std::uint32_t own_face(const ProjectClipInput& in, std::uint32_t face, const Scr
 
 bool is_silhouette(const Segment& segment, std::span<const std::uint8_t> front) {
     const bool flipped = (segment.face_b & LA_FACE_FLIPPED) != 0;
-    return (front[segment.face_a] != 0) != ((front[segment.face_b & LA_FACE_INDEX] != 0) != flipped);
+    return (front[segment.face_a] != 0) !=
+           ((front[segment.face_b & LA_FACE_INDEX] != 0) != flipped);
 }
 
 /// See own_depth in project_clip.cl.
@@ -141,14 +144,14 @@ bool is_hidden(const ProjectClipInput& in, const ScreenLine& line, glm::vec3 win
     const float along = line.length_px > 0 ? std::fabs(d.z) / line.length_px * reach : 0;
     const float margin = before + own + along + 2 * LA_DEPTH_ROUNDING;
     const glm::vec3 texels{in.depth_scale, in.depth_scale, 1};
-    return is_hidden(window_p * texels, d * texels, line.length_px * in.depth_scale,
-                     reach_texels, margin, in.tiles, in.tile_count);
+    return is_hidden(window_p * texels, d * texels, line.length_px * in.depth_scale, reach_texels,
+                     margin, in.tiles, in.tile_count);
 }
 
 } // namespace
 
-void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles, glm::vec4 eye,
-            std::span<std::uint8_t> front) {
+void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles,
+            glm::vec4 eye, std::span<std::uint8_t> front) {
     for (std::size_t i = 0; i < triangles.size() / 3; ++i) {
         const glm::vec3 a = load3(vertices, triangles[3 * i]);
         const glm::vec3 n = triangle_normal(a, load3(vertices, triangles[3 * i + 1]),

@@ -21,7 +21,9 @@ class HostBuffer final : public Buffer {
     std::span<std::byte> memory_;
 };
 
-std::span<std::byte> memory_of(Buffer& buffer) { return static_cast<HostBuffer&>(buffer).memory(); }
+std::span<std::byte> memory_of(Buffer& buffer) {
+    return static_cast<HostBuffer&>(buffer).memory();
+}
 
 /// The first `count` elements of a buffer.
 template <class T>
@@ -59,6 +61,12 @@ class ReferenceBackend final : public Backend {
                            view_all<float>(args.tiles));
     }
 
+    void cull(const CullArgs& args) override {
+        reference::cull(view<Cluster>(args.clusters, args.count), args.clip_from_world,
+                        args.depth_size, view_all<float>(args.tiles),
+                        view<std::uint8_t>(args.visible, args.count));
+    }
+
     void facing(const FacingArgs& args) override {
         const std::size_t triangles = args.table.triangle_count;
         reference::facing(view_all<float>(args.table.vertices),
@@ -69,23 +77,22 @@ class ReferenceBackend final : public Backend {
     void project_clip(const ProjectClipArgs& args) override {
         const std::size_t n = args.table.segment_count;
         const OcclusionTest* occlusion = args.occlusion;
-        reference::project_clip({.segments = view<Segment>(args.table.segments, n),
-                                 .vertices = view_all<float>(args.table.vertices),
-                                 .triangles = view_all<std::uint32_t>(args.table.triangles),
-                                 .front = view_all<std::uint8_t>(args.front),
-                                 .clip_from_world = args.clip_from_world,
-                                 .world_from_clip = args.world_from_clip,
-                                 .viewport = args.viewport,
-                                 .step = args.step,
-                                 .kind_mask = args.kind_mask,
-                                 .tiles = occlusion ? view_all<float>(occlusion->tiles)
-                                                    : std::span<float>{},
-                                 .tile_count = occlusion ? occlusion->tile_count : glm::ivec2{0},
-                                 .depth_scale = occlusion ? occlusion->depth_scale : 1,
-                                 .tolerance = occlusion ? occlusion->tolerance : 0},
-                                view<ClippedSegment>(args.out.clipped, n),
-                                view<std::uint32_t>(args.out.offsets, n),
-                                view<std::uint32_t>(args.out.arcs, n));
+        reference::project_clip(
+            {.segments = view<Segment>(args.table.segments, n),
+             .vertices = view_all<float>(args.table.vertices),
+             .triangles = view_all<std::uint32_t>(args.table.triangles),
+             .front = view_all<std::uint8_t>(args.front),
+             .clip_from_world = args.clip_from_world,
+             .world_from_clip = args.world_from_clip,
+             .viewport = args.viewport,
+             .step = args.step,
+             .kind_mask = args.kind_mask,
+             .tiles = occlusion ? view_all<float>(occlusion->tiles) : std::span<float>{},
+             .tile_count = occlusion ? occlusion->tile_count : glm::ivec2{0},
+             .depth_scale = occlusion ? occlusion->depth_scale : 1,
+             .tolerance = occlusion ? occlusion->tolerance : 0},
+            view<ClippedSegment>(args.out.clipped, n), view<std::uint32_t>(args.out.offsets, n),
+            view<std::uint32_t>(args.out.arcs, n));
     }
 
     void scan(Buffer& values, std::uint32_t n, ScanKind kind) override {
@@ -134,6 +141,8 @@ class ReferenceBackend final : public Backend {
 
 } // namespace
 
-std::unique_ptr<Backend> make_reference_backend() { return std::make_unique<ReferenceBackend>(); }
+std::unique_ptr<Backend> make_reference_backend() {
+    return std::make_unique<ReferenceBackend>();
+}
 
 } // namespace lineatlas::compute

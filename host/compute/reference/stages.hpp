@@ -14,11 +14,14 @@
 
 namespace lineatlas::compute::reference {
 
-void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles, glm::vec4 eye,
-            std::span<std::uint8_t> front);
+void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles,
+            glm::vec4 eye, std::span<std::uint8_t> front);
 
 /// tiles: tiles_for(depth_size) of them, row by row.
 void pyramid(std::span<const float> depth, glm::ivec2 depth_size, std::span<float> tiles);
+
+void cull(std::span<const Cluster> clusters, const glm::mat4& clip_from_world,
+          glm::ivec2 depth_size, std::span<const float> tiles, std::span<std::uint8_t> visible);
 
 struct ProjectClipInput {
     std::span<const Segment> segments;
@@ -50,7 +53,7 @@ struct AtlasInput {
     glm::vec2 viewport;
     float depth_scale;
     std::uint32_t probes;
-    float tolerance;           ///< window depth that may stand before a line, times w
+    float tolerance; ///< window depth that may stand before a line, times w
     AtlasLayout layout;
     std::uint32_t capacity;
 };

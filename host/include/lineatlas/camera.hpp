@@ -38,8 +38,8 @@ struct Camera {
 /// sight, the field of view is not in (0, pi) or the size is not positive.
 Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
 
-/// A view from the front, right and above in which all `points` just fit, with a small margin. There
-/// must be at least one. `up` must be a unit axis.
+/// A view from the front, right and above in which all `points` just fit, with a small margin.
+/// There must be at least one. `up` must be a unit axis.
 View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up = {0, 1, 0},
                   float fov_y = View{}.fov_y);
 

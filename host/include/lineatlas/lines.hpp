@@ -12,8 +12,8 @@
 
 namespace lineatlas {
 
-/// Where a line comes from. An edge that qualifies as several kinds takes the first of: file, boundary
-/// (non-manifold edges included), material, crease, silhouette.
+/// Where a line comes from. An edge that qualifies as several kinds takes the first of: file,
+/// boundary (non-manifold edges included), material, crease, silhouette.
 enum class LineKind : std::uint32_t {
     crease = LA_KIND_CREASE,         ///< dihedral angle above `LineOptions::crease_angle`
     boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
@@ -28,7 +28,9 @@ inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
 inline constexpr LineKindMask all_line_kinds = (1U << LA_KIND_COUNT) - 1;
-constexpr LineKindMask mask_of(LineKind kind) { return 1U << static_cast<std::uint32_t>(kind); }
+constexpr LineKindMask mask_of(LineKind kind) {
+    return 1U << static_cast<std::uint32_t>(kind);
+}
 
 struct LineOptions {
     LineKindMask kinds = all_line_kinds;
@@ -37,14 +39,15 @@ struct LineOptions {
     float chain_angle = 1.134464F;
 };
 
-/// Edges of a mesh that are lines, or may become one, chained into paths: the input of the pipeline.
+/// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
+/// pipeline.
 struct LineSet {
     std::vector<glm::vec3> vertices;   ///< welded: no two are equal, each is used
     std::vector<glm::uvec3> triangles; ///< into `vertices`; no duplicates, no repeated corners
     std::vector<Segment> segments;     ///< paths one after the other; silhouette candidates last
     std::uint32_t path_count = 0;      ///< `Segment::path` is below this
     std::array<std::uint32_t, LA_KIND_COUNT> kind_counts{}; ///< segments per kind
-    Bounds bounds;                     ///< of `vertices`
+    Bounds bounds;                                          ///< of `vertices`
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.

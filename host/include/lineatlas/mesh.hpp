@@ -11,21 +11,21 @@ namespace lineatlas {
 
 /// What a triangle belongs to. A mesh edge between two different groups is a material line.
 struct MeshGroup {
-    std::string object;           ///< OBJ `o`/`g` name; empty where the file names none
-    std::string material;         ///< OBJ `usemtl` name; empty where the file names none
-    glm::vec3 color{0.8F};        ///< diffuse colour, linear, each channel 0 to 1
+    std::string object;    ///< OBJ `o`/`g` name; empty where the file names none
+    std::string material;  ///< OBJ `usemtl` name; empty where the file names none
+    glm::vec3 color{0.8F}; ///< diffuse colour, linear, each channel 0 to 1
 };
 
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.
 ///
-/// Equal positions need not share an index: `weld()` (lines.hpp) merges them. Nothing is assumed about
-/// manifoldness, orientation or closedness.
+/// Equal positions need not share an index: `weld()` (lines.hpp) merges them. Nothing is assumed
+/// about manifoldness, orientation or closedness.
 struct Mesh {
-    std::vector<glm::vec3> positions;                   ///< finite, in model units
-    std::vector<glm::uvec3> triangles;                  ///< indices into `positions`
-    std::vector<std::uint32_t> triangle_group;          ///< per triangle, index into `groups`; or empty
-    std::vector<MeshGroup> groups;                      ///< empty when `triangle_group` is empty
-    std::vector<std::vector<std::uint32_t>> polylines;  ///< lines given in the file (OBJ `l`)
+    std::vector<glm::vec3> positions;          ///< finite, in model units
+    std::vector<glm::uvec3> triangles;         ///< indices into `positions`
+    std::vector<std::uint32_t> triangle_group; ///< per triangle, index into `groups`; or empty
+    std::vector<MeshGroup> groups;             ///< empty when `triangle_group` is empty
+    std::vector<std::vector<std::uint32_t>> polylines; ///< lines given in the file (OBJ `l`)
 
     bool empty() const { return triangles.empty() && polylines.empty(); }
 };

@@ -42,31 +42,33 @@ struct DeviceOptions {
 /// How a frame is drawn.
 struct FrameOptions {
     Method method = Method::atlas;
-    /// Depth probes per sample: 1, 4, 9 or 16 (§3.2). An item buffer is supersampled by the same number
-    /// and has three layers if it is more than one.
+    /// Depth probes per sample: 1, 4, 9 or 16 (§3.2). An item buffer is supersampled by the same
+    /// number and has three layers if it is more than one.
     std::uint32_t probes = 9;
-    int depth_scale = 2;           ///< depth texels per pixel and axis: 1 to 4
-    float step = 2;                ///< k: pixels between samples, above 0 (§4.1)
+    int depth_scale = 2; ///< depth texels per pixel and axis: 1 to 4
+    float step = 2;      ///< k: pixels between samples, above 0 (§4.1)
     LineKindMask lines = all_line_kinds;
     AtlasForm atlas = AtlasForm::automatic;
     AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap;
     StrokeShader stroke_shader = StrokeShader::geometry;
-    float width = 2;               ///< of strokes, in pixels
-    glm::vec4 color{0, 0, 0, 1};   ///< of strokes: RGB and opacity, 0 to 1
-    std::string pen = "solid";     ///< solid, pen, pencil or dashed
-    /// Give no samples to segments that the depth buffer hides whole. Changes nothing in the picture.
+    float width = 2;             ///< of strokes, in pixels
+    glm::vec4 color{0, 0, 0, 1}; ///< of strokes: RGB and opacity, 0 to 1
+    std::string pen = "solid";   ///< solid, pen, pencil or dashed
+    /// Give no samples to segments that the depth buffer hides whole. Changes nothing in the
+    /// picture.
     bool cull_hidden = true;
-    bool measure_stages = false;   ///< wait after every stage and report its time; slower
+    bool measure_stages = false; ///< wait after every stage and report its time; slower
 };
 
 struct StageTime {
-    std::string name;    ///< depth, pyramid, facing, project_clip, scan, atlas, compact, strokes, ...
+    std::string name; ///< depth, pyramid, facing, project_clip, scan, atlas, compact, strokes, ...
     double milliseconds;
 };
 
 /// What one frame did.
 struct FrameStats {
     std::uint32_t triangles = 0;
+    std::uint32_t triangles_drawn = 0; ///< for the depth; fewer if most of a large model is hidden
     std::uint32_t segments = 0;        ///< candidates, silhouettes included
     std::uint32_t samples = 0;         ///< visibility samples, §4.1
     std::uint32_t runs = 0;            ///< visible runs drawn
@@ -77,8 +79,8 @@ struct FrameStats {
 
 /// Draws a line set through the segment atlas (§4).
 ///
-/// Needs a current GL 4.5 core context for its whole life, and is used on that context's thread. All
-/// calls throw Error. A call may change any GL state.
+/// Needs a current GL 4.5 core context for its whole life, and is used on that context's thread.
+/// All calls throw Error. A call may change any GL state.
 class Renderer {
   public:
     explicit Renderer(const DeviceOptions& options = {});
@@ -95,9 +97,9 @@ class Renderer {
     /// Draws a frame over the content of `framebuffer`, premultiplied.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
-    /// The visibility of every sample of the last frame in order of the segment table, and the samples
-    /// per segment: for tests and studies; waits for the device. With `cull_hidden`, segments that are
-    /// hidden whole have none.
+    /// The visibility of every sample of the last frame in order of the segment table, and the
+    /// samples per segment: for tests and studies; waits for the device. With `cull_hidden`,
+    /// segments that are hidden whole have none.
     struct Samples {
         std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible

@@ -1,0 +1,176 @@
+#include "measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <epoxy/gl.h>
+#include <fmt/core.h>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+constexpr std::array<MethodSpec, 7> specs{{
+    {"OGL", Method::opengl, 1, 1, false},
+    {"IBlo", Method::item_buffer, 1, 1, false},
+    {"IBhi", Method::item_buffer, 9, 1, false}, // supersampled itself; 9 probes say how much
+    {"STlo", Method::spine, 1, 1, true},
+    {"SThi", Method::spine, 9, 2, true},
+    {"SAlo", Method::atlas, 1, 1, true},
+    {"SAhi", Method::atlas, 9, 2, true},
+}};
+
+constexpr double slow_ms = 1000;        // "over a second": fewer frames from here on
+constexpr double slow_budget_ms = 30e3; // what a slow contestant may take in all, about
+constexpr std::size_t fewest_frames = 3;
+constexpr std::size_t warm_up_frames = 4;
+
+double timed(const Contestant& contestant, const Camera& camera, Measured& result) {
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    const FrameStats stats = contestant.draw(camera, false);
+    glFinish();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    result.samples = stats.samples;
+    result.runs = stats.runs;
+    return elapsed.count();
+}
+
+/// What the measuring of one contestant needs beside its result.
+struct Plan {
+    std::size_t frames = 0; ///< of as many as there are cameras
+    bool slow = false;
+    std::vector<std::pair<std::string, std::vector<double>>> stages;
+};
+
+/// Whether a contestant with `frames` frames draws at position `i` of `count`: evenly spread.
+bool takes_part(std::size_t i, std::size_t count, std::size_t frames) {
+    return (i + 1) * frames / count != i * frames / count;
+}
+
+/// Along the whole path, since tables grow where a view has more samples than any before.
+Plan warm_up(const Contestant& contestant, std::span<const Camera> cameras, Measured& result) {
+    Plan plan;
+    try {
+        std::vector<double> times;
+        for (std::size_t i = 0; i < warm_up_frames; ++i) {
+            const std::size_t at = i * cameras.size() / warm_up_frames;
+            times.push_back(timed(contestant, cameras[at], result));
+            if (i > 0 && times.back() > slow_ms) break; // the first frame pays for compilers too
+        }
+        const double ms = times.size() > 1 ? median({times.begin() + 1, times.end()}) : times[0];
+        plan.slow = ms > slow_ms;
+        plan.frames = cameras.size();
+        if (plan.slow) {
+            const auto affordable = static_cast<std::size_t>(slow_budget_ms / ms);
+            plan.frames = std::min(plan.frames, std::max(fewest_frames, affordable));
+        }
+    } catch (const Error& error) {
+        result.failure = error.what();
+    }
+    return plan;
+}
+
+void add_stages(const Contestant& contestant, const Camera& camera, Plan& plan) {
+    for (const StageTime& stage : contestant.draw(camera, true).stages) {
+        auto known = std::ranges::find(plan.stages, stage.name,
+                                       &std::pair<std::string, std::vector<double>>::first);
+        if (known == plan.stages.end()) {
+            plan.stages.push_back({stage.name, {}});
+            known = plan.stages.end() - 1;
+        }
+        known->second.push_back(stage.milliseconds);
+    }
+}
+
+} // namespace
+
+std::span<const MethodSpec> method_specs() { return specs; }
+
+const MethodSpec& method_spec(std::string_view name) {
+    const auto found = std::ranges::find(specs, name, &MethodSpec::name);
+    if (found != specs.end()) return *found;
+    std::string names;
+    for (const MethodSpec& spec : specs) {
+        names += names.empty() ? "" : ", ";
+        names += spec.name;
+    }
+    throw UsageError(fmt::format("--methods: there is no \"{}\"; there is {}", name, names));
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+std::size_t Measured::frames() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(frame_ms, [](double ms) { return !std::isnan(ms); }));
+}
+
+double Measured::ms() const {
+    std::vector<double> drawn;
+    std::ranges::copy_if(frame_ms, std::back_inserter(drawn),
+                         [](double ms) { return !std::isnan(ms); });
+    return median(std::move(drawn));
+}
+
+double time_ratio(const Measured& a, const Measured& b) {
+    std::vector<double> a_ms, b_ms;
+    for (std::size_t i = 0; i < std::min(a.frame_ms.size(), b.frame_ms.size()); ++i) {
+        if (std::isnan(a.frame_ms[i]) || std::isnan(b.frame_ms[i])) continue;
+        a_ms.push_back(a.frame_ms[i]);
+        b_ms.push_back(b.frame_ms[i]);
+    }
+    return median(std::move(a_ms)) / median(std::move(b_ms));
+}
+
+std::vector<Measured> measure(std::span<const Contestant> contestants,
+                              std::span<const Camera> cameras, const ProgressCallback& progress) {
+    const std::size_t count = cameras.size();
+    std::vector<Measured> results(contestants.size());
+    std::vector<Plan> plans(contestants.size());
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+        results[i].name = contestants[i].name;
+        results[i].frame_ms.assign(count, std::numeric_limits<double>::quiet_NaN());
+        progress(0, count, contestants[i].name);
+        plans[i] = warm_up(contestants[i], cameras, results[i]);
+    }
+
+    for (std::size_t at = 0; at < count; ++at) {
+        for (std::size_t turn = 0; turn < contestants.size(); ++turn) {
+            const std::size_t i = (at + turn) % contestants.size();
+            if (!takes_part(at, count, plans[i].frames)) continue;
+            progress(at, count, contestants[i].name);
+            // A program draws with one method and finds its data in the caches; here the others have
+            // just been through them. A frame of a second is past caring.
+            if (!plans[i].slow) contestants[i].draw(cameras[at], false);
+            results[i].frame_ms[at] = timed(contestants[i], cameras[at], results[i]);
+        }
+        // Every third view will do: stages tell where time goes, not how long a frame takes.
+        for (std::size_t i = 0; i < contestants.size(); ++i) {
+            const std::size_t stage_frames = std::max<std::size_t>(1, plans[i].frames / 3);
+            if (!contestants[i].has_stages || plans[i].frames == 0) continue;
+            if (!takes_part(at, count, stage_frames)) continue;
+            add_stages(contestants[i], cameras[at], plans[i]);
+        }
+    }
+    progress(count, count, "");
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+        for (auto& [name, times] : plans[i].stages) {
+            results[i].stages.push_back({name, median(std::move(times))});
+        }
+    }
+    return results;
+}
+
+} // namespace lineatlas::bench

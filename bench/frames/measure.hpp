@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/renderer.hpp"
+
+// Frame times of several methods on the same views, taken in turn so that whatever else the machine
+// does falls on all of them alike.
+namespace lineatlas::bench {
+
+/// A column entry of Table 1.
+struct MethodSpec {
+    std::string_view name;
+    Method method;
+    std::uint32_t probes;
+    int depth_scale;
+    bool silhouettes; ///< finds silhouettes itself; the others are left out of the "+s" rows
+};
+
+/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi.
+std::span<const MethodSpec> method_specs();
+
+/// Throws UsageError for an unknown name.
+const MethodSpec& method_spec(std::string_view name);
+
+/// What takes part in a measurement. Draws one whole frame; need not wait for the device.
+struct Contestant {
+    std::string name;
+    std::function<FrameStats(const Camera& camera, bool measure_stages)> draw;
+    bool has_stages = true;
+};
+
+/// What came out for one contestant.
+struct Measured {
+    std::string name;
+    std::vector<double> frame_ms;  ///< per camera; NaN where a slow contestant sat out
+    std::vector<StageTime> stages; ///< medians, from frames of their own
+    std::uint32_t samples = 0;     ///< of the last frame drawn
+    std::uint32_t runs = 0;
+    std::string failure; ///< why it was not measured; else empty
+
+    bool valid() const { return failure.empty() && !frame_ms.empty(); }
+    std::size_t frames() const; ///< measured ones
+    double ms() const;          ///< median over the frames measured
+    double fps() const { return 1000 / ms(); }
+};
+
+double median(std::vector<double> values);
+
+/// The median time of `a` over that of `b`, both over the cameras that both were measured at.
+double time_ratio(const Measured& a, const Measured& b);
+
+/// Called before each round of frames: rounds done and in all, and who draws first.
+using ProgressCallback =
+    std::function<void(std::size_t done, std::size_t total, std::string_view name)>;
+
+/// Warms up, then draws a frame per camera and contestant, camera by camera, each time with another
+/// contestant first. Contestants that take more than a second a frame draw fewer, but at least 3.
+/// One that throws Error while warming up is left out, with the message as its `failure`.
+std::vector<Measured> measure(std::span<const Contestant> contestants,
+                              std::span<const Camera> cameras, const ProgressCallback& progress);
+
+} // namespace lineatlas::bench

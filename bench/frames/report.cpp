@@ -1,0 +1,135 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lineatlas::bench {
+namespace {
+
+constexpr std::array<std::string_view, 6> paper_scenes{"clevis", "house",  "ship",
+                                                       "office", "ship+s", "office+s"};
+struct PaperRow {
+    std::string_view method;
+    std::array<PaperFigure, 6> figures; ///< fps 0: not measured there
+};
+constexpr PaperFigure none{"-", 0};
+constexpr std::array<PaperRow, 7> paper_rows{{
+    {"OGL", {{{"1000+", 1000}, {"300+", 300}, {"42", 42}, {"32", 32}, none, none}}},
+    {"IBlo", {{{"87", 87}, {"24", 24}, {"9.6", 9.6}, {"7.0", 7.0}, none, none}}},
+    {"IBhi", {{{"20", 20}, {"3.4", 3.4}, {"0.5", 0.5}, {"0.4", 0.4}, none, none}}},
+    {"STlo", {{{"900+", 900}, {"146", 146}, {"26", 26}, {"28", 28}, {"19", 19}, {"23", 23}}}},
+    {"SThi", {{{"300+", 300}, {"75", 75}, {"24", 24}, {"25", 25}, {"19", 19}, {"21", 21}}}},
+    {"SAlo", {{{"400+", 400}, {"119", 119}, {"33", 33}, {"29", 29}, {"23", 23}, {"24", 24}}}},
+    {"SAhi", {{{"200+", 200}, {"76", 76}, {"25", 25}, {"24", 24}, {"22", 22}, {"21", 21}}}},
+}};
+
+std::string_view without_suffix(std::string_view scene) {
+    if (scene.ends_with("+s")) scene.remove_suffix(2);
+    return scene;
+}
+
+const Measured* find(const std::vector<Measured>& all, std::string_view name) {
+    const auto found = std::ranges::find(all, name, &Measured::name);
+    return found == all.end() || !found->valid() ? nullptr : &*found;
+}
+
+/// How many times as fast `fast` is as `slow`.
+std::optional<double> speed_ratio(const SceneResult* scene, std::string_view fast,
+                                  std::string_view slow) {
+    if (scene == nullptr) return std::nullopt;
+    const Measured* a = scene->method(fast);
+    const Measured* b = scene->method(slow);
+    if (a == nullptr || b == nullptr) return std::nullopt;
+    return time_ratio(*b, *a);
+}
+
+/// The frame without the depth pass: that was drawn alone at the same cameras, between the frames.
+std::optional<double> without_depth(const SceneResult* scene) {
+    if (scene == nullptr) return std::nullopt;
+    const Measured* frame = scene->method("SAhi");
+    const Measured* depth = scene->depth_at(2);
+    if (frame == nullptr || depth == nullptr) return std::nullopt;
+    std::vector<double> rest;
+    for (std::size_t i = 0; i < frame->frame_ms.size(); ++i) {
+        const double ms = frame->frame_ms[i] - depth->frame_ms[i];
+        if (!std::isnan(ms)) rest.push_back(ms);
+    }
+    return median(std::move(rest));
+}
+
+} // namespace
+
+const Measured* SceneResult::method(std::string_view method_name) const {
+    return find(methods, method_name);
+}
+
+const Measured* SceneResult::depth_at(int scale) const {
+    return find(depth, scale == 1 ? "1x" : "2x");
+}
+
+const SceneResult* Report::scene(std::string_view name) const {
+    const auto found = std::ranges::find(scenes, name, &SceneResult::name);
+    return found == scenes.end() ? nullptr : &*found;
+}
+
+const Measured* Report::opengl_for(std::string_view scene_name) const {
+    const SceneResult* plain = scene(without_suffix(scene_name));
+    return plain == nullptr ? nullptr : plain->method("OGL");
+}
+
+std::optional<PaperFigure> paper_figure(std::string_view scene, std::string_view method) {
+    const auto column = std::ranges::find(paper_scenes, scene);
+    const auto row = std::ranges::find(paper_rows, method, &PaperRow::method);
+    if (column == paper_scenes.end() || row == paper_rows.end()) return std::nullopt;
+    const PaperFigure figure = row->figures[static_cast<std::size_t>(column - paper_scenes.begin())];
+    if (figure.fps == 0) return std::nullopt;
+    return figure;
+}
+
+std::optional<double> paper_to_opengl(std::string_view scene, std::string_view method) {
+    const auto figure = paper_figure(scene, method);
+    const auto opengl = paper_figure(without_suffix(scene), "OGL");
+    if (!figure || !opengl) return std::nullopt;
+    return figure->fps / opengl->fps;
+}
+
+std::vector<Goal> goals(const Report& report) {
+    struct Target {
+        std::string_view method, yardstick, scene;
+        double must, aim;
+    };
+    constexpr std::array<Target, 10> targets{{
+        {"SAhi", "OGL", "ship", 0.70, 1.0},
+        {"SAhi", "OGL", "office", 0.70, 1.0},
+        {"SAlo", "OGL", "ship", 0.95, 1.5},
+        {"SAlo", "OGL", "office", 0.95, 1.5},
+        {"SAhi", "OGL", "clevis", 0.30, 0.5},
+        {"SAhi", "OGL", "house", 0.30, 0.5},
+        {"SAhi", "IBhi", "ship", 10, 60},
+        {"SAhi", "IBhi", "office", 10, 60},
+        {"SThi", "OGL", "ship", 0.25, 0.6},
+        {"SThi", "OGL", "office", 0.25, 0.6},
+    }};
+    std::vector<Goal> result;
+    for (const Target& t : targets) {
+        Goal goal{std::string{t.method} + "/" + std::string{t.yardstick},
+                  std::string{t.scene},
+                  {},
+                  speed_ratio(report.scene(t.scene), t.method, t.yardstick),
+                  t.must,
+                  t.aim};
+        const auto figure = paper_figure(t.scene, t.method);
+        const auto yardstick = paper_figure(t.scene, t.yardstick);
+        if (figure && yardstick) goal.paper = figure->fps / yardstick->fps;
+        result.push_back(std::move(goal));
+    }
+    Goal hidden{"SAhi 3x/1x segments", "hidden", {}, {}, 2.0, 1.2, true};
+    const auto once = without_depth(report.scene("hidden 1x"));
+    const auto thrice = without_depth(report.scene("hidden 3x"));
+    if (once && thrice) hidden.ours = *thrice / *once;
+    result.push_back(std::move(hidden));
+    return result;
+}
+
+} // namespace lineatlas::bench

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "segment_table.h"
+
+namespace lineatlas {
+
+/// Triangles in an order in which neighbours in space are neighbours in the list, cut into clusters
+/// that can be drawn or left out.
+struct TriangleClusters {
+    std::vector<glm::uvec3> triangles; ///< the same triangles, reordered
+    std::vector<Cluster> clusters;     ///< consecutive pieces of `triangles`, with their boxes
+};
+
+/// Sorts triangles along a Morton curve through their centres and cuts the list into clusters of up
+/// to `cluster_size` triangles.
+TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
+                                std::span<const glm::uvec3> triangles, std::uint32_t cluster_size);
+
+} // namespace lineatlas
