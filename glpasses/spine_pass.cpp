@@ -34,6 +34,12 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     glTextureBuffer(vertices.id(), GL_RGB32F, segments.vertices);
     glTextureBuffer(triangles.id(), GL_RGB32UI, segments.triangles);
 
+    TextureBuffer tiles;
+    if (spine.tiles != 0) {
+        tiles = TextureBuffer::create();
+        glTextureBuffer(tiles.id(), GL_R32F, spine.tiles);
+    }
+
     const bool geometry = stroke.form == StrokeForm::geometry_shader;
     const Program& program = geometry ? geometry_program_ : vertex_program_;
     const VertexArray& array = geometry ? point_array_ : quad_array_;
@@ -48,7 +54,11 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     stroke.pen.bind(program, 1);
     glBindTextureUnit(2, vertices.id());
     glBindTextureUnit(3, triangles.id());
+    glBindTextureUnit(4, tiles.id());
     program.use();
+    program.set("tiles", 4);
+    program.set("tile_count", glm::vec2{spine.tile_count});
+    program.set("use_tiles", spine.tiles != 0);
     program.set("vertices", 2);
     program.set("triangles", 3);
     program.set("clip_from_world", spine.clip_from_world);

@@ -26,6 +26,8 @@ struct SpineParams {
     glm::vec4 eye;           ///< Camera::eye()
     std::uint32_t kind_mask; ///< kinds to draw, bit 1 << kind
     float step;              ///< length of the box of probes along the line, pixels
+    GLuint tiles;            ///< the depth pyramid, a float per tile; 0: keep hidden segments
+    glm::ivec2 tile_count;   ///< tiles per axis
 };
 
 /// `spine`: strokes straight from the segment table in one pass, with visibility tested in the

@@ -11,6 +11,9 @@ uniform uint kind_mask;
 uniform float half_width;             // of the stroke, pixels
 uniform samplerBuffer vertices;       // positions
 uniform usamplerBuffer triangles;     // vertex indices
+uniform samplerBuffer tiles;          // the depth pyramid (kernels/pyramid.cl)
+uniform vec2 tile_count;
+uniform bool use_tiles;
 
 // As in kernels/segment_table.h.
 const uint kind_silhouette = 3u;
@@ -19,6 +22,8 @@ const uint face_flipped = 0x80000000u;
 const uint face_index = 0x7FFFFFFFu;
 const float slope_limit = 100.0;
 const float height_limit = 100000.0;
+const float tile_size = 16.0;
+const int most_tiles_tested = 64;
 
 // A quad reaches this far beyond the stroke's edge, for antialiasing.
 const float fringe = 1.0;
@@ -78,6 +83,41 @@ uint own_face(uint face, uvec2 ends, vec4 p, vec4 q, vec2 across, float length_p
            (floatBitsToUint(clamp(height, -height_limit, height_limit)) & 0xFFFF0000u);
 }
 
+float own_depth(uint packed_face, float reach, float before) {
+    vec2 face = abs(unpack_own_face(packed_face));
+    float within = face.x * min(face.y + own_face_snap, reach);
+    return min(face.x * reach, max(within, own_face_reach * before));
+}
+
+// Whether every probe of the stroke is sure to be blocked; is_hidden in kernels/project_clip.cl.
+bool is_hidden(Stroke stroke, float length_px) {
+    float reach_texels = 0.5 * depth_scale + 1.0;
+    float reach = reach_texels / depth_scale;
+    float before = tolerance / min(stroke.p.w, stroke.q.w) + depth_rounding;
+    vec2 ends_z = vec2(stroke.p.z / stroke.p.w, stroke.q.z / stroke.q.w) * 0.5 + 0.5;
+    vec3 p = vec3(stroke.start * depth_scale, ends_z.x);
+    vec3 d = vec3(stroke.end * depth_scale, ends_z.y) - p;
+    float margin = before + max(own_depth(stroke.own_faces.x, reach, before),
+                                own_depth(stroke.own_faces.y, reach, before)) +
+                   abs(d.z) / length_px * reach + 2.0 * depth_rounding;
+    int pieces = int(length_px * depth_scale / tile_size) + 1;
+    if (pieces > most_tiles_tested) return false;
+    for (int i = 0; i < pieces; ++i) {
+        vec3 a = p + d * (float(i) / float(pieces));
+        vec3 b = p + d * (float(i + 1) / float(pieces));
+        float nearest = min(a.z, b.z) - margin;
+        vec2 last_tile = tile_count - 1.0;
+        ivec2 low = ivec2(clamp(floor((min(a.xy, b.xy) - reach_texels) / tile_size), vec2(0.0), last_tile));
+        ivec2 high = ivec2(clamp(floor((max(a.xy, b.xy) + reach_texels) / tile_size), vec2(0.0), last_tile));
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                if (texelFetch(tiles, y * int(tile_count.x) + x).r >= nearest) return false;
+            }
+        }
+    }
+    return true;
+}
+
 // ends: vertex indices; faces: the triangles on either side.
 Stroke make_stroke(uvec2 ends, uvec2 faces, uint tag) {
     Stroke stroke;
@@ -100,7 +140,7 @@ Stroke make_stroke(uvec2 ends, uvec2 faces, uint tag) {
     vec2 across = vec2(-along.y, along.x);
     stroke.own_faces = uvec2(own_face(faces.x, ends, stroke.p, stroke.q, across, length_px),
                              own_face(faces.y, ends, stroke.p, stroke.q, across, length_px));
-    stroke.drawn = true;
+    stroke.drawn = !use_tiles || !is_hidden(stroke, length_px);
     return stroke;
 }
 

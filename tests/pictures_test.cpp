@@ -34,7 +34,7 @@ class Pictures : public testing::Test {
         Drawn drawn;
         drawn.stats = renderer.draw(camera, options, canvas_.framebuffer());
         drawn.pixels = canvas_.read();
-        drawn.samples = renderer.read_samples();
+        if (options.method == Method::atlas) drawn.samples = renderer.read_samples();
         return drawn;
     }
 
@@ -148,6 +148,30 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
                 EXPECT_TRUE(equal(a.pixels, b.pixels));
             });
         }
+    }
+}
+
+TEST_P(SamePicture, SpineStrokesOfBothShadersAreEqual) {
+    Renderer r = renderer({});
+    const FrameOptions geometry{
+        .method = Method::spine, .stroke_shader = StrokeShader::geometry, .pen = "pencil"};
+    FrameOptions vertex = geometry;
+    vertex.stroke_shader = StrokeShader::vertex;
+    const Camera camera = scene_cameras(GetParam(), canvas_.size())[0].camera;
+    const Drawn a = draw(r, camera, geometry);
+    expect_same_picture(a, draw(r, camera, vertex));
+    canvas_.clear(glm::vec4{1});
+    EXPECT_FALSE(equal(a.pixels, canvas_.read())) << "an empty picture proves nothing";
+}
+
+TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixelOfTheSpineTest) {
+    Renderer r = renderer({});
+    const FrameOptions culled{.method = Method::spine, .probes = 4, .cull_hidden = true};
+    FrameOptions kept = culled;
+    kept.cull_hidden = false;
+    for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
+        SCOPED_TRACE(view.name);
+        EXPECT_TRUE(equal(draw(r, view.camera, culled).pixels, draw(r, view.camera, kept).pixels));
     }
 }
 
@@ -318,6 +342,7 @@ TEST_F(Frames, BadOptionsAreRefused) {
     EXPECT_THROW(Renderer{DeviceOptions{.compute = "cuda"}}, UsageError);
     EXPECT_THROW(Renderer{DeviceOptions{.device = "opencl:no such platform"}}, UsageError);
     EXPECT_THROW(Renderer{DeviceOptions{.interop = "telepathy"}}, UsageError);
+    EXPECT_THROW(Renderer{}.read_samples(), UsageError);
     EXPECT_NO_THROW(draw({})); // and the renderer still works
 }
 

@@ -1,11 +1,13 @@
 // Every stage on every device against the plain C++ backend, stage by stage: each gets the
 // reference's input. Four scenes, three cameras each, one of them inside the model.
 
+#include <algorithm>
 #include <array>
 
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "compare.hpp"
+#include "core/clusters.hpp"
 #include "devices.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/headless_context.hpp"
@@ -56,6 +58,20 @@ class Stages {
         tiles_ = to_device(*backend_, state.tiles);
         backend_->pyramid({.depth = *depth_buffer, .depth_size = size, .tiles = *tiles_});
         state.tiles = read_back<float>(*backend_, *tiles_, state.tiles.size());
+    }
+
+    /// Against the pyramid of the last call.
+    std::vector<std::uint8_t> cull(const Camera& camera, const std::vector<Cluster>& clusters) {
+        const auto count = static_cast<std::uint32_t>(clusters.size());
+        const auto buffer = to_device(*backend_, clusters);
+        const auto visible = backend_->allocate(count);
+        backend_->cull({.clusters = *buffer,
+                        .count = count,
+                        .clip_from_world = camera.clip_from_world(),
+                        .depth_size = camera.size * depth_scale,
+                        .tiles = *tiles_,
+                        .visible = *visible});
+        return read_back<std::uint8_t>(*backend_, *visible, count);
     }
 
     /// With the pyramid of the last call if `cull_hidden`.
@@ -195,9 +211,14 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         const LineSet& lines = scene_lines(scene);
         Stages reference{compute::make_reference_backend(), lines};
         Stages device{GetParam().backend(), lines};
+        const std::vector<Cluster> clusters =
+            build_clusters(lines.vertices, lines.triangles, 64).clusters;
         for (const NamedCamera& view : scene_cameras(scene)) {
             SCOPED_TRACE(scene + " " + view.name);
             compare_frame(reference, device, view.camera, draw_depth(lines, view.camera));
+            const std::vector<std::uint8_t> visible = reference.cull(view.camera, clusters);
+            EXPECT_TRUE(equal(visible, device.cull(view.camera, clusters)));
+            EXPECT_GT(std::ranges::count(visible, 1), 0);
         }
     }
 

@@ -12,7 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A tenth of a microsecond is more than the clock is good for.
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+double rounded(double value) {
+    return std::round(value * 1e4) / 1e4;
+}
 
 Json entry(const Measured& measured) {
     Json json{{"ms", rounded(measured.ms())}, {"fps", rounded(measured.fps())}};

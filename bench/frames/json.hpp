@@ -6,9 +6,10 @@
 
 namespace lineatlas::bench {
 
-/// {"device", "gl", "size", "scenes": {name: {"triangles", "segments", "methods": {name: {"ms", "fps",
-/// "stages": {}, "frames"}}, "depth": {"1x": {"ms", "fps"}, "2x": ...}}}, "goals": [...]}; methods that
-/// could not be measured are missing. The file appears whole or not at all. Throws FileError.
+/// {"device", "gl", "size", "scenes": {name: {"triangles", "segments", "methods": {name: {"ms",
+/// "fps", "stages": {}, "frames"}}, "depth": {"1x": {"ms", "fps"}, "2x": ...}}}, "goals": [...]};
+/// methods that could not be measured are missing. The file appears whole or not at all. Throws
+/// FileError.
 void write_json(const std::filesystem::path& path, const Report& report);
 
 } // namespace lineatlas::bench

@@ -44,7 +44,7 @@ double timed(const Contestant& contestant, const Camera& camera, Measured& resul
 
 /// What the measuring of one contestant needs beside its result.
 struct Plan {
-    std::size_t frames = 0; ///< of as many as there are cameras
+    std::size_t frames = 0; ///< of as many as there are viewpoints
     bool slow = false;
     std::vector<std::pair<std::string, std::vector<double>>> stages;
 };
@@ -55,18 +55,19 @@ bool takes_part(std::size_t i, std::size_t count, std::size_t frames) {
 }
 
 /// Along the whole path, since tables grow where a view has more samples than any before.
-Plan warm_up(const Contestant& contestant, std::span<const Camera> cameras, Measured& result) {
+Plan warm_up(const Contestant& contestant, std::span<const Viewpoint> viewpoints,
+             Measured& result) {
     Plan plan;
     try {
         std::vector<double> times;
         for (std::size_t i = 0; i < warm_up_frames; ++i) {
-            const std::size_t at = i * cameras.size() / warm_up_frames;
-            times.push_back(timed(contestant, cameras[at], result));
+            const std::size_t at = i * viewpoints.size() / warm_up_frames;
+            times.push_back(timed(contestant, viewpoints[at].camera, result));
             if (i > 0 && times.back() > slow_ms) break; // the first frame pays for compilers too
         }
         const double ms = times.size() > 1 ? median({times.begin() + 1, times.end()}) : times[0];
         plan.slow = ms > slow_ms;
-        plan.frames = cameras.size();
+        plan.frames = viewpoints.size();
         if (plan.slow) {
             const auto affordable = static_cast<std::size_t>(slow_budget_ms / ms);
             plan.frames = std::min(plan.frames, std::max(fewest_frames, affordable));
@@ -75,6 +76,13 @@ Plan warm_up(const Contestant& contestant, std::span<const Camera> cameras, Meas
         result.failure = error.what();
     }
     return plan;
+}
+
+/// Draws the frame before the one that counts. A program draws with one method, finds its data in
+/// the caches and what it remembers of the frame before nearly true; here the others have just been
+/// through the caches, and the last view was far away. A frame of a second is past caring.
+void settle(const Contestant& contestant, const Viewpoint& viewpoint, const Plan& plan) {
+    if (!plan.slow) contestant.draw(viewpoint.before, false);
 }
 
 void add_stages(const Contestant& contestant, const Camera& camera, Plan& plan) {
@@ -91,7 +99,9 @@ void add_stages(const Contestant& contestant, const Camera& camera, Plan& plan) 
 
 } // namespace
 
-std::span<const MethodSpec> method_specs() { return specs; }
+std::span<const MethodSpec> method_specs() {
+    return specs;
+}
 
 const MethodSpec& method_spec(std::string_view name) {
     const auto found = std::ranges::find(specs, name, &MethodSpec::name);
@@ -135,15 +145,16 @@ double time_ratio(const Measured& a, const Measured& b) {
 }
 
 std::vector<Measured> measure(std::span<const Contestant> contestants,
-                              std::span<const Camera> cameras, const ProgressCallback& progress) {
-    const std::size_t count = cameras.size();
+                              std::span<const Viewpoint> viewpoints,
+                              const ProgressCallback& progress) {
+    const std::size_t count = viewpoints.size();
     std::vector<Measured> results(contestants.size());
     std::vector<Plan> plans(contestants.size());
     for (std::size_t i = 0; i < contestants.size(); ++i) {
         results[i].name = contestants[i].name;
         results[i].frame_ms.assign(count, std::numeric_limits<double>::quiet_NaN());
         progress(0, count, contestants[i].name);
-        plans[i] = warm_up(contestants[i], cameras, results[i]);
+        plans[i] = warm_up(contestants[i], viewpoints, results[i]);
     }
 
     for (std::size_t at = 0; at < count; ++at) {
@@ -151,17 +162,16 @@ std::vector<Measured> measure(std::span<const Contestant> contestants,
             const std::size_t i = (at + turn) % contestants.size();
             if (!takes_part(at, count, plans[i].frames)) continue;
             progress(at, count, contestants[i].name);
-            // A program draws with one method and finds its data in the caches; here the others have
-            // just been through them. A frame of a second is past caring.
-            if (!plans[i].slow) contestants[i].draw(cameras[at], false);
-            results[i].frame_ms[at] = timed(contestants[i], cameras[at], results[i]);
+            settle(contestants[i], viewpoints[at], plans[i]);
+            results[i].frame_ms[at] = timed(contestants[i], viewpoints[at].camera, results[i]);
         }
         // Every third view will do: stages tell where time goes, not how long a frame takes.
         for (std::size_t i = 0; i < contestants.size(); ++i) {
             const std::size_t stage_frames = std::max<std::size_t>(1, plans[i].frames / 3);
             if (!contestants[i].has_stages || plans[i].frames == 0) continue;
             if (!takes_part(at, count, stage_frames)) continue;
-            add_stages(contestants[i], cameras[at], plans[i]);
+            settle(contestants[i], viewpoints[at], plans[i]);
+            add_stages(contestants[i], viewpoints[at].camera, plans[i]);
         }
     }
     progress(count, count, "");

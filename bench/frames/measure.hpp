@@ -29,6 +29,11 @@ std::span<const MethodSpec> method_specs();
 /// Throws UsageError for an unknown name.
 const MethodSpec& method_spec(std::string_view name);
 
+/// A view to measure, and the one shortly before it on the camera path.
+struct Viewpoint {
+    Camera before, camera;
+};
+
 /// What takes part in a measurement. Draws one whole frame; need not wait for the device.
 struct Contestant {
     std::string name;
@@ -39,7 +44,7 @@ struct Contestant {
 /// What came out for one contestant.
 struct Measured {
     std::string name;
-    std::vector<double> frame_ms;  ///< per camera; NaN where a slow contestant sat out
+    std::vector<double> frame_ms;  ///< per viewpoint; NaN where a slow contestant sat out
     std::vector<StageTime> stages; ///< medians, from frames of their own
     std::uint32_t samples = 0;     ///< of the last frame drawn
     std::uint32_t runs = 0;
@@ -53,17 +58,19 @@ struct Measured {
 
 double median(std::vector<double> values);
 
-/// The median time of `a` over that of `b`, both over the cameras that both were measured at.
+/// The median time of `a` over that of `b`, both over the viewpoints that both were measured at.
 double time_ratio(const Measured& a, const Measured& b);
 
 /// Called before each round of frames: rounds done and in all, and who draws first.
 using ProgressCallback =
     std::function<void(std::size_t done, std::size_t total, std::string_view name)>;
 
-/// Warms up, then draws a frame per camera and contestant, camera by camera, each time with another
-/// contestant first. Contestants that take more than a second a frame draw fewer, but at least 3.
-/// One that throws Error while warming up is left out, with the message as its `failure`.
+/// Warms up, then draws a frame per viewpoint and contestant, viewpoint by viewpoint, each time
+/// with another contestant first. Contestants that take more than a second a frame draw fewer, but
+/// at least 3. One that throws Error while warming up is left out, with the message as its
+/// `failure`.
 std::vector<Measured> measure(std::span<const Contestant> contestants,
-                              std::span<const Camera> cameras, const ProgressCallback& progress);
+                              std::span<const Viewpoint> viewpoints,
+                              const ProgressCallback& progress);
 
 } // namespace lineatlas::bench

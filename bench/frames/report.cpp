@@ -44,18 +44,14 @@ std::optional<double> speed_ratio(const SceneResult* scene, std::string_view fas
     return time_ratio(*b, *a);
 }
 
-/// The frame without the depth pass: that was drawn alone at the same cameras, between the frames.
+/// The frame without its depth pass. What that takes is known from its stages only: the atlas
+/// leaves out what is hidden, so a pass with every triangle would be another.
 std::optional<double> without_depth(const SceneResult* scene) {
-    if (scene == nullptr) return std::nullopt;
-    const Measured* frame = scene->method("SAhi");
-    const Measured* depth = scene->depth_at(2);
-    if (frame == nullptr || depth == nullptr) return std::nullopt;
-    std::vector<double> rest;
-    for (std::size_t i = 0; i < frame->frame_ms.size(); ++i) {
-        const double ms = frame->frame_ms[i] - depth->frame_ms[i];
-        if (!std::isnan(ms)) rest.push_back(ms);
-    }
-    return median(std::move(rest));
+    const Measured* frame = scene == nullptr ? nullptr : scene->method("SAhi");
+    if (frame == nullptr) return std::nullopt;
+    const auto depth = std::ranges::find(frame->stages, "depth", &StageTime::name);
+    if (depth == frame->stages.end()) return std::nullopt;
+    return frame->ms() - depth->milliseconds;
 }
 
 } // namespace
@@ -82,7 +78,8 @@ std::optional<PaperFigure> paper_figure(std::string_view scene, std::string_view
     const auto column = std::ranges::find(paper_scenes, scene);
     const auto row = std::ranges::find(paper_rows, method, &PaperRow::method);
     if (column == paper_scenes.end() || row == paper_rows.end()) return std::nullopt;
-    const PaperFigure figure = row->figures[static_cast<std::size_t>(column - paper_scenes.begin())];
+    const PaperFigure figure =
+        row->figures[static_cast<std::size_t>(column - paper_scenes.begin())];
     if (figure.fps == 0) return std::nullopt;
     return figure;
 }

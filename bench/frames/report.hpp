@@ -18,7 +18,7 @@ struct SceneResult {
     std::uint32_t triangles = 0;
     std::uint32_t segments = 0;
     std::vector<Measured> methods;
-    std::vector<Measured> depth; ///< the depth pass alone, at 1x and at 2x
+    std::vector<Measured> depth; ///< all triangles into a depth buffer, "1x" and "2x"
 
     /// Nothing if it was not measured.
     const Measured* method(std::string_view method_name) const;
@@ -32,7 +32,8 @@ struct Report {
     std::vector<SceneResult> scenes;
 
     const SceneResult* scene(std::string_view name) const;
-    /// The frame time of OGL on this scene, or for "+s" on the scene without; nothing if not measured.
+    /// The frame time of OGL on this scene, or for "+s" on the scene without; nothing if not
+    /// measured.
     const Measured* opengl_for(std::string_view scene_name) const;
 };
 

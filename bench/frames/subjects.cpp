@@ -17,14 +17,19 @@ namespace {
 
 constexpr LineKindMask fixed_kinds = all_line_kinds & ~mask_of(LineKind::silhouette);
 
-std::vector<Camera> cameras_along(const std::function<View(float)>& path, glm::ivec2 size,
-                                  const Bounds& bounds, std::size_t frames) {
-    std::vector<Camera> cameras;
+/// How far along the path the frame before lies: the whole path takes 10 s at 60 frames a second.
+constexpr float frame_step = 1.0F / 600;
+
+std::vector<Viewpoint> viewpoints_along(const std::function<View(float)>& path, glm::ivec2 size,
+                                        const Bounds& bounds, std::size_t frames) {
+    std::vector<Viewpoint> viewpoints;
     for (std::size_t i = 0; i < frames; ++i) {
         const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(frames);
-        cameras.push_back(make_camera(path(t), size, bounds));
+        viewpoints.push_back(
+            {.before = make_camera(path(std::max(0.0F, t - frame_step)), size, bounds),
+             .camera = make_camera(path(t), size, bounds)});
     }
-    return cameras;
+    return viewpoints;
 }
 
 /// `v` turned by `angle` about the unit vector `axis` (Rodrigues).
@@ -69,7 +74,7 @@ Subject scene_subject(const std::string& name, glm::ivec2 size, std::size_t fram
     const Scene scene = make_scene(silhouettes ? name.substr(0, name.size() - 2) : name);
     const LineKindMask kinds = silhouettes ? all_line_kinds : fixed_kinds;
     Subject subject{name, extract_lines(scene.mesh, {.kinds = kinds}), kinds, {}};
-    subject.cameras = cameras_along(scene.view, size, subject.lines.bounds, frames);
+    subject.viewpoints = viewpoints_along(scene.view, size, subject.lines.bounds, frames);
     return subject;
 }
 
@@ -87,15 +92,15 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
     const View start = frame_points(loaded.mesh.positions, size, up);
     const auto orbit = [&](float t) {
         View view = start;
-        view.eye = view.target + turned(start.eye - start.target, up,
-                                        t * 2 * std::numbers::pi_v<float>);
+        view.eye =
+            view.target + turned(start.eye - start.target, up, t * 2 * std::numbers::pi_v<float>);
         return view;
     };
-    subject.cameras = cameras_along(orbit, size, subject.lines.bounds, frames);
+    subject.viewpoints = viewpoints_along(orbit, size, subject.lines.bounds, frames);
     return subject;
 }
 
-HiddenSubjects hidden_subjects(glm::ivec2 size, std::size_t frames) {
+std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames) {
     const Mesh ship = make_scene("ship").mesh;
     View start = frame_points(ship.positions, size);
     const glm::vec3 forward = glm::normalize(start.target - start.eye);
@@ -134,11 +139,11 @@ HiddenSubjects hidden_subjects(glm::ivec2 size, std::size_t frames) {
         return view;
     };
     const LineOptions options{.kinds = fixed_kinds};
-    HiddenSubjects subjects{{"hidden 1x", extract_lines(once, options), fixed_kinds, {}},
-                            {"hidden 3x", extract_lines(thrice, options), fixed_kinds, {}}};
-    subjects.once.cameras = cameras_along(turn, size, subjects.once.lines.bounds, frames);
-    subjects.thrice.cameras = subjects.once.cameras;
-    return subjects;
+    Subject one{"hidden 1x", extract_lines(once, options), fixed_kinds, {}};
+    Subject three{"hidden 3x", extract_lines(thrice, options), fixed_kinds, {}};
+    one.viewpoints = viewpoints_along(turn, size, one.lines.bounds, frames);
+    three.viewpoints = one.viewpoints;
+    return {std::move(one), std::move(three)};
 }
 
 } // namespace lineatlas::bench

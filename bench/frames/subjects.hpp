@@ -7,8 +7,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
+#include "measure.hpp"
 
 namespace lineatlas::bench {
 
@@ -17,7 +17,7 @@ struct Subject {
     std::string name;
     LineSet lines;
     LineKindMask kinds; ///< drawn
-    std::vector<Camera> cameras;
+    std::vector<Viewpoint> viewpoints;
 };
 
 /// A scene, its fixed lines only; with silhouettes if the name ends in "+s".
@@ -27,13 +27,10 @@ Subject scene_subject(const std::string& name, glm::ivec2 size, std::size_t fram
 Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silhouettes,
                       glm::ivec2 size, std::size_t frames);
 
-/// What hidden segments cost. `once` is the ship before a wall. `thrice` is the same picture, with two
-/// more ships behind the wall, enlarged about the eye so that each segment of theirs covers the very
-/// pixels, and takes as many samples, as its original. The camera turns on the spot, so this holds in
-/// every frame.
-struct HiddenSubjects {
-    Subject once, thrice;
-};
-HiddenSubjects hidden_subjects(glm::ivec2 size, std::size_t frames);
+/// What hidden segments cost. `once` is the ship before a wall. `thrice` is the same picture, with
+/// two more ships behind the wall, enlarged about the eye so that each segment of theirs covers the
+/// very pixels, and takes as many samples, as its original. The camera turns on the spot, so this
+/// holds in every frame.
+std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames);
 
 } // namespace lineatlas::bench

@@ -10,6 +10,14 @@ namespace {
 constexpr int label_width = 10;
 constexpr int cell_width = 15;
 
+/// Said in headings; nothing for a model that the paper does not have.
+const char* papers_too(const Report& report) {
+    const bool any = std::ranges::any_of(report.scenes, [](const SceneResult& scene) {
+        return paper_figure(scene.name, "SAhi").has_value();
+    });
+    return any ? " (the paper's)" : "";
+}
+
 /// Three digits, whatever the magnitude.
 std::string number(double value) {
     if (value >= 99.95) return fmt::format("{:.0f}", value);
@@ -18,11 +26,14 @@ std::string number(double value) {
 }
 
 std::string count(std::uint32_t value) {
+    if (value < 1000) return fmt::format("{}", value);
     if (value < 10000) return fmt::format("{:.1f}k", value / 1000.0);
     return fmt::format("{:.0f}k", value / 1000.0);
 }
 
-bool is_hidden_cost(const SceneResult& scene) { return scene.name.starts_with("hidden "); }
+bool is_hidden_cost(const SceneResult& scene) {
+    return scene.name.starts_with("hidden ");
+}
 
 template <class Cell>
 void print_row(const Report& report, std::string_view label, const Cell& cell) {
@@ -49,7 +60,7 @@ void print_methods(const Report& report, const Cell& cell) {
 }
 
 void print_frame_rates(const Report& report) {
-    fmt::print("\nFrames per second, median (the paper's)\n");
+    fmt::print("\nFrames per second, median{}\n", papers_too(report));
     print_row(report, "", [](const SceneResult& scene) { return scene.name; });
     print_row(report, "# tris", [](const SceneResult& scene) { return count(scene.triangles); });
     print_row(report, "# seg", [](const SceneResult& scene) { return count(scene.segments); });
@@ -66,20 +77,21 @@ void print_ratios(const Report& report) {
         return report.opengl_for(scene.name) != nullptr;
     });
     if (!any) return;
-    fmt::print("\nFrame rate over OGL's, for +s over OGL's without silhouettes (the paper's)\n");
+    fmt::print("\nFrame rate over OGL's, for +s over OGL's without silhouettes{}\n",
+               papers_too(report));
     print_row(report, "", [](const SceneResult& scene) { return scene.name; });
     print_methods(report, [&](const SceneResult& scene, std::string_view method) -> std::string {
         const Measured* measured = scene.method(method);
         const Measured* opengl = report.opengl_for(scene.name);
         if (measured == nullptr || opengl == nullptr) return "-";
         const auto paper = paper_to_opengl(scene.name, method);
-        return number(time_ratio(*opengl, *measured)) +
-               (paper ? " (" + number(*paper) + ")" : "");
+        return number(time_ratio(*opengl, *measured)) + (paper ? " (" + number(*paper) + ")" : "");
     });
 }
 
 void print_times(const Report& report) {
-    fmt::print("\nMilliseconds per frame, median (frames measured)\n");
+    fmt::print(
+        "\nMilliseconds per frame, median (frames measured); depth: nothing but all triangles\n");
     const auto cell = [](const Measured* measured) -> std::string {
         if (measured == nullptr) return "-";
         return fmt::format("{} ({})", number(measured->ms()), measured->frames());
@@ -112,18 +124,16 @@ void print_hidden(const Report& report) {
     const SceneResult* once = report.scene("hidden 1x");
     const SceneResult* thrice = report.scene("hidden 3x");
     if (once == nullptr || thrice == nullptr) return;
-    fmt::print("\nHidden segments: the ship before a wall, and with two more ships behind the wall\n");
+    fmt::print(
+        "\nHidden segments: the ship before a wall, and with two more ships behind the wall\n");
     for (const SceneResult* scene : {once, thrice}) {
         std::string line = fmt::format("{:<{}}{} triangles, {} segments", scene->name, label_width,
                                        count(scene->triangles), count(scene->segments));
-        if (const Measured* depth = scene->depth_at(2)) {
-            line += fmt::format("; depth 2x {} ms", number(depth->ms()));
-        }
         for (const Measured& measured : scene->methods) {
             if (!measured.valid()) continue;
-            line += fmt::format("; {} {} ms, {} samples, {} runs", measured.name,
-                                number(measured.ms()), count(measured.samples),
-                                count(measured.runs));
+            line +=
+                fmt::format("; {} {} ms, {} samples, {} runs", measured.name, number(measured.ms()),
+                            count(measured.samples), count(measured.runs));
         }
         fmt::print("{}\n", line);
     }

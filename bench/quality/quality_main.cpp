@@ -1,4 +1,5 @@
-// lineatlas-quality: how right a visibility method is, measured against ray casting (truth.hpp).
+// lineatlas-bench-quality: how right a visibility method is, measured against ray casting
+// (truth.hpp).
 
 #include <chrono>
 #include <map>
@@ -202,7 +203,7 @@ void measure(const Arguments& a) {
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures line visibility against ray casting", "lineatlas-quality"};
+    CLI::App app{"Measures line visibility against ray casting", "lineatlas-bench-quality"};
     lineatlas::bench::Arguments arguments;
     lineatlas::bench::set_up(app, arguments);
     try {
@@ -211,10 +212,10 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     } catch (const lineatlas::UsageError& error) {
-        fmt::print(stderr, "lineatlas-quality: {}\n", error.what());
+        fmt::print(stderr, "lineatlas-bench-quality: {}\n", error.what());
         return 2;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas-quality: {}\n", error.what());
+        fmt::print(stderr, "lineatlas-bench-quality: {}\n", error.what());
         return 1;
     }
     return 0;

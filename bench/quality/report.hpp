@@ -6,7 +6,7 @@
 
 #include "compare.hpp"
 
-// What `lineatlas-quality` says: tables for people, JSON for programs.
+// What `lineatlas-bench-quality` says: tables for people, JSON for programs.
 namespace lineatlas::bench {
 
 /// One measured view.

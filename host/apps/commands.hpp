@@ -13,5 +13,6 @@ using Command = std::function<void()>;
 
 Command setup_draw(CLI::App& app);    ///< lineatlas draw
 Command setup_devices(CLI::App& app); ///< lineatlas devices
+Command setup_bench(CLI::App& app);   ///< lineatlas bench
 
 } // namespace lineatlas::apps

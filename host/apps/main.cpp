@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -23,17 +26,23 @@ int run(int argc, char** argv) {
                "  lineatlas draw part.stl -o part.png --up z --lines crease,silhouette --width 3\n"
                "  lineatlas draw --scene ship -o ship.png --stats\n"
                "  lineatlas devices\n"
+               "  lineatlas bench frames --scenes clevis\n"
                "`lineatlas COMMAND --help` explains each command.");
-    CLI::App* draw = app.add_subcommand("draw", "Draw a model to a picture");
-    CLI::App* devices =
-        app.add_subcommand("devices", "List OpenCL devices and how they share buffers with GL");
-    const auto run_draw = lineatlas::apps::setup_draw(*draw);
-    const auto run_devices = lineatlas::apps::setup_devices(*devices);
+    using lineatlas::apps::Command;
+    std::vector<std::pair<CLI::App*, Command>> commands;
+    const auto add = [&](const char* name, const char* description, Command (*setup)(CLI::App&)) {
+        CLI::App* command = app.add_subcommand(name, description);
+        commands.emplace_back(command, setup(*command));
+    };
+    add("draw", "Draw a model to a picture", lineatlas::apps::setup_draw);
+    add("devices", "List OpenCL devices and how they share buffers with GL",
+        lineatlas::apps::setup_devices);
+    add("bench", "Measure frames, kernels or quality", lineatlas::apps::setup_bench);
     const std::string first = argc > 1 ? argv[1] : "";
-    if (!first.empty() && first[0] != '-' && first != draw->get_name() &&
-        first != devices->get_name()) {
-        throw lineatlas::UsageError(fmt::format("there is no command \"{}\"; there is {}, {}",
-                                                first, draw->get_name(), devices->get_name()));
+    const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
+    if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
+        throw lineatlas::UsageError(
+            fmt::format("there is no command \"{}\"; there is draw, devices, bench", first));
     }
     try {
         app.parse(argc, argv);
@@ -42,8 +51,9 @@ int run(int argc, char** argv) {
         fmt::print(stderr, "lineatlas: {}\nRun with --help for more.\n", error.what());
         return exit_usage;
     }
-    if (draw->parsed()) run_draw();
-    if (devices->parsed()) run_devices();
+    for (const auto& [command, run_command] : commands) {
+        if (command->parsed()) run_command();
+    }
     return 0;
 }
 

@@ -2,71 +2,73 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include <glm/common.hpp>
 
 namespace lineatlas {
 namespace {
 
-/// Spreads the low 10 bits of x: two zeros between each.
-std::uint32_t spread_bits(std::uint32_t x) {
-    x = (x | x << 16U) & 0x030000FFU;
-    x = (x | x << 8U) & 0x0300F00FU;
-    x = (x | x << 4U) & 0x030C30C3U;
-    return (x | x << 2U) & 0x09249249U;
-}
+struct Item {
+    glm::vec3 center; ///< of the triangle, times 3
+    std::uint32_t triangle;
+};
 
-/// Place along the Morton curve of a point in the unit cube.
-std::uint32_t morton_code(glm::vec3 point) {
-    const glm::uvec3 cell{glm::clamp(point * 1024.0F, 0.0F, 1023.0F)};
-    return spread_bits(cell.x) | spread_bits(cell.y) << 1U | spread_bits(cell.z) << 2U;
+/// Halves `items` at the median of the longest axis until a piece has at most `cluster_size`, and
+/// calls `add` with each piece, neighbours one after the other.
+template <class Add>
+void split(std::span<Item> items, std::uint32_t cluster_size, const Add& add) {
+    if (items.size() <= cluster_size) return add(items);
+    glm::vec3 low = items.front().center;
+    glm::vec3 high = low;
+    for (const Item& item : items) {
+        low = glm::min(low, item.center);
+        high = glm::max(high, item.center);
+    }
+    const glm::vec3 extent = high - low;
+    int axis = extent.x >= extent.y ? 0 : 1;
+    if (extent.z > extent[axis]) axis = 2;
+    // A multiple of the cluster size on the left, so that all clusters but the last are full.
+    const std::size_t clusters = (items.size() + cluster_size - 1) / cluster_size;
+    const std::size_t left = clusters / 2 * cluster_size;
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(left), items.end(),
+                     [axis](const Item& a, const Item& b) {
+                         return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis]
+                                                                 : a.triangle < b.triangle;
+                     });
+    split(items.first(left), cluster_size, add);
+    split(items.subspan(left), cluster_size, add);
 }
 
 } // namespace
 
 TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles, std::uint32_t cluster_size) {
-    glm::vec3 low{std::numeric_limits<float>::infinity()};
-    glm::vec3 high{-std::numeric_limits<float>::infinity()};
-    for (const glm::vec3& vertex : vertices) {
-        low = glm::min(low, vertex);
-        high = glm::max(high, vertex);
-    }
-    const glm::vec3 extent = glm::max(high - low, std::numeric_limits<float>::min());
-
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(triangles.size());
+    std::vector<Item> items(triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const glm::uvec3 t = triangles[i];
-        const glm::vec3 center =
-            (vertices[t.x] - low + (vertices[t.y] - low) + (vertices[t.z] - low)) * (1.0F / 3);
-        order[i] = {morton_code(center / extent), i};
+        items[i] = {vertices[t.x] + vertices[t.y] + vertices[t.z], i};
     }
-    std::ranges::sort(order);
-
     TriangleClusters result;
     result.triangles.reserve(triangles.size());
-    for (const auto& [code, index] : order) {
-        if (result.triangles.size() % cluster_size == 0) {
-            const auto first = static_cast<std::uint32_t>(result.triangles.size());
-            constexpr float infinity = std::numeric_limits<float>::infinity();
-            result.clusters.push_back({.low = {infinity, infinity, infinity},
-                                       .high = {-infinity, -infinity, -infinity},
-                                       .first = first,
-                                       .count = 0});
-        }
-        Cluster& cluster = result.clusters.back();
-        ++cluster.count;
-        const glm::uvec3 t = triangles[index];
-        result.triangles.push_back(t);
-        for (int corner = 0; corner < 3; ++corner) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const float value = vertices[t[corner]][axis];
-                cluster.low[axis] = std::min(cluster.low[axis], value);
-                cluster.high[axis] = std::max(cluster.high[axis], value);
+    const auto add = [&](std::span<const Item> piece) {
+        if (piece.empty()) return;
+        glm::vec3 low{std::numeric_limits<float>::infinity()};
+        glm::vec3 high{-std::numeric_limits<float>::infinity()};
+        const auto first = static_cast<std::uint32_t>(result.triangles.size());
+        for (const Item& item : piece) {
+            const glm::uvec3 t = triangles[item.triangle];
+            result.triangles.push_back(t);
+            for (int corner = 0; corner < 3; ++corner) {
+                low = glm::min(low, vertices[t[corner]]);
+                high = glm::max(high, vertices[t[corner]]);
             }
         }
-    }
+        result.clusters.push_back({.low = {low.x, low.y, low.z},
+                                   .high = {high.x, high.y, high.z},
+                                   .first = first,
+                                   .count = static_cast<std::uint32_t>(piece.size())});
+    };
+    split(items, cluster_size, add);
     return result;
 }
 

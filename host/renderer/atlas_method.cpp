@@ -83,7 +83,7 @@ void AtlasMethod::project(Frame& frame) {
         });
     }
     const compute::OcclusionTest occlusion{
-        .tiles = cull_hidden_ ? depth_.tiles() : *arcs_, // any buffer where it isn't read
+        .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // any buffer where it isn't read
         .tile_count = compute::tiles_for(depth_.pass().size()),
         .depth_scale = static_cast<float>(frame.options.depth_scale),
         .tolerance = frame.depth_tolerance()};

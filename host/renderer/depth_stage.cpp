@@ -27,7 +27,9 @@ void DepthStage::prepare(const Frame& frame) {
         depth_ = interop::make_shared_buffer(backend_, mode_, depth_bytes);
     }
     const std::size_t tile_bytes = area(compute::tiles_for(size)) * sizeof(float);
-    if (!tiles_ || tiles_->size() < tile_bytes) tiles_ = backend_.allocate(tile_bytes);
+    if (!tiles_ || tiles_->size() < tile_bytes) {
+        tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes);
+    }
 }
 
 void DepthStage::draw_texture(Frame& frame) {
@@ -58,7 +60,7 @@ void DepthStage::draw_for_compute(Frame& frame) {
         appeared_[i] = appears ? 1 : 0;
     }
     if (!any) return;
-    handover_.to_gl({{*depth_, 0}});
+    handover_.to_gl({{*depth_, 0}, {*tiles_, 0}});
     draw_clusters(frame, appeared_);
     build_pyramid(frame);
 }
@@ -70,12 +72,12 @@ void DepthStage::take_back() {
 void DepthStage::build_pyramid(Frame& frame) {
     frame.clock("depth", [&] { pass_.copy_to(depth_->gl()); });
     frame.clock("handover", [&] {
-        handover_.to_compute({{*depth_, area(pass_.size()) * sizeof(float)}});
+        handover_.to_compute({{*depth_, area(pass_.size()) * sizeof(float)}, {*tiles_, 0}});
     });
     if (!frame.options.cull_hidden) return;
     frame.clock("pyramid", [&] {
         backend_.pyramid(
-            {.depth = depth_->compute(), .depth_size = pass_.size(), .tiles = *tiles_});
+            {.depth = depth_->compute(), .depth_size = pass_.size(), .tiles = tiles_->compute()});
     });
 }
 
@@ -102,7 +104,7 @@ void DepthStage::cull(Frame& frame, std::vector<std::uint8_t>& visible) {
                        .count = static_cast<std::uint32_t>(visible.size()),
                        .clip_from_world = frame.camera.clip_from_world(),
                        .depth_size = pass_.size(),
-                       .tiles = *tiles_,
+                       .tiles = tiles_->compute(),
                        .visible = *visible_});
         backend_.download(*visible_, std::as_writable_bytes(std::span{visible}));
     });

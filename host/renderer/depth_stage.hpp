@@ -25,14 +25,15 @@ class DepthStage {
     void draw_texture(Frame& frame);
     /// Draws the texture and hands depth and pyramid to compute.
     void draw_for_compute(Frame& frame);
-    /// Takes the depth buffer back from compute at the end of the frame.
+    /// Takes depth and pyramid back from compute: at the end of the frame, or before GL reads the
+    /// pyramid.
     void take_back();
 
     /// Triangles that the last frame drew.
     std::uint32_t triangles_drawn() const { return triangles_drawn_; }
     const gl::DepthPass& pass() const { return pass_; }
     compute::Buffer& buffer() const { return depth_->compute(); }
-    compute::Buffer& tiles() const { return *tiles_; }
+    interop::SharedBuffer& tiles() const { return *tiles_; }
 
   private:
     void prepare(const Frame& frame);
@@ -47,8 +48,8 @@ class DepthStage {
     interop::SharingMode mode_;
     interop::Handover handover_;
     gl::DepthPass pass_;
-    std::unique_ptr<interop::SharedBuffer> depth_;
-    std::unique_ptr<compute::Buffer> tiles_, visible_;
+    std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
+    std::unique_ptr<compute::Buffer> visible_;
     std::vector<std::uint8_t> seen_;     ///< per cluster: seen in the last frame
     std::vector<std::uint8_t> appeared_; ///< per cluster: to be drawn in the second step
     std::vector<gl::TriangleRange> ranges_;

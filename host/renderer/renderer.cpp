@@ -60,8 +60,10 @@ class Renderer::State {
 
     void set_lines(const LineSet& lines) {
         scene_.reset();
+        samples_drawn_ = false;
         scene_.emplace(*connection_.backend, lines);
         atlas_.set_scene(*scene_);
+        if (spine_) spine_->set_scene(*scene_);
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
@@ -74,31 +76,36 @@ class Renderer::State {
                     .pen = pens_.get(options.pen, options.width),
                     .clock = {*connection_.backend, options.measure_stages}};
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
+        samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
         switch (options.method) {
         case Method::atlas:
         case Method::item_buffer:
             return atlas_.draw(frame);
         case Method::spine:
-            return made(spine_).draw(frame);
+            if (!spine_) spine_.emplace(connection_).set_scene(*scene_);
+            return spine_->draw(frame);
         case Method::opengl:
-            return made(opengl_).draw(frame);
+            if (!opengl_) opengl_.emplace();
+            return opengl_->draw(frame);
         }
         throw UsageError("renderer: unknown method");
     }
 
-    Samples read_samples() { return atlas_.read_samples(); }
-
-  private:
-    /// A method's shaders are compiled when it is first used.
-    template <class T>
-    static T& made(std::optional<T>& method) {
-        return method ? *method : method.emplace();
+    Samples read_samples() {
+        if (!samples_drawn_) {
+            throw UsageError(
+                "renderer: read_samples() needs a frame of method atlas or itembuffer");
+        }
+        return atlas_.read_samples();
     }
 
+  private:
     interop::Connection connection_;
     std::optional<SceneBuffers> scene_;
     PenTextures pens_;
     AtlasMethod atlas_;
+    bool samples_drawn_ = false; ///< the last frame left samples to read
+    // Shaders of the other methods are compiled when they are first used.
     std::optional<SpineMethod> spine_;
     std::optional<OpenGlMethod> opengl_;
 };

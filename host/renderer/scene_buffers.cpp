@@ -12,7 +12,7 @@ namespace {
 
 // Below this a depth pass costs less than finding out what to leave out of it.
 constexpr std::uint32_t fewest_triangles_culled = 50'000;
-constexpr std::uint32_t cluster_size = 128;
+constexpr std::uint32_t cluster_size = 64;
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {

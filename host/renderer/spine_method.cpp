@@ -3,15 +3,25 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace lineatlas {
+namespace {
+
+// Below this, strokes cost less than the pyramid.
+constexpr std::uint32_t fewest_segments_culled = 10'000;
+
+} // namespace
 
 FrameStats SpineMethod::draw(Frame& frame) {
     check_depth_size(frame);
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     const gl::SegmentBuffers segments = frame.scene.gl_segments();
-    frame.clock("depth", [&] {
-        depth_pass_.begin(frame.camera.size, frame.options.depth_scale);
-        depth_pass_.draw(frame.scene.gl_triangles(), clip_from_world);
-    });
+    const bool cull_hidden =
+        frame.options.cull_hidden && segments.segment_count >= fewest_segments_culled;
+    if (cull_hidden) {
+        depth_.draw_for_compute(frame);
+        frame.clock("handover", [&] { depth_.take_back(); });
+    } else {
+        depth_.draw_texture(frame);
+    }
     frame.clock("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,
@@ -19,11 +29,13 @@ FrameStats SpineMethod::draw(Frame& frame) {
                           .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                           .eye = frame.camera.eye(),
                           .kind_mask = frame.options.lines,
-                          .step = frame.options.step},
-                         frame.probe_params(depth_pass_.texture()), frame.stroke_params());
+                          .step = frame.options.step,
+                          .tiles = cull_hidden ? depth_.tiles().gl() : 0,
+                          .tile_count = compute::tiles_for(depth_.pass().size())},
+                         frame.probe_params(depth_.pass().texture()), frame.stroke_params());
     });
     return {.triangles = frame.scene.triangle_count(),
-            .triangles_drawn = frame.scene.triangle_count(),
+            .triangles_drawn = depth_.triangles_drawn(),
             .segments = frame.scene.segment_count(),
             .segment_bytes = frame.scene.device_bytes(),
             .stages = frame.clock.take()};

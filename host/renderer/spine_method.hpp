@@ -1,18 +1,24 @@
 #pragma once
 
+#include "depth_stage.hpp"
 #include "frame.hpp"
-#include "glpasses/depth_pass.hpp"
 #include "glpasses/spine_pass.hpp"
 
 namespace lineatlas {
 
 /// The spine test (§3): one depth pass and one pass over all segments.
+///
+/// Of a model with many segments, those that are hidden whole are dropped by the depth pyramid
+/// before they become strokes.
 class SpineMethod {
   public:
+    explicit SpineMethod(const interop::Connection& connection) : depth_(connection) {}
+
+    void set_scene(const SceneBuffers& scene) { depth_.set_scene(scene); }
     FrameStats draw(Frame& frame);
 
   private:
-    gl::DepthPass depth_pass_;
+    DepthStage depth_;
     gl::SpinePass spine_pass_;
 };
 

@@ -99,7 +99,8 @@ class Renderer {
 
     /// The visibility of every sample of the last frame in order of the segment table, and the
     /// samples per segment: for tests and studies; waits for the device. With `cull_hidden`,
-    /// segments that are hidden whole have none.
+    /// segments that are hidden whole have none. Throws UsageError unless the last frame was one of
+    /// method atlas or item_buffer.
     struct Samples {
         std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible

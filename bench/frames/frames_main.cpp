@@ -1,0 +1,229 @@
+// lineatlas-bench-frames: frame rates of all methods on all scenes, beside the paper's Table 1.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "chart.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "io/atomic_file.hpp"
+#include "json.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/scenes.hpp"
+#include "row.hpp"
+#include "subjects.hpp"
+#include "table.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> scenes{"clevis", "house",    "ship",  "office",
+                                    "ship+s", "office+s", "hidden"};
+    std::vector<std::string> methods;
+    std::string model;
+    std::string up = "y";
+    std::size_t frames = 30;
+    std::vector<int> size{1024, 768};
+    std::string json;
+    std::vector<std::string> charts;
+    DeviceOptions device;
+};
+
+void set_up(CLI::App& app, Arguments& a) {
+    auto* scenes =
+        app.add_option("--scenes", a.scenes,
+                       "Of clevis, house, ship, office, each also with silhouettes as in "
+                       "ship+s, and hidden: the cost of hidden segments")
+            ->delimiter(',')
+            ->capture_default_str();
+    app.add_option("--methods", a.methods,
+                   "Of OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi; default all")
+        ->delimiter(',');
+    auto* model =
+        app.add_option("--model", a.model, "A model file in place of the scenes")->excludes(scenes);
+    app.add_option("--up", a.up, "The model's upward axis: x, y or z")
+        ->check(CLI::IsMember({"x", "y", "z"}))
+        ->needs(model)
+        ->capture_default_str();
+    app.add_option("--frames", a.frames,
+                   "Views along the camera path; methods over a second a frame draw fewer")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    app.add_option("--size", a.size, "WIDTHxHEIGHT; default 1024x768")
+        ->delimiter('x')
+        ->expected(2)
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--json", a.json, "Figures to write");
+    app.add_option("--chart", a.charts, "Bar chart to write, .svg or .png; may be given again");
+    app.add_option("--compute", a.device.compute, "Backend: opencl or reference")
+        ->capture_default_str();
+    app.add_option("--device", a.device.device, "OpenCL device: opencl:<platform>[:<device>]");
+    app.add_option("--interop", a.device.interop,
+                   "How buffers are shared with GL: gl-sharing, host-pointer or copy");
+}
+
+/// One line on a terminal, rewritten; in a log one line per scene.
+class Progress {
+  public:
+    void begin(const std::string& scene) {
+        scene_ = scene;
+        say(fmt::format("{}: preparing", scene_));
+    }
+
+    void rounds(std::size_t done, std::size_t total, std::string_view method) const {
+        if (!terminal_ || done == total) return;
+        say(done == 0 ? fmt::format("{}: warming up {}", scene_, method)
+                      : fmt::format("{}: {} of {} frames, {}", scene_, done, total, method));
+    }
+
+    void end() const {
+        if (terminal_) fmt::print(stderr, "\r\x1b[K");
+    }
+
+  private:
+    void say(const std::string& text) const {
+        if (terminal_) {
+            fmt::print(stderr, "\r\x1b[K{}", text);
+        } else {
+            fmt::print(stderr, "{}\n", text);
+        }
+        std::fflush(stderr);
+    }
+
+    bool terminal_ = isatty(STDERR_FILENO) != 0;
+    std::string scene_;
+};
+
+class Bench {
+  public:
+    explicit Bench(const Arguments& a)
+        : arguments_(a), size_(a.size[0], a.size[1]), canvas_(size_) {
+        report_.size = size_;
+        report_.gl = fmt::format("{}, OpenGL {}", gl_string(GL_RENDERER), gl_string(GL_VERSION));
+    }
+
+    Report run() {
+        if (!arguments_.model.empty()) {
+            glm::vec3 up{0};
+            up[arguments_.up[0] - 'x'] = 1;
+            for (const bool silhouettes : {false, true}) {
+                progress_.begin(arguments_.model + (silhouettes ? "+s" : ""));
+                measure_rows(
+                    {model_subject(arguments_.model, up, silhouettes, size_, arguments_.frames)},
+                    specs(silhouettes));
+            }
+        } else {
+            for (const std::string& name : arguments_.scenes) {
+                progress_.begin(name);
+                if (name == "hidden") {
+                    measure_rows(hidden_subjects(size_, arguments_.frames), {&method_spec("SAhi")});
+                } else {
+                    measure_rows({scene_subject(name, size_, arguments_.frames)},
+                                 specs(name.ends_with("+s")));
+                }
+            }
+        }
+        progress_.end();
+        return report_;
+    }
+
+  private:
+    static std::string gl_string(GLenum name) {
+        return reinterpret_cast<const char*>(glGetString(name));
+    }
+
+    std::vector<const MethodSpec*> specs(bool silhouettes) const {
+        const auto& names = arguments_.methods;
+        std::vector<const MethodSpec*> result;
+        for (const MethodSpec& spec : method_specs()) {
+            const bool chosen = names.empty() || std::ranges::find(names, spec.name) != names.end();
+            if (chosen && (spec.silhouettes || !silhouettes)) result.push_back(&spec);
+        }
+        return result;
+    }
+
+    /// Measures subjects against each other, which have the same viewpoints.
+    void measure_rows(const std::vector<Subject>& subjects,
+                      const std::vector<const MethodSpec*>& methods) {
+        std::vector<std::unique_ptr<Row>> rows;
+        std::vector<Contestant> contestants;
+        for (const Subject& subject : subjects) {
+            rows.push_back(std::make_unique<Row>(subject, methods, arguments_.device, canvas_));
+            report_.device = rows.back()->description();
+            const auto& more = rows.back()->contestants();
+            contestants.insert(contestants.end(), more.begin(), more.end());
+        }
+        const std::vector<Measured> measured =
+            measure(contestants, subjects.front().viewpoints,
+                    [&](std::size_t done, std::size_t total, std::string_view name) {
+                        progress_.rounds(done, total, name);
+                    });
+        std::span<const Measured> rest = measured;
+        for (const auto& row : rows) {
+            const std::size_t count = row->contestants().size();
+            report_.scenes.push_back(row->result(rest.first(count)));
+            rest = rest.subspan(count);
+        }
+    }
+
+    const Arguments& arguments_;
+    glm::ivec2 size_;
+    gl::Canvas canvas_;
+    Progress progress_;
+    Report report_;
+};
+
+/// What is wrong with the command line is said before minutes of work, not after.
+void check(const Arguments& a) {
+    for (const std::string& name : a.methods) method_spec(name);
+    for (const std::string& name : a.scenes) {
+        const std::string plain = name.ends_with("+s") ? name.substr(0, name.size() - 2) : name;
+        if (name == "hidden" || std::ranges::find(scene_names(), plain) != scene_names().end()) {
+            continue;
+        }
+        throw UsageError(fmt::format("--scenes: there is no \"{}\"; there is {}, each also with "
+                                     "+s, and hidden",
+                                     name, fmt::join(scene_names(), ", ")));
+    }
+    for (const std::string& path : a.charts) check_drawing_path(path);
+    if (!a.json.empty()) const AtomicFile writable{a.json};
+}
+
+void bench_frames(const Arguments& a) {
+    check(a);
+    const gl::HeadlessContext context;
+    const Report report = Bench{a}.run();
+    print_report(report);
+    if (!a.json.empty()) write_json(a.json, report);
+    for (const std::string& path : a.charts) write_drawing(path, chart(report));
+}
+
+} // namespace
+} // namespace lineatlas::bench
+
+int main(int argc, char** argv) {
+    CLI::App app{"Measures frame rates of all methods beside the paper's Table 1",
+                 "lineatlas-bench-frames"};
+    lineatlas::bench::Arguments arguments;
+    lineatlas::bench::set_up(app, arguments);
+    try {
+        app.parse(argc, argv);
+        lineatlas::bench::bench_frames(arguments);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    } catch (const lineatlas::UsageError& error) {
+        fmt::print(stderr, "lineatlas-bench-frames: {}\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lineatlas-bench-frames: {}\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,71 @@
+#include "row.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace lineatlas::bench {
+namespace {
+
+template <class T>
+gl::Buffer upload(const std::vector<T>& values) {
+    gl::Buffer buffer = gl::Buffer::create();
+    const std::size_t count = std::max<std::size_t>(1, values.size());
+    glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(count * sizeof(T)),
+                         values.empty() ? nullptr : values.data(), 0);
+    return buffer;
+}
+
+} // namespace
+
+DepthOnly::DepthOnly(const LineSet& lines)
+    : vertices_(upload(lines.vertices)), indices_(upload(lines.triangles)),
+      triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())) {}
+
+Contestant DepthOnly::contestant(int scale) {
+    gl::DepthPass& pass = passes_[scale - 1];
+    return {
+        fmt::format("{}x", scale),
+        [this, &pass, scale](const Camera& camera, bool) {
+            pass.begin(camera.size, scale);
+            pass.draw({vertices_.id(), indices_.id(), triangle_count_}, camera.clip_from_world());
+            return FrameStats{};
+        },
+        false};
+}
+
+Row::Row(const Subject& subject, std::span<const MethodSpec* const> specs,
+         const DeviceOptions& device, gl::Canvas& canvas)
+    : depth_(subject.lines) {
+    result_.name = subject.name;
+    result_.triangles = static_cast<std::uint32_t>(subject.lines.triangles.size());
+    result_.segments = static_cast<std::uint32_t>(subject.lines.segments.size());
+    for (const MethodSpec* spec : specs) {
+        Renderer& renderer = *renderers_.emplace_back(std::make_unique<Renderer>(device));
+        renderer.set_lines(subject.lines);
+        description_ = renderer.description();
+        FrameOptions options;
+        options.method = spec->method;
+        options.probes = spec->probes;
+        options.depth_scale = spec->depth_scale;
+        options.lines = subject.kinds;
+        const auto draw = [&renderer, &canvas, options](const Camera& camera, bool stages) mutable {
+            options.measure_stages = stages;
+            canvas.clear(glm::vec4{1});
+            return renderer.draw(camera, options, canvas.framebuffer());
+        };
+        contestants_.push_back({std::string{spec->name}, draw});
+    }
+    for (const int scale : {1, 2}) contestants_.push_back(depth_.contestant(scale));
+}
+
+SceneResult Row::result(std::span<const Measured> measured) const {
+    SceneResult result = result_;
+    const auto methods = measured.first(renderers_.size());
+    const auto depth = measured.subspan(renderers_.size());
+    result.methods.assign(methods.begin(), methods.end());
+    result.depth.assign(depth.begin(), depth.end());
+    return result;
+}
+
+} // namespace lineatlas::bench
