@@ -159,9 +159,14 @@ void print_stats(Renderer& renderer, gl::Canvas& canvas, const Camera& camera, F
                stats.triangles_drawn, stats.segments);
     fmt::print("{}\n", renderer.description());
     fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
-    fmt::print("device memory: {:.1f} bytes per segment, {:.1f} per sample\n",
-               static_cast<double>(stats.segment_bytes) / std::max(1U, stats.segments),
-               static_cast<double>(stats.sample_bytes) / std::max(1U, stats.samples));
+    const auto per = [](std::uint64_t bytes, std::uint32_t count) {
+        return static_cast<double>(bytes) / std::max(1U, count);
+    };
+    fmt::print(
+        "device memory: {:.1f} bytes per segment, {:.1f} per sample, {:.1f} per visible run, "
+        "{:.1f} MiB mesh\n",
+        per(stats.segment_bytes, stats.segments), per(stats.sample_bytes, stats.samples),
+        per(stats.run_bytes, stats.runs), static_cast<double>(stats.mesh_bytes) / (1 << 20));
     fmt::print("{:<14}{:8.2f} ms (median of {})\n", "frame", median(frame_times), repeat);
     for (const std::string& name : stage_order) {
         fmt::print("  {:<12}{:8.2f} ms\n", name, median(stage_times[name]));

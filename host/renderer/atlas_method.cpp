@@ -71,7 +71,7 @@ void AtlasMethod::prepare(const Frame& frame) {
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.atlas == AtlasForm::raster ||
               (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
-    cull_hidden_ = frame.options.cull_hidden && frame.options.method != Method::item_buffer;
+    cull_hidden_ = frame.culls_hidden();
 }
 
 void AtlasMethod::project(Frame& frame) {
@@ -234,9 +234,11 @@ FrameStats AtlasMethod::draw(Frame& frame) {
             .segments = segment_count_,
             .samples = totals_.sample_total,
             .runs = totals_.run_total,
-            .segment_bytes = frame.scene.device_bytes() + front_->size() + clipped_->size() +
-                             offsets_->size() + arcs_->size(),
+            .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
+            .segment_bytes =
+                frame.scene.segment_bytes() + clipped_->size() + offsets_->size() + arcs_->size(),
             .sample_bytes = alpha_->size(),
+            .run_bytes = runs_->size(),
             .stages = frame.clock.take()};
 }
 

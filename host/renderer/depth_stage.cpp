@@ -42,7 +42,7 @@ void DepthStage::draw_texture(Frame& frame) {
 
 void DepthStage::draw_for_compute(Frame& frame) {
     prepare(frame);
-    if (!frame.options.cull_hidden || seen_.empty()) {
+    if (!frame.culls_hidden() || seen_.empty()) {
         draw_texture(frame);
         return build_pyramid(frame);
     }
@@ -74,7 +74,7 @@ void DepthStage::build_pyramid(Frame& frame) {
     frame.clock("handover", [&] {
         handover_.to_compute({{*depth_, area(pass_.size()) * sizeof(float)}, {*tiles_, 0}});
     });
-    if (!frame.options.cull_hidden) return;
+    if (!frame.culls_hidden()) return;
     frame.clock("pyramid", [&] {
         backend_.pyramid(
             {.depth = depth_->compute(), .depth_size = pass_.size(), .tiles = tiles_->compute()});

@@ -35,6 +35,13 @@ float Frame::depth_tolerance() const {
     return depth_tolerance_pixels * depth_per_pixel(camera);
 }
 
+bool Frame::culls_hidden() const {
+    // Below this, samples and strokes cost less than the pyramid.
+    constexpr std::uint32_t fewest_segments = 10'000;
+    return options.cull_hidden && options.method != Method::item_buffer &&
+           scene.segment_count() >= fewest_segments;
+}
+
 gl::StrokeParams Frame::stroke_params() const {
     const bool geometry = options.stroke_shader == StrokeShader::geometry;
     return {.viewport = viewport(),

@@ -26,6 +26,8 @@ struct Frame {
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).
     float depth_tolerance() const;
+    /// Whether segments and triangles that are hidden whole are looked for and left out.
+    bool culls_hidden() const;
     /// Pens and visibility as the passes take them.
     gl::StrokeParams stroke_params() const;
     gl::ProbeParams probe_params(GLuint depth) const;

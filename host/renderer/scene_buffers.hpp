@@ -36,9 +36,8 @@ class SceneBuffers {
     compute::Buffer& cluster_buffer() const { return *cluster_buffer_; }
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
-    std::uint64_t device_bytes() const {
-        return vertices_->size() + triangles_->size() + segments_->size();
-    }
+    std::uint64_t mesh_bytes() const { return vertices_->size() + triangles_->size(); }
+    std::uint64_t segment_bytes() const { return segments_->size(); }
 
   private:
     template <class T>

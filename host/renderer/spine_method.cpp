@@ -3,19 +3,11 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace lineatlas {
-namespace {
-
-// Below this, strokes cost less than the pyramid.
-constexpr std::uint32_t fewest_segments_culled = 10'000;
-
-} // namespace
-
 FrameStats SpineMethod::draw(Frame& frame) {
     check_depth_size(frame);
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     const gl::SegmentBuffers segments = frame.scene.gl_segments();
-    const bool cull_hidden =
-        frame.options.cull_hidden && segments.segment_count >= fewest_segments_culled;
+    const bool cull_hidden = frame.culls_hidden();
     if (cull_hidden) {
         depth_.draw_for_compute(frame);
         frame.clock("handover", [&] { depth_.take_back(); });
@@ -37,7 +29,8 @@ FrameStats SpineMethod::draw(Frame& frame) {
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),
             .segments = frame.scene.segment_count(),
-            .segment_bytes = frame.scene.device_bytes(),
+            .mesh_bytes = frame.scene.mesh_bytes(),
+            .segment_bytes = frame.scene.segment_bytes(),
             .stages = frame.clock.take()};
 }
 

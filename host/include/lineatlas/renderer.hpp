@@ -54,8 +54,8 @@ struct FrameOptions {
     float width = 2;             ///< of strokes, in pixels
     glm::vec4 color{0, 0, 0, 1}; ///< of strokes: RGB and opacity, 0 to 1
     std::string pen = "solid";   ///< solid, pen, pencil or dashed
-    /// Give no samples to segments that the depth buffer hides whole. Changes nothing in the
-    /// picture.
+    /// Leave out triangles and segments that are hidden whole, where a model is large enough for
+    /// that to pay. Changes nothing in the picture.
     bool cull_hidden = true;
     bool measure_stages = false; ///< wait after every stage and report its time; slower
 };
@@ -72,8 +72,10 @@ struct FrameStats {
     std::uint32_t segments = 0;        ///< candidates, silhouettes included
     std::uint32_t samples = 0;         ///< visibility samples, §4.1
     std::uint32_t runs = 0;            ///< visible runs drawn
-    std::uint64_t segment_bytes = 0;   ///< device memory of the segment tables
-    std::uint64_t sample_bytes = 0;    ///< device memory of the atlas
+    std::uint64_t mesh_bytes = 0;      ///< compute memory of vertices and triangles
+    std::uint64_t segment_bytes = 0;   ///< of the segment tables
+    std::uint64_t sample_bytes = 0;    ///< of the atlas
+    std::uint64_t run_bytes = 0;       ///< of the visible runs
     std::vector<StageTime> stages;     ///< when measured
 };
 
