@@ -166,6 +166,17 @@ TEST_P(SamePicture, SpineStrokesOfBothShadersAreEqual) {
     EXPECT_FALSE(equal(a.pixels, canvas_.read())) << "an empty picture proves nothing";
 }
 
+TEST_P(SamePicture, SpineHostPointerEqualsCopy) {
+    Renderer host = renderer({.interop = "host-pointer"});
+    Renderer copy = renderer({.interop = "copy"});
+    const FrameOptions options{.method = Method::spine, .probes = 4};
+    for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
+        SCOPED_TRACE(view.name);
+        EXPECT_TRUE(
+            equal(draw(host, view.camera, options).pixels, draw(copy, view.camera, options).pixels));
+    }
+}
+
 TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixelOfTheSpineTest) {
     Renderer r = renderer({});
     const FrameOptions culled{.method = Method::spine, .probes = 4, .cull_hidden = true};

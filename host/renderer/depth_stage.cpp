@@ -66,7 +66,8 @@ void DepthStage::draw_for_compute(Frame& frame) {
 }
 
 void DepthStage::take_back() {
-    handover_.to_gl({{*depth_, 0}});
+    const std::size_t tile_bytes = area(compute::tiles_for(pass_.size())) * sizeof(float);
+    handover_.to_gl({{*depth_, 0}, {*tiles_, tile_bytes}});
 }
 
 void DepthStage::build_pyramid(Frame& frame) {
