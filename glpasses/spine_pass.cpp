@@ -43,15 +43,8 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     const bool geometry = stroke.form == StrokeForm::geometry_shader;
     const Program& program = geometry ? geometry_program_ : vertex_program_;
     const VertexArray& array = geometry ? point_array_ : quad_array_;
-    glViewport(0, 0, static_cast<GLsizei>(stroke.viewport.x),
-               static_cast<GLsizei>(stroke.viewport.y));
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     probes.bind(program, 0);
-    stroke.pen.bind(program, 1);
+    stroke.bind(program, 1);
     glBindTextureUnit(2, vertices.id());
     glBindTextureUnit(3, triangles.id());
     glBindTextureUnit(4, tiles.id());
@@ -66,8 +59,6 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     program.set("eye", spine.eye);
     program.set("kind_mask", spine.kind_mask);
     program.set("probe_step", spine.step);
-    program.set("half_width", 0.5F * stroke.width);
-    program.set("color", stroke.color);
     glVertexArrayVertexBuffer(array.id(), 0, segments.segments, 0, sizeof(Segment));
     glBindVertexArray(array.id());
     const auto count = static_cast<GLsizei>(segments.segment_count);

@@ -30,33 +30,36 @@ void PenTexture::bind(const Program& program, GLuint unit) const {
     program.set("pen_repeat", texture != 0 ? repeat_length : 0.0F);
 }
 
+void StrokeParams::bind(const Program& program, GLuint unit) const {
+    glViewport(0, 0, static_cast<GLsizei>(viewport.x), static_cast<GLsizei>(viewport.y));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    pen.bind(program, unit);
+    program.set("viewport", viewport);
+    program.set("half_width", 0.5F * width);
+    program.set("color", color);
+}
+
 StrokePass::StrokePass()
     : geometry_program_({"strokes.vert", "strokes.geom", "strokes.frag"}),
       vertex_program_({"strokes_quad.vert", "strokes.frag"}), point_array_(run_array(0)),
       quad_array_(run_array(1)) {}
 
 void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params) {
-    // The atlas may have grown into another buffer since the last frame.
-    alpha_texture_ = TextureBuffer::create();
-    glTextureBuffer(alpha_texture_.id(), GL_R8, runs.alpha);
+    // Made anew: the atlas may have grown into another buffer since the last frame.
+    const TextureBuffer alpha = TextureBuffer::create();
+    glTextureBuffer(alpha.id(), GL_R8, runs.alpha);
 
     const bool geometry = params.form == StrokeForm::geometry_shader;
     const Program& program = geometry ? geometry_program_ : vertex_program_;
     const VertexArray& array = geometry ? point_array_ : quad_array_;
-    glViewport(0, 0, static_cast<GLsizei>(params.viewport.x),
-               static_cast<GLsizei>(params.viewport.y));
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glBindTextureUnit(0, alpha_texture_.id());
+    glBindTextureUnit(0, alpha.id());
     program.use();
     program.set("alpha", 0);
-    params.pen.bind(program, 1);
-    program.set("viewport", params.viewport);
-    program.set("half_width", 0.5F * params.width);
-    program.set("color", params.color);
+    params.bind(program, 1);
     glVertexArrayVertexBuffer(array.id(), 0, runs.runs, 0, sizeof(Run));
     glBindVertexArray(array.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, runs.record);

@@ -28,6 +28,10 @@ struct StrokeParams {
     glm::vec4 color;    ///< RGB and opacity
     PenTexture pen;
     StrokeForm form;
+
+    /// Prepares GL for strokes over the bound framebuffer, with the pen on texture `unit`, and sets
+    /// the uniforms that all stroke shaders have. Blending stays on.
+    void bind(const Program& program, GLuint unit) const;
 };
 
 /// The visible runs on the GL side, as `compact` writes them.
@@ -49,7 +53,6 @@ class StrokePass {
     Program vertex_program_;
     VertexArray point_array_;
     VertexArray quad_array_;
-    TextureBuffer alpha_texture_;
 };
 
 } // namespace lineatlas::gl

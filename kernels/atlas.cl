@@ -6,6 +6,7 @@
  * PROBES_PER_AXIS: 1, 2, 3 or 4. PROBE_LANES: 1 probes one after the other (GPUs), 4 or 16 all
  * probes of a sample in one vector (CPUs); at least the number of probes then. */
 
+#include "atlas_address.h"
 #include "segment_table.h"
 
 #pragma OPENCL FP_CONTRACT OFF
@@ -65,13 +66,6 @@ static int count_lanes(const int16 mask) {
 #else
 #error "PROBE_LANES must be 1, 4 or 16"
 #endif
-
-/* Eq. 2, as an index into rows of `pitch` texels of which the first `width` can start a segment:
- * wrapped if width equals pitch, else with a gutter. Sample j of a segment is at the segment's
- * address + j. */
-static uint atlas_address(const uint s, const uint width, const uint pitch) {
-    return s / width * pitch + s % width;
-}
 
 /* The last segment that starts at or before sample s; it has samples. */
 static uint segment_of_sample(__global const uint* offsets, const uint count, const uint s) {

@@ -5,14 +5,10 @@
  * Each has two steps with the `scan` stage between them: count per block, then write from the
  * block's offset. One work-item per block of neighbouring segments or samples. */
 
+#include "atlas_address.h"
 #include "segment_table.h"
 
 #pragma OPENCL FP_CONTRACT OFF
-
-/* Eq. 2; the same as in atlas.cl. */
-static uint atlas_address(const uint s, const uint width, const uint pitch) {
-    return s / width * pitch + s % width;
-}
 
 /* The end of the run that starts at sample a. */
 static uint run_end(__global const uchar* alpha, const uint a, const uint l) {

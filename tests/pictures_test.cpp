@@ -172,8 +172,8 @@ TEST_P(SamePicture, SpineHostPointerEqualsCopy) {
     const FrameOptions options{.method = Method::spine, .probes = 4};
     for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
         SCOPED_TRACE(view.name);
-        EXPECT_TRUE(
-            equal(draw(host, view.camera, options).pixels, draw(copy, view.camera, options).pixels));
+        EXPECT_TRUE(equal(draw(host, view.camera, options).pixels,
+                          draw(copy, view.camera, options).pixels));
     }
 }
 

@@ -51,13 +51,6 @@ std::vector<cl_context_properties> current_gl_properties() {
     return {};
 }
 
-bool gl_is_software() {
-    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    if (renderer == nullptr) return false;
-    return std::strstr(renderer, "llvmpipe") != nullptr ||
-           std::strstr(renderer, "softpipe") != nullptr;
-}
-
 /// Writes through one API, reads through the other, both ways. Throws DeviceError if a call fails;
 /// false if the content does not arrive.
 bool round_trip(compute::Backend& backend, SharingMode mode) {
@@ -176,6 +169,13 @@ Connection connect_device(const compute::OpenClDevice& device, std::optional<Sha
 
 std::array<ModeReport, 3> probe_modes(const compute::OpenClDevice& device) {
     return {probe(device, all_modes[0]), probe(device, all_modes[1]), probe(device, all_modes[2])};
+}
+
+bool gl_is_software() {
+    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    if (renderer == nullptr) return false;
+    return std::strstr(renderer, "llvmpipe") != nullptr ||
+           std::strstr(renderer, "softpipe") != nullptr;
 }
 
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include <glm/gtc/matrix_inverse.hpp>
 
@@ -16,16 +15,11 @@ namespace {
 constexpr std::uint32_t first_sample_capacity = 1U << 18U;
 constexpr std::uint32_t first_run_capacity = 1U << 13U;
 
-bool gl_is_software() {
-    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return std::string_view{renderer}.find("llvmpipe") != std::string_view::npos;
-}
-
 } // namespace
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raster_is_faster_(!gl_is_software()), depth_(connection),
+      raster_is_faster_(!interop::gl_is_software()), depth_(connection),
       record_(shared(sizeof(FrameRecord))) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_texture_);
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
