@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/image_writer.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 using lineatlas::check_image_path;
 using lineatlas::FileError;
 using lineatlas::Image;
+using lineatlas::ImageWriter;
 using lineatlas::read_image;
 using lineatlas::write_image;
 
@@ -80,6 +82,23 @@ int largest_difference(const Image& a, const Image& b) {
 }
 
 } // namespace
+
+// First: once the module is loaded here, its libraries have threads and no process is started.
+TEST_F(ImageIo, AWriterIsLikeWriteImage) {
+    for (const bool own_process : {true, false}) {
+        if (!own_process) write_image(folder_ / "loads.png", gradient(1));
+        const Image image = gradient(4, {300, 200}); // more than a socket holds
+        fs::create_directory(folder_ / "gone");
+        ImageWriter writer(folder_ / "gone" / "a.png");
+        fs::remove(folder_ / "gone");
+        EXPECT_TRUE(has(error_of([&] { writer.write(image); }), "its folder does not exist"));
+        { const ImageWriter unused(folder_ / "unused.png"); }
+        EXPECT_FALSE(fs::exists(folder_ / "unused.png"));
+        ImageWriter(folder_ / "a.png").write(image);
+        EXPECT_EQ(largest_difference(read_image(folder_ / "a.png"), image), 0);
+    }
+    EXPECT_TRUE(has(error_of([&] { ImageWriter(folder_ / "a.xyz"); }), "unknown picture type"));
+}
 
 TEST_F(ImageIo, PngAndTiffKeepEveryValue) {
     for (const char* name : {"a.png", "a.PNG", "a.tif", "a.tiff"})

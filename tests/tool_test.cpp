@@ -158,6 +158,25 @@ TEST_F(Tool, RefusesBadOptions) {
     expect_refused("paint", 2, "paint");
 }
 
+TEST_F(Tool, WritesOtherFormats) {
+    for (const char* name : {"a.jpg", "a.TIF", "a.exr", "a.bmp"}) {
+        const Result result = run("draw --scene clevis --size 64x48 -o " + path(name));
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        EXPECT_GT(fs::file_size(path(name)), 100U) << name;
+    }
+}
+
+TEST_F(Tool, SaysWhichModuleIsMissing) {
+    const std::string draw = "draw --scene clevis --size 64x48 -o " + path("x.png");
+    ::setenv("LINEATLAS_MODULE_DIR", path("nowhere").c_str(), 1);
+    expect_refused(draw, 1, "nowhere/lineatlas-images.so");
+    EXPECT_EQ(run("draw --help").exit_code, 0) << "it is needed for pictures alone";
+    write("lineatlas-images.so", "no library");
+    ::setenv("LINEATLAS_MODULE_DIR", folder_.c_str(), 1);
+    expect_refused(draw, 1, "lineatlas-images.so\", which reads and writes pictures");
+    ::unsetenv("LINEATLAS_MODULE_DIR");
+}
+
 TEST_F(Tool, KeepsTheOldPictureWhenItFails) {
     write("old.png", "kept");
     const Result result = run("draw " + path("missing.obj") + " -o " + path("old.png"));

@@ -38,11 +38,19 @@ using Rows = std::vector<Row>;
 
 // The rows of every stage. `backends` must outlive them.
 Rows copy_rows(const Backends& backends);
+Rows pyramid_rows(const Backends& backends);
+Rows cull_rows(const Backends& backends);
 Rows facing_rows(const Backends& backends);
 Rows project_clip_rows(const Backends& backends);
 Rows scan_rows(const Backends& backends);
 Rows atlas_rows(const Backends& backends);
 Rows compact_rows(const Backends& backends);
+Rows compact_runs_rows(const Backends& backends);
+
+/// "<stage>/copy": the plainest kernel that reads and writes as many bytes as `bytes_of` says of n
+/// elements, half each.
+Row copy_row(const Backends& backends, const std::string& stage,
+             std::function<double(std::uint32_t n)> bytes_of);
 
 /// Wall-clock time of one run, after a reset.
 double seconds_of(const Job& job);

@@ -1,6 +1,7 @@
 // copy: the limit. n uint32 from one buffer to another.
 // Bytes: 4 read and 4 written per element.
 
+#include <cmath>
 #include <cstring>
 
 #include "common.hpp"
@@ -53,12 +54,14 @@ Job prepare_enqueue(compute::OpenClBackend& backend, std::uint32_t n) {
     });
 }
 
+constexpr cl_uint pieces = 16, width = 16;
+
 /// The plainest kernel that suits the device: on a CPU as many serial pieces as `scan` has, on a
-/// GPU a work-item per element. Sizes are powers of two, so that nothing is left over.
+/// GPU a work-item per element. Sizes are multiples of pieces * width, so that nothing is left
+/// over.
 Job prepare_kernel(compute::OpenClBackend& backend, std::uint32_t n) {
     const Pair pair{backend, n};
     const bool chunks = backend.device().is_cpu;
-    constexpr cl_uint pieces = 16, width = 16;
     cl::Program program{backend.context(), kernel_source};
     program.build({backend.device().device}, "-cl-std=CL1.2");
     cl::Kernel kernel{program, chunks ? "copy_chunk" : "copy_one"};
@@ -88,6 +91,16 @@ Rows copy_rows(const Backends& backends) {
     return {{"copy/device_enqueue", [&](std::uint32_t n) { return prepare_enqueue(device, n); }},
             {"copy/device_kernel", [&](std::uint32_t n) { return prepare_kernel(device, n); }},
             {"copy/memcpy", prepare_memcpy}};
+}
+
+Row copy_row(const Backends& backends, const std::string& stage,
+             std::function<double(std::uint32_t n)> bytes_of) {
+    compute::OpenClBackend& device = *backends.device;
+    return {stage + "/copy", [&device, bytes_of = std::move(bytes_of)](std::uint32_t n) {
+                constexpr double bytes_each = 8.0 * pieces * width;
+                const double units = std::ceil(bytes_of(n) / bytes_each);
+                return prepare_kernel(device, static_cast<std::uint32_t>(units) * pieces * width);
+            }};
 }
 
 } // namespace lineatlas::bench

@@ -10,6 +10,7 @@
 #include "core/pens.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
+#include "io/image_writer.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
@@ -180,7 +181,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const FrameOptions options = frame_options(arguments);
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
-    check_image_path(arguments.output);
+    ImageWriter writer{arguments.output}; // before anything starts a thread
 
     Subject subject = load_subject(arguments, size);
     apply_camera(arguments, app, subject.view);
@@ -192,7 +193,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     renderer.set_lines(subject.lines);
     canvas.clear(glm::vec4{1});
     renderer.draw(camera, options, canvas.framebuffer());
-    write_image(arguments.output, {.size = size, .channels = 4, .pixels = canvas.read()});
+    writer.write({.size = size, .channels = 4, .pixels = canvas.read()});
     if (arguments.stats) {
         print_stats(renderer, canvas, camera, options, arguments.repeat, subject);
     }

@@ -1,0 +1,108 @@
+// cull: n clusters strewn over a picture and a little beyond, half of them behind its depth.
+// Bytes: per cluster its box (32) and the result (1), every tile (4) once.
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <glm/ext/matrix_clip_space.hpp>
+
+#include "common.hpp"
+#include "compute/reference/stages.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr glm::ivec2 depth_size{2048, 1536};
+
+/// The device and plain C++ get the same.
+struct Input {
+    std::vector<Cluster> clusters;
+    std::vector<float> tiles; ///< one depth everywhere
+    glm::mat4 clip_from_world;
+};
+
+std::size_t tile_count() {
+    const glm::ivec2 tiles = compute::tiles_for(depth_size);
+    return static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
+}
+
+double bytes_of(std::uint32_t n) {
+    return 33.0 * n + 4.0 * static_cast<double>(tile_count());
+}
+
+/// Boxes of 5 to 50 texels between 4 and 6 before the eye, where depth stands at 5.
+Input make_input(std::uint32_t n) {
+    Random random{7};
+    Input input{.clusters = std::vector<Cluster>(n),
+                .tiles = {},
+                .clip_from_world = glm::perspective(0.9F, 4.0F / 3.0F, 0.1F, 10.0F)};
+    const glm::vec4 wall = input.clip_from_world * glm::vec4{0, 0, -5, 1};
+    input.tiles.assign(tile_count(), wall.z / wall.w * 0.5F + 0.5F);
+    for (Cluster& cluster : input.clusters) {
+        const float low[3] = {random.between(-3.4F, 3.3F), random.between(-2.6F, 2.5F),
+                              random.between(-6, -4)};
+        const float side = random.between(0.015F, 0.15F);
+        cluster = {.low = {low[0], low[1], low[2]},
+                   .high = {low[0] + side, low[1] + side, low[2] + side},
+                   .first = 0,
+                   .count = 64};
+    }
+    return input;
+}
+
+Bytes expected_visible(const Input& input) {
+    Bytes visible(input.clusters.size());
+    compute::reference::cull(input.clusters, input.clip_from_world, depth_size, input.tiles,
+                             visible);
+    return visible;
+}
+
+Job prepare(compute::Backend& backend, std::uint32_t n) {
+    const Input input = make_input(n);
+    const SharedBuffer clusters = to_device(backend, input.clusters);
+    const SharedBuffer tiles = to_device(backend, input.tiles);
+    const SharedBuffer visible = backend.allocate(n);
+    const auto run = [&backend, clusters, tiles, visible, n,
+                      clip_from_world = input.clip_from_world] {
+        backend.cull({.clusters = *clusters,
+                      .count = n,
+                      .clip_from_world = clip_from_world,
+                      .depth_size = depth_size,
+                      .tiles = *tiles,
+                      .visible = *visible});
+        backend.finish();
+    };
+    run();
+    require(read_back<std::uint8_t>(backend, *visible, n) == expected_visible(input), "cull");
+    return {.run = run, .bytes = bytes_of(n)};
+}
+
+/// The plain C++ for a range of clusters at a time.
+Job prepare_tbb(std::uint32_t n) {
+    const auto input = std::make_shared<Input>(make_input(n));
+    const auto visible = std::make_shared<Bytes>(n);
+    const auto run = [input, visible, n] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>{0, n, 1024}, [&](const auto& range) {
+            compute::reference::cull(
+                std::span{input->clusters}.subspan(range.begin(), range.size()),
+                input->clip_from_world, depth_size, input->tiles,
+                std::span{*visible}.subspan(range.begin(), range.size()));
+        });
+    };
+    run();
+    require(*visible == expected_visible(*input), "cull/tbb");
+    return {.run = run, .bytes = bytes_of(n)};
+}
+
+} // namespace
+
+Rows cull_rows(const Backends& backends) {
+    Rows rows = own_rows(backends, "cull", prepare);
+    rows.push_back({"cull/tbb", prepare_tbb});
+    rows.push_back(copy_row(backends, "cull", bytes_of));
+    return rows;
+}
+
+} // namespace lineatlas::bench

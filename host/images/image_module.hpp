@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lineatlas/io.hpp"
+
+namespace lineatlas::images {
+
+/// What the module lineatlas-images offers. It alone links OpenImageIO, whose some 260 libraries
+/// take longer to load than a picture to draw. Whatever is refused ends in a std::runtime_error
+/// that says the cause in one line.
+struct Module {
+    bool (*can_write)(const std::string& extension); ///< with its dot
+    Image (*read)(const std::filesystem::path& path);
+    /// What the file `path` should hold; nothing is written.
+    std::vector<unsigned char> (*encode)(const std::filesystem::path& path, const Image& image);
+};
+
+/// The module's one symbol. Its number changes with `Module`.
+inline constexpr const char* module_symbol = "lineatlas_images_1";
+
+} // namespace lineatlas::images
+
+extern "C" const lineatlas::images::Module lineatlas_images_1;
