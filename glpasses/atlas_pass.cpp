@@ -23,8 +23,8 @@ void ProbeParams::bind(const Program& program, GLuint unit) const {
     program.set("tolerance", tolerance);
 }
 
-AtlasPass::AtlasPass()
-    : program_({"atlas.vert", "atlas.geom", "atlas.frag"}), vertex_array_(VertexArray::create()),
+AtlasPass::AtlasPass(std::string_view fragment_shader)
+    : program_({"atlas.vert", "atlas.geom", fragment_shader}), vertex_array_(VertexArray::create()),
       framebuffer_(Framebuffer::create()) {
     const GLuint array = vertex_array_.id();
     for (GLuint attribute = 0; attribute < 5; ++attribute) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 
@@ -33,7 +34,10 @@ struct ClippedBuffers {
 /// twice.
 class AtlasPass {
   public:
-    AtlasPass();
+    /// `fragment_shader`: finds the visibility of one sample. Uniforms of its own are set in
+    /// `program()`.
+    explicit AtlasPass(std::string_view fragment_shader = "atlas.frag");
+    const Program& program() const { return program_; }
 
     /// Draws an atlas of `samples` samples and copies it to `alpha`: one byte per texel, row by
     /// row.

@@ -89,3 +89,11 @@ float visibility(Spine spine, float j, float inverse_l) {
     }
     return visible * inverse_axis * inverse_axis;
 }
+
+// Visibility at the point `at` pixels along a segment of `length_px` pixels, by probes in a box `step`
+// pixels long. The box is centred on the point, but stays within the segment (spine test, §3.2).
+float visibility_around(Spine spine, float at, float length_px, float step) {
+    float cell = min(step, length_px);
+    float first = clamp(at - 0.5 * cell, 0.0, length_px - cell);
+    return visibility(spine, first / cell, cell / length_px);
+}

@@ -23,10 +23,7 @@ void main() {
     if (coverage <= 0.0) discard;
     // Texture coordinates are uniform on the screen, with zero in the middle of the stroke (§3.1).
     coverage *= pen_mark(local.x - 0.5 * length_px, local.y, half_width);
-    // The box is centred on the nearest point, but stays within the segment.
-    float cell = min(probe_step, length_px);
-    float first = clamp(nearest - 0.5 * cell, 0.0, length_px - cell);
-    float alpha = visibility(spine, first / cell, cell / length_px);
+    float alpha = visibility_around(spine, nearest, length_px, probe_step);
     float opacity = coverage * stroke_visibility(alpha) * color.a;
     if (opacity <= 0.0) discard;
     picture = vec4(color.rgb * opacity, opacity);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drawing.hpp"
+#include "common/drawing.hpp"
 #include "report.hpp"
 
 namespace lineatlas::bench {

@@ -1,7 +1,5 @@
 // lineatlas-bench-frames: frame rates of all methods on all scenes, beside the paper's Table 1.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <memory>
 
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "chart.hpp"
+#include "common/progress.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/atomic_file.hpp"
@@ -69,38 +68,6 @@ void set_up(CLI::App& app, Arguments& a) {
                    "How buffers are shared with GL: gl-sharing, host-pointer or copy");
 }
 
-/// One line on a terminal, rewritten; in a log one line per scene.
-class Progress {
-  public:
-    void begin(const std::string& scene) {
-        scene_ = scene;
-        say(fmt::format("{}: preparing", scene_));
-    }
-
-    void rounds(std::size_t done, std::size_t total, std::string_view method) const {
-        if (!terminal_ || done == total) return;
-        say(done == 0 ? fmt::format("{}: warming up {}", scene_, method)
-                      : fmt::format("{}: {} of {} frames, {}", scene_, done, total, method));
-    }
-
-    void end() const {
-        if (terminal_) fmt::print(stderr, "\r\x1b[K");
-    }
-
-  private:
-    void say(const std::string& text) const {
-        if (terminal_) {
-            fmt::print(stderr, "\r\x1b[K{}", text);
-        } else {
-            fmt::print(stderr, "{}\n", text);
-        }
-        std::fflush(stderr);
-    }
-
-    bool terminal_ = isatty(STDERR_FILENO) != 0;
-    std::string scene_;
-};
-
 class Bench {
   public:
     explicit Bench(const Arguments& a)
@@ -114,14 +81,14 @@ class Bench {
             glm::vec3 up{0};
             up[arguments_.up[0] - 'x'] = 1;
             for (const bool silhouettes : {false, true}) {
-                progress_.begin(arguments_.model + (silhouettes ? "+s" : ""));
+                begin(arguments_.model + (silhouettes ? "+s" : ""));
                 measure_rows(
                     {model_subject(arguments_.model, up, silhouettes, size_, arguments_.frames)},
                     specs(silhouettes));
             }
         } else {
             for (const std::string& name : arguments_.scenes) {
-                progress_.begin(name);
+                begin(name);
                 if (name == "hidden") {
                     measure_rows(hidden_subjects(size_, arguments_.frames), {&method_spec("SAhi")});
                 } else {
@@ -130,13 +97,25 @@ class Bench {
                 }
             }
         }
-        progress_.end();
+        progress_.clear();
         return report_;
     }
 
   private:
     static std::string gl_string(GLenum name) {
         return reinterpret_cast<const char*>(glGetString(name));
+    }
+
+    void begin(const std::string& scene) {
+        scene_ = scene;
+        progress_.say(fmt::format("{}: preparing", scene_));
+    }
+
+    void show(std::size_t done, std::size_t total, std::string_view method) {
+        if (done == total) return;
+        progress_.detail(done == 0
+                             ? fmt::format("{}: warming up {}", scene_, method)
+                             : fmt::format("{}: {} of {} frames, {}", scene_, done, total, method));
     }
 
     std::vector<const MethodSpec*> specs(bool silhouettes) const {
@@ -163,7 +142,7 @@ class Bench {
         const std::vector<Measured> measured =
             measure(contestants, subjects.front().viewpoints,
                     [&](std::size_t done, std::size_t total, std::string_view name) {
-                        progress_.rounds(done, total, name);
+                        show(done, total, name);
                     });
         std::span<const Measured> rest = measured;
         for (const auto& row : rows) {
@@ -177,6 +156,7 @@ class Bench {
     glm::ivec2 size_;
     gl::Canvas canvas_;
     Progress progress_;
+    std::string scene_; ///< being measured
     Report report_;
 };
 

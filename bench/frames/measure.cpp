@@ -1,29 +1,17 @@
 #include "measure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <epoxy/gl.h>
-#include <fmt/core.h>
 
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
 namespace {
-
-constexpr std::array<MethodSpec, 7> specs{{
-    {"OGL", Method::opengl, 1, 1, false},
-    {"IBlo", Method::item_buffer, 1, 1, false},
-    {"IBhi", Method::item_buffer, 9, 1, false}, // supersampled itself; 9 probes say how much
-    {"STlo", Method::spine, 1, 1, true},
-    {"SThi", Method::spine, 9, 2, true},
-    {"SAlo", Method::atlas, 1, 1, true},
-    {"SAhi", Method::atlas, 9, 2, true},
-}};
 
 constexpr double slow_ms = 1000;        // "over a second": fewer frames from here on
 constexpr double slow_budget_ms = 30e3; // what a slow contestant may take in all, about
@@ -98,21 +86,6 @@ void add_stages(const Contestant& contestant, const Camera& camera, Plan& plan) 
 }
 
 } // namespace
-
-std::span<const MethodSpec> method_specs() {
-    return specs;
-}
-
-const MethodSpec& method_spec(std::string_view name) {
-    const auto found = std::ranges::find(specs, name, &MethodSpec::name);
-    if (found != specs.end()) return *found;
-    std::string names;
-    for (const MethodSpec& spec : specs) {
-        names += names.empty() ? "" : ", ";
-        names += spec.name;
-    }
-    throw UsageError(fmt::format("--methods: there is no \"{}\"; there is {}", name, names));
-}
 
 double median(std::vector<double> values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();

@@ -7,27 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "common/methods.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/renderer.hpp"
 
 // Frame times of several methods on the same views, taken in turn so that whatever else the machine
 // does falls on all of them alike.
 namespace lineatlas::bench {
-
-/// A column entry of Table 1.
-struct MethodSpec {
-    std::string_view name;
-    Method method;
-    std::uint32_t probes;
-    int depth_scale;
-    bool silhouettes; ///< finds silhouettes itself; the others are left out of the "+s" rows
-};
-
-/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi.
-std::span<const MethodSpec> method_specs();
-
-/// Throws UsageError for an unknown name.
-const MethodSpec& method_spec(std::string_view name);
 
 /// A view to measure, and the one shortly before it on the camera path.
 struct Viewpoint {

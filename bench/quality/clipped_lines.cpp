@@ -46,4 +46,17 @@ WindowSegment window_segment(const ClippedSegment& segment, glm::ivec2 viewport)
     return {place(segment.p), place(segment.q)};
 }
 
+double parameter_at(const ClippedSegment& segment, double u) {
+    const double wp = segment.p[3], wq = segment.q[3];
+    const double v = u * wp / (u * wp + (1 - u) * wq);
+    return segment.t0 + (double{segment.t1} - segment.t0) * v;
+}
+
+std::optional<double> share_at(const ClippedSegment& segment, double t) {
+    const double v = (t - segment.t0) / (double{segment.t1} - segment.t0);
+    if (!(v >= 0 && v <= 1)) return std::nullopt;
+    const double wp = segment.p[3], wq = segment.q[3];
+    return v * wq / (v * wq + (1 - v) * wp);
+}
+
 } // namespace lineatlas::bench

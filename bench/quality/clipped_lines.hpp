@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -30,5 +31,11 @@ struct WindowSegment {
     glm::dvec2 at(double u) const { return p + (q - p) * u; }
 };
 WindowSegment window_segment(const ClippedSegment& segment, glm::ivec2 viewport);
+
+/// From share `u` of a clipped segment in the window to the parameter along the whole segment, in
+/// which the model's points are linear.
+double parameter_at(const ClippedSegment& segment, double u);
+/// The way back; nothing outside the clipped segment.
+std::optional<double> share_at(const ClippedSegment& segment, double t);
 
 } // namespace lineatlas::bench

@@ -14,7 +14,7 @@ namespace lineatlas::bench {
 /// A sample is wrong when its visibility is off by more than this.
 inline constexpr float wrong_threshold = 0.5F;
 
-/// The figures of docs/quality-study.md over any set of samples.
+/// The figures of docs/quality.md over any set of samples.
 struct Figures {
     std::uint64_t samples = 0;
     double error_sum = 0;            ///< of |alpha - alpha*|

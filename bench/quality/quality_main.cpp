@@ -1,67 +1,89 @@
-// lineatlas-bench-quality: how right a visibility method is, measured against ray casting
-// (truth.hpp).
+// lineatlas-bench-quality: how right the visibility of every method is, measured against ray
+// casting (truth.hpp).
 
-#include <chrono>
-#include <map>
+#include <algorithm>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
-#include <glm/geometric.hpp>
+#include <fmt/format.h>
 
-#include "glpasses/canvas.hpp"
+#include "common/methods.hpp"
 #include "glpasses/headless_context.hpp"
+#include "io/atomic_file.hpp"
 #include "lineatlas/error.hpp"
-#include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
-#include "report.hpp"
-#include "truth_cache.hpp"
+#include "measure.hpp"
+#include "study_chart.hpp"
 
 namespace lineatlas::bench {
 namespace {
 
+/// Twice the rays may move mean alpha* by no more than this.
+constexpr double oracle_tolerance = 0.002;
+
 struct Arguments {
-    std::string scene, model;
-    std::string up = "y";
-    std::vector<float> at;
-    int frames = 0;
+    std::vector<std::string> scenes, models;
+    std::vector<std::string> ups{"y"};
+    std::vector<double> at;
+    int frames = 6;
+    std::size_t burst = 4;
     std::vector<float> distances{1};
     std::vector<int> size{1024, 768};
-    std::string quality = "high";
+    std::vector<std::string> methods;
+    std::string quality;
     std::uint32_t probes = 0;
     int depth_scale = 0;
     float step = 2;
     TruthOptions truth;
     bool no_cache = false;
-    std::size_t worst = 10;
+    bool study = false;
+    bool check_oracle = false;
+    bool kinds = false;
+    std::size_t worst = 0;
     std::string picture;
     int picture_scale = 3;
     std::string json;
+    std::vector<std::string> charts;
     DeviceOptions device;
 };
 
-CLI::App& set_up(CLI::App& app, Arguments& a) {
-    auto* scene = app.add_option("--scene", a.scene, "clevis, house, ship or office");
-    app.add_option("--model", a.model, "A model file")->excludes(scene);
-    app.add_option("--up", a.up, "The model's upward axis: y or z")
-        ->check(CLI::IsMember({"y", "z"}))
+void set_up(CLI::App& app, Arguments& a) {
+    app.add_option("--scene,--scenes", a.scenes,
+                   "Of clevis, house, ship, office; may be given again. Default: all, unless there "
+                   "is a --model")
+        ->delimiter(',');
+    auto* model = app.add_option("--model", a.models, "A model file; may be given again");
+    app.add_option("--up", a.ups, "Upward axis, x, y or z, of all models or of each in turn")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"x", "y", "z"}))
+        ->needs(model)
         ->capture_default_str();
-    auto* at = app.add_option("--at", a.at, "Positions on the scene's camera path, 0 to 1")
+    auto* at = app.add_option("--at", a.at,
+                              "Positions on the camera path, 0 to 1; a model's path is a full turn")
                    ->delimiter(',')
-                   ->needs(scene);
+                   ->check(CLI::Range(0.0, 1.0));
     app.add_option("--frames", a.frames, "This many positions, evenly along the path")
         ->check(CLI::PositiveNumber)
-        ->needs(scene)
-        ->excludes(at);
+        ->excludes(at)
+        ->capture_default_str();
+    app.add_option("--burst", a.burst,
+                   "Consecutive frames from each position on, for sparkle and crawl; 1: none")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
     app.add_option("--distance", a.distances,
                    "Times the eye's distance from its target, e.g. 0.5,1,2")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
     app.add_option("--size", a.size, "WIDTHxHEIGHT")->delimiter('x')->expected(2);
-    app.add_option("--quality", a.quality, "low: 1 probe, 1x depth; high: 9 probes, 2x depth")
+    auto* methods =
+        app.add_option("--methods", a.methods, "Of IBlo, IBhi, STlo, SThi, SAlo, SAhi; default all")
+            ->delimiter(',');
+    app.add_option("--quality", a.quality, "Only the methods of this quality: low or high")
         ->check(CLI::IsMember({"low", "high"}))
-        ->capture_default_str();
-    app.add_option("--probes", a.probes, "Depth probes per sample: 1, 4, 9 or 16");
-    app.add_option("--depth-scale", a.depth_scale, "Depth texels per pixel and axis: 1 to 4");
+        ->excludes(methods);
+    app.add_option("--probes", a.probes, "Depth probes per sample in place of each method's own");
+    app.add_option("--depth-scale", a.depth_scale,
+                   "Depth texels per pixel and axis in place of each method's own");
     app.add_option("--step", a.step, "Pixels between samples")->capture_default_str();
     app.add_option("--rays", a.truth.rays, "Rays per sample")
         ->check(CLI::Range(1, 65536))
@@ -71,144 +93,212 @@ CLI::App& set_up(CLI::App& app, Arguments& a) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--no-cache", a.no_cache, "Compute the truth even if it is known");
-    app.add_option("--worst", a.worst, "Segments to list per view")->capture_default_str();
-    app.add_option("--picture", a.picture, "Error picture to write; numbered if there are several");
+    app.add_flag("--kinds", a.kinds, "Figures per line kind too");
+    app.add_option("--worst", a.worst,
+                   "Figures of every view and method, with this many of their worst segments")
+        ->capture_default_str();
+    app.add_option("--picture", a.picture,
+                   "Error picture to write; with the method's name and a number if there are "
+                   "several");
     app.add_option("--picture-scale", a.picture_scale, "Its pixels per pixel")
         ->check(CLI::Range(1, 16))
         ->capture_default_str();
+    auto* study = app.add_flag("--study", a.study,
+                               "In place of the methods: the segment atlas with 1 to 16 probes and "
+                               "1x to 4x depth (Fig. 6)")
+                      ->excludes(methods);
+    app.add_option("--chart", a.charts,
+                   "Curves of the study to write, .svg or .png; may be given again")
+        ->needs(study);
+    app.add_flag("--check-oracle", a.check_oracle,
+                 "In place of the methods: whether twice the rays change the truth")
+        ->excludes(study)
+        ->excludes(methods);
     app.add_option("--json", a.json, "Figures to write");
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference")
         ->capture_default_str();
-    return app;
 }
 
-FrameOptions frame_options(const Arguments& a) {
-    const bool high = a.quality == "high";
-    FrameOptions options;
-    options.probes = a.probes != 0 ? a.probes : high ? 9 : 1;
-    options.depth_scale = a.depth_scale != 0 ? a.depth_scale : high ? 2 : 1;
-    options.step = a.step;
-    options.cull_hidden = false; // every sample is compared
-    return options;
+std::vector<Contestant> contestants(const Arguments& a) {
+    for (const std::string& name : a.methods) {
+        if (method_spec(name).method == Method::opengl) {
+            throw UsageError("--methods: OGL has no visibility samples to measure");
+        }
+    }
+    std::vector<Contestant> result;
+    for (const MethodSpec& spec : method_specs()) {
+        if (spec.method == Method::opengl) continue;
+        if (!a.methods.empty() && std::ranges::find(a.methods, spec.name) == a.methods.end()) {
+            continue;
+        }
+        if (!a.quality.empty() && spec.name.ends_with("hi") != (a.quality == "high")) continue;
+        FrameOptions options;
+        options.method = spec.method;
+        options.probes = a.probes != 0 ? a.probes : spec.probes;
+        options.depth_scale = a.depth_scale != 0 ? a.depth_scale : spec.depth_scale;
+        options.step = a.step;
+        options.cull_hidden = false; // every sample is compared
+        result.push_back({std::string{spec.name}, options});
+    }
+    return result;
 }
 
-struct NamedView {
-    std::string name;
-    View view;
+glm::vec3 axis(const std::string& name) {
+    glm::vec3 up{0};
+    up[name[0] - 'x'] = 1;
+    return up;
+}
+
+/// Ways to make the subjects, one after the other: all at once would fill the memory.
+std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 size) {
+    const Places places{a.at.empty() ? even_places(a.frames) : a.at, a.distances};
+    std::vector<std::function<Subject()>> result;
+    std::vector<std::string> scenes = a.scenes;
+    if (scenes.empty() && a.models.empty()) {
+        scenes.assign(scene_names().begin(), scene_names().end());
+    }
+    for (const std::string& name : scenes) {
+        if (std::ranges::find(scene_names(), name) == scene_names().end()) {
+            throw UsageError(fmt::format("--scene: there is no \"{}\"; there is {}", name,
+                                         fmt::join(scene_names(), ", ")));
+        }
+        result.emplace_back([=] { return scene_subject(name, places); });
+    }
+    if (a.ups.size() != 1 && a.ups.size() != a.models.size()) {
+        throw UsageError(fmt::format("--up: {} axes for {} models; name one, or one for each",
+                                     a.ups.size(), a.models.size()));
+    }
+    for (std::size_t i = 0; i < a.models.size(); ++i) {
+        const std::string path = a.models[i];
+        const glm::vec3 up = axis(a.ups[a.ups.size() == 1 ? 0 : i]);
+        result.emplace_back([=] { return model_subject(path, up, size, places); });
+    }
+    return result;
+}
+
+class Bench {
+  public:
+    explicit Bench(const Arguments& a)
+        : arguments_(a), size_(a.size[0], a.size[1]), methods_(contestants(a)),
+          subjects_(subjects(a, size_)) {
+        check();
+        report_.settings = {size_, a.step, a.truth.rays, a.truth.neighbourhood, a.burst};
+    }
+
+    /// Whether everything is as it should be.
+    bool run() {
+        const gl::HeadlessContext context;
+        gl::Canvas canvas{size_};
+        for (const auto& make : subjects_) {
+            progress_.say("preparing");
+            const Subject subject = make();
+            Measurement measurement{
+                subject, report_.settings, arguments_.device, !arguments_.no_cache,
+                canvas,  progress_};
+            if (arguments_.study) {
+                report_.study.push_back(measurement.study());
+            } else if (arguments_.check_oracle) {
+                report_.oracle.push_back(measurement.check_oracle());
+            } else {
+                measure(subject, measurement);
+            }
+            progress_.clear();
+            print_last();
+        }
+        finish();
+        return std::ranges::all_of(report_.oracle, [](const OracleReport& oracle) {
+            return std::abs(oracle.twice - oracle.once) < oracle_tolerance;
+        });
+    }
+
+  private:
+    /// What is wrong with the command line is said before minutes of work, not after.
+    void check() const {
+        if (!arguments_.picture.empty()) check_image_path(arguments_.picture);
+        for (const std::string& path : arguments_.charts) check_drawing_path(path);
+        if (!arguments_.json.empty()) const AtomicFile writable{arguments_.json};
+    }
+
+    void measure(const Subject& subject, Measurement& measurement) {
+        report_.subjects.push_back(measurement.run(
+            methods_, [&](std::size_t view, const Contestant& method, const ViewSamples& samples,
+                          const Camera& camera, const Oracle& oracle) {
+                if (arguments_.worst > 0) {
+                    progress_.clear();
+                    print_view_header();
+                    print_view(method.name + " " + subject.views[view].name, compare(samples));
+                    print_worst(oracle, samples, camera, arguments_.worst);
+                }
+                if (!arguments_.picture.empty()) {
+                    write_image(picture_path(subject, method.name, view),
+                                error_picture(samples, size_, arguments_.picture_scale));
+                }
+            }));
+    }
+
+    std::filesystem::path picture_path(const Subject& subject, const std::string& method,
+                                       std::size_t view) const {
+        std::filesystem::path path = arguments_.picture;
+        std::string stem = path.stem().string();
+        if (subjects_.size() > 1) stem += "-" + subject.name;
+        if (methods_.size() > 1) stem += "-" + method;
+        if (subject.views.size() > 1) stem += fmt::format("-{}", view);
+        return path.replace_filename(stem + path.extension().string());
+    }
+
+    void print_last() const {
+        if (arguments_.study) {
+            print_study(report_.study.back());
+        } else if (arguments_.check_oracle) {
+            const OracleReport& oracle = report_.oracle.back();
+            fmt::print("{}: mean alpha* {:.6f}, with twice the rays {:.6f}: {:+.6f}{}\n",
+                       oracle.name, oracle.once, oracle.twice, oracle.twice - oracle.once,
+                       std::abs(oracle.twice - oracle.once) < oracle_tolerance
+                           ? ""
+                           : ", more than may be");
+        } else {
+            print_table(report_.subjects.back(), arguments_.kinds);
+        }
+        std::fflush(stdout);
+    }
+
+    void finish() {
+        if (report_.subjects.size() > 1) {
+            print_table(total_of(report_.subjects), arguments_.kinds);
+        }
+        if (report_.study.size() > 1) {
+            report_.study.push_back(total_of(report_.study));
+            print_study(report_.study.back());
+        }
+        if (!arguments_.json.empty()) {
+            const std::string text = json_text(report_);
+            AtomicFile{arguments_.json}.commit(
+                {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+        }
+        for (const std::string& path : arguments_.charts) {
+            write_drawing(path, study_chart(report_.study));
+        }
+    }
+
+    const Arguments& arguments_;
+    glm::ivec2 size_;
+    std::vector<Contestant> methods_;
+    std::vector<std::function<Subject()>> subjects_;
+    Progress progress_;
+    Report report_;
 };
-
-struct Subject {
-    std::string name;
-    LineSet lines;
-    std::vector<NamedView> views;
-};
-
-void add_distances(const Arguments& a, const std::string& name, const View& view,
-                   std::vector<NamedView>& views) {
-    for (const float factor : a.distances) {
-        NamedView moved{name, view};
-        if (factor != 1) {
-            moved.name += fmt::format(" x{:g}", factor);
-            moved.view.eye = view.target + (view.eye - view.target) * factor;
-            moved.view.near = moved.view.far = 0;
-        }
-        views.push_back(moved);
-    }
-}
-
-Subject load_subject(const Arguments& a) {
-    if (a.scene.empty() == a.model.empty()) {
-        throw UsageError("name either a --scene or a --model");
-    }
-    if (!a.model.empty()) {
-        Subject subject{a.model, extract_lines(load_mesh(a.model).mesh), {}};
-        const glm::vec3 up = a.up == "z" ? glm::vec3{0, 0, 1} : glm::vec3{0, 1, 0};
-        const View view = frame_points(subject.lines.vertices, {a.size[0], a.size[1]}, up);
-        add_distances(a, "framed", view, subject.views);
-        return subject;
-    }
-    const Scene scene = make_scene(a.scene);
-    Subject subject{a.scene, extract_lines(scene.mesh), {}};
-    std::vector<float> positions = a.at;
-    for (int i = 0; i < a.frames; ++i) {
-        positions.push_back(static_cast<float>(i) / static_cast<float>(a.frames));
-    }
-    if (positions.empty()) positions.push_back(0);
-    for (const float t : positions) {
-        add_distances(a, fmt::format("at {:.3f}", t), scene.view(t), subject.views);
-    }
-    return subject;
-}
-
-std::filesystem::path picture_path(const Arguments& a, std::size_t index, std::size_t count) {
-    std::filesystem::path path = a.picture;
-    if (count == 1) return path;
-    const std::string stem = path.stem().string();
-    return path.replace_filename(fmt::format("{}-{}{}", stem, index, path.extension().string()));
-}
-
-void measure(const Arguments& a) {
-    const FrameOptions options = frame_options(a);
-    if (!a.picture.empty()) check_image_path(a.picture);
-    const Subject subject = load_subject(a);
-    const glm::ivec2 size{a.size[0], a.size[1]};
-
-    const gl::HeadlessContext context;
-    gl::Canvas canvas{size};
-    Renderer renderer{a.device};
-    renderer.set_lines(subject.lines);
-    const Oracle oracle{subject.lines};
-
-    fmt::print("{}: {} triangles, {} segments; {} probes, {}x depth\n", subject.name,
-               subject.lines.triangles.size(), subject.lines.segments.size(), options.probes,
-               options.depth_scale);
-    print_header();
-    std::vector<ViewReport> reports;
-    KindFigures total;
-    for (std::size_t i = 0; i < subject.views.size(); ++i) {
-        const Camera camera = make_camera(subject.views[i].view, size, subject.lines.bounds);
-        canvas.clear(glm::vec4{1});
-        renderer.draw(camera, options, canvas.framebuffer());
-        const Renderer::Samples samples = renderer.read_samples();
-        const ClippedLines clipped = clip_lines(subject.lines, camera, options.step, options.lines);
-        if (clipped.offsets != samples.offsets) {
-            throw DeviceError("the renderer's samples are not those of the reference");
-        }
-        const auto start = std::chrono::steady_clock::now();
-        const std::vector<float> truth =
-            a.no_cache ? oracle.visibility(clipped, camera, a.truth)
-                       : cached_visibility(oracle, clipped, camera, a.truth, truth_cache_folder());
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        if (a.no_cache) {
-            const double rays = static_cast<double>(truth.size()) * a.truth.rays;
-            fmt::print("truth: {:.2f} s, {:.1f} million rays/s\n", elapsed.count(),
-                       rays / elapsed.count() * 1e-6);
-        }
-
-        const ViewSamples view{subject.lines, clipped, samples.alpha, truth};
-        reports.push_back({subject.views[i].name, compare(view)});
-        total.add(reports.back().figures);
-        print_figures(reports.back().name, reports.back().figures);
-        print_worst(oracle, view, camera, a.worst);
-        if (!a.picture.empty()) {
-            write_image(picture_path(a, i, subject.views.size()),
-                        error_picture(view, size, a.picture_scale));
-        }
-    }
-    if (reports.size() > 1) print_figures("total", total);
-    if (!a.json.empty()) write_json(a.json, subject.name, reports, total);
-}
 
 } // namespace
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures line visibility against ray casting", "lineatlas-bench-quality"};
+    CLI::App app{"Measures the line visibility of all methods against ray casting",
+                 "lineatlas-bench-quality"};
     lineatlas::bench::Arguments arguments;
     lineatlas::bench::set_up(app, arguments);
     try {
         app.parse(argc, argv);
-        lineatlas::bench::measure(arguments);
+        if (!lineatlas::bench::Bench{arguments}.run()) return 1;
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     } catch (const lineatlas::UsageError& error) {

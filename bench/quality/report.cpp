@@ -1,64 +1,191 @@
 #include "report.hpp"
 
-#include <fstream>
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
 namespace {
 
-void print_row(const std::string& name, const Figures& f) {
-    fmt::print("{:<22}{:>9}{:>9.4f}{:>8}{:>9.3f}{:>9.3f}{:>9.3f}\n", name, f.samples,
-               f.mean_error(), f.wrong(), 100 * f.share(f.wrong()), 100 * f.share(f.false_visible),
+using Json = nlohmann::ordered_json;
+
+std::string text(const std::optional<double>& value) {
+    return value ? fmt::format("{:.4f}", *value) : "-";
+}
+
+void print_columns(std::string_view first, bool motion) {
+    fmt::print("  {:<14}{:>10}{:>10}{:>9}{:>9}{:>9}", first, "samples", "error", "wrong %",
+               "f.vis %", "f.hid %");
+    fmt::print("{}\n", motion ? "   sparkle crawl px" : "");
+}
+
+void print_row(const std::string& name, const Figures& f, const MotionFigures* motion) {
+    fmt::print("  {:<14}{:>10}{:>10.4f}{:>9.3f}{:>9.3f}{:>9.3f}", name, f.samples, f.mean_error(),
+               100 * f.share(f.wrong()), 100 * f.share(f.false_visible),
                100 * f.share(f.false_hidden));
+    if (motion != nullptr) {
+        fmt::print("{:>10}{:>9}", text(motion->sparkle()), text(motion->crawl()));
+    }
+    fmt::print("\n");
 }
 
-std::string json(const Figures& f) {
-    return fmt::format(R"({{"samples": {}, "mean_error": {:.6f}, "wrong": {:.6f}, )"
-                       R"("false_visible": {:.6f}, "false_hidden": {:.6f}}})",
-                       f.samples, f.mean_error(), f.share(f.wrong()), f.share(f.false_visible),
-                       f.share(f.false_hidden));
-}
-
-std::string json(const KindFigures& figures) {
-    std::string result = "{\"all\": " + json(figures.all);
+void print_kinds(const KindFigures& figures, const KindMotion* motion) {
     for (std::size_t i = 0; i < figures.kinds.size(); ++i) {
         if (figures.kinds[i].samples == 0) continue;
-        result += fmt::format(", \"{}\": {}", line_kind_names[i], json(figures.kinds[i]));
+        print_row("  " + std::string{line_kind_names[i]}, figures.kinds[i],
+                  motion != nullptr ? &motion->kinds[i] : nullptr);
     }
-    return result + "}";
 }
 
-std::string json_string(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            result += '\\';
-            result += c;
-        } else if (static_cast<unsigned char>(c) < 0x20) {
-            result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        } else {
-            result += c;
-        }
+const MethodReport* find(const SubjectReport& report, std::string_view method) {
+    const auto found = std::ranges::find(report.methods, method, &MethodReport::name);
+    return found == report.methods.end() ? nullptr : &*found;
+}
+
+/// What the high quality of the segment atlas is worth beside another method.
+void print_ratio(const SubjectReport& report, std::string_view other) {
+    const MethodReport* ours = find(report, "SAhi");
+    const MethodReport* theirs = find(report, other);
+    if (ours == nullptr || theirs == nullptr) return;
+    const double error = theirs->errors.all.mean_error();
+    fmt::print("  SAhi to {}: mean error {:.2f}", other,
+               error > 0 ? ours->errors.all.mean_error() / error : 0);
+    const auto sparkle = theirs->motion.all.sparkle();
+    if (sparkle && *sparkle > 0 && ours->motion.all.sparkle()) {
+        fmt::print(", sparkle {:.2f}", *ours->motion.all.sparkle() / *sparkle);
     }
-    return result + "\"";
+    fmt::print("\n");
+}
+
+/// More digits say nothing.
+double rounded(double value) {
+    return std::round(value * 1e7) / 1e7;
+}
+
+Json json(const std::optional<double>& value) {
+    return value ? Json(rounded(*value)) : Json(nullptr);
+}
+
+Json json(const Figures& f) {
+    return Json{{"samples", f.samples},
+                {"mean_error", rounded(f.mean_error())},
+                {"wrong", rounded(f.share(f.wrong()))},
+                {"false_visible", rounded(f.share(f.false_visible))},
+                {"false_hidden", rounded(f.share(f.false_hidden))}};
+}
+
+Json json(const Figures& errors, const MotionFigures& motion) {
+    Json result = json(errors);
+    result["sparkle"] = json(motion.sparkle());
+    result["crawl"] = json(motion.crawl());
+    result["sparkle_points"] = motion.points;
+    result["crawl_points"] = motion.stroke_points;
+    return result;
+}
+
+Json json(const MethodReport& method) {
+    Json result = json(method.errors.all, method.motion.all);
+    result["kinds"] = Json::object();
+    for (std::size_t i = 0; i < method.errors.kinds.size(); ++i) {
+        const Figures& errors = method.errors.kinds[i];
+        if (errors.samples == 0) continue;
+        result["kinds"][std::string{line_kind_names[i]}] = json(errors, method.motion.kinds[i]);
+    }
+    return result;
+}
+
+Json json(const SubjectReport& subject) {
+    Json methods = Json::object();
+    for (const MethodReport& method : subject.methods) methods[method.name] = json(method);
+    return Json{{"triangles", subject.triangles},
+                {"segments", subject.segments},
+                {"views", subject.views},
+                {"typical_motion", rounded(subject.typical_motion)},
+                {"methods", methods}};
+}
+
+Json json(const StudyReport& study) {
+    Json points = Json::array();
+    for (const StudyPoint& point : study.points) {
+        Json entry{{"probes", point.probes}, {"depth_scale", point.depth_scale}};
+        entry.update(json(point.errors, point.motion));
+        points.push_back(entry);
+    }
+    return points;
 }
 
 } // namespace
 
-void print_header() {
-    fmt::print("{:<22}{:>9}{:>9}{:>8}{:>9}{:>9}{:>9}\n", "view", "samples", "error", "wrong",
-               "wrong %", "f.vis %", "f.hid %");
+void MethodReport::add(const MethodReport& other) {
+    errors.add(other.errors);
+    motion.add(other.motion);
 }
 
-void print_figures(const std::string& name, const KindFigures& figures) {
-    print_row(name, figures.all);
-    for (std::size_t i = 0; i < figures.kinds.size(); ++i) {
-        if (figures.kinds[i].samples == 0) continue;
-        print_row("  " + std::string{line_kind_names[i]}, figures.kinds[i]);
+SubjectReport total_of(const std::vector<SubjectReport>& subjects) {
+    SubjectReport total;
+    total.name = "total";
+    for (const SubjectReport& subject : subjects) {
+        total.triangles += subject.triangles;
+        total.segments += subject.segments;
+        total.views += subject.views;
+        total.methods.resize(subject.methods.size());
+        for (std::size_t i = 0; i < subject.methods.size(); ++i) {
+            total.methods[i].name = subject.methods[i].name;
+            total.methods[i].add(subject.methods[i]);
+        }
     }
+    return total;
+}
+
+StudyReport total_of(const std::vector<StudyReport>& study) {
+    StudyReport total{"total", {}};
+    for (const StudyReport& one : study) {
+        if (total.points.empty()) {
+            total.points = one.points;
+            continue;
+        }
+        for (std::size_t i = 0; i < one.points.size(); ++i) {
+            total.points[i].errors.add(one.points[i].errors);
+            total.points[i].motion.add(one.points[i].motion);
+        }
+    }
+    return total;
+}
+
+void print_table(const SubjectReport& report, bool kinds) {
+    fmt::print("{}: {} triangles, {} segments, {} views", report.name, report.triangles,
+               report.segments, report.views);
+    if (report.typical_motion > 0) fmt::print(", moving {:.2f} px a frame", report.typical_motion);
+    fmt::print("\n");
+    print_columns("method", true);
+    for (const MethodReport& method : report.methods) {
+        print_row(method.name, method.errors.all, &method.motion.all);
+        if (kinds) print_kinds(method.errors, &method.motion);
+    }
+    for (const std::string_view other : {"IBlo", "IBhi", "SAlo"}) print_ratio(report, other);
+    fmt::print("\n");
+}
+
+void print_study(const StudyReport& report) {
+    fmt::print("{}: SA\n", report.name);
+    print_columns("probes, depth", true);
+    for (const StudyPoint& point : report.points) {
+        print_row(fmt::format("{:>6},{:>5}x", point.probes, point.depth_scale), point.errors,
+                  &point.motion);
+    }
+    fmt::print("\n");
+}
+
+void print_view_header() {
+    print_columns("view", false);
+}
+void print_view(const std::string& name, const KindFigures& figures) {
+    print_row(name, figures.all, nullptr);
+    print_kinds(figures, nullptr);
 }
 
 void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& camera,
@@ -87,17 +214,25 @@ void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& ca
     }
 }
 
-void write_json(const std::filesystem::path& path, const std::string& subject,
-                const std::vector<ViewReport>& views, const KindFigures& total) {
-    std::ofstream file{path};
-    file << "{\"subject\": " << json_string(subject) << ",\n \"views\": [";
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        file << (i == 0 ? "\n" : ",\n") << "  {\"view\": " << json_string(views[i].name)
-             << ", \"figures\": " << json(views[i].figures) << "}";
+std::string json_text(const Report& report) {
+    const Settings& settings = report.settings;
+    Json json_report{{"size", {settings.size.x, settings.size.y}},
+                     {"step", settings.step},
+                     {"rays", settings.rays},
+                     {"neighbourhood", settings.neighbourhood},
+                     {"burst", settings.burst},
+                     {"scenes", Json::object()}};
+    for (const SubjectReport& subject : report.subjects) {
+        json_report["scenes"][subject.name] = json(subject);
     }
-    file << "],\n \"total\": " << json(total) << "}\n";
-    file.close();
-    if (!file) throw FileError("cannot write \"" + path.string() + "\"");
+    if (!report.subjects.empty()) json_report["total"] = json(total_of(report.subjects));
+    for (const OracleReport& oracle : report.oracle) {
+        json_report["oracle"][oracle.name] = {{"mean_alpha", rounded(oracle.once)},
+                                              {"mean_alpha_twice", rounded(oracle.twice)}};
+    }
+    for (const StudyReport& study : report.study) json_report["study"][study.name] = json(study);
+    // File names need not be UTF-8, JSON must be.
+    return json_report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace lineatlas::bench

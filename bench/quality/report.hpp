@@ -5,25 +5,75 @@
 #include <vector>
 
 #include "compare.hpp"
+#include "motion.hpp"
 
 // What `lineatlas-bench-quality` says: tables for people, JSON for programs.
 namespace lineatlas::bench {
 
-/// One measured view.
-struct ViewReport {
-    std::string name; ///< e.g. "at 0.250"
-    KindFigures figures;
+struct MethodReport {
+    std::string name; ///< e.g. "SAhi"
+    KindFigures errors;
+    KindMotion motion;
+
+    void add(const MethodReport& other);
 };
 
-void print_header();
-/// A row for all samples, and one for each kind that has any.
-void print_figures(const std::string& name, const KindFigures& figures);
+struct SubjectReport {
+    std::string name; ///< a scene, or a model's file name
+    std::size_t triangles = 0, segments = 0, views = 0;
+    double typical_motion = 0; ///< median of visible points, from frame to frame, pixels
+    std::vector<MethodReport> methods;
+};
+
+/// Mean alpha* with the usual number of rays, and with twice as many.
+struct OracleReport {
+    std::string name;
+    double once = 0, twice = 0;
+};
+
+/// SA at some number of probes and depth scale (Fig. 6).
+struct StudyPoint {
+    std::uint32_t probes;
+    int depth_scale;
+    Figures errors;
+    MotionFigures motion;
+};
+
+struct StudyReport {
+    std::string name;
+    std::vector<StudyPoint> points;
+};
+
+/// How it was measured.
+struct Settings {
+    glm::ivec2 size;
+    float step;
+    std::uint32_t rays;
+    float neighbourhood;
+    std::size_t burst; ///< frames per view
+};
+
+struct Report {
+    Settings settings;
+    std::vector<SubjectReport> subjects;
+    std::vector<OracleReport> oracle;
+    std::vector<StudyReport> study;
+};
+
+/// All samples of all subjects, under the name "total".
+SubjectReport total_of(const std::vector<SubjectReport>& subjects);
+StudyReport total_of(const std::vector<StudyReport>& study);
+
+/// A row per method; with `kinds`, also one per line kind.
+void print_table(const SubjectReport& report, bool kinds);
+void print_study(const StudyReport& report);
+/// One view's figures of a method.
+void print_view_header();
+void print_view(const std::string& name, const KindFigures& figures);
 /// The segments that went wrong the most, with what may have caused it.
 void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& camera,
                  std::size_t count);
 
-/// Throws FileError.
-void write_json(const std::filesystem::path& path, const std::string& subject,
-                const std::vector<ViewReport>& views, const KindFigures& total);
+std::string json_text(const Report& report);
 
 } // namespace lineatlas::bench

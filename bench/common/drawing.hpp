@@ -27,10 +27,18 @@ struct Label {
     Rgb color{32, 32, 32};
 };
 
-/// Boxes, and labels above them, on white: all that a bar chart needs.
+/// A line through points.
+struct Curve {
+    std::vector<glm::vec2> points;
+    float width;
+    Rgb color;
+};
+
+/// Boxes, curves above them and labels above those, on white: all that a chart needs.
 struct Drawing {
     glm::vec2 size{0};
     std::vector<Box> boxes;
+    std::vector<Curve> curves;
     std::vector<Label> labels;
 };
 

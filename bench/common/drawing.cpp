@@ -9,6 +9,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/core.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <pugixml.hpp>
 
 #include "io/atomic_file.hpp"
@@ -63,6 +64,18 @@ std::string svg_text(const Drawing& drawing) {
     };
     add_box({glm::vec2{0}, drawing.size, Rgb{255}});
     for (const Box& box : drawing.boxes) add_box(box);
+    for (const Curve& curve : drawing.curves) {
+        std::string points;
+        for (const glm::vec2 point : curve.points) {
+            points += fmt::format("{}{:.2f},{:.2f}", points.empty() ? "" : " ", point.x, point.y);
+        }
+        pugi::xml_node line = svg.append_child("polyline");
+        add(line, "points", points);
+        add(line, "fill", std::string{"none"});
+        add(line, "stroke", hex(curve.color));
+        add(line, "stroke-width", curve.width);
+        add(line, "stroke-linejoin", std::string{"round"});
+    }
     for (const Label& label : drawing.labels) {
         pugi::xml_node text = svg.append_child("text");
         add(text, "x", label.at.x);
@@ -83,6 +96,34 @@ std::array<float, channels> floats(Rgb c) {
             static_cast<float>(c.z) / 255};
 }
 
+float distance_to(glm::vec2 point, glm::vec2 a, glm::vec2 b) {
+    const glm::vec2 way = b - a;
+    const float squared = glm::dot(way, way);
+    const float u = squared > 0 ? glm::clamp(glm::dot(point - a, way) / squared, 0.0F, 1.0F) : 0;
+    return glm::distance(point, a + way * u);
+}
+
+/// Antialiased; OpenImageIO only draws lines one pixel wide.
+void add_curve(const Curve& curve, OIIO::ImageBuf& buffer) {
+    const float reach = 0.5F * curve.width * png_scale;
+    const auto color = floats(curve.color);
+    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+        const glm::vec2 a = curve.points[i] * png_scale;
+        const glm::vec2 b = curve.points[i + 1] * png_scale;
+        const glm::ivec2 low{glm::floor(glm::min(a, b) - reach - 1.0F)};
+        const glm::ivec2 high{glm::ceil(glm::max(a, b) + reach + 1.0F)};
+        for (OIIO::ImageBuf::Iterator<unsigned char, float> pixel(
+                 buffer, OIIO::ROI{low.x, high.x, low.y, high.y});
+             !pixel.done(); ++pixel) {
+            if (!pixel.exists()) continue;
+            const glm::vec2 centre = glm::vec2{pixel.x(), pixel.y()} + 0.5F;
+            const float covered = glm::clamp(reach + 0.5F - distance_to(centre, a, b), 0.0F, 1.0F);
+            for (int c = 0; c < channels; ++c)
+                pixel[c] = glm::mix(float(pixel[c]), color[c], covered);
+        }
+    }
+}
+
 Image picture(const Drawing& drawing) {
     namespace oiio = OIIO;
     const glm::ivec2 size{glm::round(drawing.size * png_scale)};
@@ -95,6 +136,7 @@ Image picture(const Drawing& drawing) {
         oiio::ImageBufAlgo::fill(buffer, floats(box.color),
                                  oiio::ROI{first.x, end.x, first.y, end.y});
     }
+    for (const Curve& curve : drawing.curves) add_curve(curve, buffer);
     for (const Label& label : drawing.labels) {
         const glm::ivec2 at{glm::round(label.at * png_scale)};
         const auto align = label.anchor == Anchor::end ? oiio::ImageBufAlgo::TextAlignX::Right

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "lineatlas/renderer.hpp"
+
+namespace lineatlas::bench {
+
+/// A method of Table 1 at one of its two qualities.
+struct MethodSpec {
+    std::string_view name;
+    Method method;
+    std::uint32_t probes;
+    int depth_scale;
+    bool silhouettes; ///< finds silhouettes itself; the others are left out of the "+s" rows
+};
+
+/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi.
+std::span<const MethodSpec> method_specs();
+
+/// Throws UsageError for an unknown name.
+const MethodSpec& method_spec(std::string_view name);
+
+} // namespace lineatlas::bench

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "clipped_lines.hpp"
+#include "segment_table.h"
+
+// What moves that should not, between consecutive frames of a slow camera move.
+namespace lineatlas::bench {
+
+/// A point of a line in two frames: the centre of a sample in the later one, and the same point of
+/// the model in the earlier one.
+struct Match {
+    std::uint32_t segment;
+    std::uint32_t sample; ///< of the segment, in the later frame
+    float before;         ///< place in the earlier frame, counted in samples of the segment
+};
+
+/// Points that move faster than this from frame to frame are left out: the camera is slow.
+inline constexpr double fastest_pixels = 1;
+
+/// All points that both frames have samples for.
+std::vector<Match> match_points(const ClippedLines& now, const ClippedLines& before,
+                                glm::ivec2 viewport);
+
+/// Where strokes are drawn and with which texture coordinate.
+class StrokeArcs {
+  public:
+    StrokeArcs(std::span<const Run> runs, std::size_t segment_count);
+
+    /// The texture coordinate in pixels at a place counted in samples of the segment, or nothing
+    /// where no stroke is drawn.
+    std::optional<double> at(std::uint32_t segment, double position) const;
+
+  private:
+    std::vector<Run> runs_; ///< by segment, then along it
+    std::vector<std::uint32_t> first_;
+};
+
+/// The runs of the spine test: its texture has its zero in the middle of every segment (§3.1). Only
+/// what StrokeArcs reads is set.
+std::vector<Run> spine_runs(const ClippedLines& lines, std::span<const std::uint8_t> alpha,
+                            glm::ivec2 viewport);
+
+/// What a method says of one frame, and what is true. Spans are in sample order.
+struct FrameView {
+    const ClippedLines& clipped;
+    std::span<const std::uint8_t> alpha; ///< 0 to 255
+    std::span<const float> truth;        ///< 0 to 1
+    const StrokeArcs& arcs;
+};
+
+struct MotionFigures {
+    std::uint64_t points = 0;
+    double sparkle_sum = 0;          ///< of |change of alpha - change of alpha*|
+    std::uint64_t stroke_points = 0; ///< points of strokes in both frames
+    double crawl_sum = 0;            ///< of |change of the texture coordinate|, pixels
+
+    void add(const MotionFigures& other);
+    std::optional<double> sparkle() const;
+    std::optional<double> crawl() const;
+};
+
+/// Figures in total and per line kind.
+struct KindMotion {
+    MotionFigures all;
+    std::array<MotionFigures, LA_KIND_COUNT> kinds;
+
+    void add(const KindMotion& other);
+};
+
+/// Alpha and alpha* of the earlier frame are interpolated between sample centres, as strokes do.
+KindMotion compare_frames(const LineSet& lines, std::span<const Match> matches,
+                          const FrameView& now, const FrameView& before);
+
+} // namespace lineatlas::bench

@@ -1,0 +1,100 @@
+// The whole program on a scene: its figures are good, and bad when visibility is.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream{path}.rdbuf();
+    return text.str();
+}
+
+class QualityProgram : public testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    nlohmann::json measure(const std::string& environment, const std::string& arguments) const {
+        const fs::path json = folder_ / "figures.json";
+        const std::string command = "XDG_CACHE_HOME=" + folder_.string() + " " + environment + " " +
+                                    LINEATLAS_BENCH_QUALITY + " --scene clevis --json " +
+                                    json.string() + " " + arguments + " >/dev/null 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << command;
+        return nlohmann::json::parse(content(json));
+    }
+
+    /// A copy of a folder of sources in which one text is replaced, wherever it stands.
+    fs::path with_planted(const std::string& name, const std::string& from,
+                          const std::string& to) const {
+        fs::create_directories(folder_ / name);
+        int planted = 0;
+        for (const auto& entry : fs::directory_iterator{fs::path{LINEATLAS_SOURCE_DIR} / name}) {
+            std::string text = content(entry.path());
+            if (const auto at = text.find(from); at != std::string::npos) {
+                text.replace(at, from.size(), to);
+                ++planted;
+            }
+            std::ofstream{folder_ / name / entry.path().filename()} << text;
+        }
+        EXPECT_EQ(planted, 1) << from;
+        return folder_ / name;
+    }
+
+    fs::path folder_ =
+        fs::path{testing::TempDir()} / ("lineatlas-quality-" + std::to_string(getpid()));
+};
+
+TEST_F(QualityProgram, MeasuresEveryMethod) {
+    const nlohmann::json methods = measure("", "--at 0.3")["scenes"]["clevis"]["methods"];
+    for (const char* name : {"IBlo", "IBhi", "STlo", "SThi", "SAlo", "SAhi"}) {
+        ASSERT_TRUE(methods.contains(name)) << name;
+        for (const char* figure :
+             {"mean_error", "wrong", "false_visible", "false_hidden", "sparkle", "crawl"}) {
+            EXPECT_TRUE(methods[name].at(figure).is_number()) << name << ", " << figure;
+        }
+        EXPECT_LT(methods[name]["mean_error"], 0.05) << name;
+    }
+    EXPECT_LT(methods["SAhi"]["mean_error"], 0.5 * methods["IBlo"]["mean_error"].get<double>());
+}
+
+TEST_F(QualityProgram, FindsAPlantedTolerance) {
+    // With all of the depth range as tolerance nothing is ever hidden.
+    const fs::path kernels = with_planted("kernels", "#define LA_DEPTH_ROUNDING 2.4e-7f",
+                                          "#define LA_DEPTH_ROUNDING 1.0f");
+    const fs::path shaders = with_planted("shaders", "const float depth_rounding = 2.4e-7;",
+                                          "const float depth_rounding = 1.0;");
+    const std::string arguments = "--at 0.3 --burst 1 --methods SAhi,SThi";
+    const nlohmann::json good = measure("", arguments);
+    const nlohmann::json bad = measure("LINEATLAS_KERNEL_DIR=" + kernels.string() +
+                                           " LINEATLAS_SHADER_DIR=" + shaders.string(),
+                                       arguments);
+    for (const char* name : {"SAhi", "SThi"}) {
+        EXPECT_LT(good["scenes"]["clevis"]["methods"][name]["wrong"], 0.003) << name;
+        EXPECT_GT(bad["scenes"]["clevis"]["methods"][name]["false_visible"], 0.1) << name;
+        EXPECT_EQ(bad["scenes"]["clevis"]["methods"][name]["false_hidden"], 0) << name;
+    }
+}
+
+TEST_F(QualityProgram, OracleHardlyHangsOnItsRays) {
+    const nlohmann::json oracle = measure("", "--at 0.3 --check-oracle")["oracle"]["clevis"];
+    EXPECT_NEAR(oracle["mean_alpha"], oracle["mean_alpha_twice"], 0.002);
+}
+
+TEST_F(QualityProgram, StudyCoversEverySetting) {
+    const nlohmann::json study = measure("", "--at 0.3 --study")["study"]["clevis"];
+    ASSERT_EQ(study.size(), 16U);
+    EXPECT_LT(study.back()["mean_error"], study.front()["mean_error"]);
+}
+
+} // namespace

@@ -1,0 +1,72 @@
+#include "spine_sampler.hpp"
+
+#include <algorithm>
+
+#include "motion.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+template <class T>
+gl::Buffer upload(const std::vector<T>& values) {
+    gl::Buffer buffer = gl::Buffer::create();
+    glNamedBufferStorage(
+        buffer.id(), static_cast<GLsizeiptr>(std::max<std::size_t>(1, values.size()) * sizeof(T)),
+        values.empty() ? nullptr : values.data(), 0);
+    return buffer;
+}
+
+AtlasLayout layout_for(const ClippedLines& lines) {
+    std::uint32_t longest = 1;
+    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
+        longest = std::max(longest, lines.samples(i));
+    }
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    return make_atlas_layout(AtlasLayoutKind::wrap, longest, static_cast<std::uint32_t>(largest));
+}
+
+} // namespace
+
+SpineSampler::SpineSampler(const LineSet& lines)
+    : connection_(interop::connect({.reference = true, .device = {}, .mode = std::nullopt})),
+      scene_(*connection_.backend, lines), depth_(connection_) {
+    depth_.set_scene(scene_);
+}
+
+Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& camera,
+                                       const FrameOptions& options) {
+    Frame frame{.camera = camera,
+                .options = options,
+                .scene = scene_,
+                .framebuffer = 0,
+                .pen = {0},
+                .clock = {*connection_.backend, false}};
+    check_depth_size(frame);
+    depth_.draw_texture(frame);
+
+    const std::uint32_t samples = lines.offsets.back();
+    const AtlasLayout layout = layout_for(lines);
+    std::vector<std::uint8_t> texels(layout.texels(samples));
+    const gl::Buffer clipped = upload(lines.clipped);
+    const gl::Buffer offsets = upload(lines.offsets);
+    const gl::Buffer alpha = upload(texels);
+    pass_.program().set("probe_step", options.step);
+    pass_.draw(
+        {.clipped = clipped.id(), .offsets = offsets.id(), .segment_count = scene_.segment_count()},
+        frame.probe_params(depth_.pass().texture()), layout, samples, alpha.id());
+    glGetNamedBufferSubData(alpha.id(), 0, static_cast<GLsizeiptr>(texels.size()), texels.data());
+
+    Renderer::Samples result;
+    result.offsets = lines.offsets;
+    result.alpha.reserve(samples);
+    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
+        if (lines.samples(i) == 0) continue;
+        const auto first = texels.begin() + layout.address(lines.offsets[i]);
+        result.alpha.insert(result.alpha.end(), first, first + lines.samples(i));
+    }
+    result.runs = spine_runs(lines, result.alpha, camera.size);
+    return result;
+}
+
+} // namespace lineatlas::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+// What quality is measured on.
+namespace lineatlas::bench {
+
+/// A place on a camera path.
+struct PathView {
+    std::string name;
+    double at;                        ///< along the path, 0 to 1
+    std::function<View(double)> path; ///< a model's path is a turntable
+
+    View view() const { return path(at); }
+};
+
+struct Subject {
+    std::string name;
+    LineSet lines;
+    std::vector<PathView> views;
+};
+
+/// Where to look from.
+struct Places {
+    std::vector<double> at;          ///< along the path
+    std::vector<float> distances{1}; ///< times the eye's distance from its target
+};
+
+/// `count` places, evenly along the path.
+std::vector<double> even_places(int count);
+
+Subject scene_subject(const std::string& name, const Places& places);
+Subject model_subject(const std::filesystem::path& path, glm::vec3 up, glm::ivec2 size,
+                      const Places& places);
+
+} // namespace lineatlas::bench
