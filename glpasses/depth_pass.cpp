@@ -67,11 +67,19 @@ void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& c
     glDisable(GL_DEPTH_TEST);
 }
 
-void DepthPass::copy_to(GLuint buffer) const {
+void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
+    const glm::ivec2 size = part.size();
+    if (size.x <= 0 || size.y <= 0) return;
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTextureImage(texture_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                      static_cast<GLsizei>(size_.x * size_.y * sizeof(float)), nullptr);
+    glPixelStorei(GL_PACK_ROW_LENGTH, size_.x);
+    const std::size_t texels = std::size_t(size_.x) * size_.y;
+    const std::size_t first = std::size_t(part.low.y) * size_.x + part.low.x;
+    glGetTextureSubImage(texture_.id(), 0, part.low.x, part.low.y, 0, size.x, size.y, 1,
+                         GL_DEPTH_COMPONENT, GL_FLOAT,
+                         static_cast<GLsizei>((texels - first) * sizeof(float)),
+                         reinterpret_cast<void*>(first * sizeof(float)));
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/screen_bounds.hpp"
 #include "objects.hpp"
 #include "program.hpp"
 
@@ -38,8 +39,9 @@ class DepthPass {
     void draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
                      std::span<const TriangleRange> ranges);
 
-    /// Copies the depth of the last draw into a buffer: floats, rows from the lower left.
-    void copy_to(GLuint buffer) const;
+    /// Copies a rectangle of the depth of the last draw to its place in a buffer for all of it:
+    /// floats, rows from the lower left.
+    void copy_to(GLuint buffer, const TexelRectangle& part) const;
 
     GLuint texture() const { return texture_.id(); }
     glm::ivec2 size() const { return size_; }

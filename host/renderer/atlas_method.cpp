@@ -213,11 +213,16 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     handover_.to_compute(
         {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}, {*record_, 0}});
+    // The depth pyramid is what projection needs; without it, both go on at the same time.
+    if (!cull_hidden_) {
+        project(frame);
+        backend_.flush();
+    }
     if (reads_depth())
         depth_.draw_for_compute(frame);
     else if (frame.options.method != Method::item_buffer)
         depth_.draw_texture(frame);
-    project(frame);
+    if (cull_hidden_) project(frame);
     do {
         sample(frame);
         compact(frame);

@@ -1,6 +1,7 @@
 #include "depth_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lineatlas {
 namespace {
@@ -71,7 +72,13 @@ void DepthStage::take_back() {
 }
 
 void DepthStage::build_pyramid(Frame& frame) {
-    frame.clock("depth", [&] { pass_.copy_to(depth_->gl()); });
+    // Whole tiles with all that a probe may reach: beside them, what the buffer holds is never
+    // read.
+    const int reach =
+        static_cast<int>(std::ceil(LA_PROBE_REACH(static_cast<float>(frame.options.depth_scale))));
+    const TexelRectangle covered = screen_bounds(
+        frame.scene.bounds(), frame.camera.clip_from_world(), pass_.size(), reach + 1, LA_TILE);
+    frame.clock("depth", [&] { pass_.copy_to(depth_->gl(), covered); });
     frame.clock("handover", [&] {
         handover_.to_compute({{*depth_, area(pass_.size()) * sizeof(float)}, {*tiles_, 0}});
     });

@@ -37,7 +37,8 @@ class DepthStage {
 
   private:
     void prepare(const Frame& frame);
-    /// Copies the texture to the buffer, passes it on and builds the pyramid.
+    /// Copies what the model covers of the texture to the buffer, passes it on and builds the
+    /// pyramid.
     void build_pyramid(Frame& frame);
     /// Draws the clusters that `selected` names.
     void draw_clusters(Frame& frame, const std::vector<std::uint8_t>& selected);

@@ -44,7 +44,7 @@ std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
 SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
     : backend_(backend), vertices_(upload(backend, bytes_of(lines.vertices))),
       triangles_(upload(backend, bytes_of(lines.triangles))),
-      segments_(upload(backend, bytes_of(lines.segments))),
+      segments_(upload(backend, bytes_of(lines.segments))), bounds_(lines.bounds),
       gl_vertices_(upload_gl(bytes_of(lines.vertices))),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {

@@ -34,6 +34,7 @@ class SceneBuffers {
     /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up.
     std::span<const Cluster> clusters() const { return clusters_; }
     compute::Buffer& cluster_buffer() const { return *cluster_buffer_; }
+    const Bounds& bounds() const { return bounds_; }
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
     std::uint64_t mesh_bytes() const { return vertices_->size() + triangles_->size(); }
@@ -46,6 +47,7 @@ class SceneBuffers {
 
     compute::Backend& backend_;
     std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, cluster_buffer_;
+    Bounds bounds_;
     std::vector<Cluster> clusters_;
     gl::Buffer gl_vertices_, gl_indices_;
     // What only the methods besides the atlas need; made when first asked for.

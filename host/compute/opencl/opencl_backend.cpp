@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
 
 #include "core/sources.hpp"
 #include "lineatlas/error.hpp"
@@ -46,7 +47,10 @@ class Implementation final : public OpenClBackend {
   public:
     Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
                    const Tuning& tuning)
-        : device_(device), tuning_(tuning) {
+        : device_(device),
+          tuning_(tuning), atlas_{make_atlas_kernel(tuning, 1), make_atlas_kernel(tuning, 2),
+                                  make_atlas_kernel(tuning, 3), make_atlas_kernel(tuning, 4)},
+          scan_{ScanKernels{tuning, false}, ScanKernels{tuning, true}} {
         guarded("creating a context", [&] {
             std::vector<cl_context_properties> all{
                 CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform())};
@@ -55,7 +59,6 @@ class Implementation final : public OpenClBackend {
             context_ = cl::Context{device.device, all.data()};
             queue_ = cl::CommandQueue{context_, device.device};
         });
-        build_kernels();
     }
 
     std::string description() const override {
@@ -175,7 +178,7 @@ class Implementation final : public OpenClBackend {
 
     void atlas(const AtlasArgs& args) override {
         const std::uint32_t blocks = divide_up(args.capacity, tuning_.atlas_block);
-        launch(atlas_kernel(args.probes), blocks, tuning_.block_local_size, args.clipped.clipped,
+        launch(atlas_.at(args.probes - 1), blocks, tuning_.block_local_size, args.clipped.clipped,
                args.clipped.offsets, args.segment_count, args.depth, to_cl(args.depth_size),
                to_cl(args.viewport), args.depth_scale, args.tolerance, args.layout.width,
                args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
@@ -218,10 +221,6 @@ class Implementation final : public OpenClBackend {
     }
 
   private:
-    struct ScanKernels {
-        cl::Kernel chunks_reduce, chunks_apply, tiles_reduce, tiles_sums, tiles_apply;
-    };
-
     template <class Action>
     auto guarded(const std::string& doing, Action&& action) const -> decltype(action()) {
         try {
@@ -251,36 +250,32 @@ class Implementation final : public OpenClBackend {
         });
     }
 
-    void build_kernels() {
-        guarded("creating kernels", [&] {
-            pyramid_ = cl::Kernel{build("pyramid.cl"), "pyramid"};
-            cull_ = cl::Kernel{build("cull.cl"), "cull"};
-            facing_ = cl::Kernel{build("facing.cl"), "facing"};
-            project_clip_ = cl::Kernel{build("project_clip.cl"), "project_clip"};
-            const cl::Program compact = build("compact.cl");
-            compact_runs_count_ = cl::Kernel{compact, "compact_runs_count"};
-            compact_runs_write_ = cl::Kernel{compact, "compact_runs_write"};
-            compact_samples_count_ = cl::Kernel{compact, "compact_samples_count"};
-            compact_samples_write_ = cl::Kernel{compact, "compact_samples_write"};
-            for (int saturate = 0; saturate < 2; ++saturate) {
-                const cl::Program scan = build(
-                    "scan.cl", "-DSCAN_SATURATE=" + std::to_string(saturate) +
-                                   " -DSCAN_TILE=" + std::to_string(tuning_.scan_tile) +
-                                   " -DSCAN_PER_ITEM=" + std::to_string(tuning_.scan_per_item));
-                scan_[saturate] = {.chunks_reduce = cl::Kernel{scan, "scan_chunks_reduce"},
-                                   .chunks_apply = cl::Kernel{scan, "scan_chunks_apply"},
-                                   .tiles_reduce = cl::Kernel{scan, "scan_tiles_reduce"},
-                                   .tiles_sums = cl::Kernel{scan, "scan_tiles_sums"},
-                                   .tiles_apply = cl::Kernel{scan, "scan_tiles_apply"}};
-            }
-        });
+    /// A kernel of a program that is built when one of its kernels is first used: looking at a
+    /// source takes some drivers 20 ms even if they know it, and few frames need all of them.
+    struct LazyKernel {
+        const char* file;
+        const char* name;
+        std::string defines{};
+        cl::Kernel kernel{};
+    };
+
+    cl::Kernel& ready(LazyKernel& lazy) {
+        if (lazy.kernel() != nullptr) return lazy.kernel;
+        const std::string key = std::string{lazy.file} + ' ' + lazy.defines;
+        auto program = programs_.find(key);
+        if (program == programs_.end()) {
+            program = programs_.emplace(key, build(lazy.file, lazy.defines)).first;
+        }
+        guarded("creating a kernel", [&] { lazy.kernel = cl::Kernel{program->second, lazy.name}; });
+        return lazy.kernel;
     }
 
     /// Launches `items` work-items, rounded up to whole work-groups.
     template <class... Args>
-    void launch(cl::Kernel& kernel, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
+    void launch(LazyKernel& lazy, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
         if (items == 0) return;
-        guarded("launching " + kernel_name(kernel), [&] {
+        cl::Kernel& kernel = ready(lazy);
+        guarded(std::string{"launching "} + lazy.name, [&] {
             cl_uint index = 0;
             (kernel.setArg(index++, argument(args)), ...);
             const std::size_t global = std::size_t{divide_up(items, local_size)} * local_size;
@@ -289,24 +284,27 @@ class Implementation final : public OpenClBackend {
         });
     }
 
-    /// The kernel for a number of probes per axis, built when first used.
-    cl::Kernel& atlas_kernel(std::uint32_t probes_per_axis) {
-        cl::Kernel& kernel = atlas_.at(probes_per_axis - 1);
-        if (kernel() == nullptr) {
-            const std::uint32_t probes = probes_per_axis * probes_per_axis;
-            const int lanes = !tuning_.atlas_vectors || probes == 1 ? 1 : probes == 4 ? 4 : 16;
-            kernel = guarded("creating a kernel", [&] {
-                return cl::Kernel{
-                    build("atlas.cl", "-DPROBES_PER_AXIS=" + std::to_string(probes_per_axis) +
-                                          " -DPROBE_LANES=" + std::to_string(lanes)),
-                    "atlas"};
-            });
-        }
-        return kernel;
-    }
+    /// The kernels of one kind of sum.
+    struct ScanKernels {
+        ScanKernels(const Tuning& tuning, bool saturate)
+            : defines("-DSCAN_SATURATE=" + std::to_string(saturate ? 1 : 0) +
+                      " -DSCAN_TILE=" + std::to_string(tuning.scan_tile) +
+                      " -DSCAN_PER_ITEM=" + std::to_string(tuning.scan_per_item)) {}
 
-    static std::string kernel_name(const cl::Kernel& kernel) {
-        return kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
+        std::string defines;
+        LazyKernel chunks_reduce{"scan.cl", "scan_chunks_reduce", defines};
+        LazyKernel chunks_apply{"scan.cl", "scan_chunks_apply", defines};
+        LazyKernel tiles_reduce{"scan.cl", "scan_tiles_reduce", defines};
+        LazyKernel tiles_sums{"scan.cl", "scan_tiles_sums", defines};
+        LazyKernel tiles_apply{"scan.cl", "scan_tiles_apply", defines};
+    };
+
+    static LazyKernel make_atlas_kernel(const Tuning& tuning, std::uint32_t probes_per_axis) {
+        const std::uint32_t probes = probes_per_axis * probes_per_axis;
+        const int lanes = !tuning.atlas_vectors || probes == 1 ? 1 : probes == 4 ? 4 : 16;
+        return {"atlas.cl", "atlas",
+                "-DPROBES_PER_AXIS=" + std::to_string(probes_per_axis) +
+                    " -DPROBE_LANES=" + std::to_string(lanes)};
     }
 
     /// A buffer of the backend's own for at least `count` uint32, kept from call to call.
@@ -320,10 +318,16 @@ class Implementation final : public OpenClBackend {
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    cl::Kernel pyramid_, cull_, facing_, project_clip_;
-    std::array<cl::Kernel, 4> atlas_; ///< by probes per axis, from 1
-    cl::Kernel compact_runs_count_, compact_runs_write_;
-    cl::Kernel compact_samples_count_, compact_samples_write_;
+    std::map<std::string, cl::Program> programs_; ///< by file and defines
+    LazyKernel pyramid_{"pyramid.cl", "pyramid"};
+    LazyKernel cull_{"cull.cl", "cull"};
+    LazyKernel facing_{"facing.cl", "facing"};
+    LazyKernel project_clip_{"project_clip.cl", "project_clip"};
+    std::array<LazyKernel, 4> atlas_; ///< by probes per axis, from 1
+    LazyKernel compact_runs_count_{"compact.cl", "compact_runs_count"};
+    LazyKernel compact_runs_write_{"compact.cl", "compact_runs_write"};
+    LazyKernel compact_samples_count_{"compact.cl", "compact_samples_count"};
+    LazyKernel compact_samples_write_{"compact.cl", "compact_samples_write"};
     ScanKernels scan_[2];
     std::unique_ptr<Buffer> scan_sums_;
     std::unique_ptr<Buffer> block_counts_;

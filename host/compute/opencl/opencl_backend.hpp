@@ -27,8 +27,8 @@ class OpenClBackend : public Backend {
 };
 
 /// A backend on `device`. `context_properties`, if not empty, ties the context to a GL context:
-/// pairs of name and value without the closing 0. Throws DeviceError when the driver refuses or a
-/// kernel doesn't build; the message then holds the whole build log.
+/// pairs of name and value without the closing 0. Throws DeviceError when the driver refuses. A
+/// kernel is built when first used; if it doesn't build, the message holds the whole build log.
 std::unique_ptr<OpenClBackend>
 make_opencl_backend(const OpenClDevice& device,
                     std::span<const cl_context_properties> context_properties = {});

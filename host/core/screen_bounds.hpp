@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// Texels from `low` up to, without, `high`.
+struct TexelRectangle {
+    glm::ivec2 low{0, 0}, high{0, 0};
+
+    glm::ivec2 size() const { return high - low; }
+};
+
+/// What a box covers of a picture of `size` texels, with `margin` texels around it, grown to whole
+/// tiles of `tile` texels and cut to the picture. All of the picture if a corner of the box is
+/// behind the eye; empty if the box lies beside the picture.
+TexelRectangle screen_bounds(const Bounds& bounds, const glm::mat4& clip_from_world,
+                             glm::ivec2 size, int margin, int tile);
+
+} // namespace lineatlas
