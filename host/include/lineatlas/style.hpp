@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace lineatlas {
+
+/// How two segments of a path meet.
+enum class Join { mitre, round, bevel };
+
+/// How a stroke ends.
+enum class Cap {
+    butt,    ///< cut square
+    round,   ///< a half disc beyond the end
+    taper,   ///< narrowing to a point over `Pen::cap_length`
+    texture, ///< running dry over `Pen::cap_length`, as the mark's grain has it
+};
+
+/// Values from the start to the end of a stroke, evenly spaced, at most 16; a single one: constant.
+using Profile = std::vector<float>;
+
+/// What a line is drawn with. Lengths are in pixels.
+struct Pen {
+    /// A built-in mark (solid, fine, pencil, charcoal, brush, dashed, dotted) or an image file: its
+    /// darkness is coverage, u along the stroke at a constant rate, v across it.
+    std::string mark = "solid";
+    float width = 2;          ///< above 0, at most 1000
+    glm::vec3 color{0, 0, 0}; ///< RGB, 0 to 1
+    float opacity = 1;        ///< 0 to 1
+    Join join = Join::mitre;
+    /// Longest mitre in stroke widths, at least 1; beyond it the join is bevelled (as in SVG).
+    float mitre_limit = 4;
+    Cap cap = Cap::butt;        ///< where visibility ends
+    Cap path_cap = Cap::round;  ///< where the path itself ends
+    float cap_length = 12;      ///< of tapered and textured caps
+    Profile width_profile{1};   ///< factors of the width along a visible stroke, 0 to 4
+    Profile opacity_profile{1}; ///< factors of the opacity, 0 to 1
+};
+
+/// Changes to visibility along each path (§4.5). Pixels; 0: off. In this order.
+struct StrokeFilter {
+    float fill = 0;      ///< holes shorter than this are closed
+    float drop = 0;      ///< visible runs shorter than this are left out
+    float overshoot = 0; ///< visible runs are longer by this at either end, beyond the path's too
+    /// Share of the overshoot that varies from path to path, 0 to 1; the same in every frame.
+    float overshoot_variation = 0;
+    float undershoot = 0; ///< visible runs are shorter by this where something hides the line
+    float halo = 0;       ///< gap in the farther of two lines that cross, beside the nearer stroke
+};
+
+/// Line density control (§4.5, Fig. 11).
+struct Density {
+    /// Pixels of line per pixel of the picture at most, averaged over a neighbourhood; 0: off.
+    float limit = 0;
+    /// Weight of each line kind (crease, boundary, material, silhouette, file), 0 to 1: lines of
+    /// more weight stay longer, then longer lines.
+    std::array<float, 5> priority{0.5F, 0.6F, 0.5F, 1, 1};
+};
+
+/// Colours under the lines.
+enum class FillMode { none, flat, lambert, toon };
+struct Fill {
+    FillMode mode = FillMode::none;
+    glm::vec3 color{0.9F, 0.9F, 0.88F}; ///< of triangles without a material's colour
+    glm::vec3 light{0.4F, 0.8F, 0.5F};  ///< direction to the light, in eye space
+    float ambient = 0.35F;              ///< what is not lit, 0 to 1
+    int toon_steps = 3;                 ///< 2 to 8
+};
+
+/// What is drawn on.
+struct Paper {
+    glm::vec3 color{1, 1, 1};
+    float grain = 0; ///< strength of the paper's texture over the drawing, 0 to 1
+};
+
+/// Style that varies with the distance from a focus (§6, Fig. 13). Between `radius` and `radius` +
+/// `falloff` everything goes smoothly from its own value to its value far away.
+struct Focus {
+    bool on = false;
+    bool in_scene = false;          ///< `point` is in the model's coordinates, else in the window
+    glm::vec3 point{0.5F, 0.5F, 0}; ///< window: shares of its width and height from the lower left
+    float radius = 0.2F;      ///< window: shares of its height; scene: of the model's diagonal
+    float falloff = 0.3F;     ///< the same
+    float width = 0.5F;       ///< factor of the width far away
+    float opacity = 0.4F;     ///< factor of the opacity far away
+    float hidden_opacity = 0; ///< factor of the hidden lines' opacity far away
+    float density = 1;        ///< factor of the density limit far away
+    std::string mark{};       ///< the pen's mark far away; empty: the same
+};
+
+/// How a drawing looks. The keys of style files and the options of the tool have the names of these
+/// members (docs/styles.md).
+struct Style {
+    Pen pen;
+    bool hidden = false; ///< draw hidden lines too, with their own pen, under the visible ones
+    Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
+    StrokeFilter filter;
+    Density density;
+    Fill fill;
+    Paper paper;
+    Focus focus;
+};
+
+} // namespace lineatlas
