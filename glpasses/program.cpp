@@ -76,6 +76,9 @@ void Program::set(const char* name, glm::vec2 value) const {
 void Program::set(const char* name, glm::vec4 value) const {
     glProgramUniform4f(program_.id(), location(name), value.x, value.y, value.z, value.w);
 }
+void Program::set(const char* name, glm::uvec2 value) const {
+    glProgramUniform2ui(program_.id(), location(name), value.x, value.y);
+}
 void Program::set(const char* name, const glm::mat4& value) const {
     glProgramUniformMatrix4fv(program_.id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

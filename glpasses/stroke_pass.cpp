@@ -10,14 +10,15 @@ namespace {
 /// Attributes of one run, per vertex or per instance.
 VertexArray run_array(GLuint divisor) {
     VertexArray array = VertexArray::create();
-    for (GLuint attribute = 0; attribute < 4; ++attribute) {
+    for (GLuint attribute = 0; attribute < 5; ++attribute) {
         glEnableVertexArrayAttrib(array.id(), attribute);
         glVertexArrayAttribBinding(array.id(), attribute, 0);
     }
     glVertexArrayAttribFormat(array.id(), 0, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start));
-    glVertexArrayAttribFormat(array.id(), 1, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_mitre));
+    glVertexArrayAttribFormat(array.id(), 1, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_cut));
     glVertexArrayAttribFormat(array.id(), 2, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_arc));
     glVertexArrayAttribIFormat(array.id(), 3, 4, GL_UNSIGNED_INT, offsetof(Run, address));
+    glVertexArrayAttribFormat(array.id(), 4, 4, GL_FLOAT, GL_FALSE, offsetof(Run, stroke_start));
     glVertexArrayBindingDivisor(array.id(), 0, divisor);
     return array;
 }
@@ -59,6 +60,9 @@ void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params) {
     glBindTextureUnit(0, alpha.id());
     program.use();
     program.set("alpha", 0);
+    program.set("join_kind", 0U);
+    program.set("mitre_limit", 4.0F);
+    program.set("cap_kinds", glm::uvec2{0, 1});
     params.bind(program, 1);
     glVertexArrayVertexBuffer(array.id(), 0, runs.runs, 0, sizeof(Run));
     glBindVertexArray(array.id());

@@ -159,7 +159,7 @@ __kernel void project_clip(__global const Segment* restrict segments, const uint
                                 triangles, clip_from_world, world_from_clip, viewport);
     const uint own_b = own_face(face_b, p_index, q_index, cp, cq, across, length_px, vertices,
                                 triangles, clip_from_world, world_from_clip, viewport);
-    arcs[i] = (uint)(length_px * LA_ARC_UNITS_PER_PIXEL);
+    arcs[i] = max((uint)(length_px * LA_ARC_UNITS_PER_PIXEL), 1u);
     if (use_tiles != 0) {
         const float before = tolerance / fmin(cp.w, cq.w) + LA_DEPTH_ROUNDING;
         const float reach_texels = LA_PROBE_REACH(depth_scale);

@@ -60,28 +60,49 @@ typedef struct Cluster {
     la_uint first, count; /* triangles */
 } Cluster;
 
-/* Run.flags: how either end of the run is drawn. */
-#define LA_END_BUTT 0u  /* cut square: visibility or the viewport ends here */
-#define LA_END_MITRE 1u /* the path goes on: cut along the bisector with the next segment */
-#define LA_END_ROUND 2u /* the path ends here, or turns too sharply for a mitre */
-#define LA_RUN_START_SHIFT 0u
-#define LA_RUN_END_SHIFT 2u
-#define LA_RUN_END_MASK 3u
-#define LA_RUN_KIND_SHIFT 4u
+/* Run.flags: what either end of a run or a stroke is. */
+#define LA_END_CLIPPED 0u /* the viewport ends here: cut square */
+#define LA_END_JOIN 1u    /* the path goes on: cut along the bisector with the next segment */
+#define LA_END_ROUND 2u   /* the path goes on, but too sharply for a join: round, overlapping */
+#define LA_END_HIDDEN 3u  /* visibility ends here */
+#define LA_END_PATH 4u    /* the path ends here */
+#define LA_END_MASK 7u
+#define LA_RUN_START_SHIFT 0u /* of the run */
+#define LA_RUN_END_SHIFT 3u
+#define LA_STROKE_START_SHIFT 6u /* of the stroke that the run is a part of */
+#define LA_STROKE_END_SHIFT 9u
+#define LA_RUN_KIND_SHIFT 12u
+#define LA_RUN_SOLID 0x8000u /* visible all along: the atlas has no samples of it */
+#define LA_RUN_BIN_SHIFT 16u /* priority of the line, 0 to LA_DENSITY_BINS - 1, see `density` */
 
-/* A maximal piece of one segment whose samples are all at least partly visible; everything that the
- * stroke pass and the readback need to know of it. Positions in pixels, origin at the lower left.
- */
+/* A piece of one segment that is drawn; everything that the stroke pass and the readback need to
+ * know of it. `compact` makes one of every maximal row of samples that are at least partly visible,
+ * `filter` changes their ends. Runs are in the order of their segments, and along each of them.
+ * Positions in pixels, origin at the lower left. */
 typedef struct Run {
-    float start[2], end[2];             /* window position of the run's two ends */
-    float start_mitre[2], end_mitre[2]; /* from the spine to the left corner, for half-width 1 */
-    float start_arc, end_arc;           /* arc length along the path, 0 in its middle, in pixels */
-    float start_sample, end_sample; /* the same ends counted in samples of the segment, 0 to l */
+    float start[2], end[2];         /* window position of the run's two ends */
+    float start_cut[2], end_cut[2]; /* at a join: unit normal of the bisector, outwards; else 0 */
+    float start_arc, end_arc;       /* arc length along the path, 0 in its middle, in pixels */
+    float start_sample, end_sample; /* the same ends counted in samples of the segment; 0 to l,
+                                       or beyond where a stroke overshoots its path */
     la_uint address;                /* of the segment's first sample in the atlas */
     la_uint samples;                /* l, the segment's sample count */
     la_uint flags;                  /* ends and kind, LA_RUN_* */
     la_uint segment;                /* index into the segment table */
+    float stroke_start, stroke_end; /* arc lengths of the ends of the stroke that it is a part of */
+    float start_depth, end_depth;   /* window depth of the two ends, 0 to 1 */
 } Run;
+
+/* Where nearer lines leave a gap in a run: arc lengths along its path, ascending, perhaps
+ * overlapping; unused ones have from = to = 0. See `halo`. */
+#define LA_MOST_CUTS 8
+typedef struct RunCuts {
+    float from[LA_MOST_CUTS], to[LA_MOST_CUTS];
+} RunCuts;
+
+/* Priorities of lines that `density` tells apart, and pixels per axis of a cell of its grid. */
+#define LA_DENSITY_BINS 16u
+#define LA_DENSITY_CELL 8
 
 /* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */
@@ -93,8 +114,8 @@ typedef struct FrameRecord {
     la_uint unused[2];
 } FrameRecord;
 
-/* Cosine of the sharpest turn that is mitred; a sharper one gets round ends. 75 degrees. */
-#define LA_MITRE_LIMIT_COSINE 0.258819f
+/* Cosine of the sharpest turn that is joined; a sharper one gets round ends. 150 degrees. */
+#define LA_JOIN_LIMIT_COSINE -0.866025f
 
 /* Arc lengths are summed in fixed point, so that every device gets the same result in any order of
  * summation; the sum may wrap, differences along one path stay right. */
@@ -133,7 +154,8 @@ typedef struct FrameRecord {
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);
-static_assert(sizeof(Cluster) == 32 && sizeof(Run) == 64 && sizeof(FrameRecord) == 48);
+static_assert(sizeof(Cluster) == 32 && sizeof(Run) == 80 && sizeof(FrameRecord) == 48);
+static_assert(sizeof(RunCuts) == 64);
 static_assert(offsetof(ClippedSegment, t0) == 32 && offsetof(Run, start_arc) == 32);
 } // namespace lineatlas
 #endif

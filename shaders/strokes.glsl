@@ -1,20 +1,36 @@
-// strokes: the quad of one visible run (§4.4), shared by the geometry-shader and vertex-shader forms.
+// strokes: the quad of one run (§4.4), shared by the geometry-shader and vertex-shader forms and by the
+// fragment shader. Numbers as in kernels/segment_table.h.
 
-const uint end_butt = 0u;
-const uint end_mitre = 1u;
+const uint end_clipped = 0u;
+const uint end_join = 1u;
 const uint end_round = 2u;
+const uint end_hidden = 3u;
+const uint end_path = 4u;
 
-uniform vec2 viewport;     // pixels
-uniform float half_width;  // of the stroke, pixels
+const uint join_mitre = 0u;
+const uint join_round = 1u;
+const uint join_bevel = 2u;
+
+const uint cap_butt = 0u;
+const uint cap_round = 1u;
+const uint cap_taper = 2u;
+const uint cap_texture = 3u;
+
+uniform vec2 viewport;      // pixels
+uniform float half_width;   // of the stroke where it is widest, pixels
+uniform uint join_kind;
+uniform float mitre_limit;  // largest length of a mitre over the stroke's width
+uniform uvec2 cap_kinds;    // where visibility ends, and where the path does
 
 // A quad reaches this far beyond the stroke's edge, for antialiasing.
 const float fringe = 1.0;
 
 struct Run {
     vec4 ends;      // window position of start and end
-    vec4 mitres;    // from the spine to the left corner at start and end, for half-width 1
+    vec4 cuts;      // at joins the unit normals of the bisectors, outwards; else 0
     vec4 params;    // arc length at start and end, sample position at start and end
     uvec4 indices;  // atlas address, sample count, flags, segment
+    vec4 stroke;    // arc lengths of the whole stroke's ends; window depth of start and end
 };
 
 struct Corner {
@@ -22,7 +38,28 @@ struct Corner {
     vec2 local;     // pixels along the run from its start, and across it to the left
 };
 
-uint end_style(Run run, uint end) { return run.indices.z >> (2u * end) & 3u; }
+uint run_end(uint flags, uint end) { return flags >> (3u * end) & 7u; }
+uint stroke_end(uint flags, uint end) { return flags >> (6u + 3u * end) & 7u; }
+uint cap_of(uint end_kind) { return end_kind == end_path ? cap_kinds.y : cap_kinds.x; }
+
+// A mitre that is longer than the limit becomes a bevel.
+uint join_of(float forward) {
+    return join_kind == join_mitre && forward * mitre_limit < 1.0 ? join_bevel : join_kind;
+}
+
+// How far the quad reaches beyond an end along the run.
+float beyond_end(Run run, uint end, vec2 along) {
+    float reach = half_width + fringe;
+    uint kind = run_end(run.indices.z, end);
+    if (kind == end_clipped) return 0.0;
+    if (kind == end_round) return reach;
+    if (kind != end_join) return cap_of(kind) == cap_round ? reach : fringe;
+    vec2 cut = end == 0u ? run.cuts.xy : run.cuts.zw;
+    float forward = abs(dot(cut, along));
+    float sideways = abs(cut.x * along.y - cut.y * along.x);
+    float corner = reach * sideways / max(forward, 1e-3);
+    return join_of(forward) == join_mitre ? corner : min(corner, reach);
+}
 
 // end: 0 start, 1 end; side: +1 left, -1 right.
 Corner stroke_corner(Run run, uint end, float side) {
@@ -31,11 +68,8 @@ Corner stroke_corner(Run run, uint end, float side) {
     vec2 along = run_length > 0.0 ? way / run_length : vec2(1.0, 0.0);
     vec2 left = vec2(-along.y, along.x);
     vec2 point = end == 0u ? run.ends.xy : run.ends.zw;
-    float reach = half_width + fringe;
-    uint style = end_style(run, end);
-    vec2 offset = left * side * reach;
-    if (style == end_mitre) offset = (end == 0u ? run.mitres.xy : run.mitres.zw) * side * reach;
-    if (style == end_round) offset += along * (end == 0u ? -reach : reach);
+    float beyond = beyond_end(run, end, along);
+    vec2 offset = left * side * (half_width + fringe) + along * (end == 0u ? -beyond : beyond);
     vec2 from_start = point + offset - run.ends.xy;
 
     Corner corner;

@@ -1,20 +1,23 @@
 #version 450 core
-// strokes, geometry-shader form: one point per visible run.
+// strokes, geometry-shader form: one point per run.
 
 layout(location = 0) in vec4 ends;
-layout(location = 1) in vec4 mitres;
+layout(location = 1) in vec4 cuts;
 layout(location = 2) in vec4 params;
 layout(location = 3) in uvec4 indices;
+layout(location = 4) in vec4 stroke;
 
 out VertexRun {
-    vec4 ends, mitres, params;
+    vec4 ends, cuts, params;
     flat uvec4 indices;
+    vec4 stroke;
 } run;
 
 void main() {
     run.ends = ends;
-    run.mitres = mitres;
+    run.cuts = cuts;
     run.params = params;
     run.indices = indices;
+    run.stroke = stroke;
     gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -48,9 +48,9 @@ TEST(Compare, ClippedSegmentsDifferInEveryField) {
 }
 
 TEST(Compare, RunsDifferInEveryField) {
-    const lineatlas::Run a{{1, 2}, {3, 4}, {0, 1}, {0, 1}, 5, 6, 0, 9, 100, 9, 3, 42};
+    const lineatlas::Run a{{1, 2}, {3, 4}, {0, 1}, {0, 1}, 5, 6, 0, 9, 100, 9, 3, 42, 1, 7, 0.5F, 0.6F};
     EXPECT_TRUE(close(a, a));
-    for (int field = 0; field < 16; ++field) {
+    for (int field = 0; field < 20; ++field) {
         lineatlas::Run b = a;
         switch (field) {
         case 0:
@@ -63,11 +63,11 @@ TEST(Compare, RunsDifferInEveryField) {
             break;
         case 4:
         case 5:
-            b.start_mitre[field - 4] += 0.1F;
+            b.start_cut[field - 4] += 0.1F;
             break;
         case 6:
         case 7:
-            b.end_mitre[field - 6] += 0.1F;
+            b.end_cut[field - 6] += 0.1F;
             break;
         case 8:
             b.start_arc += 0.1F;
@@ -90,8 +90,20 @@ TEST(Compare, RunsDifferInEveryField) {
         case 14:
             ++b.flags;
             break;
-        default:
+        case 15:
             ++b.segment;
+            break;
+        case 16:
+            b.stroke_start += 0.1F;
+            break;
+        case 17:
+            b.stroke_end += 0.1F;
+            break;
+        case 18:
+            b.start_depth += 0.1F;
+            break;
+        default:
+            b.end_depth += 0.1F;
             break;
         }
         EXPECT_FALSE(close(a, b)) << "field " << field;

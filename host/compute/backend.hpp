@@ -125,6 +125,60 @@ struct CompactRunsArgs {
     Buffer& record; ///< out: one `FrameRecord`
 };
 
+/// Gaps beside nearer lines (§4.5).
+struct HaloArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    Buffer& runs;   ///< `Run` each, of `compact_runs`
+    Buffer& record; ///< its `FrameRecord`: points[0] runs
+    std::uint32_t run_capacity;
+    glm::vec2 viewport; ///< pixels
+    float halo;         ///< gap beside the nearer stroke, pixels
+    float half_width;   ///< of the nearer stroke, pixels
+    float tolerance;    ///< as in AtlasArgs: a line is nearer if it is so by more than that
+    Buffer& cuts;       ///< out: `RunCuts` per run
+};
+
+/// What `filter` does to visible strokes; pixels (§4.5). See StrokeFilter.
+struct FilterArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    Buffer& alpha; ///< in and out: samples that become visible get 255
+    AtlasLayout layout;
+    glm::vec2 viewport; ///< pixels
+    float half_width;   ///< of the stroke, in pixels: decides where a join has room
+    float fill, drop, overshoot, overshoot_variation, undershoot;
+    Buffer& runs;               ///< in: `Run` each, of `compact_runs`
+    Buffer& record;             ///< in: their `FrameRecord`
+    Buffer* cuts;               ///< in: of `halo`; null: none
+    std::uint32_t run_capacity; ///< of `runs`
+    Buffer& filtered;           ///< out: `Run` each
+    std::uint32_t filtered_capacity;
+    Buffer& filtered_record; ///< out: one `FrameRecord`
+};
+
+/// Cells of the density grid per axis.
+inline glm::ivec2 density_cells(glm::vec2 viewport) {
+    return (glm::ivec2{viewport} + (LA_DENSITY_CELL - 1)) / LA_DENSITY_CELL;
+}
+
+/// Line density (§4.5): how much of each line is drawn where.
+struct DensityArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    Buffer& alpha;
+    AtlasLayout layout;
+    Buffer& runs;   ///< in and out: `Run` each; gets the bin of its line's priority
+    Buffer& record; ///< their `FrameRecord`
+    std::uint32_t run_capacity;
+    glm::vec2 viewport;            ///< pixels
+    float limit;                   ///< pixels of line per pixel
+    float priority[LA_KIND_COUNT]; ///< of each line kind, 0 to 1
+    glm::vec4 focus; ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
+    float far_limit; ///< factor of the limit far from the focus
+    Buffer& weights; ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
+};
+
 struct CompactSamplesArgs {
     Buffer& alpha;
     std::uint32_t count;  ///< bytes of alpha to look at

@@ -196,7 +196,7 @@ void project_clip(const ProjectClipInput& in, std::span<ClippedSegment> clipped,
                               .length_px = length_px};
         const std::uint32_t own_a = own_face(in, segment.face_a, line);
         const std::uint32_t own_b = own_face(in, segment.face_b, line);
-        arcs[i] = static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL);
+        arcs[i] = std::max(static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL), 1U);
         if (!in.tiles.empty() && is_hidden(in, line, window_p, d, own_a, own_b)) {
             if (segment.from_start == 0 && segment.to_end == 0) continue;
             l = 0;

@@ -1,0 +1,121 @@
+#include "runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lineatlas::compute::reference {
+namespace {
+
+glm::vec2 window_position(const float (&clip)[4], glm::vec2 viewport) {
+    return (glm::vec2{clip[0], clip[1]} / clip[3] + 1.0F) * (viewport * 0.5F);
+}
+
+float window_depth(const float (&clip)[4]) {
+    return (clip[2] / clip[3] + 1.0F) * 0.5F;
+}
+
+glm::vec2 window_direction(const ClippedSegment& segment, glm::vec2 viewport) {
+    const glm::vec2 d = window_position(segment.q, viewport) - window_position(segment.p, viewport);
+    const float length_px = std::sqrt(d.x * d.x + d.y * d.y);
+    return length_px > 0 ? d / length_px : glm::vec2{0};
+}
+
+float pixels(std::uint32_t arc) {
+    return static_cast<float>(arc) * (1.0F / LA_ARC_UNITS_PER_PIXEL);
+}
+
+End join(glm::vec2 own, glm::vec2 other, float room, float half_width) {
+    const float cosine = own.x * other.x + own.y * other.y;
+    if (cosine < LA_JOIN_LIMIT_COSINE) return {LA_END_ROUND};
+    const glm::vec2 sum = own + other;
+    const glm::vec2 unit = sum / std::sqrt(sum.x * sum.x + sum.y * sum.y);
+    const float forward = unit.x * own.x + unit.y * own.y;
+    const float sideways = std::fabs(unit.x * own.y - unit.y * own.x);
+    if (sideways * half_width > forward * room) return {LA_END_ROUND}; // corners would cross
+    return {LA_END_JOIN, unit};
+}
+
+} // namespace
+
+float FrameTables::arc(std::uint32_t i) const {
+    const std::uint32_t first = i - segments[i].from_start;
+    const std::uint32_t last = i + segments[i].to_end;
+    const float half_path = pixels(arcs[last + 1] - arcs[first]) * 0.5F;
+    return pixels(arcs[i] - arcs[first]) - half_path;
+}
+
+float FrameTables::length(std::uint32_t i) const {
+    return pixels(arcs[i + 1] - arcs[i]);
+}
+
+bool FrameTables::goes_on(std::uint32_t i) const {
+    return segments[i].to_end > 0 && clipped[i].t1 >= 1 && is_drawn(i + 1) &&
+           clipped[i + 1].t0 <= 0;
+}
+
+End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end) {
+    const Segment& segment = frame.segments[i];
+    const bool clipped = at_end ? frame.clipped[i].t1 < 1 : frame.clipped[i].t0 > 0;
+    if (clipped) return {LA_END_CLIPPED};
+    const bool last = at_end ? segment.to_end == 0 : segment.from_start == 0;
+    if (last && (segment.tag & LA_TAG_CLOSED) == 0) return {LA_END_PATH};
+    std::uint32_t neighbour = at_end ? i + 1 : i - 1;
+    if (last) neighbour = at_end ? i - segment.from_start : i + segment.to_end;
+    // Arc lengths, not sample counts: a neighbour that is hidden whole has no samples.
+    if (!frame.is_drawn(neighbour)) return {LA_END_CLIPPED};
+    const std::uint32_t shorter = std::min(frame.arcs[i + 1] - frame.arcs[i],
+                                           frame.arcs[neighbour + 1] - frame.arcs[neighbour]);
+    End end = join(window_direction(frame.clipped[i], frame.viewport),
+                   window_direction(frame.clipped[neighbour], frame.viewport), pixels(shorter),
+                   frame.half_width);
+    if (!at_end) end.cut = -end.cut;
+    return end;
+}
+
+Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
+             std::uint32_t l, const End& start, const End& end) {
+    const ClippedSegment& clipped = frame.clipped[i];
+    const glm::vec2 p = window_position(clipped.p, frame.viewport);
+    const glm::vec2 q = window_position(clipped.q, frame.viewport);
+    const float depth_p = window_depth(clipped.p);
+    const float depth_q = window_depth(clipped.q);
+    const float u0 = start_sample / static_cast<float>(l);
+    const float u1 = end_sample / static_cast<float>(l);
+    const glm::vec2 start_px = p + (q - p) * u0;
+    const glm::vec2 end_px = u1 == 1 ? q : p + (q - p) * u1; // exactly where the next one starts
+    const float arc = frame.arc(i);
+    const float length_px = frame.length(i);
+    Run run{};
+    run.start[0] = start_px.x;
+    run.start[1] = start_px.y;
+    run.end[0] = end_px.x;
+    run.end[1] = end_px.y;
+    run.start_cut[0] = start.cut.x;
+    run.start_cut[1] = start.cut.y;
+    run.end_cut[0] = end.cut.x;
+    run.end_cut[1] = end.cut.y;
+    run.start_arc = run.stroke_start = arc + length_px * u0;
+    run.end_arc = run.stroke_end = arc + length_px * u1;
+    run.start_sample = start_sample;
+    run.end_sample = end_sample;
+    run.start_depth = depth_p + (depth_q - depth_p) * u0;
+    run.end_depth = depth_p + (depth_q - depth_p) * u1;
+    run.samples = l;
+    run.segment = i;
+    run.flags = start.kind << LA_RUN_START_SHIFT | end.kind << LA_RUN_END_SHIFT |
+                start.kind << LA_STROKE_START_SHIFT | end.kind << LA_STROKE_END_SHIFT |
+                (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
+    return run;
+}
+
+FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t samples) {
+    const auto total = static_cast<std::uint32_t>(runs);
+    const std::uint32_t drawn = runs <= capacity ? total : 0;
+    return {.points = {drawn, 1, 0, 0},
+            .quads = {4, drawn, 0, 0},
+            .sample_total = samples,
+            .run_total = total,
+            .unused = {0, 0}};
+}
+
+} // namespace lineatlas::compute::reference

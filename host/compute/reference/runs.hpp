@@ -1,0 +1,47 @@
+#pragma once
+
+// What the twins of `compact` and `filter` share: making a run of a piece of a segment.
+
+#include <span>
+
+#include "compute/backend.hpp"
+
+namespace lineatlas::compute::reference {
+
+/// The tables of a frame.
+struct FrameTables {
+    std::span<const Segment> segments;
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> arcs;
+    glm::vec2 viewport;
+    float half_width;
+
+    std::uint32_t samples(std::uint32_t i) const { return offsets[i + 1] - offsets[i]; }
+    bool is_drawn(std::uint32_t i) const { return arcs[i + 1] != arcs[i]; }
+    /// Arc length at the start of segment i and its length, pixels; zero is in the middle of its
+    /// path.
+    float arc(std::uint32_t i) const;
+    float length(std::uint32_t i) const;
+    /// Whether segment i and the next one are drawn as one line: same path, and no part between
+    /// them was clipped away.
+    bool goes_on(std::uint32_t i) const;
+};
+
+/// What an end of a segment is, LA_END_*, and how it is cut there.
+struct End {
+    std::uint32_t kind;
+    glm::vec2 cut{0, 0}; ///< at a join the unit normal of the bisector, outwards
+};
+
+/// §4.5, mitering; see run.h.
+End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end);
+
+/// A run between two positions counted in samples of segment i, of which it has `l`. Address and
+/// stroke are the caller's.
+Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
+             std::uint32_t l, const End& start, const End& end);
+
+FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t samples);
+
+} // namespace lineatlas::compute::reference

@@ -1,0 +1,131 @@
+/* What compact and filter share: making a run of a piece of a segment. OpenCL C only. */
+#ifndef LINEATLAS_RUN_H
+#define LINEATLAS_RUN_H
+
+#include "segment_table.h"
+
+/* The tables of a frame. */
+typedef struct Frame {
+    __global const Segment* segments;
+    __global const ClippedSegment* clipped;
+    __global const uint* offsets;
+    __global const uint* arcs;
+    float2 viewport;
+    float half_width;
+} Frame;
+
+static float2 window_position(__global const float* clip, const float2 viewport) {
+    const float4 c = vload4(0, clip);
+    return (c.xy / c.w + 1.0f) * (viewport * 0.5f);
+}
+
+static float window_depth(__global const float* clip) {
+    return (clip[2] / clip[3] + 1.0f) * 0.5f;
+}
+
+/* Unit direction of a clipped segment on the screen; zero for one without length. */
+static float2 window_direction(__global const ClippedSegment* segment, const float2 viewport) {
+    const float2 d = window_position(segment->q, viewport) - window_position(segment->p, viewport);
+    const float length_px = sqrt(d.x * d.x + d.y * d.y);
+    return length_px > 0.0f ? d / length_px : (float2)(0.0f, 0.0f);
+}
+
+/* Whether segment i and the one after it in the table are drawn as one line: same path, and no part
+ * between them was clipped away. */
+static bool goes_on(const Frame frame, const uint i) {
+    return frame.segments[i].to_end > 0 && frame.clipped[i].t1 >= 1.0f &&
+           frame.arcs[i + 2] != frame.arcs[i + 1] && frame.clipped[i + 1].t0 <= 0.0f;
+}
+
+/* How the end of a segment meets the neighbour that continues its path (§4.5, mitering), of
+ * half-width `half_width`: along the bisector of the two. `own` and `other` are unit directions along
+ * the path, `room` is the length of the shorter of the two. The unit normal of the bisector points
+ * along the path; both sides compute it alike, bit by bit, so that each pixel belongs to one. */
+static uint join(const float2 own, const float2 other, const float room, const float half_width,
+                 float2* normal) {
+    const float cosine = own.x * other.x + own.y * other.y;
+    if (cosine < LA_JOIN_LIMIT_COSINE) return LA_END_ROUND;
+    const float2 sum = own + other;
+    const float2 unit = sum / sqrt(sum.x * sum.x + sum.y * sum.y);
+    const float forward = unit.x * own.x + unit.y * own.y;
+    const float sideways = fabs(unit.x * own.y - unit.y * own.x);
+    if (sideways * half_width > forward * room) return LA_END_ROUND; /* corners would cross */
+    *normal = unit;
+    return LA_END_JOIN;
+}
+
+/* One end of segment i: at_end 0 is p', 1 is q'. cut: outwards. */
+static uint segment_end(const Frame frame, const uint i, const uint at_end, const float2 direction,
+                        float2* cut) {
+    *cut = (float2)(0.0f, 0.0f);
+    const uint tag = frame.segments[i].tag;
+    const uint before = frame.segments[i].from_start;
+    const uint after = frame.segments[i].to_end;
+    const bool clipped = at_end != 0 ? frame.clipped[i].t1 < 1.0f : frame.clipped[i].t0 > 0.0f;
+    if (clipped) return LA_END_CLIPPED;
+    const bool last = at_end != 0 ? after == 0 : before == 0;
+    if (last && (tag & LA_TAG_CLOSED) == 0) return LA_END_PATH;
+    const uint neighbour = at_end != 0 ? (last ? i - before : i + 1) : (last ? i + after : i - 1);
+    /* Arc lengths, not sample counts: a neighbour that is hidden whole has no samples. */
+    const uint neighbour_length = frame.arcs[neighbour + 1] - frame.arcs[neighbour];
+    if (neighbour_length == 0) return LA_END_CLIPPED;
+    const uint own_length = frame.arcs[i + 1] - frame.arcs[i];
+    const float room = (float)min(own_length, neighbour_length) * (1.0f / LA_ARC_UNITS_PER_PIXEL);
+    const float2 other = window_direction(frame.clipped + neighbour, frame.viewport);
+    float2 normal;
+    const uint end = join(direction, other, room, frame.half_width, &normal);
+    if (end == LA_END_JOIN) *cut = at_end != 0 ? normal : -normal;
+    return end;
+}
+
+static float arc_pixels(const uint units) { return (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL); }
+
+/* Arc length at the start of segment i: zero is in the middle of its path. */
+static float segment_arc(const Frame frame, const uint i) {
+    const uint first = i - frame.segments[i].from_start;
+    const uint last = i + frame.segments[i].to_end;
+    const float half_path = arc_pixels(frame.arcs[last + 1] - frame.arcs[first]) * 0.5f;
+    return arc_pixels(frame.arcs[i] - frame.arcs[first]) - half_path;
+}
+
+/* Fills in the places of a run between two positions counted in samples of segment i; its flags,
+ * cuts, stroke and address are the caller's. `l` is the segment's sample count or, if it has none,
+ * any number in which the positions are counted. */
+static void place_run(const Frame frame, const uint i, const float start_sample,
+                      const float end_sample, const uint l, __global Run* run) {
+    const float2 p = window_position(frame.clipped[i].p, frame.viewport);
+    const float2 q = window_position(frame.clipped[i].q, frame.viewport);
+    const float depth_p = window_depth(frame.clipped[i].p);
+    const float depth_q = window_depth(frame.clipped[i].q);
+    const float arc = segment_arc(frame, i);
+    const float length_px = arc_pixels(frame.arcs[i + 1] - frame.arcs[i]);
+    const float u0 = start_sample / (float)l;
+    const float u1 = end_sample / (float)l;
+    vstore2(p + (q - p) * u0, 0, run->start);
+    /* Exactly where the next segment starts. */
+    vstore2(u1 == 1.0f ? q : p + (q - p) * u1, 0, run->end);
+    run->start_arc = arc + length_px * u0;
+    run->end_arc = arc + length_px * u1;
+    run->start_sample = start_sample;
+    run->end_sample = end_sample;
+    run->start_depth = depth_p + (depth_q - depth_p) * u0;
+    run->end_depth = depth_p + (depth_q - depth_p) * u1;
+    run->samples = l;
+    run->segment = i;
+}
+
+static void write_record(__global FrameRecord* record, const uint run_total, const uint run_capacity,
+                         const uint sample_total) {
+    const uint drawn = run_total <= run_capacity ? run_total : 0;
+    record->points[0] = drawn;
+    record->points[1] = 1;
+    record->points[2] = record->points[3] = 0;
+    record->quads[0] = 4;
+    record->quads[1] = drawn;
+    record->quads[2] = record->quads[3] = 0;
+    record->sample_total = sample_total;
+    record->run_total = run_total;
+    record->unused[0] = record->unused[1] = 0;
+}
+
+#endif
