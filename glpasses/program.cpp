@@ -1,5 +1,6 @@
 #include "program.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,20 @@ GLenum stage_of(std::string_view file) {
     return GL_FRAGMENT_SHADER;
 }
 
-Shader compile(std::string_view file) {
-    const std::string source = shader_source(file);
+/// The lines that define `names`, to follow the line with the version.
+std::string define_lines(std::string_view names) {
+    std::string lines;
+    while (!names.empty()) {
+        const std::size_t end = std::min(names.find(' '), names.size());
+        if (end > 0) lines += "#define " + std::string{names.substr(0, end)} + "\n";
+        names.remove_prefix(std::min(end + 1, names.size()));
+    }
+    return lines;
+}
+
+Shader compile(std::string_view file, std::string_view defines) {
+    std::string source = shader_source(file);
+    source.insert(source.find('\n') + 1, define_lines(defines));
     const char* text = source.c_str();
     Shader shader{glCreateShader(stage_of(file))};
     glShaderSource(shader.id(), 1, &text, nullptr);
@@ -42,10 +55,11 @@ Shader compile(std::string_view file) {
 
 } // namespace
 
-Program::Program(std::initializer_list<std::string_view> files) : program_(glCreateProgram()) {
+Program::Program(std::initializer_list<std::string_view> files, std::string_view defines)
+    : program_(glCreateProgram()) {
     std::vector<Shader> shaders;
     for (const std::string_view file : files) {
-        shaders.push_back(compile(file));
+        shaders.push_back(compile(file, defines));
         glAttachShader(program_.id(), shaders.back().id());
     }
     glLinkProgram(program_.id());

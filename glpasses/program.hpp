@@ -17,7 +17,8 @@ class Program {
   public:
     /// Builds a program from shader files; the extension tells the stage: .vert, .geom or .frag.
     /// Throws DeviceError with the compiler's log.
-    explicit Program(std::initializer_list<std::string_view> files);
+    /// `defines`: names separated by spaces, defined in all of them.
+    explicit Program(std::initializer_list<std::string_view> files, std::string_view defines = {});
 
     void use() const { glUseProgram(program_.id()); }
     void set(const char* name, bool value) const { set(name, value ? 1 : 0); }

@@ -15,7 +15,7 @@ VertexArray run_array(GLuint divisor) {
         glVertexArrayAttribBinding(array.id(), attribute, 0);
     }
     glVertexArrayAttribFormat(array.id(), 0, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start));
-    glVertexArrayAttribFormat(array.id(), 1, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_cut));
+    glVertexArrayAttribFormat(array.id(), 1, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_corner));
     glVertexArrayAttribFormat(array.id(), 2, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_arc));
     glVertexArrayAttribIFormat(array.id(), 3, 4, GL_UNSIGNED_INT, offsetof(Run, address));
     glVertexArrayAttribFormat(array.id(), 4, 4, GL_FLOAT, GL_FALSE, offsetof(Run, stroke_start));

@@ -73,15 +73,15 @@ __kernel void compact_runs_write(
             const float start_sample = a == 0 ? 0.0f : (float)a - 0.5f;
             const float end_sample = end == l ? (float)l : (float)end + 0.5f;
             const float2 direction = window_direction(clipped + i, viewport);
-            float2 start_cut = (float2)(0.0f, 0.0f), end_cut = start_cut;
+            float2 start_corner = (float2)(0.0f, 0.0f), end_corner = start_corner;
             uint start_style = LA_END_HIDDEN, end_style = LA_END_HIDDEN;
-            if (a == 0) start_style = segment_end(frame, i, 0, direction, &start_cut);
-            if (end == l) end_style = segment_end(frame, i, 1, direction, &end_cut);
+            if (a == 0) start_style = segment_end(frame, i, 0, direction, &start_corner);
+            if (end == l) end_style = segment_end(frame, i, 1, direction, &end_corner);
 
             __global Run* run = runs + next++;
             place_run(frame, i, start_sample, end_sample, l, run);
-            vstore2(start_cut, 0, run->start_cut);
-            vstore2(end_cut, 0, run->end_cut);
+            vstore2(start_corner, 0, run->start_corner);
+            vstore2(end_corner, 0, run->end_corner);
             run->stroke_start = run->start_arc;
             run->stroke_end = run->end_arc;
             run->address = address;

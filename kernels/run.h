@@ -38,26 +38,26 @@ static bool goes_on(const Frame frame, const uint i) {
 }
 
 /* How the end of a segment meets the neighbour that continues its path (§4.5, mitering), of
- * half-width `half_width`: along the bisector of the two. `own` and `other` are unit directions along
- * the path, `room` is the length of the shorter of the two. The unit normal of the bisector points
- * along the path; both sides compute it alike, bit by bit, so that each pixel belongs to one. */
+ * half-width `half_width`: both end on the bisector. `own` and `other` are unit directions along
+ * the path, `room` is the length of the shorter of the two. The corner is where the left edges
+ * meet, as seen from the spine for half-width 1: 1/cos of half the turn away. Both sides compute it
+ * alike, bit by bit, so that each pixel belongs to one. */
 static uint join(const float2 own, const float2 other, const float room, const float half_width,
-                 float2* normal) {
+                 float2* corner) {
     const float cosine = own.x * other.x + own.y * other.y;
     if (cosine < LA_JOIN_LIMIT_COSINE) return LA_END_ROUND;
     const float2 sum = own + other;
-    const float2 unit = sum / sqrt(sum.x * sum.x + sum.y * sum.y);
-    const float forward = unit.x * own.x + unit.y * own.y;
-    const float sideways = fabs(unit.x * own.y - unit.y * own.x);
-    if (sideways * half_width > forward * room) return LA_END_ROUND; /* corners would cross */
-    *normal = unit;
+    const float2 left = (float2)(-sum.y, sum.x) * (2.0f / (sum.x * sum.x + sum.y * sum.y));
+    const float along = left.x * own.x + left.y * own.y;
+    if (fabs(along) * half_width > room) return LA_END_ROUND; /* corners would cross */
+    *corner = left;
     return LA_END_JOIN;
 }
 
-/* One end of segment i: at_end 0 is p', 1 is q'. cut: outwards. */
+/* One end of segment i: at_end 0 is p', 1 is q'. */
 static uint segment_end(const Frame frame, const uint i, const uint at_end, const float2 direction,
-                        float2* cut) {
-    *cut = (float2)(0.0f, 0.0f);
+                        float2* corner) {
+    *corner = (float2)(0.0f, 0.0f);
     const uint tag = frame.segments[i].tag;
     const uint before = frame.segments[i].from_start;
     const uint after = frame.segments[i].to_end;
@@ -72,13 +72,12 @@ static uint segment_end(const Frame frame, const uint i, const uint at_end, cons
     const uint own_length = frame.arcs[i + 1] - frame.arcs[i];
     const float room = (float)min(own_length, neighbour_length) * (1.0f / LA_ARC_UNITS_PER_PIXEL);
     const float2 other = window_direction(frame.clipped + neighbour, frame.viewport);
-    float2 normal;
-    const uint end = join(direction, other, room, frame.half_width, &normal);
-    if (end == LA_END_JOIN) *cut = at_end != 0 ? normal : -normal;
-    return end;
+    return join(direction, other, room, frame.half_width, corner);
 }
 
-static float arc_pixels(const uint units) { return (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL); }
+static float arc_pixels(const uint units) {
+    return (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL);
+}
 
 /* Arc length at the start of segment i: zero is in the middle of its path. */
 static float segment_arc(const Frame frame, const uint i) {
@@ -89,8 +88,8 @@ static float segment_arc(const Frame frame, const uint i) {
 }
 
 /* Fills in the places of a run between two positions counted in samples of segment i; its flags,
- * cuts, stroke and address are the caller's. `l` is the segment's sample count or, if it has none,
- * any number in which the positions are counted. */
+ * corners, stroke and address are the caller's. `l` is the segment's sample count or, if it has
+ * none, any number in which the positions are counted. */
 static void place_run(const Frame frame, const uint i, const float start_sample,
                       const float end_sample, const uint l, __global Run* run) {
     const float2 p = window_position(frame.clipped[i].p, frame.viewport);
@@ -114,8 +113,8 @@ static void place_run(const Frame frame, const uint i, const float start_sample,
     run->segment = i;
 }
 
-static void write_record(__global FrameRecord* record, const uint run_total, const uint run_capacity,
-                         const uint sample_total) {
+static void write_record(__global FrameRecord* record, const uint run_total,
+                         const uint run_capacity, const uint sample_total) {
     const uint drawn = run_total <= run_capacity ? run_total : 0;
     record->points[0] = drawn;
     record->points[1] = 1;

@@ -80,8 +80,9 @@ typedef struct Cluster {
  * `filter` changes their ends. Runs are in the order of their segments, and along each of them.
  * Positions in pixels, origin at the lower left. */
 typedef struct Run {
-    float start[2], end[2];         /* window position of the run's two ends */
-    float start_cut[2], end_cut[2]; /* at a join: unit normal of the bisector, outwards; else 0 */
+    float start[2], end[2];               /* window position of the run's two ends */
+    float start_corner[2], end_corner[2]; /* at a join: from the spine to the left corner on the
+                                             bisector, for half-width 1; else 0 */
     float start_arc, end_arc;       /* arc length along the path, 0 in its middle, in pixels */
     float start_sample, end_sample; /* the same ends counted in samples of the segment; 0 to l,
                                        or beyond where a stroke overshoots its path */

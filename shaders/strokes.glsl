@@ -27,7 +27,7 @@ const float fringe = 1.0;
 
 struct Run {
     vec4 ends;      // window position of start and end
-    vec4 cuts;      // at joins the unit normals of the bisectors, outwards; else 0
+    vec4 corners;   // at joins from the spine to the left corners, for half-width 1; else 0
     vec4 params;    // arc length at start and end, sample position at start and end
     uvec4 indices;  // atlas address, sample count, flags, segment
     vec4 stroke;    // arc lengths of the whole stroke's ends; window depth of start and end
@@ -42,23 +42,12 @@ uint run_end(uint flags, uint end) { return flags >> (3u * end) & 7u; }
 uint stroke_end(uint flags, uint end) { return flags >> (6u + 3u * end) & 7u; }
 uint cap_of(uint end_kind) { return end_kind == end_path ? cap_kinds.y : cap_kinds.x; }
 
-// A mitre that is longer than the limit becomes a bevel.
-uint join_of(float forward) {
-    return join_kind == join_mitre && forward * mitre_limit < 1.0 ? join_bevel : join_kind;
-}
-
-// How far the quad reaches beyond an end along the run.
-float beyond_end(Run run, uint end, vec2 along) {
+// How far the quad reaches straight beyond an end of the stroke.
+float beyond_end(uint kind) {
     float reach = half_width + fringe;
-    uint kind = run_end(run.indices.z, end);
     if (kind == end_clipped) return 0.0;
     if (kind == end_round) return reach;
-    if (kind != end_join) return cap_of(kind) == cap_round ? reach : fringe;
-    vec2 cut = end == 0u ? run.cuts.xy : run.cuts.zw;
-    float forward = abs(dot(cut, along));
-    float sideways = abs(cut.x * along.y - cut.y * along.x);
-    float corner = reach * sideways / max(forward, 1e-3);
-    return join_of(forward) == join_mitre ? corner : min(corner, reach);
+    return cap_of(kind) == cap_round ? reach : fringe;
 }
 
 // end: 0 start, 1 end; side: +1 left, -1 right.
@@ -68,8 +57,14 @@ Corner stroke_corner(Run run, uint end, float side) {
     vec2 along = run_length > 0.0 ? way / run_length : vec2(1.0, 0.0);
     vec2 left = vec2(-along.y, along.x);
     vec2 point = end == 0u ? run.ends.xy : run.ends.zw;
-    float beyond = beyond_end(run, end, along);
-    vec2 offset = left * side * (half_width + fringe) + along * (end == 0u ? -beyond : beyond);
+    uint kind = run_end(run.indices.z, end);
+    vec2 offset;
+    if (kind == end_join) {
+        offset = (end == 0u ? run.corners.xy : run.corners.zw) * (side * (half_width + fringe));
+    } else {
+        float beyond = beyond_end(kind);
+        offset = left * (side * (half_width + fringe)) + along * (end == 0u ? -beyond : beyond);
+    }
     vec2 from_start = point + offset - run.ends.xy;
 
     Corner corner;

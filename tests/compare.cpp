@@ -31,19 +31,18 @@ bool close(const Run& a, const Run& b) {
     for (int i = 0; i < 2; ++i) {
         if (!close(a.start[i], b.start[i], 1e-5F, pixel) ||
             !close(a.end[i], b.end[i], 1e-5F, pixel) ||
-            !close(a.start_cut[i], b.start_cut[i], 1e-4F, pixel) ||
-            !close(a.end_cut[i], b.end_cut[i], 1e-4F, pixel)) {
+            !close(a.start_corner[i], b.start_corner[i], 1e-4F, pixel) ||
+            !close(a.end_corner[i], b.end_corner[i], 1e-4F, pixel)) {
             return false;
         }
     }
     return close(a.start_arc, b.start_arc, 1e-5F, pixel) &&
            close(a.end_arc, b.end_arc, 1e-5F, pixel) &&
            close(a.stroke_start, b.stroke_start, 1e-5F, pixel) &&
-           close(a.stroke_end, b.stroke_end, 1e-5F, pixel) &&
-           close(a.start_depth, b.start_depth) && close(a.end_depth, b.end_depth) &&
-           close(a.start_sample, b.start_sample, 1e-5F, pixel) &&
-           close(a.end_sample, b.end_sample, 1e-5F, pixel) && a.address == b.address && a.samples == b.samples &&
-           a.flags == b.flags && a.segment == b.segment;
+           close(a.stroke_end, b.stroke_end, 1e-5F, pixel) && close(a.start_depth, b.start_depth) &&
+           close(a.end_depth, b.end_depth) && close(a.start_sample, b.start_sample, 1e-5F, pixel) &&
+           close(a.end_sample, b.end_sample, 1e-5F, pixel) && a.address == b.address &&
+           a.samples == b.samples && a.flags == b.flags && a.segment == b.segment;
 }
 
 ByteDifference compare_bytes(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,

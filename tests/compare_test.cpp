@@ -48,7 +48,8 @@ TEST(Compare, ClippedSegmentsDifferInEveryField) {
 }
 
 TEST(Compare, RunsDifferInEveryField) {
-    const lineatlas::Run a{{1, 2}, {3, 4}, {0, 1}, {0, 1}, 5, 6, 0, 9, 100, 9, 3, 42, 1, 7, 0.5F, 0.6F};
+    const lineatlas::Run a{{1, 2}, {3, 4}, {0, 1}, {0, 1}, 5, 6, 0,    9,
+                           100,    9,      3,      42,     1, 7, 0.5F, 0.6F};
     EXPECT_TRUE(close(a, a));
     for (int field = 0; field < 20; ++field) {
         lineatlas::Run b = a;
@@ -63,11 +64,11 @@ TEST(Compare, RunsDifferInEveryField) {
             break;
         case 4:
         case 5:
-            b.start_cut[field - 4] += 0.1F;
+            b.start_corner[field - 4] += 0.1F;
             break;
         case 6:
         case 7:
-            b.end_cut[field - 6] += 0.1F;
+            b.end_corner[field - 6] += 0.1F;
             break;
         case 8:
             b.start_arc += 0.1F;

@@ -28,11 +28,10 @@ End join(glm::vec2 own, glm::vec2 other, float room, float half_width) {
     const float cosine = own.x * other.x + own.y * other.y;
     if (cosine < LA_JOIN_LIMIT_COSINE) return {LA_END_ROUND};
     const glm::vec2 sum = own + other;
-    const glm::vec2 unit = sum / std::sqrt(sum.x * sum.x + sum.y * sum.y);
-    const float forward = unit.x * own.x + unit.y * own.y;
-    const float sideways = std::fabs(unit.x * own.y - unit.y * own.x);
-    if (sideways * half_width > forward * room) return {LA_END_ROUND}; // corners would cross
-    return {LA_END_JOIN, unit};
+    const glm::vec2 left = glm::vec2{-sum.y, sum.x} * (2 / (sum.x * sum.x + sum.y * sum.y));
+    const float along = left.x * own.x + left.y * own.y;
+    if (std::fabs(along) * half_width > room) return {LA_END_ROUND}; // corners would cross
+    return {LA_END_JOIN, left};
 }
 
 } // namespace
@@ -65,11 +64,9 @@ End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end) {
     if (!frame.is_drawn(neighbour)) return {LA_END_CLIPPED};
     const std::uint32_t shorter = std::min(frame.arcs[i + 1] - frame.arcs[i],
                                            frame.arcs[neighbour + 1] - frame.arcs[neighbour]);
-    End end = join(window_direction(frame.clipped[i], frame.viewport),
-                   window_direction(frame.clipped[neighbour], frame.viewport), pixels(shorter),
-                   frame.half_width);
-    if (!at_end) end.cut = -end.cut;
-    return end;
+    return join(window_direction(frame.clipped[i], frame.viewport),
+                window_direction(frame.clipped[neighbour], frame.viewport), pixels(shorter),
+                frame.half_width);
 }
 
 Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
@@ -90,10 +87,10 @@ Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, floa
     run.start[1] = start_px.y;
     run.end[0] = end_px.x;
     run.end[1] = end_px.y;
-    run.start_cut[0] = start.cut.x;
-    run.start_cut[1] = start.cut.y;
-    run.end_cut[0] = end.cut.x;
-    run.end_cut[1] = end.cut.y;
+    run.start_corner[0] = start.corner.x;
+    run.start_corner[1] = start.corner.y;
+    run.end_corner[0] = end.corner.x;
+    run.end_corner[1] = end.corner.y;
     run.start_arc = run.stroke_start = arc + length_px * u0;
     run.end_arc = run.stroke_end = arc + length_px * u1;
     run.start_sample = start_sample;

@@ -28,10 +28,10 @@ struct FrameTables {
     bool goes_on(std::uint32_t i) const;
 };
 
-/// What an end of a segment is, LA_END_*, and how it is cut there.
+/// What an end of a segment is, LA_END_*, and how it meets its neighbour.
 struct End {
     std::uint32_t kind;
-    glm::vec2 cut{0, 0}; ///< at a join the unit normal of the bisector, outwards
+    glm::vec2 corner{0, 0}; ///< at a join, see Run
 };
 
 /// §4.5, mitering; see run.h.
