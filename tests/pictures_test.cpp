@@ -275,7 +275,7 @@ TEST_F(Planted, InOneStrokeShaderIsSeenBesideTheOther) {
 }
 
 TEST_F(Planted, InTheKernelIsSeenBesideTheReference) {
-    const PlantedError error{"compact.cl", "c.xy / c.w + 1.0f", "c.xy / c.w + 1.01f"};
+    const PlantedError error{"run.h", "c.xy / c.w + 1.0f", "c.xy / c.w + 1.01f"};
     const Drawn opencl = draw_clevis({});
     const Drawn reference = draw_clevis({}, {.compute = "reference"});
     EXPECT_FALSE(samples_differ(opencl, reference));
