@@ -146,25 +146,29 @@ static lanes_int is_own_face(const OwnFace face, const lanes_float seen, const l
 }
 
 /* How many probes see sample j. They fill a box one pixel wide across the line and one sample long
- * along it (§3.2, §4.3). A probe sees the line if nothing in the depth buffer stands before it by
- * more than the tolerance, or if what stands there is one of the line's own two faces: their planes
- * are known, so they need no bias. tolerance is in window depth times w. A single probe on a smooth
- * silhouette would hit the surface or miss it by chance, and the outline would be dashed; it stands
- * outside instead. */
+ * along it (§3.2, §4.3), each row and column of them a little further along than the one before, so
+ * that no two are at the same place along or across the line. A probe sees the line if nothing in
+ * the depth buffer stands before it by more than the tolerance, or if what stands there is one of
+ * the line's own two faces: their planes are known, so they need no bias. tolerance is in window
+ * depth times w. A single probe on a smooth silhouette would hit the surface or miss it by chance,
+ * and the outline would be dashed; it stands outside instead. */
 static uint count_visible(const Spine spine, const uint j, __global const float* depth,
                           const int2 depth_size, const float depth_scale, const float tolerance) {
     const float inverse_scale = 1.0f / depth_scale;
     const float2 left = (float2)(-spine.along.y, spine.along.x);
     const float shift =
         PROBES_PER_AXIS == 1 ? spine.outside * LA_FOLD_CLEARANCE * inverse_scale : 0.0f;
+    const float middle = 0.5f * (PROBES_PER_AXIS - 1);
     uint visible = 0;
     for (int first = 0; first < PROBES; first += PROBE_LANES) {
         const lanes_int probe = LANE_INDEX + first;
         const lanes_int row = probe / PROBES_PER_AXIS;
         const lanes_int column = probe - row * PROBES_PER_AXIS;
-        const lanes_float row_place = (TO_FLOAT(row) + 0.5f) * (1.0f / PROBES_PER_AXIS);
+        const lanes_float row_shift = (TO_FLOAT(column) - middle) * (1.0f / PROBES);
+        const lanes_float column_shift = (TO_FLOAT(row) - middle) * (1.0f / PROBES);
+        const lanes_float row_place = (TO_FLOAT(row) + 0.5f) * (1.0f / PROBES_PER_AXIS) + row_shift;
         const lanes_float side =
-            (TO_FLOAT(column) + 0.5f) * (1.0f / PROBES_PER_AXIS) - 0.5f + shift;
+            (TO_FLOAT(column) + 0.5f) * (1.0f / PROBES_PER_AXIS) - 0.5f + column_shift + shift;
 
         const lanes_float u = ((float)j + row_place) * spine.inverse_l;
         const lanes_float x = spine.p.x + spine.d.x * u;

@@ -136,7 +136,7 @@ typedef struct FrameRecord {
 
 /* A face whose depth changes by no more than this many pixel widths is recognised by depth alone:
  * beyond its own third corner other faces may lie in the same plane. */
-#define LA_OWN_FACE_REACH 4.0f
+#define LA_OWN_FACE_REACH 2.0f
 
 /* Rounding in the depth buffer: a few units in the last place of a float just below 1. */
 #define LA_DEPTH_ROUNDING 2.4e-7f
@@ -145,6 +145,12 @@ typedef struct FrameRecord {
  * pixel across, or for a single probe the clearance from a fold, and half a diagonal to the texel's
  * centre. */
 #define LA_PROBE_REACH(depth_scale) (0.5f * (depth_scale) + 1.0f)
+
+/* The moving average over frames: the share of the new frame in it, and changes of visibility (of
+ * 255) that are too large to be chance, or too small to bother at either extreme. */
+#define LA_TEMPORAL_SHARE 0.3f
+#define LA_TEMPORAL_LARGEST_CHANGE 90.0f
+#define LA_TEMPORAL_SMALLEST_CHANGE 16.0f
 
 /* Texels per axis of a tile of the depth pyramid. */
 #define LA_TILE 16

@@ -9,7 +9,7 @@ uniform float tolerance;       // window depth that may stand before a line, tim
 
 // As in kernels/segment_table.h.
 const float own_face_snap = 0.015625;
-const float own_face_reach = 4.0;
+const float own_face_reach = 2.0;
 const float fold_clearance = 0.75;
 const float depth_rounding = 2.4e-7;
 
@@ -70,12 +70,16 @@ float visibility(Spine spine, float j, float inverse_l) {
     ivec2 last_texel = textureSize(depth, 0) - 1;
     vec2 left = vec2(-spine.along.y, spine.along.x);
     float shift = probes_per_axis == 1u ? spine.outside * fold_clearance * inverse_scale : 0.0;
+    float middle = 0.5 * float(probes_per_axis - 1u);
+    float inverse_probes = inverse_axis * inverse_axis;
     for (uint row = 0u; row < probes_per_axis; ++row) {
-        float u = (j + (float(row) + 0.5) * inverse_axis) * inverse_l;
-        vec2 point = spine.p + spine.d * u;
-        float before = tolerance * (spine.inverse_w.x + spine.inverse_w.y * u) + depth_rounding;
         for (uint column = 0u; column < probes_per_axis; ++column) {
-            float side = (float(column) + 0.5) * inverse_axis - 0.5 + shift;
+            float row_shift = (float(column) - middle) * inverse_probes;
+            float column_shift = (float(row) - middle) * inverse_probes;
+            float side = (float(column) + 0.5) * inverse_axis - 0.5 + column_shift + shift;
+            float u = (j + (float(row) + 0.5) * inverse_axis + row_shift) * inverse_l;
+            vec2 point = spine.p + spine.d * u;
+            float before = tolerance * (spine.inverse_w.x + spine.inverse_w.y * u) + depth_rounding;
             ivec2 texel = clamp(ivec2(floor(point + left * (side * depth_scale))), ivec2(0), last_texel);
             vec2 offset = (vec2(texel) + 0.5 - point) * inverse_scale;
             float along = offset.x * spine.along.x + offset.y * spine.along.y;

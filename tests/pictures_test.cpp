@@ -206,6 +206,7 @@ class PlantedError {
   public:
     PlantedError(const std::string& file, const std::string& from, const std::string& to)
         : folder_(fs::temp_directory_path() / ("lineatlas_planted_" + std::to_string(::getpid()))) {
+        fs::remove_all(folder_); // of one that threw
         fs::create_directories(folder_);
         for (const char* source : {"kernels", "shaders"}) {
             fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_, fs::copy_options::recursive);
@@ -254,7 +255,7 @@ TEST_F(Planted, InTheAtlasKernelIsSeenBesideTheRasterForm) {
 }
 
 TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
-    const PlantedError error{"probe.glsl", "- 0.5 + shift", "- 0.2 + shift"};
+    const PlantedError error{"probe.glsl", "- 0.5 + column_shift", "- 0.2 + column_shift"};
     EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
                                draw_clevis({.atlas = AtlasForm::compute})));
 }

@@ -130,6 +130,34 @@ class Stages {
         state.alpha = read_back<std::uint8_t>(*backend_, *alpha, layout.texels(total) + 64);
     }
 
+    /// Averages `now` with the frame before it.
+    void temporal(const AtlasLayout& layout, const FrameState& before, FrameState& now) {
+        const std::uint32_t room = std::max(before.offsets.back(), now.offsets.back());
+        const std::size_t texels = layout.texels(room) + 64;
+        const auto history_alpha = to_device(*backend_, std::vector<std::uint8_t>(texels));
+        const auto history_offsets = to_device(*backend_, std::vector<std::uint32_t>(n_ + 1));
+        const auto ranges = to_device(*backend_, std::vector<std::uint32_t>(n_));
+        for (const FrameState* frame : {&before, static_cast<const FrameState*>(&now)}) {
+            set(clipped_, frame->clipped);
+            set(offsets_, frame->offsets);
+            std::vector<std::uint8_t> padded = frame->alpha;
+            padded.resize(texels);
+            const auto alpha = to_device(*backend_, padded);
+            backend_->temporal({.clipped = {*clipped_, *offsets_, *arcs_},
+                                .segment_count = n_,
+                                .layout = layout,
+                                .capacity = room,
+                                .alpha = *alpha,
+                                .history = {*history_alpha, *history_offsets, *ranges},
+                                .use_history = frame != &before});
+            if (frame == &before) continue;
+            padded = read_back<std::uint8_t>(*backend_, *alpha, texels);
+            EXPECT_TRUE(equal(padded, read_back<std::uint8_t>(*backend_, *history_alpha, texels)));
+            padded.resize(now.alpha.size());
+            now.alpha = padded;
+        }
+    }
+
     void compact(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
         set(clipped_, state.clipped);
         set(offsets_, state.offsets);
@@ -205,6 +233,13 @@ testing::AssertionResult all_close(const std::vector<T>& a, const std::vector<T>
     return testing::AssertionSuccess();
 }
 
+/// As seen from a step aside, under a pixel for most of the picture.
+Camera nudged(Camera camera) {
+    camera.projection[2][0] += 0.7F / static_cast<float>(camera.size.x);
+    camera.projection[2][1] += 0.4F / static_cast<float>(camera.size.y);
+    return camera;
+}
+
 class StagesTest : public testing::TestWithParam<TestDevice> {
   protected:
     void compare_scene(const std::string& scene) {
@@ -215,15 +250,15 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             build_clusters(lines.vertices, lines.triangles, 64).clusters;
         for (const NamedCamera& view : scene_cameras(scene)) {
             SCOPED_TRACE(scene + " " + view.name);
-            compare_frame(reference, device, view.camera, draw_depth(lines, view.camera));
+            compare_frame(lines, reference, device, view.camera, draw_depth(lines, view.camera));
             const std::vector<std::uint8_t> visible = reference.cull(view.camera, clusters);
             EXPECT_TRUE(equal(visible, device.cull(view.camera, clusters)));
             EXPECT_GT(std::ranges::count(visible, 1), 0);
         }
     }
 
-    static void compare_frame(Stages& reference, Stages& device, const Camera& camera,
-                              const std::vector<float>& depth) {
+    static void compare_frame(const LineSet& lines, Stages& reference, Stages& device,
+                              const Camera& camera, const std::vector<float>& depth) {
         FrameState expected;
         reference.pyramid(camera, depth, expected);
         FrameState seen = expected;
@@ -261,6 +296,17 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             device.atlas(camera, depth, layout, seen);
             const ByteDifference difference = compare_bytes(expected.alpha, seen.alpha);
             EXPECT_LE(difference.share(), 0.001) << "largest " << difference.largest;
+
+            FrameState before, current = expected;
+            const Camera aside = nudged(camera);
+            reference.project(aside, false, before);
+            reference.scan(before);
+            reference.atlas(aside, draw_depth(lines, aside), layout, before);
+            FrameState seen_current = current;
+            reference.temporal(layout, before, current);
+            device.temporal(layout, before, seen_current);
+            EXPECT_TRUE(equal(current.alpha, seen_current.alpha));
+            EXPECT_FALSE(equal(current.alpha, expected.alpha)) << "nothing was averaged";
 
             reference.compact(camera, layout, expected);
             seen = expected;

@@ -87,6 +87,7 @@ MethodReport Measurement::measure(const Contestant& method, const std::vector<Fr
             subject_.lines, frames[i].matches,
             {frames[i].clipped, now.alpha, frames[i].truth, arcs},
             {frames[i - 1].clipped, alpha_before, frames[i - 1].truth, arcs_before}));
+        report.errors.add(compare({subject_.lines, frames[i].clipped, now.alpha, frames[i].truth}));
         alpha_before = std::move(now.alpha);
         arcs_before = std::move(arcs);
     }

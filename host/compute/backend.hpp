@@ -125,6 +125,23 @@ struct CompactRunsArgs {
     Buffer& record; ///< out: one `FrameRecord`
 };
 
+/// What `temporal` remembers of a frame.
+struct History {
+    Buffer& alpha;   ///< a copy of the frame's atlas, as large
+    Buffer& offsets; ///< a copy of ClippedTable::offsets
+    Buffer& ranges;  ///< a uint32 per segment
+};
+
+struct TemporalArgs {
+    ClippedTable clipped;
+    std::uint32_t segment_count;
+    AtlasLayout layout;
+    std::uint32_t capacity; ///< samples that `alpha` has room for
+    Buffer& alpha;          ///< in and out: averaged with the frame before
+    History history;        ///< in: of the frame before; out: of this one
+    bool use_history;       ///< false: there is none yet
+};
+
 /// Gaps beside nearer lines (§4.5).
 struct HaloArgs {
     SegmentTable table;
@@ -216,6 +233,7 @@ class Backend {
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
     virtual void scan(Buffer& values, std::uint32_t n, ScanKind kind) = 0;
     virtual void atlas(const AtlasArgs& args) = 0;
+    virtual void temporal(const TemporalArgs& args) = 0;
     virtual void compact_runs(const CompactRunsArgs& args) = 0;
     virtual void compact_samples(const CompactSamplesArgs& args) = 0;
 

@@ -15,6 +15,10 @@ namespace {
 constexpr std::uint32_t first_sample_capacity = 1U << 18U;
 constexpr std::uint32_t first_run_capacity = 1U << 13U;
 
+std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
+    return buffer ? buffer->size() : 0;
+}
+
 } // namespace
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
@@ -29,6 +33,7 @@ void AtlasMethod::set_scene(const SceneBuffers& scene) {
     // The old tables first: a large model may not fit beside another.
     front_.reset();
     arcs_.reset();
+    past_ = {};
     clipped_.reset();
     offsets_.reset();
     segment_count_ = scene.segment_count();
@@ -50,6 +55,7 @@ void AtlasMethod::prepare_layout(const Frame& frame) {
         make_atlas_layout(kind, longest, static_cast<std::uint32_t>(largest_texture_));
     if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
     layout_ = layout;
+    past_ = {};
     sample_capacity_ = std::max(sample_capacity_, first_sample_capacity);
     alpha_ = shared(layout_.texels(sample_capacity_));
 }
@@ -150,6 +156,45 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
     });
 }
 
+bool AtlasMethod::follows_past(const Frame& frame) const {
+    // Faster motion doesn't sparkle: nobody follows a line through it.
+    constexpr float slow_pixels = 4;
+    return past_.camera && past_.probes == frame.options.probes &&
+           past_.depth_scale == frame.options.depth_scale && past_.step == frame.options.step &&
+           past_.camera->size == frame.camera.size &&
+           frame.scene.typical_motion(*past_.camera, frame.camera) <= slow_pixels;
+}
+
+void AtlasMethod::steady(Frame& frame) {
+    const bool wanted =
+        frame.options.steady && frame.options.method == Method::atlas && frame.options.probes > 1;
+    if (!wanted) {
+        past_.camera.reset();
+        return;
+    }
+    frame.clock("temporal", [&] {
+        if (!past_.offsets) {
+            past_.offsets = backend_.allocate((std::size_t{segment_count_} + 1) * sizeof(la_uint));
+            past_.ranges = backend_.allocate(std::size_t{segment_count_} * sizeof(la_uint));
+        }
+        if (!past_.alpha || past_.alpha->size() != alpha_->size()) {
+            past_.alpha = backend_.allocate(alpha_->size());
+            past_.camera.reset();
+        }
+        backend_.temporal({.clipped = clipped_table(),
+                           .segment_count = segment_count_,
+                           .layout = layout_,
+                           .capacity = sample_capacity_,
+                           .alpha = alpha_->compute(),
+                           .history = {*past_.alpha, *past_.offsets, *past_.ranges},
+                           .use_history = follows_past(frame)});
+        past_.camera = frame.camera;
+        past_.probes = frame.options.probes;
+        past_.depth_scale = frame.options.depth_scale;
+        past_.step = frame.options.step;
+    });
+}
+
 void AtlasMethod::compact(Frame& frame) {
     frame.clock("compact", [&] {
         backend_.compact_runs({.table = frame.scene.table(),
@@ -225,6 +270,7 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     if (cull_hidden_) project(frame);
     do {
         sample(frame);
+        steady(frame);
         compact(frame);
     } while (grow());
     draw_strokes(frame);
@@ -234,9 +280,9 @@ FrameStats AtlasMethod::draw(Frame& frame) {
             .samples = totals_.sample_total,
             .runs = totals_.run_total,
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
-            .segment_bytes =
-                frame.scene.segment_bytes() + clipped_->size() + offsets_->size() + arcs_->size(),
-            .sample_bytes = alpha_->size(),
+            .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
+                             arcs_->size() + size_of(past_.offsets) + size_of(past_.ranges),
+            .sample_bytes = alpha_->size() + size_of(past_.alpha),
             .run_bytes = runs_->size(),
             .stages = frame.clock.take()};
 }

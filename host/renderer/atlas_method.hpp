@@ -34,6 +34,7 @@ class AtlasMethod {
     void sample(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
+    void steady(Frame& frame);
     void compact(Frame& frame);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
@@ -62,7 +63,18 @@ class AtlasMethod {
     std::uint32_t sample_capacity_ = 0;
     std::uint32_t run_capacity_ = 0;
     AtlasLayout layout_{0, 0};
-    bool raster_ = false;      ///< the current frame's form of `atlas`
+    bool raster_ = false; ///< the current frame's form of `atlas`
+    /// What the last frame left for `temporal`, and what it must have in common with the next.
+    struct Past {
+        std::unique_ptr<compute::Buffer> alpha, offsets, ranges;
+        std::optional<Camera> camera; ///< none: nothing to go by
+        std::uint32_t probes = 0;
+        int depth_scale = 0;
+        float step = 0;
+    };
+    bool follows_past(const Frame& frame) const;
+
+    Past past_;
     bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
     FrameRecord totals_{};
 

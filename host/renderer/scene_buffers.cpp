@@ -1,8 +1,13 @@
 #include "scene_buffers.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string>
+
+#include <glm/geometric.hpp>
 
 #include "core/clusters.hpp"
 #include "lineatlas/error.hpp"
@@ -13,6 +18,17 @@ namespace {
 // Below this a depth pass costs less than finding out what to leave out of it.
 constexpr std::uint32_t fewest_triangles_culled = 50'000;
 constexpr std::uint32_t cluster_size = 64;
+
+// Points by which the motion of a picture is judged.
+constexpr std::size_t most_landmarks = 256;
+
+/// In pixels; nothing for a point outside the picture.
+std::optional<glm::vec2> window_position(glm::vec3 point, const glm::mat4& clip_from_world,
+                                         glm::vec2 size) {
+    const glm::vec4 clip = clip_from_world * glm::vec4{point, 1};
+    if (!(std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w)) return std::nullopt;
+    return (glm::vec2{clip} / clip.w + 1.0F) * 0.5F * size;
+}
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -55,7 +71,26 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
         gl_indices_ = upload_gl(bytes_of(parts.triangles));
         clusters_ = std::move(parts.clusters);
     }
+    const std::size_t every = std::max<std::size_t>(1, lines.vertices.size() / most_landmarks);
+    for (std::size_t i = 0; i < lines.vertices.size(); i += every) {
+        landmarks_.push_back(lines.vertices[i]);
+    }
     cluster_buffer_ = upload(backend, bytes_of(clusters_));
+}
+
+float SceneBuffers::typical_motion(const Camera& from, const Camera& to) const {
+    const glm::mat4 clip_from = from.clip_from_world(), clip_to = to.clip_from_world();
+    if (clip_from == clip_to) return 0;
+    std::vector<float> shifts;
+    for (const glm::vec3 point : landmarks_) {
+        const auto a = window_position(point, clip_from, glm::vec2{from.size});
+        const auto b = window_position(point, clip_to, glm::vec2{to.size});
+        if (a && b) shifts.push_back(glm::distance(*a, *b));
+    }
+    if (shifts.empty()) return std::numeric_limits<float>::infinity();
+    const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
+    std::nth_element(shifts.begin(), middle, shifts.end());
+    return *middle;
 }
 
 template <class T>

@@ -10,6 +10,7 @@
 #include "glpasses/line_pass.hpp"
 #include "glpasses/objects.hpp"
 #include "glpasses/spine_pass.hpp"
+#include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas {
@@ -35,6 +36,9 @@ class SceneBuffers {
     std::span<const Cluster> clusters() const { return clusters_; }
     compute::Buffer& cluster_buffer() const { return *cluster_buffer_; }
     const Bounds& bounds() const { return bounds_; }
+    /// How far points of the model move on the screen between two cameras: the median, in pixels;
+    /// infinite if none can be seen in both.
+    float typical_motion(const Camera& from, const Camera& to) const;
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
     std::uint64_t mesh_bytes() const { return vertices_->size() + triangles_->size(); }
@@ -48,6 +52,7 @@ class SceneBuffers {
     compute::Backend& backend_;
     std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, cluster_buffer_;
     Bounds bounds_;
+    std::vector<glm::vec3> landmarks_; ///< some of the vertices
     std::vector<Cluster> clusters_;
     gl::Buffer gl_vertices_, gl_indices_;
     // What only the methods besides the atlas need; made when first asked for.

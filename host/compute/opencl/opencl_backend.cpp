@@ -184,6 +184,22 @@ class Implementation final : public OpenClBackend {
                args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
     }
 
+    void temporal(const TemporalArgs& args) override {
+        const std::uint32_t n = args.segment_count;
+        const cl_uint use_history = args.use_history ? 1 : 0;
+        launch(temporal_, divide_up(n, tuning_.segment_block), tuning_.block_local_size,
+               args.clipped.clipped, args.clipped.offsets, args.history.offsets, n,
+               args.layout.width, args.layout.pitch, args.capacity, tuning_.segment_block,
+               use_history, args.history.alpha, args.history.ranges, args.alpha);
+        guarded("copying a buffer", [&] {
+            queue_.enqueueCopyBuffer(memory_of(args.clipped.offsets),
+                                     memory_of(args.history.offsets), 0, 0,
+                                     (std::size_t{n} + 1) * sizeof(cl_uint));
+            queue_.enqueueCopyBuffer(memory_of(args.alpha), memory_of(args.history.alpha), 0, 0,
+                                     std::min(args.alpha.size(), args.history.alpha.size()));
+        });
+    }
+
     void compact_runs(const CompactRunsArgs& args) override {
         const std::uint32_t n = args.table.segment_count;
         const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
@@ -324,6 +340,7 @@ class Implementation final : public OpenClBackend {
     LazyKernel facing_{"facing.cl", "facing"};
     LazyKernel project_clip_{"project_clip.cl", "project_clip"};
     std::array<LazyKernel, 4> atlas_; ///< by probes per axis, from 1
+    LazyKernel temporal_{"temporal.cl", "temporal"};
     LazyKernel compact_runs_count_{"compact.cl", "compact_runs_count"};
     LazyKernel compact_runs_write_{"compact.cl", "compact_runs_write"};
     LazyKernel compact_samples_count_{"compact.cl", "compact_samples_count"};

@@ -76,14 +76,19 @@ std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint3
     const float inverse_scale = 1.0F / in.depth_scale;
     const glm::vec2 left{-spine.along.y, spine.along.x};
     const float shift = in.probes == 1 ? spine.outside() * LA_FOLD_CLEARANCE * inverse_scale : 0;
+    const float middle = 0.5F * static_cast<float>(in.probes - 1);
+    const float inverse_probes = 1.0F / static_cast<float>(in.probes * in.probes);
     for (std::uint32_t row = 0; row < in.probes; ++row) {
-        const float row_place = (static_cast<float>(row) + 0.5F) * inverse_axis;
-        const float u = (static_cast<float>(j) + row_place) * inverse_l;
-        const glm::vec2 point = spine.p + spine.d * u;
-        const float before =
-            in.tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
         for (std::uint32_t column = 0; column < in.probes; ++column) {
-            const float side = (static_cast<float>(column) + 0.5F) * inverse_axis - 0.5F + shift;
+            const float row_shift = (static_cast<float>(column) - middle) * inverse_probes;
+            const float column_shift = (static_cast<float>(row) - middle) * inverse_probes;
+            const float row_place = (static_cast<float>(row) + 0.5F) * inverse_axis + row_shift;
+            const float side =
+                (static_cast<float>(column) + 0.5F) * inverse_axis - 0.5F + column_shift + shift;
+            const float u = (static_cast<float>(j) + row_place) * inverse_l;
+            const glm::vec2 point = spine.p + spine.d * u;
+            const float before =
+                in.tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
             const glm::vec2 probe = point + left * (side * in.depth_scale);
             const glm::ivec2 texel =
                 glm::clamp(glm::ivec2{std::floor(probe.x), std::floor(probe.y)}, glm::ivec2{0},

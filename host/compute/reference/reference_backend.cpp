@@ -114,6 +114,24 @@ class ReferenceBackend final : public Backend {
                          view_all<std::uint8_t>(args.alpha));
     }
 
+    void temporal(const TemporalArgs& args) override {
+        const std::size_t n = args.segment_count;
+        const auto offsets = view<std::uint32_t>(args.clipped.offsets, n + 1);
+        const auto offsets_before = view<std::uint32_t>(args.history.offsets, n + 1);
+        const auto alpha = view_all<std::uint8_t>(args.alpha);
+        const auto before = view_all<std::uint8_t>(args.history.alpha);
+        reference::temporal(
+            {.clipped = view<ClippedSegment>(args.clipped.clipped, n),
+             .offsets = offsets,
+             .offsets_before = args.use_history ? offsets_before : std::span<std::uint32_t>{},
+             .layout = args.layout,
+             .capacity = args.capacity,
+             .before = before},
+            view<std::uint32_t>(args.history.ranges, n), alpha);
+        std::ranges::copy(offsets, offsets_before.begin());
+        std::ranges::copy(alpha.first(std::min(alpha.size(), before.size())), before.begin());
+    }
+
     void compact_runs(const CompactRunsArgs& args) override {
         const std::size_t n = args.table.segment_count;
         reference::compact_runs({.segments = view<Segment>(args.table.segments, n),

@@ -60,6 +60,19 @@ struct AtlasInput {
 
 void atlas(const AtlasInput& input, std::span<std::uint8_t> alpha);
 
+struct TemporalInput {
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> offsets_before; ///< empty: there is no frame before
+    AtlasLayout layout;
+    std::uint32_t capacity;
+    std::span<const std::uint8_t> before;
+};
+
+/// ranges: of the frame before, then of this one; 16 bits for t0 and t1 each.
+void temporal(const TemporalInput& input, std::span<std::uint32_t> ranges,
+              std::span<std::uint8_t> alpha);
+
 struct CompactRunsInput {
     std::span<const Segment> segments;
     std::span<const ClippedSegment> clipped;

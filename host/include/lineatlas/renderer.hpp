@@ -57,6 +57,9 @@ struct FrameOptions {
     /// Leave out triangles and segments that are hidden whole, where a model is large enough for
     /// that to pay. Changes nothing in the picture.
     bool cull_hidden = true;
+    /// Average visibility with that of the frame before where the picture moves slowly, so that
+    /// lines don't sparkle. A still picture, or the first after a jump, is not touched. Atlas only.
+    bool steady = true;
     bool measure_stages = false; ///< wait after every stage and report its time; slower
 };
 

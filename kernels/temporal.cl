@@ -1,0 +1,77 @@
+/* temporal: visibility carried over from the frame before, so that lines don't sparkle in motion.
+ *
+ * Where a line runs along something that hides a part of its width, its visibility depends on where
+ * the two fall between the texels of the depth buffer, and changes at random from frame to frame. A
+ * moving average over frames, each sample found again by its place on the line, takes that out.
+ *
+ * One work-item per block of `block` neighbouring segments. */
+
+#include "atlas_address.h"
+#include "segment_table.h"
+
+#pragma OPENCL FP_CONTRACT OFF
+
+static uchar average(const uchar now, const float past) {
+    const float change = (float)now - past;
+    if (fabs(change) > LA_TEMPORAL_LARGEST_CHANGE) return now;
+    /* What is all hidden or all visible gets there in the end. */
+    const bool extreme = now == 0 || now == 255;
+    if (extreme && fabs(change) < LA_TEMPORAL_SMALLEST_CHANGE) return now;
+    return (uchar)(past + change * LA_TEMPORAL_SHARE + 0.5f);
+}
+
+/* alpha: of this frame, in and out; before: of the frame before, at the addresses of
+ * offsets_before. ranges: clip parameters t0 and t1 of every segment in the frame before, 16 bits
+ * each; those of this frame when the kernel is done. use_history 0: only remember the ranges. */
+__kernel void temporal(__global const ClippedSegment* restrict clipped,
+                       __global const uint* restrict offsets,
+                       __global const uint* restrict offsets_before, const uint count,
+                       const uint width, const uint pitch, const uint capacity, const uint block,
+                       const uint use_history, __global const uchar* restrict before,
+                       __global uint* restrict ranges, __global uchar* restrict alpha) {
+    const uint b = (uint)get_global_id(0);
+    const uint first = b * block;
+    if (first >= count) return;
+    const uint last = min(first + block, count);
+    for (uint i = first; i < last; ++i) {
+        const uint s = offsets[i];
+        const uint l = offsets[i + 1] - s;
+        if (l == 0 || l > capacity || s > capacity - l) continue;
+        const float t0 = clipped[i].t0;
+        const float t1 = clipped[i].t1;
+        const uint range = ranges[i];
+        const uint range_now = (uint)(t0 * 65535.0f + 0.5f) | (uint)(t1 * 65535.0f + 0.5f) << 16;
+        ranges[i] = range_now;
+        const uint s_before = use_history != 0 ? offsets_before[i] : 0;
+        const uint l_before = use_history != 0 ? offsets_before[i + 1] - s_before : 0;
+        if (l_before == 0) continue;
+        __global uchar* own = alpha + atlas_address(s, width, pitch);
+        __global const uchar* own_before = before + atlas_address(s_before, width, pitch);
+        if (l == l_before && range == range_now) { /* as most: sample by sample */
+            for (uint j = 0; j < l; ++j) {
+                if (own[j] != own_before[j]) own[j] = average(own[j], (float)own_before[j]);
+            }
+            continue;
+        }
+        const float t0_before = (float)(range & 0xFFFFu) / 65535.0f;
+        const float length_before = (float)(range >> 16) / 65535.0f - t0_before;
+        if (length_before <= 0.0f) continue;
+        const float wp = clipped[i].p[3];
+        const float wq = clipped[i].q[3];
+        for (uint j = 0; j < l; ++j) {
+            /* From the screen to the line in space, and to the screen of the frame before; how the
+             * depth changes along the line is taken for the same. */
+            const float u = ((float)j + 0.5f) / (float)l;
+            const float in_space = u * wp / (u * wp + (1.0f - u) * wq);
+            const float t = (t0 + (t1 - t0) * in_space - t0_before) / length_before;
+            if (!(t >= 0.0f && t <= 1.0f)) continue;
+            const float u_before = t * wq / (t * wq + (1.0f - t) * wp);
+            const float x = clamp(u_before * (float)l_before - 0.5f, 0.0f, (float)(l_before - 1));
+            const uint low = (uint)x;
+            const uint high = min(low + 1, l_before - 1);
+            const float a = (float)own_before[low];
+            const float past = a + ((float)own_before[high] - a) * (x - (float)low);
+            own[j] = average(own[j], past);
+        }
+    }
+}
