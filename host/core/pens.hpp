@@ -7,21 +7,39 @@
 
 #include <glm/vec2.hpp>
 
+#include "lineatlas/io.hpp"
+
 namespace lineatlas {
 
-/// A pen's mark: coverage from 0 to 255, rows across the stroke, columns along it; repeats along.
+/// A pen's mark: coverage from 0 to 255, rows across the stroke from its right side to its left,
+/// columns along it; repeats along.
 struct PenMark {
     glm::ivec2 size{0, 0}; ///< 0: a solid mark
     std::vector<std::uint8_t> coverage;
     float repeat_length = 1; ///< pixels on the screen that one repeat covers
 };
 
-/// The names `make_pen` knows.
-std::span<const std::string_view> pen_names();
+/// A built-in mark, for lists and help.
+struct PenName {
+    std::string_view name;
+    std::string_view description;
+};
+std::span<const PenName> pen_names();
 
-/// A built-in pen: solid, pen (slightly uneven ink), pencil (graphite on paper grain) or dashed.
-/// `width` is the stroke's width in pixels; grain keeps its size on the screen whatever the width.
-/// Throws UsageError for an unknown name.
+/// The mark of a built-in pen for strokes of `width` pixels, the same every time. Grain keeps its
+/// size on the screen whatever the width. Throws UsageError for an unknown name.
 PenMark make_pen(std::string_view name, float width);
+
+/// Whether a mark's name is that of an image file: it holds a '/' or a '.'. The caller reads it and
+/// makes a mark with `pen_from_image`.
+bool is_pen_file(std::string_view name);
+
+/// A mark from a picture, as a stroke from left to right looks; one repeat keeps its proportions.
+/// Coverage is the alpha channel, or darkness if there is none or it is opaque all over.
+/// Throws UsageError for an empty picture.
+PenMark pen_from_image(const Image& image, float width);
+
+/// The picture `pen_from_image` makes `mark` of: grey, dark where the mark covers.
+Image image_of_pen(const PenMark& mark);
 
 } // namespace lineatlas
