@@ -12,6 +12,7 @@ namespace lineatlas::apps {
 using Command = std::function<void()>;
 
 Command setup_draw(CLI::App& app);    ///< lineatlas draw
+Command setup_styles(CLI::App& app);  ///< lineatlas styles
 Command setup_devices(CLI::App& app); ///< lineatlas devices
 Command setup_bench(CLI::App& app);   ///< lineatlas bench
 

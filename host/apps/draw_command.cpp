@@ -1,13 +1,11 @@
 #include "commands.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <map>
 #include <numbers>
 
 #include <fmt/core.h>
 
-#include "core/pens.hpp"
+#include "draw_stats.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/image_writer.hpp"
@@ -15,6 +13,7 @@
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "style_options.hpp"
 #include "values.hpp"
 
 namespace lineatlas::apps {
@@ -39,8 +38,7 @@ struct DrawArguments {
     std::string atlas = "auto";
     std::string atlas_layout = "wrap";
     std::string stroke_shader = "geometry";
-    float width = 2;
-    std::string pen = "solid";
+    StyleOptions style;
     DeviceOptions device;
     bool stats = false;
     int repeat = 1;
@@ -56,7 +54,7 @@ T choose(std::string_view option, const std::string& value, const std::map<std::
 }
 
 /// Everything that can be wrong on the command line alone is found before any work starts.
-FrameOptions frame_options(const DrawArguments& arguments) {
+FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
     const Method method = choose<Method>("--method", arguments.method,
                                          {{"atlas", Method::atlas},
                                           {"spine", Method::spine},
@@ -64,9 +62,6 @@ FrameOptions frame_options(const DrawArguments& arguments) {
                                           {"opengl", Method::opengl}});
     const bool high =
         choose<bool>("--quality", arguments.quality, {{"low", false}, {"high", true}});
-    if (std::ranges::find(pen_names(), arguments.pen) == pen_names().end()) {
-        make_pen(arguments.pen, arguments.width); // says what there is
-    }
     FrameOptions options;
     options.method = method;
     options.probes = high ? 9 : 1;
@@ -85,8 +80,10 @@ FrameOptions frame_options(const DrawArguments& arguments) {
     options.stroke_shader = choose<StrokeShader>(
         "--stroke-shader", arguments.stroke_shader,
         {{"geometry", StrokeShader::geometry}, {"vertex", StrokeShader::vertex}});
-    options.width = arguments.width;
-    options.pen = arguments.pen;
+    // The rest of the style is handed over here once FrameOptions takes it.
+    options.width = style.pen.width;
+    options.color = glm::vec4{style.pen.color, style.pen.opacity};
+    options.pen = style.pen.mark;
     return options;
 }
 
@@ -124,64 +121,17 @@ void apply_camera(const DrawArguments& arguments, const CLI::App& app, View& vie
     if (app.count("--fov") > 0) view.fov_y = arguments.fov * radians_per_degree;
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-/// Draws `repeat` frames and prints medians; whole frames and stages are measured in frames of
-/// their own, since waiting between stages slows a frame down.
-void print_stats(Renderer& renderer, gl::Canvas& canvas, const Camera& camera, FrameOptions options,
-                 int repeat, const Subject& subject) {
-    std::vector<double> frame_times;
-    std::vector<std::string> stage_order;
-    std::map<std::string, std::vector<double>> stage_times;
-    FrameStats stats;
-    for (int i = 0; i < repeat; ++i) {
-        options.measure_stages = false;
-        const auto start = std::chrono::steady_clock::now();
-        canvas.clear(glm::vec4{1});
-        renderer.draw(camera, options, canvas.framebuffer());
-        glFinish();
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
-        frame_times.push_back(elapsed.count());
-
-        options.measure_stages = true;
-        canvas.clear(glm::vec4{1});
-        stats = renderer.draw(camera, options, canvas.framebuffer());
-        for (const StageTime& stage : stats.stages) {
-            if (!stage_times.contains(stage.name)) stage_order.push_back(stage.name);
-            stage_times[stage.name].push_back(stage.milliseconds);
-        }
-    }
-    fmt::print("{}: {} triangles ({} drawn), {} segments\n", subject.name, stats.triangles,
-               stats.triangles_drawn, stats.segments);
-    fmt::print("{}\n", renderer.description());
-    fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
-    const auto per = [](std::uint64_t bytes, std::uint32_t count) {
-        return static_cast<double>(bytes) / std::max(1U, count);
-    };
-    fmt::print(
-        "device memory: {:.1f} bytes per segment, {:.1f} per sample, {:.1f} per visible run, "
-        "{:.1f} MiB mesh\n",
-        per(stats.segment_bytes, stats.segments), per(stats.sample_bytes, stats.samples),
-        per(stats.run_bytes, stats.runs), static_cast<double>(stats.mesh_bytes) / (1 << 20));
-    fmt::print("{:<14}{:8.2f} ms (median of {})\n", "frame", median(frame_times), repeat);
-    for (const std::string& name : stage_order) {
-        fmt::print("  {:<12}{:8.2f} ms\n", name, median(stage_times[name]));
-    }
-}
-
 void draw(const DrawArguments& arguments, const CLI::App& app) {
     if (arguments.model.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     const glm::ivec2 size = parse_size("--size", arguments.size);
-    const FrameOptions options = frame_options(arguments);
+    const Style style = arguments.style.style();
+    const FrameOptions options = frame_options(arguments, style);
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     ImageWriter writer{arguments.output}; // before anything starts a thread
+    // Checked; the renderer is given them once it takes pens from images.
+    const std::map<std::string, Image> pen_images = read_pen_images(style);
 
     Subject subject = load_subject(arguments, size);
     apply_camera(arguments, app, subject.view);
@@ -191,11 +141,17 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     gl::Canvas canvas{size};
     Renderer renderer{arguments.device};
     renderer.set_lines(subject.lines);
-    canvas.clear(glm::vec4{1});
+    const glm::vec4 paper{style.paper.color, 1};
+    canvas.clear(paper);
     renderer.draw(camera, options, canvas.framebuffer());
     writer.write({.size = size, .channels = 4, .pixels = canvas.read()});
     if (arguments.stats) {
-        print_stats(renderer, canvas, camera, options, arguments.repeat, subject);
+        measure_and_print({.name = subject.name,
+                           .camera = camera,
+                           .options = options,
+                           .paper = paper,
+                           .repeat = arguments.repeat},
+                          renderer, canvas);
     }
 }
 
@@ -256,14 +212,12 @@ Command setup_draw(CLI::App& app) {
         ->capture_default_str()
         ->group(visibility);
 
-    const std::string strokes = "Strokes";
-    app.add_option("--width", a.width, "Width in pixels")->capture_default_str()->group(strokes);
-    app.add_option("--pen", a.pen, "solid, pen, pencil or dashed")
+    app.add_option("--stroke-shader", a.stroke_shader,
+                   "How strokes are widened: geometry or vertex; one picture")
         ->capture_default_str()
-        ->group(strokes);
-    app.add_option("--stroke-shader", a.stroke_shader, "geometry or vertex; one picture")
-        ->capture_default_str()
-        ->group(strokes);
+        ->group(visibility);
+
+    a.style.declare(app);
 
     const std::string device = "Device";
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference (plain C++)")
@@ -285,7 +239,7 @@ Command setup_draw(CLI::App& app) {
 
     app.footer("Examples:\n"
                "  lineatlas draw chair.obj -o chair.png\n"
-               "  lineatlas draw part.stl -o part.png --up z --width 3 --pen pencil\n"
+               "  lineatlas draw part.stl -o part.png --up z --style pencil --width 3\n"
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20");
     return [arguments, &app] { draw(*arguments, app); };

@@ -25,6 +25,8 @@ int run(int argc, char** argv) {
                "  lineatlas draw model.obj -o picture.png\n"
                "  lineatlas draw part.stl -o part.png --up z --lines crease,silhouette --width 3\n"
                "  lineatlas draw --scene ship -o ship.png --stats\n"
+               "  lineatlas draw model.obj -o sketch.png --style pencil\n"
+               "  lineatlas styles\n"
                "  lineatlas devices\n"
                "  lineatlas bench frames --scenes clevis\n"
                "`lineatlas COMMAND --help` explains each command.");
@@ -35,14 +37,15 @@ int run(int argc, char** argv) {
         commands.emplace_back(command, setup(*command));
     };
     add("draw", "Draw a model to a picture", lineatlas::apps::setup_draw);
+    add("styles", "List styles and pens, or print a style", lineatlas::apps::setup_styles);
     add("devices", "List OpenCL devices and how they share buffers with GL",
         lineatlas::apps::setup_devices);
     add("bench", "Measure frames, kernels or quality", lineatlas::apps::setup_bench);
     const std::string first = argc > 1 ? argv[1] : "";
     const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
-        throw lineatlas::UsageError(
-            fmt::format("there is no command \"{}\"; there is draw, devices, bench", first));
+        throw lineatlas::UsageError(fmt::format(
+            "there is no command \"{}\"; there is draw, styles, devices, bench", first));
     }
     try {
         app.parse(argc, argv);

@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// A kernel or shader file, embedded at build time.
+/// A kernel, shader or style file, embedded at build time.
 struct EmbeddedSource {
     std::string_view name; ///< the file's name without its folder
     std::string_view text;

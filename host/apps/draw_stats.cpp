@@ -1,0 +1,65 @@
+#include "draw_stats.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+namespace lineatlas::apps {
+namespace {
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+void measure_and_print(MeasuredFrame frame, Renderer& renderer, gl::Canvas& canvas) {
+    auto& [name, camera, options, paper, repeat] = frame;
+    std::vector<double> frame_times;
+    std::vector<std::string> stage_order;
+    std::map<std::string, std::vector<double>> stage_times;
+    FrameStats stats;
+    // Whole frames and stages have frames of their own: waiting between stages slows a frame down.
+    for (int i = 0; i < repeat; ++i) {
+        options.measure_stages = false;
+        const auto start = std::chrono::steady_clock::now();
+        canvas.clear(paper);
+        renderer.draw(camera, options, canvas.framebuffer());
+        glFinish();
+        const std::chrono::duration<double, std::milli> elapsed =
+            std::chrono::steady_clock::now() - start;
+        frame_times.push_back(elapsed.count());
+
+        options.measure_stages = true;
+        canvas.clear(paper);
+        stats = renderer.draw(camera, options, canvas.framebuffer());
+        for (const StageTime& stage : stats.stages) {
+            if (!stage_times.contains(stage.name)) stage_order.push_back(stage.name);
+            stage_times[stage.name].push_back(stage.milliseconds);
+        }
+    }
+    fmt::print("{}: {} triangles ({} drawn), {} segments\n", name, stats.triangles,
+               stats.triangles_drawn, stats.segments);
+    fmt::print("{}\n", renderer.description());
+    fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
+    const auto per = [](std::uint64_t bytes, std::uint32_t count) {
+        return static_cast<double>(bytes) / std::max(1U, count);
+    };
+    fmt::print(
+        "device memory: {:.1f} bytes per segment, {:.1f} per sample, {:.1f} per visible run, "
+        "{:.1f} MiB mesh\n",
+        per(stats.segment_bytes, stats.segments), per(stats.sample_bytes, stats.samples),
+        per(stats.run_bytes, stats.runs), static_cast<double>(stats.mesh_bytes) / (1 << 20));
+    fmt::print("{:<14}{:8.2f} ms (median of {})\n", "frame", median(frame_times), repeat);
+    for (const std::string& stage : stage_order) {
+        fmt::print("  {:<12}{:8.2f} ms\n", stage, median(stage_times[stage]));
+    }
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,232 @@
+#include "lineatlas/style_files.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "core/pens.hpp"
+#include "core/sources.hpp"
+#include "lineatlas/error.hpp"
+#include "settings.hpp"
+
+namespace lineatlas {
+
+const std::vector<EmbeddedSource>& embedded_styles(); ///< styles/
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A style file before it is parsed.
+struct StyleText {
+    std::string name;
+    std::string place; ///< for messages: the path in quotes, or which built-in style
+    fs::path path;     ///< empty for a built-in one
+    std::string text;
+};
+
+std::string quoted(const fs::path& path) {
+    return fmt::format("\"{}\"", path.string());
+}
+
+StyleText read_file(const fs::path& path) {
+    const auto refuse = [&](const char* cause) {
+        return FileError(fmt::format("cannot read {}: {}", quoted(path), cause));
+    };
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) throw refuse("no such file");
+    if (!fs::is_regular_file(path, ignored)) throw refuse("it is no file");
+    std::ifstream file{path, std::ios::binary};
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file.is_open() || file.bad()) throw refuse("no permission, or a damaged disk");
+    return {.name = path.stem().string(), .place = quoted(path), .path = path, .text = text.str()};
+}
+
+/// The styles that go by a name.
+std::vector<StyleText> shipped_styles() {
+    std::vector<StyleText> styles;
+    const char* folder = std::getenv("LINEATLAS_STYLE_DIR");
+    if (folder == nullptr) {
+        for (const EmbeddedSource& source : embedded_styles()) {
+            const std::string name = fs::path{source.name}.stem().string();
+            styles.push_back({.name = name,
+                              .place = fmt::format("built-in style \"{}\"", name),
+                              .path = {},
+                              .text = std::string{source.text}});
+        }
+        return styles;
+    }
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator{folder, error}) {
+        if (entry.path().extension() == ".toml") styles.push_back(read_file(entry.path()));
+    }
+    if (error) {
+        throw FileError(fmt::format("cannot read the folder {} that LINEATLAS_STYLE_DIR names: {}",
+                                    quoted(folder), error.message()));
+    }
+    std::ranges::sort(styles, {}, &StyleText::name);
+    return styles;
+}
+
+/// `from`: the folder of the file that includes it. What holds neither '/' nor '.' is a name.
+StyleText find_style(const std::string& name, const fs::path& from) {
+    if (name.find_first_of("./") != std::string::npos) return read_file(from / name);
+    const std::vector<StyleText> styles = shipped_styles();
+    const auto found = std::ranges::find(styles, name, &StyleText::name);
+    if (found != styles.end()) return *found;
+    std::vector<std::string> names;
+    for (const StyleText& style : styles) names.push_back(style.name);
+    std::string advice = suggestion(name, names);
+    if (advice.empty()) {
+        advice = fmt::format("; there is {}, or a file by its path", fmt::join(names, ", "));
+    }
+    throw UsageError(fmt::format("there is no style \"{}\"{}", name, advice));
+}
+
+toml::table parse(const StyleText& file) {
+    try {
+        return toml::parse(file.text);
+    } catch (const toml::parse_error& error) {
+        throw FileError(fmt::format("{} line {}: {}", file.place, error.source().begin.line,
+                                    error.description()));
+    }
+}
+
+/// Nothing for what no setting can be: tables, dates and mixed lists.
+std::optional<SettingValue> value_of(const toml::node& node) {
+    if (const auto flag = node.value_exact<bool>()) return *flag;
+    if (node.is_number()) return *node.value<double>();
+    if (const auto text = node.value_exact<std::string>()) return *text;
+    if (!node.is_array()) return std::nullopt;
+    std::vector<double> numbers;
+    for (const toml::node& element : *node.as_array()) {
+        if (!element.is_number()) return std::nullopt;
+        numbers.push_back(*element.value<double>());
+    }
+    return numbers;
+}
+
+class StyleLoader {
+  public:
+    Style load(const std::string& name) {
+        apply(find_style(name, {}));
+        return style_;
+    }
+
+  private:
+    void apply(const StyleText& file) {
+        open_.push_back(identity(file));
+        const toml::table table = parse(file);
+        // What a file says itself counts more than what it includes, wherever it stands.
+        if (const toml::node* include = table.get("include")) apply_includes(file, *include);
+        for (const auto& [key, node] : table) apply_key(file, key, node);
+        open_.pop_back();
+    }
+
+    static std::string identity(const StyleText& file) {
+        if (file.path.empty()) return file.place;
+        std::error_code ignored;
+        return fs::weakly_canonical(file.path, ignored).string();
+    }
+
+    void apply_includes(const StyleText& file, const toml::node& include) {
+        const auto refuse = [&](const toml::node& node, std::string_view cause) {
+            return FileError(
+                fmt::format("{} line {}: {}", file.place, node.source().begin.line, cause));
+        };
+        const auto apply_one = [&](const toml::node& node) {
+            const auto name = node.value_exact<std::string>();
+            if (!name) throw refuse(node, "include must be the name or path of a style, or a list");
+            StyleText included;
+            try {
+                included = find_style(*name, file.path.parent_path());
+            } catch (const Error& error) {
+                throw refuse(node, fmt::format("include: {}", error.what()));
+            }
+            if (std::ranges::find(open_, identity(included)) != open_.end()) {
+                throw refuse(node, fmt::format("include \"{}\" leads back to a file that is "
+                                               "being read: a circle",
+                                               *name));
+            }
+            apply(included);
+        };
+        if (const toml::array* list = include.as_array()) {
+            for (const toml::node& node : *list) apply_one(node);
+        } else {
+            apply_one(include);
+        }
+    }
+
+    void apply_key(const StyleText& file, const toml::key& key, const toml::node& node) {
+        if (key == "include") return;
+        try {
+            if (key == "description") {
+                if (!node.is_string()) throw UsageError("description must be a text");
+                return;
+            }
+            const Setting& setting = find_setting(key.str());
+            const std::optional<SettingValue> value = value_of(node);
+            if (!value) {
+                throw UsageError(fmt::format("{} must be {}", setting.key, setting.values));
+            }
+            set_value(style_, setting, beside(file, setting, *value), key.str());
+        } catch (const UsageError& error) {
+            throw FileError(
+                fmt::format("{} line {}: {}", file.place, key.source().begin.line, error.what()));
+        }
+    }
+
+    /// Image files stand beside the style that names them.
+    static SettingValue beside(const StyleText& file, const Setting& setting,
+                               const SettingValue& value) {
+        const auto* name = std::get_if<std::string>(&value);
+        if (!setting.is_mark || name == nullptr || !is_pen_file(*name)) return value;
+        const fs::path path = file.path.parent_path() / *name;
+        return path.has_parent_path() ? path.string() : "./" + path.string();
+    }
+
+    Style style_;
+    std::vector<std::string> open_; ///< identities of the files being read, outermost first
+};
+
+} // namespace
+
+Style load_style(const std::string& name_or_path) {
+    return StyleLoader{}.load(name_or_path);
+}
+
+void apply_setting(Style& style, std::string_view key_is_value) {
+    const std::size_t equals = key_is_value.find('=');
+    if (equals == std::string_view::npos) {
+        throw UsageError(fmt::format("\"{}\" is no setting; write it as key=value", key_is_value));
+    }
+    const Setting& setting = find_setting(key_is_value.substr(0, equals));
+    set_value(style, setting, value_from_text(key_is_value.substr(equals + 1)), setting.key);
+}
+
+std::string write_style(const Style& style, std::string_view description) {
+    std::string text =
+        fmt::format("description = {}\n", value_to_toml(SettingValue{std::string{description}}));
+    for (const Setting& setting : settings()) {
+        text += fmt::format("\n# {}: {}.\n{} = {}\n", setting.help, setting.values, setting.key,
+                            value_to_toml(setting.get(style)));
+    }
+    return text;
+}
+
+std::vector<StyleInfo> list_styles() {
+    std::vector<StyleInfo> styles;
+    for (const StyleText& file : shipped_styles()) {
+        styles.push_back({file.name, parse(file)["description"].value_or(std::string{})});
+    }
+    return styles;
+}
+
+} // namespace lineatlas
