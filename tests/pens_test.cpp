@@ -43,7 +43,7 @@ TEST(Pens, EveryNameIsAPen) {
             EXPECT_EQ(mark.coverage.size(), static_cast<std::size_t>(mark.size.x) *
                                                 static_cast<std::size_t>(mark.size.y));
             EXPECT_GT(mark.repeat_length, 0);
-            if (pen.name == "solid") EXPECT_EQ(mark.size, glm::ivec2(0, 0));
+            EXPECT_EQ(mark.size == glm::ivec2(0, 0), pen.name == "solid");
         }
     }
 }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -87,6 +88,8 @@ TEST_F(Tool, DrawsAModelWithEveryOption) {
             "--lines crease,boundary,material,silhouette,file --crease 20 --method atlas "
             "--quality low --probes 4 --depth-scale 3 --step 1 --atlas raster "
             "--atlas-layout gutter --width 2.5 --pen pencil --stroke-shader vertex "
+            "--style ink --set halo=3 --hidden --hidden-width 0.5 --color 0.1,0.2,0.3 "
+            "--light -1,2,1 --focus 0.5,0.5 "
             "--compute reference --interop copy --stats --repeat 2");
     EXPECT_EQ(result.exit_code, 0) << result.output;
     EXPECT_TRUE(fs::exists(path("t.png")));
@@ -101,6 +104,62 @@ TEST_F(Tool, ListsDevicesAndHelps) {
     const Result help = run("draw --help");
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.output.find("Examples:"), std::string::npos);
+}
+
+TEST_F(Tool, ListsAndPrintsStyles) {
+    const Result list = run("styles");
+    EXPECT_EQ(list.exit_code, 0) << list.output;
+    for (const char* name :
+         {"technical", "ink", "pencil", "charcoal", "blueprint", "haloed", "Pencil sketch"}) {
+        EXPECT_NE(list.output.find(name), std::string::npos) << name << "\n" << list.output;
+    }
+    const Result style = run("styles blueprint");
+    EXPECT_EQ(style.exit_code, 0) << style.output;
+    for (const char* line : {"description = \"Blueprint", "\npaper = \"#1d4785\"",
+                             "\nhidden = true", "\nmitre-limit = 4", "\nfocus = \"none\""}) {
+        EXPECT_NE(style.output.find(line), std::string::npos) << line << "\n" << style.output;
+    }
+    const Result keys = run("styles --keys");
+    EXPECT_EQ(keys.exit_code, 0);
+    EXPECT_NE(keys.output.find("| `focus-pen` |"), std::string::npos) << keys.output;
+
+    // What it prints is a style.
+    write("mine.toml", style.output);
+    const Result again = run("styles " + path("mine.toml"));
+    EXPECT_EQ(again.output.substr(again.output.find("\n\n")),
+              style.output.substr(style.output.find("\n\n")));
+    expect_refused("styles pencl", 2, "\"pencil\"?");
+    expect_refused("styles " + path("missing.toml"), 1, "missing.toml");
+}
+
+TEST_F(Tool, WritesThePensAsPictures) {
+    const Result result = run("styles --write-pens " + folder_.string());
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    for (const char* pen : {"solid", "fine", "pencil", "charcoal", "brush", "dashed", "dotted"}) {
+        EXPECT_TRUE(fs::exists(path(std::string{pen} + ".png"))) << pen;
+    }
+    expect_refused("styles --write-pens " + path("no/such/folder"), 1, "solid.png");
+}
+
+TEST_F(Tool, DrawsWithAStyle) {
+    write("thick.toml", "include = \"blueprint\"\nwidth = 9\n");
+    const std::string scene = "draw --scene clevis --size 200x150 -o ";
+    const auto draws = [&](const std::string& name, const std::string& options) {
+        const Result result = run(scene + path(name) + " " + options);
+        EXPECT_EQ(result.exit_code, 0) << options << "\n" << result.output;
+        std::ifstream file{path(name), std::ios::binary};
+        return std::string{std::istreambuf_iterator<char>{file}, {}};
+    };
+    const std::string plain = draws("plain.png", "");
+    const std::string blueprint = draws("blueprint.png", "--style blueprint");
+    EXPECT_NE(plain, blueprint);
+    const std::string thick = draws("thick.png", "--style " + path("thick.toml"));
+    EXPECT_NE(blueprint, thick);
+    EXPECT_EQ(thick, draws("set.png", "--style blueprint --set width=9"));
+    // The file, then --set in order, then options of their own.
+    EXPECT_EQ(thick,
+              draws("option.png", "--width 9 --set width=3 --set width=4 --style blueprint"));
+    EXPECT_EQ(thick, draws("last.png", "--style blueprint --set width=4 --set width=9"));
 }
 
 TEST_F(Tool, RefusesBadModels) {
@@ -153,6 +212,15 @@ TEST_F(Tool, RefusesBadOptions) {
     expect_refused(draw + "--width two", 2, "--width");
     expect_refused(draw + "--repeat 0", 2, "--repeat");
     expect_refused(draw + "--no-such-option", 2, "--no-such-option");
+    expect_refused(draw + "--style crayon", 2, "crayon");
+    expect_refused(draw + "--style " + path("missing.toml"), 1, "missing.toml");
+    expect_refused(draw + "--set width", 2, "key=value");
+    expect_refused(draw + "--set widht=2", 2, "\"width\"?");
+    expect_refused(draw + "--set halo=-1", 2, "halo");
+    expect_refused(draw + "--color blurple", 2, "--color");
+    expect_refused(draw + "--cap rond", 2, "\"round\"?");
+    expect_refused(draw + "--hidden=perhaps", 2, "--hidden");
+    expect_refused(draw + "--pen " + path("missing.png"), 1, "missing.png");
     expect_refused("draw --scene barn -o " + path("x.png"), 2, "barn");
     expect_refused("draw -o " + path("x.png"), 2, "MODEL");
     expect_refused("paint", 2, "paint");
@@ -175,6 +243,19 @@ TEST_F(Tool, SaysWhichModuleIsMissing) {
     ::setenv("LINEATLAS_MODULE_DIR", folder_.c_str(), 1);
     expect_refused(draw, 1, "lineatlas-images.so\", which reads and writes pictures");
     ::unsetenv("LINEATLAS_MODULE_DIR");
+}
+
+TEST_F(Tool, RefusesBadStyleFiles) {
+    const std::string draw = "draw --scene clevis -o " + path("x.png") + " --style ";
+    write("bad.toml", "width = 2\ncollor = \"red\"\n");
+    expect_refused(draw + path("bad.toml"), 1,
+                   "bad.toml\" line 2: there is no setting \"collor\"; "
+                   "did you mean \"color\"?");
+    write("picture.toml", "\x89PNG\r\n\x1a\n" + std::string(100, 'x'));
+    expect_refused(draw + path("picture.toml"), 1, "picture.toml");
+    write("noise.png", "no picture");
+    write("pen.toml", "pen = \"noise.png\"\n");
+    expect_refused(draw + path("pen.toml"), 1, "noise.png");
 }
 
 TEST_F(Tool, KeepsTheOldPictureWhenItFails) {
