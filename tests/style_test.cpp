@@ -181,14 +181,14 @@ TEST(Settings, ValuesLandInTheirMembers) {
     EXPECT_TRUE(style.focus.in_scene);
     EXPECT_EQ(style.focus.point, glm::vec3(1, -2.5F, 3));
     EXPECT_EQ(style.focus.mark, "pencil");
-    apply_setting(style, "focus=0.25,0.5");
+    apply_setting(style, "focus=[0.25, 0.5]");
     EXPECT_FALSE(style.focus.in_scene);
     EXPECT_EQ(style.focus.point, glm::vec3(0.25F, 0.5F, 0));
     apply_setting(style, "focus=none");
     EXPECT_FALSE(style.focus.on);
     apply_setting(style, "focus-pen=same");
     EXPECT_TRUE(style.focus.mark.empty());
-    apply_setting(style, "pen=marks/mine.png");
+    apply_setting(style, "pen=\"marks/mine.png\"");
     EXPECT_EQ(style.pen.mark, "marks/mine.png");
 }
 
@@ -203,6 +203,11 @@ TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
     for (const char* change : {"width=two",
                                "width=",
                                "width=1,2",
+                               "width=[2]",
+                               "width=\"2\"",
+                               "color=[0,1,2]",
+                               "color=[",
+                               "color=\"",
                                "width=true",
                                "width=nan",
                                "width=inf",
@@ -278,6 +283,9 @@ TEST_F(StyleFiles, ErrorsNameTheLineTheKeyAndTheWayOut) {
     expect_refused("# a comment\n\nwidth = 2\nwidht = 3\n", {"line 4", "\"widht\"", "\"width\"?"});
     expect_refused("width = 2\nopacity = 1.5\n", {"line 2", "opacity", "from 0 to 1", "1.5"});
     expect_refused("width = \"2\"\n", {"line 1", "width", "a number", "\"2\""});
+    expect_refused("width = 9223372036854775807\n", {"line 1", "width", "a number"});
+    expect_refused("width = [9223372036854775807]\n", {"line 1", "width", "a number"});
+    expect_refused("\"a\\nb\" = 1\n", {"line 1", "a\\u000ab"});
     expect_refused("hidden = 1\n", {"line 1", "hidden", "true or false"});
     expect_refused("\npen = \"penci\"\n", {"line 2", "pen", "charcoal", "\"pencil\"?"});
     expect_refused("[pen]\nwidth = 2\n", {"line 1", "pen", "one of"});

@@ -37,7 +37,7 @@ const Setting& find_setting(std::string_view key);
 void set_value(Style& style, const Setting& setting, const SettingValue& value,
                std::string_view called);
 
-/// "true", "2", "1,0.5" or any other word.
+/// "true", "2", "1,0.5" or any other word; brackets and quotes as in TOML are taken too.
 SettingValue value_from_text(std::string_view text);
 
 /// As TOML has it.

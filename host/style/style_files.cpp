@@ -1,6 +1,7 @@
 #include "lineatlas/style_files.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -31,13 +32,13 @@ struct StyleText {
     std::string text;
 };
 
-std::string quoted(const fs::path& path) {
-    return fmt::format("\"{}\"", path.string());
+std::string in_quotes(const fs::path& path) {
+    return value_to_toml(SettingValue{path.string()});
 }
 
 StyleText read_file(const fs::path& path) {
     const auto refuse = [&](const char* cause) {
-        return FileError(fmt::format("cannot read {}: {}", quoted(path), cause));
+        return FileError(fmt::format("cannot read {}: {}", in_quotes(path), cause));
     };
     std::error_code ignored;
     if (!fs::exists(path, ignored)) throw refuse("no such file");
@@ -46,7 +47,8 @@ StyleText read_file(const fs::path& path) {
     std::ostringstream text;
     text << file.rdbuf();
     if (!file.is_open() || file.bad()) throw refuse("no permission, or a damaged disk");
-    return {.name = path.stem().string(), .place = quoted(path), .path = path, .text = text.str()};
+    return {
+        .name = path.stem().string(), .place = in_quotes(path), .path = path, .text = text.str()};
 }
 
 /// The styles that go by a name.
@@ -69,7 +71,7 @@ std::vector<StyleText> shipped_styles() {
     }
     if (error) {
         throw FileError(fmt::format("cannot read the folder {} that LINEATLAS_STYLE_DIR names: {}",
-                                    quoted(folder), error.message()));
+                                    in_quotes(folder), error.message()));
     }
     std::ranges::sort(styles, {}, &StyleText::name);
     return styles;
@@ -87,7 +89,7 @@ StyleText find_style(const std::string& name, const fs::path& from) {
     if (advice.empty()) {
         advice = fmt::format("; there is {}, or a file by its path", fmt::join(names, ", "));
     }
-    throw UsageError(fmt::format("there is no style \"{}\"{}", name, advice));
+    throw UsageError(fmt::format("there is no style {}{}", in_quotes(name), advice));
 }
 
 toml::table parse(const StyleText& file) {
@@ -99,16 +101,25 @@ toml::table parse(const StyleText& file) {
     }
 }
 
+/// Unlike value<double>(), also for whole numbers that no double holds exactly.
+std::optional<double> number_of(const toml::node& node) {
+    if (const toml::value<std::int64_t>* whole = node.as_integer()) {
+        return static_cast<double>(whole->get());
+    }
+    return node.value_exact<double>();
+}
+
 /// Nothing for what no setting can be: tables, dates and mixed lists.
 std::optional<SettingValue> value_of(const toml::node& node) {
     if (const auto flag = node.value_exact<bool>()) return *flag;
-    if (node.is_number()) return *node.value<double>();
+    if (const auto number = number_of(node)) return *number;
     if (const auto text = node.value_exact<std::string>()) return *text;
     if (!node.is_array()) return std::nullopt;
     std::vector<double> numbers;
     for (const toml::node& element : *node.as_array()) {
-        if (!element.is_number()) return std::nullopt;
-        numbers.push_back(*element.value<double>());
+        const auto number = number_of(element);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
     }
     return numbers;
 }

@@ -1,0 +1,188 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "colors.hpp"
+#include "core/pens.hpp"
+#include "settings.hpp"
+
+// One maker of settings for each type of member.
+namespace lineatlas::makers {
+
+struct Range {
+    float least, most;
+    bool above = false; ///< the least value itself is out
+    bool contains(double value) const {
+        return (above ? value > least : value >= least) && value <= most;
+    }
+};
+
+inline std::string words(const Range& range, std::string_view unit = {}) {
+    return fmt::format("{} {} {} {}{}{}", range.above ? "above" : "from", range.least,
+                       range.above ? "and at most" : "to", range.most, unit.empty() ? "" : " ",
+                       unit);
+}
+
+// Each maker takes `member`, a function from Style& or const Style& to the member.
+
+template <class Member>
+Setting number(std::string key, Member member, Range range, std::string_view unit,
+               std::string help) {
+    return {std::move(key),
+            "a number " + words(range, unit),
+            std::move(help),
+            false,
+            [member](const Style& style) -> SettingValue { return double{member(style)}; },
+            [member, range](Style& style, const SettingValue& value) {
+                const double* given = std::get_if<double>(&value);
+                if (given == nullptr || !range.contains(*given)) return false;
+                const auto narrowed = static_cast<float>(*given);
+                if (!range.contains(narrowed)) return false; // 1e-60 is above 0 only as a double
+                member(style) = narrowed;
+                return true;
+            }};
+}
+
+template <class Member>
+Setting whole(std::string key, Member member, Range range, std::string help) {
+    return {
+        std::move(key),
+        "a whole number " + words(range),
+        std::move(help),
+        false,
+        [member](const Style& style) -> SettingValue { return static_cast<double>(member(style)); },
+        [member, range](Style& style, const SettingValue& value) {
+            const double* given = std::get_if<double>(&value);
+            if (given == nullptr || !range.contains(*given) || *given != std::floor(*given)) {
+                return false;
+            }
+            member(style) = static_cast<int>(*given);
+            return true;
+        }};
+}
+
+template <class Member>
+Setting flag(std::string key, Member member, std::string help) {
+    return {std::move(key),
+            "true or false",
+            std::move(help),
+            true,
+            [member](const Style& style) -> SettingValue { return member(style); },
+            [member](Style& style, const SettingValue& value) {
+                const bool* given = std::get_if<bool>(&value);
+                if (given != nullptr) member(style) = *given;
+                return given != nullptr;
+            }};
+}
+
+/// `names` stand in the order of the enumerators.
+template <class Member>
+Setting choice(std::string key, Member member, std::vector<std::string> names, std::string help) {
+    return {std::move(key),
+            fmt::format("one of {}", fmt::join(names, ", ")),
+            std::move(help),
+            false,
+            [member, names](const Style& style) -> SettingValue {
+                return names.at(static_cast<std::size_t>(member(style)));
+            },
+            [member, names](Style& style, const SettingValue& value) {
+                const std::string* given = std::get_if<std::string>(&value);
+                if (given == nullptr) return false;
+                const auto found = std::ranges::find(names, *given);
+                if (found == names.end()) return false;
+                using Enum = std::remove_reference_t<decltype(member(style))>;
+                member(style) = static_cast<Enum>(found - names.begin());
+                return true;
+            },
+            names};
+}
+
+template <class Member>
+Setting color(std::string key, Member member, std::string help) {
+    return {std::move(key),
+            "\"#rrggbb\", a name such as \"navy\", or [r,g,b] from 0 to 1",
+            std::move(help),
+            false,
+            [member](const Style& style) -> SettingValue {
+                const glm::vec3 value = member(style);
+                const std::string hex = hex_color(value);
+                if (*parse_color(hex) == value) return hex;
+                return std::vector<double>{value.x, value.y, value.z};
+            },
+            [member](Style& style, const SettingValue& value) {
+                if (const auto* text = std::get_if<std::string>(&value)) {
+                    const std::optional<glm::vec3> parsed = parse_color(*text);
+                    if (parsed) member(style) = *parsed;
+                    return parsed.has_value();
+                }
+                const auto* rgb = std::get_if<std::vector<double>>(&value);
+                const auto in_range = [](double c) { return c >= 0 && c <= 1; };
+                if (rgb == nullptr || rgb->size() != 3 || !std::ranges::all_of(*rgb, in_range)) {
+                    return false;
+                }
+                member(style) = {(*rgb)[0], (*rgb)[1], (*rgb)[2]};
+                return true;
+            }};
+}
+
+template <class Member>
+Setting profile(std::string key, Member member, Range range, std::string help) {
+    constexpr std::size_t most = 16;
+    return {std::move(key),
+            "one number or a list of at most 16, each " + words(range),
+            std::move(help),
+            false,
+            [member](const Style& style) -> SettingValue {
+                const Profile& profile = member(style);
+                if (profile.size() == 1) return double{profile[0]};
+                return std::vector<double>(profile.begin(), profile.end());
+            },
+            [member, range](Style& style, const SettingValue& value) {
+                std::vector<double> given;
+                if (const auto* one = std::get_if<double>(&value)) given = {*one};
+                if (const auto* list = std::get_if<std::vector<double>>(&value)) given = *list;
+                const auto in_range = [&](double v) { return range.contains(v); };
+                if (given.empty() || given.size() > most || !std::ranges::all_of(given, in_range)) {
+                    return false;
+                }
+                member(style) = Profile(given.begin(), given.end());
+                return true;
+            }};
+}
+
+/// The name of a built-in mark or of an image file. `same`: a word for the empty name, or empty.
+template <class Member>
+Setting mark(std::string key, Member member, std::string same, std::string help) {
+    std::vector<std::string> names;
+    for (const PenName& pen : pen_names()) names.emplace_back(pen.name);
+    if (!same.empty()) names.push_back(same);
+    return {std::move(key),
+            fmt::format("one of {}, or an image file", fmt::join(names, ", ")),
+            std::move(help),
+            false,
+            [member, same](const Style& style) -> SettingValue {
+                return member(style).empty() ? same : member(style);
+            },
+            [member, same, names](Style& style, const SettingValue& value) {
+                const auto* given = std::get_if<std::string>(&value);
+                if (given == nullptr) return false;
+                if (!is_pen_file(*given) && std::ranges::find(names, *given) == names.end()) {
+                    return false;
+                }
+                member(style) = *given == same ? "" : *given;
+                return true;
+            },
+            names,
+            true};
+}
+
+} // namespace lineatlas::makers

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "lineatlas/error.hpp"
+#include "settings.hpp"
+
+namespace lineatlas {
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+std::optional<double> number_from_text(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string toml_string(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+            result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+} // namespace
+
+const Setting& find_setting(std::string_view key) {
+    const auto found = std::ranges::find(settings(), key, &Setting::key);
+    if (found != settings().end()) return *found;
+    std::vector<std::string> keys;
+    for (const Setting& setting : settings()) keys.push_back(setting.key);
+    std::string near = suggestion(key, keys);
+    if (near.empty()) near = "; `lineatlas styles --keys` lists what there is";
+    throw UsageError(fmt::format("there is no setting {}{}", toml_string(key), near));
+}
+
+void set_value(Style& style, const Setting& setting, const SettingValue& value,
+               std::string_view called) {
+    if (setting.set(style, value)) return;
+    const auto* word = std::get_if<std::string>(&value);
+    throw UsageError(fmt::format("{} must be {}, not {}{}", called, setting.values,
+                                 value_to_toml(value),
+                                 word != nullptr ? suggestion(*word, setting.names) : ""));
+}
+
+SettingValue value_from_text(std::string_view text) {
+    if (text == "true" || text == "false") return text == "true";
+    const auto enclosed = [&](char open, char close) {
+        return text.size() >= 2 && text.front() == open && text.back() == close;
+    };
+    if (enclosed('"', '"')) return std::string{text.substr(1, text.size() - 2)};
+    const bool list = enclosed('[', ']');
+    if (list) text = text.substr(1, text.size() - 2);
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const auto value = number_from_text(text.substr(begin, end - begin));
+        if (!value) return std::string{text};
+        numbers.push_back(*value);
+        begin = end + 1;
+    }
+    if (numbers.size() == 1 && !list) return numbers[0];
+    return numbers;
+}
+
+std::string value_to_toml(const SettingValue& value) {
+    // Members are floats: 0.1, not 0.10000000149011612.
+    const auto number = [](double v) {
+        const auto narrowed = static_cast<float>(v);
+        return std::isinf(narrowed) ? fmt::format("{}", v) : fmt::format("{}", narrowed);
+    };
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const double* one = std::get_if<double>(&value)) return number(*one);
+    if (const auto* text = std::get_if<std::string>(&value)) return toml_string(*text);
+    std::vector<std::string> numbers;
+    for (const double v : std::get<std::vector<double>>(value)) numbers.push_back(number(v));
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
+std::string settings_table() {
+    std::string table = "| key | what it does | default | must be |\n|---|---|---|---|\n";
+    const Style defaults;
+    for (const Setting& setting : settings()) {
+        table += fmt::format("| `{}` | {} | `{}` | {} |\n", setting.key, setting.help,
+                             value_to_toml(setting.get(defaults)), setting.values);
+    }
+    return table;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+    if (known.empty()) return {};
+    const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
+    const std::string& nearest = *std::ranges::min_element(known, {}, distance);
+    // Farther than that it is another word.
+    if (distance(nearest) > std::max<std::size_t>(2, nearest.size() / 2)) return {};
+    return fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+} // namespace lineatlas
