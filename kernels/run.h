@@ -124,7 +124,8 @@ static void write_record(__global FrameRecord* record, const uint run_total,
     record->quads[2] = record->quads[3] = 0;
     record->sample_total = sample_total;
     record->run_total = run_total;
-    record->unused[0] = record->unused[1] = 0;
+    record->raw_run_total = run_total;
+    record->unused = 0;
 }
 
 #endif

@@ -101,6 +101,9 @@ typedef struct RunCuts {
     float from[LA_MOST_CUTS], to[LA_MOST_CUTS];
 } RunCuts;
 
+/* Visibility (of 255) from which on a stroke is drawn in full: a third (shaders/mark.glsl). */
+#define LA_FULLY_SHOWN 85
+
 /* Priorities of lines that `density` tells apart, and pixels per axis of a cell of its grid. */
 #define LA_DENSITY_BINS 16u
 #define LA_DENSITY_CELL 8
@@ -108,11 +111,12 @@ typedef struct RunCuts {
 /* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */
 typedef struct FrameRecord {
-    la_uint points[4];    /* {runs, 1, 0, 0}: one point per run for the geometry shader */
-    la_uint quads[4];     /* {4, runs, 0, 0}: one instanced strip per run for the vertex shader */
-    la_uint sample_total; /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
-    la_uint run_total;    /* runs the frame needs; above the table's capacity nothing is drawn */
-    la_uint unused[2];
+    la_uint points[4];     /* {runs, 1, 0, 0}: one point per run for the geometry shader */
+    la_uint quads[4];      /* {4, runs, 0, 0}: one instanced strip per run for the vertex shader */
+    la_uint sample_total;  /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
+    la_uint run_total;     /* runs the frame needs; above the table's capacity nothing is drawn */
+    la_uint raw_run_total; /* of `filter`: the runs it was to filter, as run_total */
+    la_uint unused;
 } FrameRecord;
 
 /* Cosine of the sharpest turn that is joined; a sharper one gets round ends. 150 degrees. */

@@ -235,6 +235,7 @@ class Backend {
     virtual void atlas(const AtlasArgs& args) = 0;
     virtual void temporal(const TemporalArgs& args) = 0;
     virtual void compact_runs(const CompactRunsArgs& args) = 0;
+    virtual void filter(const FilterArgs& args) = 0;
     virtual void compact_samples(const CompactSamplesArgs& args) = 0;
 
     virtual void flush() = 0;  ///< starts what was submitted

@@ -215,6 +215,26 @@ class Implementation final : public OpenClBackend {
                args.run_capacity, args.runs, args.record);
     }
 
+    void filter(const FilterArgs& args) override {
+        const std::uint32_t n = args.run_capacity;
+        Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
+        const cl_uint use_cuts = args.cuts != nullptr ? 1 : 0;
+        Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any: it isn't read
+        const auto step = [&](LazyKernel& kernel, auto&&... out) {
+            launch(kernel, n, tuning_.block_local_size, args.table.segments, args.clipped.clipped,
+                   args.clipped.offsets, args.clipped.arcs, args.alpha, args.layout.width,
+                   args.layout.pitch, to_cl(args.viewport), args.half_width, args.fill, args.drop,
+                   args.overshoot, args.overshoot_variation, args.undershoot, args.runs,
+                   args.record, cuts, use_cuts, n, out...);
+        };
+        step(filter_count_, counts);
+        scan(counts, n, ScanKind::saturate);
+        step(filter_write_, counts, args.filtered_capacity, args.filtered, args.filtered_record);
+        const std::uint32_t most = std::max(n, args.filtered_capacity);
+        launch(filter_show_, most, tuning_.local_size, args.runs, args.record, args.filtered,
+               args.filtered_record, most, args.alpha);
+    }
+
     void compact_samples(const CompactSamplesArgs& args) override {
         const std::uint32_t blocks = divide_up(args.count, tuning_.sample_block);
         Buffer& counts = scratch(block_counts_, blocks + 1);
@@ -343,11 +363,14 @@ class Implementation final : public OpenClBackend {
     LazyKernel temporal_{"temporal.cl", "temporal"};
     LazyKernel compact_runs_count_{"compact.cl", "compact_runs_count"};
     LazyKernel compact_runs_write_{"compact.cl", "compact_runs_write"};
+    LazyKernel filter_count_{"filter.cl", "filter_count"};
+    LazyKernel filter_write_{"filter.cl", "filter_write"};
+    LazyKernel filter_show_{"filter.cl", "filter_show"};
     LazyKernel compact_samples_count_{"compact.cl", "compact_samples_count"};
     LazyKernel compact_samples_write_{"compact.cl", "compact_samples_write"};
     ScanKernels scan_[2];
     std::unique_ptr<Buffer> scan_sums_;
-    std::unique_ptr<Buffer> block_counts_;
+    std::unique_ptr<Buffer> block_counts_, run_counts_;
 };
 
 } // namespace

@@ -147,6 +147,31 @@ class ReferenceBackend final : public Backend {
                                 view<FrameRecord>(args.record, 1)[0]);
     }
 
+    void filter(const FilterArgs& args) override {
+        const std::size_t n = args.table.segment_count;
+        const FrameRecord& record = view<FrameRecord>(args.record, 1)[0];
+        const std::size_t runs = record.points[0];
+        const auto alpha = view_all<std::uint8_t>(args.alpha);
+        reference::filter(
+            {.segments = view<Segment>(args.table.segments, n),
+             .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+             .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+             .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+             .alpha = alpha,
+             .layout = args.layout,
+             .viewport = args.viewport,
+             .half_width = args.half_width,
+             .fill = args.fill,
+             .drop = args.drop,
+             .overshoot = args.overshoot,
+             .overshoot_variation = args.overshoot_variation,
+             .undershoot = args.undershoot,
+             .runs = view<Run>(args.runs, runs),
+             .cuts = args.cuts != nullptr ? view<RunCuts>(*args.cuts, runs) : std::span<RunCuts>{}},
+            alpha, view<Run>(args.filtered, args.filtered_capacity), record,
+            view<FrameRecord>(args.filtered_record, 1)[0]);
+    }
+
     void compact_samples(const CompactSamplesArgs& args) override {
         view<std::uint32_t>(args.packed_count, 1)[0] =
             reference::compact_samples(view<std::uint8_t>(args.alpha, args.count),

@@ -112,7 +112,8 @@ FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t sa
             .quads = {4, drawn, 0, 0},
             .sample_total = samples,
             .run_total = total,
-            .unused = {0, 0}};
+            .raw_run_total = total,
+            .unused = 0};
 }
 
 } // namespace lineatlas::compute::reference

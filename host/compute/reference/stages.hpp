@@ -88,6 +88,24 @@ struct CompactRunsInput {
 /// Writes at most runs.size() runs.
 void compact_runs(const CompactRunsInput& input, std::span<Run> runs, FrameRecord& record);
 
+struct FilterInput {
+    std::span<const Segment> segments;
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> arcs;
+    std::span<const std::uint8_t> alpha; ///< before it is changed
+    AtlasLayout layout;
+    glm::vec2 viewport;
+    float half_width;
+    float fill, drop, overshoot, overshoot_variation, undershoot;
+    std::span<const Run> runs;
+    std::span<const RunCuts> cuts; ///< empty: no gaps
+};
+
+/// alpha: the memory of FilterInput::alpha, or other.
+void filter(const FilterInput& input, std::span<std::uint8_t> alpha, std::span<Run> filtered,
+            const FrameRecord& record, FrameRecord& filtered_record);
+
 /// Returns the number of addresses written to `packed`.
 std::uint32_t compact_samples(std::span<const std::uint8_t> alpha, std::span<std::uint32_t> packed);
 

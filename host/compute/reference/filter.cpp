@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "runs.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute::reference {
+namespace {
+
+/// Nothing is shorter than this, in pixels: rounding of arc lengths.
+constexpr float shortest = 0.01F;
+
+struct Span {
+    float start, end;
+};
+
+/// A visible interval of a path in arc length, and its runs.
+struct Interval {
+    float start, end;
+    std::uint32_t start_kind, end_kind; ///< LA_END_*
+    std::size_t first_run, last_run;
+};
+
+std::uint32_t stroke_end_kind(std::uint32_t kind) {
+    return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
+}
+
+/// A share from 0 to 1 that looks random but belongs to the path.
+float path_share(std::uint32_t path) {
+    std::uint32_t h = path * 0x9E3779B1U;
+    h ^= h >> 16U;
+    h *= 0x85EBCA6BU;
+    h ^= h >> 13U;
+    return static_cast<float>(h >> 8U) * (1.0F / 16777216.0F);
+}
+
+/// One path: first all its intervals, then strokes, then pieces of them, then runs.
+class PathFilter {
+  public:
+    PathFilter(const FilterInput& in, const FrameTables& frame, std::size_t run_begin,
+               std::size_t run_end, std::vector<Run>& out)
+        : in_(in), frame_(frame), begin_(run_begin), end_(run_end), out_(out) {
+        const std::uint32_t segment = in.runs[run_begin].segment;
+        first_ = segment - frame.segments[segment].from_start;
+        last_ = segment + frame.segments[segment].to_end;
+        half_length_ = static_cast<float>(frame.arcs[last_ + 1] - frame.arcs[first_]) *
+                       (1.0F / LA_ARC_UNITS_PER_PIXEL) * 0.5F;
+        seam_ = (frame.segments[first_].tag & LA_TAG_CLOSED) != 0 && frame.clipped[last_].t1 >= 1 &&
+                frame.clipped[first_].t0 <= 0 && frame.is_drawn(last_) && frame.is_drawn(first_);
+        overshoot_ =
+            in.overshoot * (1 - in.overshoot_variation * path_share(frame.segments[first_].path));
+        grow_ = overshoot_ - in.undershoot;
+    }
+
+    void run() {
+        std::vector<Interval> intervals;
+        for (std::size_t r = begin_; r < end_; ++r) intervals.push_back(interval_of(r));
+        float seam_gap = std::numeric_limits<float>::infinity();
+        if (seam_) seam_gap = intervals.front().start + 2 * half_length_ - intervals.back().end;
+        seam_grow_ = std::min(grow_, 0.5F * seam_gap);
+        if (seam_gap <= shortest || seam_gap < in_.fill) {
+            intervals.front().start = -half_length_;
+            intervals.front().start_kind = LA_END_JOIN;
+            intervals.back().end = half_length_;
+            intervals.back().end_kind = LA_END_JOIN;
+        }
+        intervals = merged(intervals, [&](const Interval& a, const Interval& b) {
+            return b.start - a.end <= shortest || b.start - a.end < in_.fill;
+        });
+        std::erase_if(intervals, [&](const Interval& interval) {
+            const auto cut_off = [](std::uint32_t kind) {
+                return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
+            };
+            return !cut_off(interval.start_kind) && !cut_off(interval.end_kind) &&
+                   interval.end - interval.start < in_.drop;
+        });
+        intervals = merged(intervals, [&](const Interval& a, const Interval& b) {
+            return b.start - a.end <= 2 * grow_;
+        });
+        for (const Interval& interval : intervals) emit(interval);
+    }
+
+  private:
+    Span span(std::uint32_t i) const {
+        const float start = frame_.arc(i);
+        return {start, start + frame_.length(i)};
+    }
+
+    Interval interval_of(std::size_t r) const {
+        const Run& run = in_.runs[r];
+        const Span whole = span(run.segment);
+        const auto l = static_cast<float>(run.samples);
+        const auto share = [&](std::uint32_t j) {
+            return static_cast<float>(in_.alpha[run.address + j]) * (1.0F / 255.0F);
+        };
+        const bool starts = run.start_sample > 0, ends = run.end_sample < l;
+        const auto a = static_cast<std::uint32_t>(run.start_sample + 0.5F);
+        const auto b = static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1;
+        float start = 0, end = l;
+        if (starts && ends && a == b) {
+            start = static_cast<float>(a) + 0.5F - 0.5F * share(a);
+            end = static_cast<float>(a) + 0.5F + 0.5F * share(a);
+        } else {
+            if (starts) start = static_cast<float>(a + 1) - share(a);
+            if (ends) end = static_cast<float>(b) + share(b);
+        }
+        const float per_sample = (whole.end - whole.start) / l;
+        return {.start = starts ? whole.start + start * per_sample : whole.start,
+                .end = ends ? whole.start + end * per_sample : whole.end,
+                .start_kind = stroke_end_kind(run.flags >> LA_RUN_START_SHIFT & LA_END_MASK),
+                .end_kind = stroke_end_kind(run.flags >> LA_RUN_END_SHIFT & LA_END_MASK),
+                .first_run = r,
+                .last_run = r};
+    }
+
+    bool connected(std::uint32_t from, std::uint32_t to) const {
+        for (std::uint32_t i = from; i < to; ++i) {
+            if (!frame_.goes_on(i)) return false;
+        }
+        return true;
+    }
+
+    template <class Meets>
+    std::vector<Interval> merged(const std::vector<Interval>& intervals, Meets&& meets) const {
+        std::vector<Interval> result;
+        for (const Interval& next : intervals) {
+            if (!result.empty() && meets(result.back(), next) &&
+                connected(in_.runs[result.back().last_run].segment,
+                          in_.runs[next.first_run].segment)) {
+                result.back().end = next.end;
+                result.back().end_kind = next.end_kind;
+                result.back().last_run = next.last_run;
+            } else {
+                result.push_back(next);
+            }
+        }
+        return result;
+    }
+
+    /// A stroke at its final length, less the gaps in it.
+    void emit(const Interval& interval) {
+        float start = interval.start, end = interval.end;
+        std::uint32_t start_kind = interval.start_kind, end_kind = interval.end_kind;
+        if (start_kind == LA_END_PATH) start -= overshoot_;
+        if (end_kind == LA_END_PATH) end += overshoot_;
+        if (start_kind == LA_END_HIDDEN) {
+            start -= interval.first_run == begin_ ? seam_grow_ : grow_;
+        }
+        if (end_kind == LA_END_HIDDEN) end += interval.last_run + 1 == end_ ? seam_grow_ : grow_;
+
+        std::uint32_t i = in_.runs[interval.first_run].segment;
+        while (i > first_ && span(i).start > start && frame_.goes_on(i - 1)) --i;
+        const bool open_start = i == first_ && frame_.clipped[i].t0 <= 0;
+        if (start < span(i).start && !open_start) {
+            start = span(i).start;
+            start_kind = LA_END_CLIPPED;
+        }
+        std::uint32_t last = in_.runs[interval.last_run].segment;
+        while (last < last_ && span(last).end < end && frame_.goes_on(last)) ++last;
+        const bool open_end = last == last_ && frame_.clipped[last].t1 >= 1;
+        if (end > span(last).end && !open_end) {
+            end = span(last).end;
+            end_kind = LA_END_CLIPPED;
+        }
+        for (const Span gap : gaps(interval)) {
+            if (gap.end <= start || gap.start >= end) continue;
+            emit_piece(i, start, gap.start, start_kind, LA_END_HIDDEN);
+            start = gap.end;
+            start_kind = LA_END_HIDDEN;
+        }
+        emit_piece(i, start, end, start_kind, end_kind);
+    }
+
+    /// In ascending order; they may overlap.
+    std::vector<Span> gaps(const Interval& interval) const {
+        std::vector<Span> result;
+        if (in_.cuts.empty()) return result;
+        for (std::size_t r = interval.first_run; r <= interval.last_run; ++r) {
+            for (int k = 0; k < LA_MOST_CUTS; ++k) {
+                const Span gap{in_.cuts[r].from[k], in_.cuts[r].to[k]};
+                if (gap.end > gap.start) result.push_back(gap);
+            }
+        }
+        std::ranges::stable_sort(result, {}, &Span::start);
+        return result;
+    }
+
+    void emit_piece(std::uint32_t i, float start, float end, std::uint32_t start_kind,
+                    std::uint32_t end_kind) {
+        if (end - start < shortest) return;
+        const std::uint32_t kinds =
+            start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
+        const float around = 2 * half_length_;
+        float from = start, to = end;
+        if (seam_ && from < -half_length_ - shortest) {
+            std::uint32_t tail = last_;
+            while (tail > first_ && span(tail).start > from + around && frame_.goes_on(tail - 1)) {
+                --tail;
+            }
+            emit_part(tail, {std::max(from + around, span(tail).start), half_length_}, start_kind,
+                      LA_END_JOIN, {start + around, end + around}, kinds);
+            from = -half_length_;
+            start_kind = LA_END_JOIN;
+        }
+        const bool wraps = seam_ && to > half_length_ + shortest;
+        if (wraps) to = half_length_;
+        while (i < last_ && span(i).end < from && frame_.goes_on(i)) ++i;
+        emit_part(i, {from, to}, start_kind, wraps ? LA_END_JOIN : end_kind, {start, end}, kinds);
+        if (wraps) {
+            emit_part(first_, {-half_length_, end - around}, LA_END_JOIN, end_kind,
+                      {start - around, end - around}, kinds);
+        }
+    }
+
+    /// Runs from segment i on.
+    void emit_part(std::uint32_t i, Span part, std::uint32_t start_kind, std::uint32_t end_kind,
+                   Span stroke, std::uint32_t kinds) {
+        bool begins = true, ends = false;
+        for (; !ends; ++i) {
+            const Span whole = span(i);
+            ends = part.end <= whole.end + shortest || i == last_ || !frame_.goes_on(i);
+            if (begins && !ends && whole.end - part.start <= shortest) continue;
+            const float lo = begins ? part.start : whole.start;
+            const float hi = ends ? part.end : whole.end;
+            const std::uint32_t l = frame_.samples(i);
+            const std::uint32_t counted = std::max(l, 1U);
+            const float per_pixel = static_cast<float>(counted) / (whole.end - whole.start);
+            const float from = lo == whole.start ? 0 : (lo - whole.start) * per_pixel;
+            const float to =
+                hi == whole.end ? static_cast<float>(counted) : (hi - whole.start) * per_pixel;
+            const bool joins_before = !begins || start_kind == LA_END_JOIN;
+            const bool joins_after = !ends || end_kind == LA_END_JOIN;
+            Run run = make_run(frame_, i, from, to, counted,
+                               joins_before ? segment_end(frame_, i, false) : End{start_kind},
+                               joins_after ? segment_end(frame_, i, true) : End{end_kind});
+            constexpr std::uint32_t stroke_ends =
+                LA_END_MASK << LA_STROKE_START_SHIFT | LA_END_MASK << LA_STROKE_END_SHIFT;
+            run.flags = (run.flags & ~stroke_ends) | kinds | (l == 0 ? LA_RUN_SOLID : 0);
+            run.stroke_start = stroke.start;
+            run.stroke_end = stroke.end;
+            run.address = l > 0 ? in_.layout.address(frame_.offsets[i]) : 0;
+            out_.push_back(run);
+            begins = false;
+        }
+    }
+
+    const FilterInput& in_;
+    const FrameTables& frame_;
+    std::size_t begin_, end_; ///< runs of the path
+    std::vector<Run>& out_;
+    std::uint32_t first_, last_; ///< segments of the path
+    float half_length_;
+    bool seam_;
+    float overshoot_, grow_, seam_grow_ = 0;
+};
+
+void show_samples(std::span<const Run> runs, std::span<const Run> filtered,
+                  std::span<std::uint8_t> alpha) {
+    for (const Run& run : filtered) {
+        if ((run.flags & LA_RUN_SOLID) != 0) continue;
+        const int first = std::max(static_cast<int>(std::floor(run.start_sample - 0.5F)), 0);
+        const int last = std::min(static_cast<int>(std::floor(run.end_sample - 0.5F)) + 1,
+                                  static_cast<int>(run.samples) - 1);
+        for (int j = first; j <= last; ++j) {
+            std::uint8_t& sample = alpha[run.address + static_cast<std::uint32_t>(j)];
+            if (sample == 0) sample = 255;
+        }
+    }
+    for (const Run& run : runs) {
+        const auto show = [&](std::uint32_t j) {
+            std::uint8_t& sample = alpha[run.address + j];
+            sample = std::max<std::uint8_t>(sample, LA_FULLY_SHOWN);
+        };
+        if (run.start_sample > 0) show(static_cast<std::uint32_t>(run.start_sample + 0.5F));
+        if (run.end_sample < static_cast<float>(run.samples)) {
+            show(static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1);
+        }
+    }
+}
+
+} // namespace
+
+void filter(const FilterInput& in, std::span<std::uint8_t> alpha, std::span<Run> filtered,
+            const FrameRecord& record, FrameRecord& filtered_record) {
+    const FrameTables frame{.segments = in.segments,
+                            .clipped = in.clipped,
+                            .offsets = in.offsets,
+                            .arcs = in.arcs,
+                            .viewport = in.viewport,
+                            .half_width = in.half_width};
+    std::vector<Run> result;
+    for (std::size_t begin = 0; begin < in.runs.size();) {
+        const std::uint32_t segment = in.runs[begin].segment;
+        const std::uint32_t last = segment + in.segments[segment].to_end;
+        std::size_t end = begin;
+        while (end < in.runs.size() && in.runs[end].segment <= last) ++end;
+        PathFilter{in, frame, begin, end, result}.run();
+        begin = end;
+    }
+    filtered_record = make_record(result.size(), filtered.size(), record.sample_total);
+    filtered_record.raw_run_total = record.run_total;
+    if (result.size() > filtered.size()) result.clear();
+    std::ranges::copy(result, filtered.begin());
+    show_samples(in.runs, result, alpha);
+}
+
+} // namespace lineatlas::compute::reference

@@ -1,0 +1,420 @@
+/* filter: changes visible strokes along their paths (§4.5): closes short holes, drops short runs,
+ * lets strokes overshoot or fall short of their ends, and cuts gaps into them beside nearer lines.
+ * Never from one path to another.
+ *
+ * Works on intervals of arc length, not on samples: ends lie where the visible share of their
+ * sample says, and lengths are exact. One work-item per run; the first run of a path does all of
+ * its path. Three steps: count the runs that result (and scan the counts), write them, show their
+ * samples. */
+
+#include "atlas_address.h"
+#include "run.h"
+#include "segment_table.h"
+
+#pragma OPENCL FP_CONTRACT OFF
+
+/* Nothing is shorter than this, in pixels: rounding of arc lengths. */
+#define SHORTEST 0.01f
+
+typedef struct Filter {
+    float fill, drop, overshoot, undershoot;
+} Filter;
+
+/* What all of it needs; `out` null: only count. */
+typedef struct Work {
+    Frame frame;
+    __global const Run* runs;
+    __global const RunCuts* cuts; /* or null */
+    __global const uchar* alpha;
+    uint width, pitch;
+    uint first, last; /* segments of the path */
+    uint first_run, last_run;
+    bool seam; /* the path is closed, and drawn where its last segment meets its first */
+    float
+        seam_grow; /* how far strokes may grow towards the seam: to the middle of what is hidden */
+    float half_length;
+    __global Run* out;
+    uint count;
+} Work;
+
+/* A visible interval of a path. */
+typedef struct Interval {
+    float start, end; /* arc lengths */
+    uint start_kind, end_kind;
+    uint first_run, last_run;
+} Interval;
+
+static float2 segment_span(const Frame frame, const uint i) {
+    const float start = segment_arc(frame, i);
+    return (float2)(start, start + arc_pixels(frame.arcs[i + 1] - frame.arcs[i]));
+}
+
+/* What an end of a run is as an end of a stroke. */
+static uint stroke_end_kind(const uint kind) {
+    return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
+}
+
+/* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
+ * where in it the end lies. */
+static Interval run_interval(const Work* work, const uint r) {
+    __global const Run* run = work->runs + r;
+    const float2 span = segment_span(work->frame, run->segment);
+    const float l = (float)run->samples;
+    float start = run->start_sample, end = run->end_sample;
+    __global const uchar* own = work->alpha + run->address;
+    const bool starts = start > 0.0f, ends = end < l;
+    const uint a = starts ? (uint)(start + 0.5f) : 0u;
+    const uint b = ends ? (uint)(end - 0.5f) - 1u : run->samples - 1u;
+    const float share_a = (float)own[a] * (1.0f / 255.0f);
+    const float share_b = (float)own[b] * (1.0f / 255.0f);
+    if (starts && ends && a == b) {
+        start = (float)a + 0.5f - 0.5f * share_a;
+        end = (float)a + 0.5f + 0.5f * share_a;
+    } else {
+        if (starts) start = (float)(a + 1u) - share_a;
+        if (ends) end = (float)b + share_b;
+    }
+    const float per_sample = (span.y - span.x) / l;
+    Interval interval;
+    interval.start = starts ? span.x + start * per_sample : span.x;
+    interval.end = ends ? span.x + end * per_sample : span.y;
+    interval.start_kind = stroke_end_kind(run->flags >> LA_RUN_START_SHIFT & LA_END_MASK);
+    interval.end_kind = stroke_end_kind(run->flags >> LA_RUN_END_SHIFT & LA_END_MASK);
+    interval.first_run = interval.last_run = r;
+    return interval;
+}
+
+/* Whether the path is drawn all the way between two of its segments. */
+static bool connected(const Frame frame, const uint from, const uint to) {
+    for (uint i = from; i < to; ++i) {
+        if (!goes_on(frame, i)) return false;
+    }
+    return true;
+}
+
+/* Runs for a part of the path between two arc lengths, from segment i on. `stroke`: the whole
+ * stroke's ends as arc lengths of this part. */
+static void emit_part(Work* work, uint i, const float start, const float end, const uint start_kind,
+                      const uint end_kind, const float2 stroke, const uint stroke_kinds) {
+    const Frame frame = work->frame;
+    bool begins = true, ends = false;
+    while (!ends) {
+        const float2 span = segment_span(frame, i);
+        ends = end <= span.y + SHORTEST || i == work->last || !goes_on(frame, i);
+        const float lo = begins ? start : span.x;
+        const float hi = ends && end != span.y ? end : span.y;
+        /* Rounding may leave a sliver of the segment where a stroke starts at a joint. */
+        if (begins && !ends && span.y - start <= SHORTEST) {
+            ++i;
+            continue;
+        }
+        if (work->out != 0) {
+            __global Run* run = work->out + work->count;
+            const uint s = frame.offsets[i];
+            const uint l = frame.offsets[i + 1] - s;
+            const uint counted = max(l, 1u);
+            const float per_pixel = (float)counted / (span.y - span.x);
+            const float from = lo == span.x ? 0.0f : (lo - span.x) * per_pixel;
+            const float to = hi == span.y ? (float)counted : (hi - span.x) * per_pixel;
+            const float2 direction = window_direction(frame.clipped + i, frame.viewport);
+            float2 start_corner = (float2)(0.0f, 0.0f), end_corner = start_corner;
+            uint run_start = start_kind, run_end = end_kind;
+            if (!begins || start_kind == LA_END_JOIN)
+                run_start = segment_end(frame, i, 0, direction, &start_corner);
+            if (!ends || end_kind == LA_END_JOIN)
+                run_end = segment_end(frame, i, 1, direction, &end_corner);
+            place_run(frame, i, from, to, counted, run);
+            vstore2(start_corner, 0, run->start_corner);
+            vstore2(end_corner, 0, run->end_corner);
+            run->stroke_start = stroke.x;
+            run->stroke_end = stroke.y;
+            run->address = l > 0 ? atlas_address(s, work->width, work->pitch) : 0u;
+            run->flags = run_start << LA_RUN_START_SHIFT | run_end << LA_RUN_END_SHIFT |
+                         stroke_kinds | (l == 0 ? LA_RUN_SOLID : 0u) |
+                         (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
+        }
+        ++work->count;
+        begins = false;
+        ++i;
+    }
+}
+
+/* Runs for one piece of a stroke. It may reach beyond the path: straight on where that is open, and
+ * around where it is closed. i: any segment at or before its start that is connected with it. */
+static void emit_piece(Work* work, uint i, const float start, const float end, uint start_kind,
+                       uint end_kind) {
+    if (end - start < SHORTEST) return;
+    const Frame frame = work->frame;
+    const uint kinds = start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
+    const float2 stroke = (float2)(start, end);
+    const float around = 2.0f * work->half_length;
+    float from = start, to = end;
+    if (work->seam && from < -work->half_length - SHORTEST) {
+        uint tail = work->last; /* the part before the seam lies at the end of the path */
+        while (tail > work->first && segment_span(frame, tail).x > from + around &&
+               goes_on(frame, tail - 1))
+            --tail;
+        emit_part(work, tail, fmax(from + around, segment_span(frame, tail).x), work->half_length,
+                  start_kind, LA_END_JOIN, stroke + around, kinds);
+        from = -work->half_length;
+        start_kind = LA_END_JOIN;
+    }
+    const bool wraps = work->seam && to > work->half_length + SHORTEST;
+    if (wraps) to = work->half_length;
+    while (i < work->last && segment_span(frame, i).y < from && goes_on(frame, i)) ++i;
+    emit_part(work, i, from, to, start_kind, wraps ? LA_END_JOIN : end_kind, stroke, kinds);
+    if (wraps) {
+        emit_part(work, work->first, -work->half_length, end - around, LA_END_JOIN, end_kind,
+                  stroke - around, kinds);
+    }
+}
+
+/* The next gap beside a nearer line that ends behind `from`; with x > y: none. */
+static float2 next_cut(const Work* work, const Interval interval, const float from) {
+    float2 next = (float2)(INFINITY, -INFINITY);
+    if (work->cuts == 0) return next;
+    for (uint r = interval.first_run; r <= interval.last_run; ++r) {
+        for (int k = 0; k < LA_MOST_CUTS; ++k) {
+            const float2 cut = (float2)(work->cuts[r].from[k], work->cuts[r].to[k]);
+            if (cut.y > cut.x && cut.y > from && cut.x < next.x) next = cut;
+        }
+    }
+    return next;
+}
+
+/* A stroke to its final length, and the runs of it. */
+static void emit(Work* work, const Interval interval, const Filter filter) {
+    const Frame frame = work->frame;
+    float start = interval.start, end = interval.end;
+    uint start_kind = interval.start_kind, end_kind = interval.end_kind;
+    const float grow = filter.overshoot - filter.undershoot;
+    if (start_kind == LA_END_PATH) start -= filter.overshoot;
+    if (end_kind == LA_END_PATH) end += filter.overshoot;
+    if (start_kind == LA_END_HIDDEN)
+        start -= interval.first_run == work->first_run ? work->seam_grow : grow;
+    if (end_kind == LA_END_HIDDEN)
+        end += interval.last_run == work->last_run ? work->seam_grow : grow;
+
+    /* Back to where it starts, and no farther than the path is drawn. */
+    uint i = work->runs[interval.first_run].segment;
+    while (i > work->first && segment_span(frame, i).x > start && goes_on(frame, i - 1)) --i;
+    const float drawn_from = segment_span(frame, i).x;
+    const bool open_start = i == work->first && frame.clipped[i].t0 <= 0.0f;
+    if (start < drawn_from && !open_start) {
+        start = drawn_from;
+        start_kind = LA_END_CLIPPED;
+    }
+    uint last = work->runs[interval.last_run].segment;
+    while (last < work->last && segment_span(frame, last).y < end && goes_on(frame, last)) ++last;
+    const float drawn_to = segment_span(frame, last).y;
+    const bool open_end = last == work->last && frame.clipped[last].t1 >= 1.0f;
+    if (end > drawn_to && !open_end) {
+        end = drawn_to;
+        end_kind = LA_END_CLIPPED;
+    }
+
+    float2 cut = next_cut(work, interval, start);
+    while (cut.x < end && cut.y > cut.x) {
+        emit_piece(work, i, start, cut.x, start_kind, LA_END_HIDDEN);
+        start = cut.y;
+        start_kind = LA_END_HIDDEN;
+        cut = next_cut(work, interval, start);
+    }
+    emit_piece(work, i, start, end, start_kind, end_kind);
+}
+
+/* A share from 0 to 1 that looks random but belongs to the path. */
+static float path_share(const uint path) {
+    uint h = path * 0x9E3779B1u;
+    h ^= h >> 16;
+    h *= 0x85EBCA6Bu;
+    h ^= h >> 13;
+    return (float)(h >> 8) * (1.0f / 16777216.0f);
+}
+
+/* All strokes of the path whose runs are r to r_end - 1. */
+static void filter_path(Work* work, const uint r_first, const uint r_end, Filter filter,
+                        const float variation) {
+    const Frame frame = work->frame;
+    const uint tag = frame.segments[work->first].tag;
+    filter.overshoot *= 1.0f - variation * path_share(frame.segments[work->first].path);
+    work->half_length = arc_pixels(frame.arcs[work->last + 1] - frame.arcs[work->first]) * 0.5f;
+    work->seam = (tag & LA_TAG_CLOSED) != 0 && frame.clipped[work->last].t1 >= 1.0f &&
+                 frame.clipped[work->first].t0 <= 0.0f &&
+                 frame.arcs[work->last + 1] != frame.arcs[work->last] &&
+                 frame.arcs[work->first + 1] != frame.arcs[work->first];
+
+    /* What is hidden around the seam. */
+    float seam_gap = INFINITY;
+    if (work->seam) {
+        seam_gap = run_interval(work, r_first).start + 2.0f * work->half_length -
+                   run_interval(work, r_end - 1).end;
+    }
+    const bool joined = seam_gap <= SHORTEST || seam_gap < filter.fill;
+    const float grow = filter.overshoot - filter.undershoot;
+    work->seam_grow = fmin(grow, 0.5f * seam_gap);
+    work->first_run = r_first;
+    work->last_run = r_end - 1;
+
+    bool has_stroke = false, has_current = false;
+    Interval stroke, current;
+    for (uint r = r_first; r <= r_end; ++r) {
+        Interval next;
+        bool merges = false;
+        if (r < r_end) {
+            next = run_interval(work, r);
+            if (r == r_first && joined) {
+                next.start = -work->half_length;
+                next.start_kind = LA_END_JOIN;
+            }
+            if (r + 1 == r_end && joined) {
+                next.end = work->half_length;
+                next.end_kind = LA_END_JOIN;
+            }
+            const float gap = has_current ? next.start - current.end : 0.0f;
+            merges = has_current && (gap <= SHORTEST || gap < filter.fill) &&
+                     connected(frame, work->runs[r - 1].segment, work->runs[r].segment);
+            if (merges) {
+                current.end = next.end;
+                current.end_kind = next.end_kind;
+                current.last_run = r;
+                continue;
+            }
+        }
+        if (has_current) {
+            const bool cut_off =
+                current.start_kind == LA_END_CLIPPED || current.end_kind == LA_END_CLIPPED ||
+                current.start_kind == LA_END_JOIN || current.end_kind == LA_END_JOIN;
+            if (cut_off || current.end - current.start >= filter.drop) {
+                const bool meets = has_stroke && current.start - stroke.end <= 2.0f * grow &&
+                                   connected(frame, work->runs[stroke.last_run].segment,
+                                             work->runs[current.first_run].segment);
+                if (meets) {
+                    stroke.end = current.end;
+                    stroke.end_kind = current.end_kind;
+                    stroke.last_run = current.last_run;
+                } else {
+                    if (has_stroke) emit(work, stroke, filter);
+                    stroke = current;
+                    has_stroke = true;
+                }
+            }
+        }
+        current = next;
+        has_current = true;
+    }
+    if (has_stroke) emit(work, stroke, filter);
+}
+
+/* Segments of the path of run r, and the run after its last one; r itself if r is not its first. */
+static uint path_end(const Frame frame, __global const Run* runs, const uint run_count,
+                     const uint r, uint* first, uint* last) {
+    const uint segment = runs[r].segment;
+    *first = segment - frame.segments[segment].from_start;
+    *last = segment + frame.segments[segment].to_end;
+    if (r > 0 && runs[r - 1].segment >= *first) return r;
+    uint end = r + 1;
+    while (end < run_count && runs[end].segment <= *last) ++end;
+    return end;
+}
+
+/* counts[r]: runs that result of the path whose first run is r; 0 for every other run.
+ * use_cuts 0: `cuts` is not read. */
+__kernel void
+filter_count(__global const Segment* restrict segments,
+             __global const ClippedSegment* restrict clipped, __global const uint* restrict offsets,
+             __global const uint* restrict arcs, __global const uchar* alpha, const uint width,
+             const uint pitch, const float2 viewport, const float half_width, const float fill,
+             const float drop, const float overshoot, const float variation, const float undershoot,
+             __global const Run* restrict runs, __global const FrameRecord* restrict record,
+             __global const RunCuts* restrict cuts, const uint use_cuts, const uint run_capacity,
+             __global uint* restrict counts) {
+    const uint r = (uint)get_global_id(0);
+    if (r >= run_capacity) return;
+    counts[r] = 0;
+    const uint run_count = record->points[0];
+    if (r >= run_count) return;
+    const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
+    Work work;
+    work.frame = frame;
+    work.runs = runs;
+    work.cuts = use_cuts != 0 ? cuts : 0;
+    work.alpha = alpha;
+    work.width = width;
+    work.pitch = pitch;
+    work.out = 0;
+    work.count = 0;
+    const uint end = path_end(frame, runs, run_count, r, &work.first, &work.last);
+    if (end == r) return;
+    const Filter filter = {fill, drop, overshoot, undershoot};
+    filter_path(&work, r, end, filter, variation);
+    counts[r] = work.count;
+}
+
+/* Writes the runs of every path from its offset on, and (the first work-item) their record. */
+__kernel void
+filter_write(__global const Segment* restrict segments,
+             __global const ClippedSegment* restrict clipped, __global const uint* restrict offsets,
+             __global const uint* restrict arcs, __global const uchar* alpha, const uint width,
+             const uint pitch, const float2 viewport, const float half_width, const float fill,
+             const float drop, const float overshoot, const float variation, const float undershoot,
+             __global const Run* restrict runs, __global const FrameRecord* restrict record,
+             __global const RunCuts* restrict cuts, const uint use_cuts, const uint run_capacity,
+             __global const uint* restrict run_offsets, const uint filtered_capacity,
+             __global Run* restrict filtered, __global FrameRecord* restrict filtered_record) {
+    const uint r = (uint)get_global_id(0);
+    const uint total = run_offsets[run_capacity];
+    if (r == 0) {
+        write_record(filtered_record, total, filtered_capacity, record->sample_total);
+        /* A table of runs that was too small left nothing to filter; the host enlarges both. */
+        filtered_record->raw_run_total = record->run_total;
+    }
+    const uint run_count = record->points[0];
+    if (r >= run_count || total > filtered_capacity) return;
+    const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
+    Work work;
+    work.frame = frame;
+    work.runs = runs;
+    work.cuts = use_cuts != 0 ? cuts : 0;
+    work.alpha = alpha;
+    work.width = width;
+    work.pitch = pitch;
+    work.out = filtered + run_offsets[r];
+    work.count = 0;
+    const uint end = path_end(frame, runs, run_count, r, &work.first, &work.last);
+    if (end == r) return;
+    const Filter filter = {fill, drop, overshoot, undershoot};
+    filter_path(&work, r, end, filter, variation);
+}
+
+/* A hidden sample that is drawn now becomes visible, and where visibility ended a partly visible
+ * one is drawn in full: the end of the stroke is cut at its exact place instead. */
+__kernel void filter_show(__global const Run* restrict runs,
+                          __global const FrameRecord* restrict record,
+                          __global const Run* restrict filtered,
+                          __global const FrameRecord* restrict filtered_record, const uint n,
+                          __global uchar* restrict alpha) {
+    const uint r = (uint)get_global_id(0);
+    if (r >= n) return;
+    if (r < filtered_record->points[0] && (filtered[r].flags & LA_RUN_SOLID) == 0) {
+        __global uchar* own = alpha + filtered[r].address;
+        const int last_sample = (int)filtered[r].samples - 1;
+        const int first = max((int)floor(filtered[r].start_sample - 0.5f), 0);
+        const int last = min((int)floor(filtered[r].end_sample - 0.5f) + 1, last_sample);
+        for (int j = first; j <= last; ++j) {
+            if (own[j] == 0) own[j] = 255;
+        }
+    }
+    if (r < record->points[0]) {
+        __global uchar* own = alpha + runs[r].address;
+        const float start = runs[r].start_sample, end = runs[r].end_sample;
+        if (start > 0.0f) {
+            const uint a = (uint)(start + 0.5f);
+            own[a] = max(own[a], (uchar)LA_FULLY_SHOWN);
+        }
+        if (end < (float)runs[r].samples) {
+            const uint b = (uint)(end - 0.5f) - 1u;
+            own[b] = max(own[b], (uchar)LA_FULLY_SHOWN);
+        }
+    }
+}
