@@ -20,6 +20,10 @@ TEST(BuildClusters, HoldEveryTriangleOnceInsideTheirBoxes) {
     for (const std::uint32_t size : {1U, 7U, 128U, 100'000U}) {
         const TriangleClusters parts = build_clusters(mesh.positions, mesh.triangles, size);
         EXPECT_EQ(sorted(parts.triangles), sorted(mesh.triangles));
+        ASSERT_EQ(parts.order.size(), parts.triangles.size());
+        for (std::size_t i = 0; i < parts.order.size(); ++i) {
+            ASSERT_EQ(parts.triangles[i], mesh.triangles[parts.order[i]]);
+        }
         std::uint32_t next = 0;
         for (const Cluster& cluster : parts.clusters) {
             EXPECT_EQ(cluster.first, next);

@@ -175,6 +175,27 @@ TEST(ExtractLines, NothingIsKeptOfDroppedTriangles) {
     EXPECT_EQ(extract_lines(mesh).bounds.max, glm::vec3(1, 1, 1));
 }
 
+TEST(ExtractLines, TrianglesKeepTheColorsOfTheirGroups) {
+    Mesh mesh = test::cube();
+    EXPECT_TRUE(extract_lines(mesh).triangle_color.empty());
+    const glm::vec3 red{1, 0, 0};
+    const glm::vec3 blue{0, 0, 1};
+    mesh.groups = {{.object = "a", .material = "m", .color = red},
+                   {.object = "b", .material = "m", .color = std::nullopt},
+                   {.object = "c", .material = "m", .color = blue},
+                   {.object = "d", .material = "n", .color = red}};
+    mesh.triangle_group = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    mesh.triangles[5] = {7, 7, 7}; // dropped
+    const LineSet lines = extract_lines(mesh);
+    EXPECT_EQ(lines.colors, (std::vector<glm::vec3>{red, blue}));
+    constexpr std::uint16_t none = LineSet::no_color;
+    EXPECT_EQ(lines.triangle_color,
+              (std::vector<std::uint16_t>{0, none, 1, 0, 0, 1, 0, 0, none, 1, 0}));
+
+    for (MeshGroup& group : mesh.groups) group.color.reset();
+    EXPECT_TRUE(extract_lines(mesh).triangle_color.empty());
+}
+
 TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
     test::Random random{53};
     Mesh mesh = test::with_random_groups(test::height_field(random, 6, 1), random, 2);

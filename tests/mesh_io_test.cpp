@@ -182,7 +182,7 @@ TEST_F(MeshIo, ObjMissingMaterialFileIsANote) {
         load("a.obj", "mtllib my paint.mtl\nusemtl x\n" + square_vertices + "f 1 2 3\n");
     ASSERT_EQ(loaded.notes.size(), 1U);
     EXPECT_TRUE(has(loaded.notes[0], "my paint.mtl"));
-    EXPECT_EQ(loaded.mesh.groups.at(0).color, glm::vec3(0.8F));
+    EXPECT_FALSE(loaded.mesh.groups.at(0).color);
 }
 
 TEST_F(MeshIo, ObjMaterialFileNameMayHaveBlanks) {

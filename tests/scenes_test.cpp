@@ -48,9 +48,10 @@ TEST_P(SceneTest, MeshIsSound) {
     for (const MeshGroup& group : mesh.groups) {
         EXPECT_FALSE(group.object.empty());
         EXPECT_FALSE(group.material.empty());
+        ASSERT_TRUE(group.color);
         for (int c = 0; c < 3; ++c) {
-            EXPECT_GE(group.color[c], 0.0F);
-            EXPECT_LE(group.color[c], 1.0F);
+            EXPECT_GE((*group.color)[c], 0.0F);
+            EXPECT_LE((*group.color)[c], 1.0F);
         }
     }
 }

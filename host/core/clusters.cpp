@@ -50,6 +50,7 @@ TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
     }
     TriangleClusters result;
     result.triangles.reserve(triangles.size());
+    result.order.reserve(triangles.size());
     const auto add = [&](std::span<const Item> piece) {
         if (piece.empty()) return;
         glm::vec3 low{std::numeric_limits<float>::infinity()};
@@ -58,6 +59,7 @@ TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
         for (const Item& item : piece) {
             const glm::uvec3 t = triangles[item.triangle];
             result.triangles.push_back(t);
+            result.order.push_back(item.triangle);
             for (int corner = 0; corner < 3; ++corner) {
                 low = glm::min(low, vertices[t[corner]]);
                 high = glm::max(high, vertices[t[corner]]);

@@ -14,11 +14,11 @@ namespace lineatlas {
 /// that can be drawn or left out.
 struct TriangleClusters {
     std::vector<glm::uvec3> triangles; ///< the same triangles, reordered
+    std::vector<std::uint32_t> order;  ///< where each of `triangles` stood before
     std::vector<Cluster> clusters;     ///< consecutive pieces of `triangles`, with their boxes
 };
 
-/// Sorts triangles along a Morton curve through their centres and cuts the list into clusters of up
-/// to `cluster_size` triangles.
+/// Halves the triangles at medians of their centres into clusters of up to `cluster_size`.
 TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles, std::uint32_t cluster_size);
 

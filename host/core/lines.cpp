@@ -1,6 +1,8 @@
 #include "lineatlas/lines.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -36,6 +38,32 @@ std::vector<Line> file_lines(const WeldedMesh& mesh,
         }
     }
     return lines;
+}
+
+/// The colours of groups, and which one each triangle has.
+void add_colors(const std::vector<MeshGroup>& groups,
+                const std::vector<std::uint32_t>& triangle_group, LineSet& result) {
+    std::map<std::array<float, 3>, std::uint16_t> known;
+    const auto coded = [&](const MeshGroup& group) -> std::uint16_t {
+        if (!group.color) return LineSet::no_color;
+        const glm::vec3 color = *group.color;
+        const auto found = known.find({color.x, color.y, color.z});
+        if (found != known.end()) return found->second;
+        if (known.size() == LineSet::no_color) return LineSet::no_color;
+        const auto fresh = static_cast<std::uint16_t>(known.size());
+        known[{color.x, color.y, color.z}] = fresh;
+        result.colors.push_back(color);
+        return fresh;
+    };
+    std::vector<std::uint16_t> color_of_group;
+    color_of_group.reserve(groups.size());
+    for (const MeshGroup& group : groups) color_of_group.push_back(coded(group));
+    if (result.colors.empty()) return;
+    result.triangle_color.reserve(triangle_group.size());
+    for (const std::uint32_t group : triangle_group) {
+        result.triangle_color.push_back(group < groups.size() ? color_of_group[group]
+                                                              : LineSet::no_color);
+    }
 }
 
 class LineSetBuilder {
@@ -138,6 +166,7 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     LineSet result = std::move(builder.result);
     result.vertices = std::move(welded.vertices);
     result.triangles = std::move(welded.triangles);
+    add_colors(mesh.groups, welded.triangle_group, result);
     for (const glm::vec3& v : result.vertices) {
         result.bounds.min = glm::min(result.bounds.min, v);
         result.bounds.max = glm::max(result.bounds.max, v);

@@ -8,7 +8,6 @@
 
 #include <tiny_obj_loader.h>
 
-#include "lineatlas/mesh.hpp"
 #include "source_file.hpp"
 
 namespace lineatlas {
@@ -25,7 +24,7 @@ ObjMaterials::ObjMaterials(const std::filesystem::path& obj_path,
         for (std::string word; words >> word;) any = load(folder / word) || any;
         if (!any)
             notes_.push_back("material file " + lineatlas::quoted(name) +
-                             " cannot be read; its materials have the default colour");
+                             " cannot be read; its materials have no colour");
     }
 }
 
@@ -50,9 +49,10 @@ bool ObjMaterials::load(const std::filesystem::path& path) {
     return true;
 }
 
-glm::vec3 ObjMaterials::color(const std::string& material) const {
+std::optional<glm::vec3> ObjMaterials::color(const std::string& material) const {
     const auto found = colors_.find(material);
-    return found == colors_.end() ? MeshGroup().color : found->second;
+    if (found == colors_.end()) return std::nullopt;
+    return found->second;
 }
 
 } // namespace lineatlas

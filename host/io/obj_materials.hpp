@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ class ObjMaterials {
     /// `obj_path`.
     ObjMaterials(const std::filesystem::path& obj_path, std::span<const std::string> names);
 
-    /// The default colour of MeshGroup for a material that no file defines.
-    glm::vec3 color(const std::string& material) const;
+    /// Nothing for a material that no file defines.
+    std::optional<glm::vec3> color(const std::string& material) const;
 
     /// One line for each file that could not be read.
     const std::vector<std::string>& notes() const { return notes_; }

@@ -205,10 +205,10 @@ void pin(MeshBuilder& b, const Materials& m) {
 
 Scene make_clevis() {
     MeshBuilder b;
-    const Materials m{b.group("body", "cast_iron", {0.36F, 0.39F, 0.42F}),
-                      b.group("body", "machined_steel", {0.66F, 0.67F, 0.68F}),
-                      b.group("bushing", "bronze", {0.67F, 0.52F, 0.30F}),
-                      b.group("pin", "steel", {0.58F, 0.62F, 0.67F})};
+    const Materials m{b.group("body", "cast_iron", {0.70F, 0.73F, 0.76F}),
+                      b.group("body", "machined_steel", {0.90F, 0.91F, 0.92F}),
+                      b.group("bushing", "bronze", {0.88F, 0.77F, 0.56F}),
+                      b.group("pin", "steel", {0.82F, 0.85F, 0.88F})};
     const Ring feet[] = {lug(b, m, lug_offset), lug(b, m, -lug_offset)};
     plate(b, m, feet);
     pin(b, m);

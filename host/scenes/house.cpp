@@ -125,15 +125,15 @@ void add_chimney(MeshBuilder& b, const Materials& m) {
 
 Scene make_house() {
     MeshBuilder b;
-    const Materials m{b.group("terraces", "concrete", {0.80F, 0.72F, 0.58F}),
-                      b.group("terraces", "rim", {0.84F, 0.77F, 0.64F}),
-                      b.group("walls", "stone", {0.55F, 0.51F, 0.44F}),
-                      b.group("terrain", "rock", {0.47F, 0.46F, 0.41F}),
-                      b.group("windows", "painted_steel", {0.50F, 0.22F, 0.17F}),
-                      b.group("furniture", "wood", {0.52F, 0.36F, 0.22F}),
-                      b.group("furniture", "fabric", {0.68F, 0.48F, 0.32F}),
-                      b.group("rails", "metal", {0.35F, 0.36F, 0.37F}),
-                      b.group("trees", "bark", {0.36F, 0.31F, 0.26F})};
+    const Materials m{b.group("terraces", "concrete", {0.94F, 0.88F, 0.77F}),
+                      b.group("terraces", "rim", {0.96F, 0.92F, 0.83F}),
+                      b.group("walls", "stone", {0.77F, 0.73F, 0.66F}),
+                      b.group("terrain", "rock", {0.80F, 0.77F, 0.71F}),
+                      b.group("windows", "painted_steel", {0.76F, 0.50F, 0.42F}),
+                      b.group("furniture", "wood", {0.78F, 0.64F, 0.49F}),
+                      b.group("furniture", "fabric", {0.88F, 0.74F, 0.58F}),
+                      b.group("rails", "metal", {0.62F, 0.63F, 0.64F}),
+                      b.group("trees", "bark", {0.66F, 0.60F, 0.53F})};
     add_terrain(b, m);
     add_storey_one(b, m);
     add_storey_two(b, m);

@@ -7,17 +7,17 @@ namespace lineatlas::scenes {
 
 Scene make_office() {
     MeshBuilder b;
-    const OfficeMaterials m{b.group("structure", "concrete", {0.58F, 0.58F, 0.56F}),
-                            b.group("walls", "plaster", {0.82F, 0.81F, 0.77F}),
-                            b.group("facade", "aluminium", {0.45F, 0.48F, 0.50F}),
-                            b.group("furniture", "wood", {0.66F, 0.50F, 0.34F}),
-                            b.group("furniture", "metal", {0.55F, 0.57F, 0.60F}),
-                            b.group("equipment", "plastic", {0.25F, 0.26F, 0.28F}),
-                            b.group("equipment", "keys", {0.40F, 0.42F, 0.45F}),
-                            b.group("furniture", "fabric", {0.28F, 0.38F, 0.48F}),
-                            b.group("books", "paper", {0.86F, 0.83F, 0.74F}),
-                            b.group("plants", "leaf", {0.27F, 0.43F, 0.24F}),
-                            b.group("plants", "clay", {0.65F, 0.42F, 0.31F})};
+    const OfficeMaterials m{b.group("structure", "concrete", {0.86F, 0.86F, 0.84F}),
+                            b.group("walls", "plaster", {0.95F, 0.94F, 0.90F}),
+                            b.group("facade", "aluminium", {0.76F, 0.79F, 0.81F}),
+                            b.group("furniture", "wood", {0.88F, 0.76F, 0.60F}),
+                            b.group("furniture", "metal", {0.79F, 0.81F, 0.83F}),
+                            b.group("equipment", "plastic", {0.55F, 0.57F, 0.60F}),
+                            b.group("equipment", "keys", {0.68F, 0.70F, 0.73F}),
+                            b.group("furniture", "fabric", {0.58F, 0.68F, 0.76F}),
+                            b.group("books", "paper", {0.94F, 0.91F, 0.83F}),
+                            b.group("plants", "leaf", {0.62F, 0.74F, 0.56F}),
+                            b.group("plants", "clay", {0.86F, 0.67F, 0.56F})};
     add_building(b, m);
     for (int storey = 0; storey < office::storeys; ++storey) furnish(b, m, storey);
 

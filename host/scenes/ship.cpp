@@ -7,20 +7,20 @@ namespace lineatlas::scenes {
 
 Scene make_ship() {
     MeshBuilder b;
-    const ShipMaterials m{b.group("hull", "painted_wood", {0.20F, 0.24F, 0.30F}),
-                          b.group("hull", "white_paint", {0.80F, 0.79F, 0.74F}),
-                          b.group("hull", "copper", {0.50F, 0.33F, 0.24F}),
-                          b.group("frames", "oak", {0.47F, 0.35F, 0.22F}),
-                          b.group("ceiling", "pine", {0.62F, 0.49F, 0.32F}),
-                          b.group("deck", "teak", {0.66F, 0.55F, 0.40F}),
-                          b.group("joinery", "varnished_wood", {0.50F, 0.31F, 0.17F}),
-                          b.group("spars", "spruce", {0.70F, 0.57F, 0.36F}),
-                          b.group("rigging", "rope", {0.33F, 0.28F, 0.21F}),
-                          b.group("sails", "canvas", {0.85F, 0.81F, 0.70F}),
-                          b.group("sails", "tabling", {0.76F, 0.71F, 0.58F}),
-                          b.group("fittings", "iron", {0.22F, 0.23F, 0.24F}),
-                          b.group("cargo", "wood", {0.57F, 0.42F, 0.26F}),
-                          b.group("cargo", "jute", {0.67F, 0.58F, 0.42F})};
+    const ShipMaterials m{b.group("hull", "painted_wood", {0.52F, 0.60F, 0.66F}),
+                          b.group("hull", "white_paint", {0.94F, 0.92F, 0.86F}),
+                          b.group("hull", "copper", {0.78F, 0.62F, 0.52F}),
+                          b.group("frames", "oak", {0.76F, 0.66F, 0.52F}),
+                          b.group("ceiling", "pine", {0.85F, 0.76F, 0.60F}),
+                          b.group("deck", "teak", {0.87F, 0.79F, 0.66F}),
+                          b.group("joinery", "varnished_wood", {0.76F, 0.60F, 0.46F}),
+                          b.group("spars", "spruce", {0.88F, 0.78F, 0.60F}),
+                          b.group("rigging", "rope", {0.66F, 0.60F, 0.50F}),
+                          b.group("sails", "canvas", {0.97F, 0.94F, 0.86F}),
+                          b.group("sails", "tabling", {0.91F, 0.87F, 0.76F}),
+                          b.group("fittings", "iron", {0.52F, 0.54F, 0.56F}),
+                          b.group("cargo", "wood", {0.80F, 0.67F, 0.50F}),
+                          b.group("cargo", "jute", {0.86F, 0.79F, 0.66F})};
     add_hull(b, m);
     add_decks(b, m);
     add_hold(b, m);

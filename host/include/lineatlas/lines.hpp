@@ -48,6 +48,12 @@ struct LineSet {
     std::uint32_t path_count = 0;      ///< `Segment::path` is below this
     std::array<std::uint32_t, LA_KIND_COUNT> kind_counts{}; ///< segments per kind
     Bounds bounds;                                          ///< of `vertices`
+    /// The colours of the mesh's groups that triangles have, each once and fewer than `no_color`
+    /// (triangles of any more colours have none).
+    std::vector<glm::vec3> colors;
+    /// Per triangle an index into `colors`, or `no_color`; empty where no triangle has a colour.
+    std::vector<std::uint16_t> triangle_color;
+    static constexpr std::uint16_t no_color = 0xFFFF;
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,11 @@ namespace lineatlas {
 
 /// What a triangle belongs to. A mesh edge between two different groups is a material line.
 struct MeshGroup {
-    std::string object;    ///< OBJ `o`/`g` name; empty where the file names none
-    std::string material;  ///< OBJ `usemtl` name; empty where the file names none
-    glm::vec3 color{0.8F}; ///< diffuse colour, linear, each channel 0 to 1
+    std::string object;   ///< OBJ `o`/`g` name; empty where the file names none
+    std::string material; ///< OBJ `usemtl` name; empty where the file names none
+    /// Diffuse colour as on the screen (sRGB-coded), each channel 0 to 1; nothing where none is
+    /// known.
+    std::optional<glm::vec3> color{};
 };
 
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.
