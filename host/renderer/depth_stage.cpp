@@ -38,6 +38,7 @@ void DepthStage::draw_texture(Frame& frame) {
         pass_.begin(frame.camera.size, frame.options.depth_scale);
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world());
         triangles_drawn_ = frame.scene.triangle_count();
+        ranges_.assign(1, {0, triangles_drawn_});
     });
 }
 
@@ -48,6 +49,7 @@ void DepthStage::draw_for_compute(Frame& frame) {
         return build_pyramid(frame);
     }
     triangles_drawn_ = 0;
+    ranges_.clear();
     frame.clock("depth", [&] { pass_.begin(frame.camera.size, frame.options.depth_scale); });
     draw_clusters(frame, seen_);
     build_pyramid(frame);
@@ -92,7 +94,7 @@ void DepthStage::build_pyramid(Frame& frame) {
 void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& selected) {
     frame.clock("depth", [&] {
         const std::span<const Cluster> clusters = frame.scene.clusters();
-        ranges_.clear();
+        const std::size_t drawn_before = ranges_.size();
         for (std::size_t i = 0; i < clusters.size(); ++i) {
             if (selected[i] == 0) continue;
             triangles_drawn_ += clusters[i].count;
@@ -102,7 +104,8 @@ void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& se
             else
                 ranges_.push_back({clusters[i].first, clusters[i].count});
         }
-        pass_.draw_ranges(frame.scene.gl_triangles(), frame.camera.clip_from_world(), ranges_);
+        pass_.draw_ranges(frame.scene.gl_triangles(), frame.camera.clip_from_world(),
+                          std::span{ranges_}.subspan(drawn_before));
     });
 }
 

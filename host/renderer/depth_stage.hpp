@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "frame.hpp"
@@ -31,6 +32,8 @@ class DepthStage {
 
     /// Triangles that the last frame drew.
     std::uint32_t triangles_drawn() const { return triangles_drawn_; }
+    /// Which those were: pieces of SceneBuffers::gl_triangles(). No other triangle can be seen.
+    std::span<const gl::TriangleRange> drawn() const { return ranges_; }
     const gl::DepthPass& pass() const { return pass_; }
     compute::Buffer& buffer() const { return depth_->compute(); }
     interop::SharedBuffer& tiles() const { return *tiles_; }
@@ -51,9 +54,9 @@ class DepthStage {
     gl::DepthPass pass_;
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_;
-    std::vector<std::uint8_t> seen_;     ///< per cluster: seen in the last frame
-    std::vector<std::uint8_t> appeared_; ///< per cluster: to be drawn in the second step
-    std::vector<gl::TriangleRange> ranges_;
+    std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame
+    std::vector<std::uint8_t> appeared_;    ///< per cluster: to be drawn in the second step
+    std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame
     std::uint32_t triangles_drawn_ = 0;
 };
 

@@ -59,6 +59,14 @@ gl::ProbeParams Frame::probe_params(GLuint depth) const {
             .tolerance = depth_tolerance()};
 }
 
+bool has_depth_attachment(GLuint framebuffer) {
+    GLint type = GL_NONE;
+    glGetNamedFramebufferAttachmentParameteriv(framebuffer,
+                                               framebuffer != 0 ? GL_DEPTH_ATTACHMENT : GL_DEPTH,
+                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    return type != GL_NONE;
+}
+
 void check_depth_size(const Frame& frame) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);

@@ -36,4 +36,7 @@ struct Frame {
 /// Throws UsageError if the device has no textures as large as the frame's depth buffer.
 void check_depth_size(const Frame& frame);
 
+/// Whether the depth test works there.
+bool has_depth_attachment(GLuint framebuffer);
+
 } // namespace lineatlas

@@ -5,11 +5,7 @@
 namespace lineatlas {
 
 FrameStats OpenGlMethod::draw(Frame& frame) {
-    GLint depth = GL_NONE;
-    glGetNamedFramebufferAttachmentParameteriv(
-        frame.framebuffer, frame.framebuffer != 0 ? GL_DEPTH_ATTACHMENT : GL_DEPTH,
-        GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &depth);
-    if (depth == GL_NONE) {
+    if (!has_depth_attachment(frame.framebuffer)) {
         throw UsageError("method opengl: the framebuffer has no depth attachment; add one or use "
                          "method atlas");
     }

@@ -8,6 +8,8 @@
 #include <string>
 
 #include <glm/geometric.hpp>
+#include <glm/common.hpp>
+#include <glm/gtc/type_precision.hpp>
 
 #include "core/clusters.hpp"
 #include "lineatlas/error.hpp"
@@ -66,10 +68,12 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
     if (triangle_count_ < fewest_triangles_culled) {
         gl_indices_ = upload_gl(bytes_of(lines.triangles));
+        upload_colors(lines, {});
     } else {
         TriangleClusters parts = build_clusters(lines.vertices, lines.triangles, cluster_size);
         gl_indices_ = upload_gl(bytes_of(parts.triangles));
         clusters_ = std::move(parts.clusters);
+        upload_colors(lines, parts.order);
     }
     const std::size_t every = std::max<std::size_t>(1, lines.vertices.size() / most_landmarks);
     for (std::size_t i = 0; i < lines.vertices.size(); i += every) {
@@ -91,6 +95,36 @@ float SceneBuffers::typical_motion(const Camera& from, const Camera& to) const {
     const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
     std::nth_element(shifts.begin(), middle, shifts.end());
     return *middle;
+}
+
+void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint32_t> order) {
+    if (lines.triangle_color.empty()) return;
+    // The table's last entry stands for no colour; a pass knows it by its alpha.
+    std::vector<glm::u8vec4> table;
+    table.reserve(lines.colors.size() + 1);
+    for (const glm::vec3& color : lines.colors) {
+        table.emplace_back(glm::round(255.0F * glm::clamp(color, 0.0F, 1.0F)), 255);
+    }
+    table.emplace_back(0);
+    const auto upload_indices = [&]<class Index>(Index) {
+        std::vector<Index> indices(lines.triangle_color.size());
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            const std::size_t source = order.empty() ? i : order[i];
+            const std::size_t index =
+                std::min<std::size_t>(lines.triangle_color[source], lines.colors.size());
+            indices[i] = static_cast<Index>(index);
+        }
+        gl_color_indices_ = upload_gl(bytes_of(indices));
+    };
+    const bool fits_a_byte = table.size() <= 256;
+    if (fits_a_byte)
+        upload_indices(std::uint8_t{});
+    else
+        upload_indices(std::uint16_t{});
+    gl_colors_ = upload_gl(bytes_of(table));
+    colors_ = {.indices = gl_color_indices_.id(),
+               .index_format = static_cast<GLenum>(fits_a_byte ? GL_R8UI : GL_R16UI),
+               .colors = gl_colors_.id()};
 }
 
 template <class T>

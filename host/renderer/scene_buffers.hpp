@@ -7,6 +7,7 @@
 
 #include "compute/backend.hpp"
 #include "glpasses/depth_pass.hpp"
+#include "glpasses/fill_pass.hpp"
 #include "glpasses/line_pass.hpp"
 #include "glpasses/objects.hpp"
 #include "glpasses/spine_pass.hpp"
@@ -29,6 +30,8 @@ class SceneBuffers {
     gl::TriangleBuffers gl_triangles() const {
         return {gl_vertices_.id(), gl_indices_.id(), triangle_count_};
     }
+    /// In the order of gl_triangles().
+    const gl::TriangleColors& gl_colors() const { return colors_; }
     gl::SegmentBuffers gl_segments();
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);
@@ -45,6 +48,8 @@ class SceneBuffers {
     std::uint64_t segment_bytes() const { return segments_->size(); }
 
   private:
+    /// `order`: where each of gl_triangles() stands among the line set's; empty: there too.
+    void upload_colors(const LineSet& lines, std::span<const std::uint32_t> order);
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
@@ -55,6 +60,8 @@ class SceneBuffers {
     std::vector<glm::vec3> landmarks_; ///< some of the vertices
     std::vector<Cluster> clusters_;
     gl::Buffer gl_vertices_, gl_indices_;
+    gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
+    gl::TriangleColors colors_;
     // What only the methods besides the atlas need; made when first asked for.
     gl::Buffer gl_segments_, gl_table_triangles_, gl_lines_;
     LineKindMask line_kinds_ = 0; ///< that `gl_lines_` holds

@@ -1,0 +1,103 @@
+#include "fill_pass.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::gl {
+
+FillPass::FillPass()
+    : flat_program_({"fill.vert", "fill.frag"}), lit_program_({"fill.vert", "fill.frag"}, "LIT"),
+      vertex_array_(VertexArray::create()), command_buffer_(Buffer::create()) {
+    const GLuint array = vertex_array_.id();
+    glEnableVertexArrayAttrib(array, 0);
+    glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(array, 0, 0);
+    // gl_PrimitiveID starts at 0 in every range. Where the range starts is read from its draw
+    // command: an attribute per instance, of which base_instance picks the range's.
+    glEnableVertexArrayAttrib(array, 1);
+    glVertexArrayAttribIFormat(array, 1, 1, GL_UNSIGNED_INT, offsetof(Command, first_index));
+    glVertexArrayAttribBinding(array, 1, 1);
+    glVertexArrayBindingDivisor(array, 1, 1);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_colors_);
+}
+
+void FillPass::set_light(const FillView& view, const Fill& fill) const {
+    const float length = glm::length(fill.light);
+    const glm::vec3 light = length > 0 ? fill.light / length : glm::vec3{0, 0, 1};
+    const int steps = fill.mode == FillMode::toon ? std::max(fill.toon_steps, 2) : 0;
+    lit_program_.set("eye_from_world", view.eye_from_world);
+    lit_program_.set("light", glm::vec4{light, 0});
+    lit_program_.set("ambient", std::clamp(fill.ambient, 0.0F, 1.0F));
+    lit_program_.set("steps", static_cast<float>(steps));
+}
+
+void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colors,
+                    std::span<const TriangleRange> ranges, const FillView& view, const Fill& fill,
+                    GLuint framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, view.viewport.x, view.viewport.y);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    const float far = 1.0F;
+    glClearBufferfv(GL_DEPTH, 0, &far);
+
+    commands_.clear();
+    for (const TriangleRange& range : ranges) {
+        if (range.count == 0) continue;
+        commands_.push_back({.count = range.count * 3,
+                             .instance_count = 1,
+                             .first_index = range.first * 3,
+                             .base_vertex = 0,
+                             .base_instance = static_cast<GLuint>(commands_.size())});
+    }
+    if (commands_.empty()) return;
+    glNamedBufferData(command_buffer_.id(),
+                      static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)), commands_.data(),
+                      GL_STREAM_DRAW);
+
+    TextureBuffer indices;
+    TextureBuffer table;
+    if (colors.indices != 0) {
+        if (triangles.triangle_count > static_cast<GLuint>(most_colors_)) {
+            throw DeviceError("fills: this device reads the colours of up to " +
+                              std::to_string(most_colors_) + " triangles, the model has " +
+                              std::to_string(triangles.triangle_count));
+        }
+        indices = TextureBuffer::create();
+        table = TextureBuffer::create();
+        glTextureBuffer(indices.id(), colors.index_format, colors.indices);
+        glTextureBuffer(table.id(), GL_RGBA8, colors.colors);
+        glBindTextureUnit(0, indices.id());
+        glBindTextureUnit(1, table.id());
+    }
+    const bool lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
+    const Program& program = lit ? lit_program_ : flat_program_;
+    program.use();
+    program.set("color_indices", 0);
+    program.set("colors", 1);
+    program.set("has_colors", colors.indices != 0);
+    program.set("plain_color", glm::vec4{fill.color, 1});
+    program.set("clip_from_world", view.clip_from_world);
+    if (lit) set_light(view, fill);
+
+    glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
+    glVertexArrayVertexBuffer(vertex_array_.id(), 1, command_buffer_.id(), 0, sizeof(Command));
+    glVertexArrayElementBuffer(vertex_array_.id(), triangles.indices);
+    glBindVertexArray(vertex_array_.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command_buffer_.id());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr,
+                                static_cast<GLsizei>(commands_.size()), 0);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace lineatlas::gl

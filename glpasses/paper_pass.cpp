@@ -1,0 +1,31 @@
+#include "paper_pass.hpp"
+
+namespace lineatlas::gl {
+
+PaperPass::PaperPass(const PaperTile& tile)
+    : program_({"paper.vert", "paper.frag"}), vertex_array_(VertexArray::create()),
+      tile_(Texture2D::create()) {
+    glTextureStorage2D(tile_.id(), 1, GL_R8, PaperTile::size, PaperTile::size);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(tile_.id(), 0, 0, 0, PaperTile::size, PaperTile::size, GL_RED,
+                        GL_UNSIGNED_BYTE, tile.depth.data());
+    glTextureParameteri(tile_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(tile_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void PaperPass::draw(glm::ivec2 viewport, float grain, GLuint framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, viewport.x, viewport.y);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glBindTextureUnit(0, tile_.id());
+    program_.use();
+    program_.set("depth", 0);
+    program_.set("grain", grain);
+    glBindVertexArray(vertex_array_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+}
+
+} // namespace lineatlas::gl

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "frame.hpp"
+#include "glpasses/fill_pass.hpp"
+#include "glpasses/paper_pass.hpp"
+#include "lineatlas/style.hpp"
+
+namespace lineatlas {
+
+/// What a drawing has besides its lines: colours under them, and the paper's grain over all.
+class Backdrop {
+  public:
+    /// Before the strokes. `seen`: the pieces of the model that may be seen (DepthStage::drawn()).
+    /// Changes the framebuffer's depth. Throws UsageError if it has none or `fill` is out of range.
+    void draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen);
+    /// The same with the whole model.
+    void draw_fill(Frame& frame, const Fill& fill);
+    /// After the strokes. The paper's colour is what the framebuffer was cleared to.
+    void draw_paper(Frame& frame, const Paper& paper);
+
+  private:
+    // Made when first used.
+    std::optional<gl::FillPass> fill_pass_;
+    std::optional<gl::PaperPass> paper_pass_;
+};
+
+} // namespace lineatlas

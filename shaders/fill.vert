@@ -1,0 +1,21 @@
+#version 450 core
+// fill: triangles with their colours. LIT: and with what their light is computed from.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in uint first_index; // of the range that is drawn
+
+uniform mat4 clip_from_world;
+
+#ifdef LIT
+uniform mat4 eye_from_world;
+out vec3 eye_position;
+#endif
+flat out uint first_triangle;
+
+void main() {
+    gl_Position = clip_from_world * vec4(position, 1.0);
+    first_triangle = first_index / 3u;
+#ifdef LIT
+    eye_position = (eye_from_world * vec4(position, 1.0)).xyz;
+#endif
+}
