@@ -32,7 +32,8 @@ class DepthStage {
 
     /// Triangles that the last frame drew.
     std::uint32_t triangles_drawn() const { return triangles_drawn_; }
-    /// Which those were: pieces of SceneBuffers::gl_triangles(). No other triangle can be seen.
+    /// Which those were, as pieces of SceneBuffers::gl_triangles(); no other triangle can be seen.
+    /// Of a frame whose method draws no depth (an item buffer) they say nothing.
     std::span<const gl::TriangleRange> drawn() const { return ranges_; }
     const gl::DepthPass& pass() const { return pass_; }
     compute::Buffer& buffer() const { return depth_->compute(); }
