@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include <glm/geometric.hpp>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/clusters.hpp"
