@@ -73,7 +73,8 @@ typedef struct Cluster {
 #define LA_STROKE_END_SHIFT 9u
 #define LA_RUN_KIND_SHIFT 12u
 #define LA_RUN_SOLID 0x8000u /* visible all along: the atlas has no samples of it */
-#define LA_RUN_BIN_SHIFT 16u /* priority of the line, 0 to LA_DENSITY_BINS - 1, see `density` */
+#define LA_RUN_BIN_SHIFT 16u /* priority of the line, in 1/LA_BIN_STEPS of a bin, see `density` */
+#define LA_RUN_BIN_MASK 0xFFu
 
 /* A piece of one segment that is drawn; everything that the stroke pass and the readback need to
  * know of it. `compact` makes one of every maximal row of samples that are at least partly visible,
@@ -104,9 +105,29 @@ typedef struct RunCuts {
 /* Visibility (of 255) from which on a stroke is drawn in full: a third (shaders/mark.glsl). */
 #define LA_FULLY_SHOWN 85
 
+/* Pixels per axis of a tile in which `halo` looks for lines that cross. */
+#define LA_HALO_TILE 16
+/* A visible run is longer by this for `halo`, in pixels: one that ends behind the line that hides
+ * it, and any that crosses another near its end. */
+#define LA_HALO_REACH_HIDDEN 4.0f
+#define LA_HALO_REACH_OVER 1.0f
+/* Lines at less than this sine to each other run along each other and do not cross. */
+#define LA_HALO_LEAST_SINE 0.01f
+/* A gap is at most this much longer than that of a line that crosses at a right angle. */
+#define LA_HALO_STRETCH 4.0f
+
 /* Priorities of lines that `density` tells apart, and pixels per axis of a cell of its grid. */
 #define LA_DENSITY_BINS 16u
 #define LA_DENSITY_CELL 8
+#define LA_BIN_STEPS 16u /* a line between two bins is shared out between them in such steps */
+#define LA_DENSITY_UNITS_PER_PIXEL 256.0f /* of length of line, summed as integers */
+#define LA_DENSITY_TENT 81.0f             /* sum of the weights that smooth the grid */
+/* What kind, length and chance contribute to a priority. */
+#define LA_PRIORITY_KIND 0.5f
+#define LA_PRIORITY_LENGTH 0.3f
+#define LA_PRIORITY_CHANCE 0.2f
+/* A bin fades while the lines before it take up this last share of the limit, or longer. */
+#define LA_DENSITY_SOFTNESS 0.125f
 
 /* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */

@@ -45,6 +45,16 @@ bool close(const Run& a, const Run& b) {
            a.samples == b.samples && a.flags == b.flags && a.segment == b.segment;
 }
 
+bool close(const RunCuts& a, const RunCuts& b) {
+    constexpr float pixel = 1e-3F;
+    for (std::size_t k = 0; k < LA_MOST_CUTS; ++k) {
+        if (!close(a.from[k], b.from[k], 1e-5F, pixel) || !close(a.to[k], b.to[k], 1e-5F, pixel)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 ByteDifference compare_bytes(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
                              int allowed) {
     if (a.size() != b.size()) {

@@ -45,6 +45,8 @@ bool close(float a, float b, float relative = 1e-5F, float absolute = 1e-6F);
 bool close(const ClippedSegment& a, const ClippedSegment& b);
 /// Whether two runs agree: integers exactly, floats within a thousandth of a pixel.
 bool close(const Run& a, const Run& b);
+/// Whether two runs have the same gaps, within a thousandth of a pixel.
+bool close(const RunCuts& a, const RunCuts& b);
 
 /// How two arrays of 8-bit values differ.
 struct ByteDifference {

@@ -33,6 +33,9 @@ struct FrameState {
     std::vector<std::uint8_t> alpha;
     std::vector<Run> runs;
     FrameRecord record{};
+    std::vector<RunCuts> cuts;
+    std::vector<std::uint32_t> flags; ///< of the runs, after density
+    std::vector<float> weights;
 };
 
 /// One backend's buffers for a line set, and its stages one at a time.
@@ -179,6 +182,55 @@ class Stages {
         state.runs = read_back<Run>(*backend_, *runs, state.record.points[0]);
     }
 
+    /// Of the runs in `state`.
+    void halo(const Camera& camera, FrameState& state) {
+        set(clipped_, state.clipped);
+        const auto runs = to_device(*backend_, state.runs);
+        const auto record = to_device(*backend_, std::vector{state.record});
+        const auto cuts = backend_->allocate(state.runs.size() * sizeof(RunCuts));
+        backend_->halo({.table = table(),
+                        .clipped = {*clipped_, *offsets_, *arcs_},
+                        .runs = *runs,
+                        .record = *record,
+                        .run_capacity = static_cast<std::uint32_t>(state.runs.size()),
+                        .viewport = glm::vec2{camera.size},
+                        .halo = 3,
+                        .half_width = 1,
+                        .tolerance = depth_tolerance(camera),
+                        .cuts = *cuts});
+        state.cuts = read_back<RunCuts>(*backend_, *cuts, state.runs.size());
+    }
+
+    /// Of the runs in `state`, with a limit that hides some.
+    void density(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
+        set(arcs_, state.arcs);
+        const auto alpha = to_device(*backend_, state.alpha);
+        const auto runs = to_device(*backend_, state.runs);
+        const auto record = to_device(*backend_, std::vector{state.record});
+        const glm::vec2 viewport{camera.size};
+        const glm::ivec2 cells = compute::density_cells(viewport);
+        const auto count = LA_DENSITY_BINS * static_cast<std::size_t>(cells.x * cells.y);
+        const auto weights = backend_->allocate(count * sizeof(float));
+        backend_->density({.table = table(),
+                           .clipped = {*clipped_, *offsets_, *arcs_},
+                           .alpha = *alpha,
+                           .layout = layout,
+                           .runs = *runs,
+                           .record = *record,
+                           .run_capacity = static_cast<std::uint32_t>(state.runs.size()),
+                           .viewport = viewport,
+                           .limit = 0.1F,
+                           .priority = {0.5F, 0.6F, 0.5F, 1, 1},
+                           .focus = {0.4F * viewport.x, 0.6F * viewport.y, 30, 80},
+                           .far_limit = 0.5F,
+                           .weights = *weights});
+        state.weights = read_back<float>(*backend_, *weights, count);
+        state.flags.clear();
+        for (const Run& run : read_back<Run>(*backend_, *runs, state.runs.size())) {
+            state.flags.push_back(run.flags);
+        }
+    }
+
   private:
     /// One pixel's width in window depth, times w.
     static float depth_tolerance(const Camera& camera) {
@@ -238,6 +290,15 @@ Camera nudged(Camera camera) {
     camera.projection[2][0] += 0.7F / static_cast<float>(camera.size.x);
     camera.projection[2][1] += 0.4F / static_cast<float>(camera.size.y);
     return camera;
+}
+
+template <class T>
+std::size_t different(const std::vector<T>& a, const std::vector<T>& b) {
+    std::size_t count = a.size() == b.size() ? 0 : a.size() + b.size();
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        if (!close(a[i], b[i])) ++count;
+    }
+    return count;
 }
 
 class StagesTest : public testing::TestWithParam<TestDevice> {
@@ -317,7 +378,22 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             EXPECT_EQ(seen.record.quads[1], seen.record.run_total);
             EXPECT_GT(seen.record.run_total, 0U);
             EXPECT_TRUE(all_close(expected.runs, seen.runs));
+            compare_effects(reference, device, camera, layout, expected);
         }
+    }
+
+    static void compare_effects(Stages& reference, Stages& device, const Camera& camera,
+                                const AtlasLayout& layout, FrameState& expected) {
+        FrameState seen = expected;
+        reference.halo(camera, expected);
+        device.halo(camera, seen);
+        // Where a line just reaches another, rounding decides whether they cross.
+        EXPECT_LE(different(expected.cuts, seen.cuts), expected.cuts.size() / 1000);
+
+        reference.density(camera, layout, expected);
+        device.density(camera, layout, seen);
+        EXPECT_TRUE(equal(expected.flags, seen.flags));
+        EXPECT_TRUE(all_close(expected.weights, seen.weights));
     }
 
     gl::HeadlessContext context_;
@@ -350,6 +426,9 @@ TEST_P(StagesTest, NoSegmentsAtAll) {
     device.compact(camera, layout, state);
     EXPECT_EQ(state.record.run_total, 0U);
     EXPECT_EQ(state.record.points[0], 0U);
+    device.halo(camera, state);
+    device.density(camera, layout, state);
+    EXPECT_TRUE(equal(state.weights, std::vector<float>(state.weights.size(), 1.0F)));
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StagesTest);

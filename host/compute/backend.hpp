@@ -236,6 +236,8 @@ class Backend {
     virtual void temporal(const TemporalArgs& args) = 0;
     virtual void compact_runs(const CompactRunsArgs& args) = 0;
     virtual void filter(const FilterArgs& args) = 0;
+    virtual void halo(const HaloArgs& args) = 0; ///< waits: the host sizes a table of its own
+    virtual void density(const DensityArgs& args) = 0;
     virtual void compact_samples(const CompactSamplesArgs& args) = 0;
 
     virtual void flush() = 0;  ///< starts what was submitted

@@ -30,6 +30,9 @@ cl_float16 to_cl(const glm::mat4& m) {
     return result;
 }
 
+/// Work-items of kernels that take runs in turns: enough for a GPU.
+constexpr std::uint32_t most_items_in_turns = 1U << 14U;
+
 const cl::Buffer& memory_of(Buffer& buffer) {
     return static_cast<OpenClBuffer&>(buffer).memory;
 }
@@ -154,12 +157,7 @@ class Implementation final : public OpenClBackend {
     }
 
     void scan(Buffer& values, std::uint32_t n, ScanKind kind) override {
-        if (n == 0) {
-            guarded("clearing a buffer", [&] {
-                queue_.enqueueFillBuffer(memory_of(values), cl_uint{0}, 0, sizeof(cl_uint));
-            });
-            return;
-        }
+        if (n == 0) return clear(values, 1);
         ScanKernels& kernels = scan_[kind == ScanKind::saturate ? 1 : 0];
         if (!tuning_.scan_tiles) {
             const std::uint32_t chunk = divide_up(n, tuning_.scan_chunks);
@@ -233,6 +231,46 @@ class Implementation final : public OpenClBackend {
         const std::uint32_t most = std::max(n, args.filtered_capacity);
         launch(filter_show_, most, tuning_.local_size, args.runs, args.record, args.filtered,
                args.filtered_record, most, args.alpha);
+    }
+
+    void halo(const HaloArgs& args) override {
+        const glm::ivec2 tiles = (glm::ivec2{args.viewport} + (LA_HALO_TILE - 1)) / LA_HALO_TILE;
+        const auto tile_count = static_cast<std::uint32_t>(tiles.x * tiles.y);
+        const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+        Buffer& ends = scratch(halo_ends_, tile_count + std::size_t{1});
+        clear(ends, tile_count);
+        launch(halo_count_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends);
+        scan(ends, tile_count, ScanKind::saturate);
+        cl_uint total = 0;
+        guarded("reading a buffer", [&] {
+            queue_.enqueueReadBuffer(memory_of(ends), CL_TRUE, tile_count * sizeof(cl_uint),
+                                     sizeof(cl_uint), &total);
+        });
+        constexpr std::size_t words = 5; // of struct Passing
+        Buffer& lists = scratch(halo_lists_, total * words);
+        launch(halo_fill_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends,
+               lists);
+        launch(halo_cut_, items, tuning_.local_size, args.table.segments, args.clipped.clipped,
+               args.runs, args.record, to_cl(tiles), args.halo + args.half_width, args.tolerance,
+               ends, lists, args.cuts);
+    }
+
+    void density(const DensityArgs& args) override {
+        const glm::ivec2 cells = density_cells(args.viewport);
+        const auto plane = static_cast<std::uint32_t>(cells.x * cells.y);
+        const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+        cl_float8 of_kind{};
+        std::ranges::copy(args.priority, of_kind.s);
+        const auto rows = static_cast<cl_int>(LA_DENSITY_BINS) * cells.y;
+        Buffer& grid = scratch(density_grid_, std::size_t{LA_DENSITY_BINS} * plane);
+        Buffer& smooth = scratch(density_rows_, std::size_t{LA_DENSITY_BINS} * plane);
+        clear(grid, std::size_t{LA_DENSITY_BINS} * plane);
+        launch(density_lines_, items, tuning_.local_size, args.table.segments, args.clipped.arcs,
+               args.alpha, args.record, of_kind, to_cl(cells), args.runs, grid);
+        launch(density_smooth_, LA_DENSITY_BINS * plane, tuning_.local_size, grid, to_cl(cells),
+               rows, smooth);
+        launch(density_weights_, plane, tuning_.local_size, smooth, to_cl(cells), args.limit,
+               to_cl(args.focus), args.far_limit, args.weights);
     }
 
     void compact_samples(const CompactSamplesArgs& args) override {
@@ -350,6 +388,13 @@ class Implementation final : public OpenClBackend {
         return *buffer;
     }
 
+    /// Sets the first `count` uint32 to 0.
+    void clear(Buffer& buffer, std::size_t count) {
+        guarded("clearing a buffer", [&] {
+            queue_.enqueueFillBuffer(memory_of(buffer), cl_uint{0}, 0, count * sizeof(cl_uint));
+        });
+    }
+
     OpenClDevice device_;
     Tuning tuning_;
     cl::Context context_;
@@ -368,9 +413,17 @@ class Implementation final : public OpenClBackend {
     LazyKernel filter_show_{"filter.cl", "filter_show"};
     LazyKernel compact_samples_count_{"compact.cl", "compact_samples_count"};
     LazyKernel compact_samples_write_{"compact.cl", "compact_samples_write"};
+    LazyKernel halo_count_{"halo.cl", "halo_count"};
+    LazyKernel halo_fill_{"halo.cl", "halo_fill"};
+    LazyKernel halo_cut_{"halo.cl", "halo_cut"};
+    LazyKernel density_lines_{"density.cl", "density_lines"};
+    LazyKernel density_smooth_{"density.cl", "density_smooth"};
+    LazyKernel density_weights_{"density.cl", "density_weights"};
     ScanKernels scan_[2];
     std::unique_ptr<Buffer> scan_sums_;
     std::unique_ptr<Buffer> block_counts_, run_counts_;
+    std::unique_ptr<Buffer> halo_ends_, halo_lists_;
+    std::unique_ptr<Buffer> density_grid_, density_rows_;
 };
 
 } // namespace

@@ -172,6 +172,32 @@ class ReferenceBackend final : public Backend {
             view<FrameRecord>(args.filtered_record, 1)[0]);
     }
 
+    void halo(const HaloArgs& args) override {
+        const std::size_t n = args.table.segment_count;
+        const std::size_t count = view<FrameRecord>(args.record, 1)[0].points[0];
+        reference::halo({.segments = view<Segment>(args.table.segments, n),
+                         .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                         .runs = view<Run>(args.runs, count),
+                         .viewport = args.viewport,
+                         .width = args.halo + args.half_width,
+                         .tolerance = args.tolerance},
+                        view<RunCuts>(args.cuts, count));
+    }
+
+    void density(const DensityArgs& args) override {
+        const std::size_t n = args.table.segment_count;
+        const std::size_t count = view<FrameRecord>(args.record, 1)[0].points[0];
+        reference::density({.segments = view<Segment>(args.table.segments, n),
+                            .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+                            .alpha = view_all<std::uint8_t>(args.alpha),
+                            .viewport = args.viewport,
+                            .limit = args.limit,
+                            .priority = args.priority,
+                            .focus = args.focus,
+                            .far_limit = args.far_limit},
+                           view<Run>(args.runs, count), view_all<float>(args.weights));
+    }
+
     void compact_samples(const CompactSamplesArgs& args) override {
         view<std::uint32_t>(args.packed_count, 1)[0] =
             reference::compact_samples(view<std::uint8_t>(args.alpha, args.count),

@@ -106,6 +106,32 @@ struct FilterInput {
 void filter(const FilterInput& input, std::span<std::uint8_t> alpha, std::span<Run> filtered,
             const FrameRecord& record, FrameRecord& filtered_record);
 
+struct HaloInput {
+    std::span<const Segment> segments;
+    std::span<const ClippedSegment> clipped;
+    std::span<const Run> runs;
+    glm::vec2 viewport;
+    float width; ///< from the middle of the nearer stroke to the end of the gap
+    float tolerance;
+};
+
+/// cuts: as many as runs.
+void halo(const HaloInput& input, std::span<RunCuts> cuts);
+
+struct DensityInput {
+    std::span<const Segment> segments;
+    std::span<const std::uint32_t> arcs;
+    std::span<const std::uint8_t> alpha;
+    glm::vec2 viewport;
+    float limit;
+    std::span<const float, LA_KIND_COUNT> priority;
+    glm::vec4 focus;
+    float far_limit;
+};
+
+/// weights: LA_DENSITY_BINS planes of density_cells(viewport).
+void density(const DensityInput& input, std::span<Run> runs, std::span<float> weights);
+
 /// Returns the number of addresses written to `packed`.
 std::uint32_t compact_samples(std::span<const std::uint8_t> alpha, std::span<std::uint32_t> packed);
 

@@ -1,0 +1,174 @@
+/* density: how much of each line is drawn where too many are (§4.5, Fig. 11; after Grabli, Durand
+ * and Sillion 2004, and Cole et al. 2006).
+ *
+ * density_lines adds up the drawn length of line per cell of a grid and bin of priority,
+ * density_smooth and density_weights smooth it and share the limit out among the bins, first to
+ * last. Lengths are summed as integers: the same in any order. Everything is continuous in what the
+ * camera moves, so that lines fade and do not pop: length is shared out between cells and bins. */
+
+#include "segment_table.h"
+
+#pragma OPENCL FP_CONTRACT OFF
+
+/* Length of the pieces in which a run without samples is added up, pixels. */
+#define SOLID_STEP 2.0f
+
+/* The base-2 logarithm of x >= 1, linear between powers of two: the same on every device. */
+static float rough_log2(const float x) {
+    const uint bits = as_uint(x);
+    return (float)((bits >> 23) - 127u) + (float)(bits & 0x7FFFFFu) * 0x1p-23f;
+}
+
+/* 0 to below 1, the same for a path in every frame (the last steps of MurmurHash3). */
+static float chance(uint x) {
+    x = (x ^ (x >> 16)) * 0x85EBCA6Bu;
+    x = (x ^ (x >> 13)) * 0xC2B2AE35u;
+    x ^= x >> 16;
+    return (float)(x >> 8) * 0x1p-24f;
+}
+
+/* Priority of a line in 1/LA_BIN_STEPS of a bin. Paths of 1,000 pixels and more count as long.
+ * Edges of silhouettes are no paths in the table, though they are parts of long lines: all are
+ * alike, or outlines would fall to pieces. */
+static uint priority_of(__global const Segment* segments, __global const uint* arcs, const uint i,
+                        const float8 of_kind) {
+    const uint kind = segments[i].tag & LA_TAG_KIND_MASK;
+    const float weights[8] = {of_kind.s0, of_kind.s1, of_kind.s2, of_kind.s3,
+                              of_kind.s4, of_kind.s5, of_kind.s6, of_kind.s7};
+    float length = 1.0f, tie = 0.5f;
+    if (kind != LA_KIND_SILHOUETTE) {
+        const uint first = i - segments[i].from_start;
+        const uint units = arcs[i + segments[i].to_end + 1] - arcs[first];
+        const float pixels = (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL);
+        length = fmin(rough_log2(1.0f + pixels * 0.0625f) * (1.0f / 6.0f), 1.0f);
+        tie = chance(segments[i].path);
+    }
+    const float priority =
+        (LA_PRIORITY_KIND * clamp(weights[kind], 0.0f, 1.0f) + LA_PRIORITY_LENGTH * length) +
+        LA_PRIORITY_CHANCE * tie;
+    const uint most = (LA_DENSITY_BINS - 1u) * LA_BIN_STEPS;
+    return min((uint)(priority * (float)most + 0.5f), most);
+}
+
+/* Adds `pixels` of line to one cell; the border's cells take what falls beside the grid. */
+static void add_to_cell(__global uint* grid, const int2 cells, const int x, const int y,
+                        const uint priority, const float pixels) {
+    const uint units = (uint)(pixels * LA_DENSITY_UNITS_PER_PIXEL + 0.5f);
+    if (units == 0) return;
+    const uint bin = priority / LA_BIN_STEPS;
+    const uint of_next = (uint)((ulong)units * (priority % LA_BIN_STEPS) / LA_BIN_STEPS);
+    const uint plane = (uint)(cells.x * cells.y);
+    const uint cell = (uint)(clamp(y, 0, cells.y - 1) * cells.x + clamp(x, 0, cells.x - 1));
+    atomic_add(grid + bin * plane + cell, units - of_next);
+    if (of_next != 0) atomic_add(grid + (bin + 1) * plane + cell, of_next);
+}
+
+/* Adds sums, for the four cells around a corner of the grid. */
+static void add_to_cells(__global uint* grid, const int2 cells, const int2 low, const uint priority,
+                         const float4 sums) {
+    add_to_cell(grid, cells, low.x, low.y, priority, sums.x);
+    add_to_cell(grid, cells, low.x + 1, low.y, priority, sums.y);
+    add_to_cell(grid, cells, low.x, low.y + 1, priority, sums.z);
+    add_to_cell(grid, cells, low.x + 1, low.y + 1, priority, sums.w);
+}
+
+/* grid, zero before: drawn length per bin and cell. Sets the priority in the flags of every run.
+ * Work-items take runs in turns: how many there are is known on the device alone. */
+__kernel void density_lines(__global const Segment* restrict segments,
+                            __global const uint* restrict arcs,
+                            __global const uchar* restrict alpha,
+                            __global const FrameRecord* restrict record, const float8 of_kind,
+                            const int2 cells, __global Run* restrict runs,
+                            __global uint* restrict grid) {
+    const uint count = record->points[0];
+    for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
+        __global Run* run = runs + r;
+        const uint priority = priority_of(segments, arcs, run->segment, of_kind);
+        run->flags =
+            (run->flags & ~(LA_RUN_BIN_MASK << LA_RUN_BIN_SHIFT)) | priority << LA_RUN_BIN_SHIFT;
+
+        const float2 start = vload2(0, run->start);
+        const float2 way = vload2(0, run->end) - start;
+        const float length = sqrt(way.x * way.x + way.y * way.y);
+        const bool solid = (run->flags & LA_RUN_SOLID) != 0;
+        const float first = solid ? 0.0f : run->start_sample;
+        const float last = solid ? length * (1.0f / SOLID_STEP) : run->end_sample;
+        if (!(length > 0.0f) || !(last > first)) continue;
+        const float per_sample = length / (last - first);
+        __global const uchar* own = alpha + (solid ? 0 : run->address);
+        const int last_own = (int)run->samples - 1;
+        const int end = convert_int_rtp(last);
+        int2 low = (int2)(0, 0);
+        float4 sums = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+        for (int j = convert_int_rtn(first); j < end; ++j) {
+            const float opacity =
+                solid ? 1.0f : fmin((float)own[clamp(j, 0, last_own)] * (3.0f / 255.0f), 1.0f);
+            if (opacity == 0.0f) continue;
+            const float from = fmax((float)j, first);
+            const float to = fmin((float)(j + 1), last);
+            const float drawn = (to - from) * per_sample * opacity;
+            const float share = ((from + to) * 0.5f - first) / (last - first);
+            const float2 place = (start + way * share) * (1.0f / LA_DENSITY_CELL) - 0.5f;
+            const float2 corner = floor(place);
+            const float2 up = place - corner, down = 1.0f - up;
+            const int2 here = convert_int2(corner);
+            if (here.x != low.x || here.y != low.y) {
+                add_to_cells(grid, cells, low, priority, sums);
+                low = here;
+                sums = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+            }
+            sums += drawn * (float4)(down.x * down.y, up.x * down.y, down.x * up.y, up.x * up.y);
+        }
+        add_to_cells(grid, cells, low, priority, sums);
+    }
+}
+
+/* A tent over five neighbours; the border's cells go on beyond it. */
+static uint tent(__global const uint* row, const int at, const int stride, const int count) {
+    const int last = count - 1;
+    return row[max(at - 2, 0) * stride] + 2u * row[max(at - 1, 0) * stride] +
+           3u * row[at * stride] + 2u * row[min(at + 1, last) * stride] +
+           row[min(at + 2, last) * stride];
+}
+
+/* The tent along the rows of all planes. */
+__kernel void density_smooth(__global const uint* restrict grid, const int2 cells, const int rows,
+                             __global uint* restrict smooth) {
+    const int i = (int)get_global_id(0);
+    if (i >= rows * cells.x) return;
+    const int row = i / cells.x;
+    smooth[i] = tent(grid + row * cells.x, i - row * cells.x, 1, cells.x);
+}
+
+/* What the limit is multiplied with at a place. focus: centre, radius and falloff. */
+static float limit_factor(const float2 place, const float4 focus, const float far_limit) {
+    if (!(focus.w > 0.0f)) return 1.0f;
+    const float2 away = place - focus.xy;
+    const float distance = sqrt(away.x * away.x + away.y * away.y);
+    const float t = clamp((distance - focus.z) / focus.w, 0.0f, 1.0f);
+    return 1.0f + (far_limit - 1.0f) * (t * t * (3.0f - 2.0f * t));
+}
+
+/* The tent along the columns, then the weights of every bin: bins of more priority come first. A
+ * bin gets what they leave of the limit. */
+__kernel void density_weights(__global const uint* restrict smooth, const int2 cells,
+                              const float limit, const float4 focus, const float far_limit,
+                              __global float* restrict weights) {
+    const int cell = (int)get_global_id(0);
+    const int plane = cells.x * cells.y;
+    if (cell >= plane) return;
+    const int y = cell / cells.x;
+    const int x = cell - y * cells.x;
+    const float2 place = ((float2)((float)x, (float)y) + 0.5f) * LA_DENSITY_CELL;
+    /* In units of length per cell, as the sums are. */
+    const float allowed =
+        limit * limit_factor(place, focus, far_limit) *
+        (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
+    const float least = fmax(allowed * LA_DENSITY_SOFTNESS, 1.0f);
+    float before = 0.0f;
+    for (int bin = (int)LA_DENSITY_BINS - 1; bin >= 0; --bin) {
+        const float own = (float)tent(smooth + bin * plane + x, y, cells.x, cells.y);
+        weights[bin * plane + cell] = clamp((allowed - before) / fmax(own, least), 0.0f, 1.0f);
+        before += own;
+    }
+}
