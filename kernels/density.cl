@@ -149,8 +149,20 @@ static float limit_factor(const float2 place, const float4 focus, const float fa
     return 1.0f + (far_limit - 1.0f) * (t * t * (3.0f - 2.0f * t));
 }
 
-/* The tent along the columns, then the weights of every bin: bins of more priority come first. A
- * bin gets what they leave of the limit. */
+/* The mean over density from `before` to `before + own` of a ramp that falls from 1 at allowed -
+ * soft to 0 at allowed + soft. What is drawn of all lines is the ramp's integral: `allowed` at
+ * most, and exactly that where there are enough of them. */
+static float mean_weight(const float before, const float own, const float allowed,
+                         const float soft) {
+    const float whole = clamp((allowed - soft) - before, 0.0f, own);
+    const float from = fmax(before, allowed - soft);
+    const float to = fmin(before + own, allowed + soft);
+    if (!(to > from)) return whole / own;
+    const float middle = (from + to) * 0.5f;
+    return (whole + (to - from) * (((allowed + soft) - middle) / (2.0f * soft))) / own;
+}
+
+/* The tent along the columns, then the weights of every bin: those of more priority come first. */
 __kernel void density_weights(__global const uint* restrict smooth, const int2 cells,
                               const float limit, const float4 focus, const float far_limit,
                               __global float* restrict weights) {
@@ -164,11 +176,11 @@ __kernel void density_weights(__global const uint* restrict smooth, const int2 c
     const float allowed =
         limit * limit_factor(place, focus, far_limit) *
         (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
-    const float least = fmax(allowed * LA_DENSITY_SOFTNESS, 1.0f);
+    const float soft = allowed * LA_DENSITY_SOFTNESS;
     float before = 0.0f;
     for (int bin = (int)LA_DENSITY_BINS - 1; bin >= 0; --bin) {
-        const float own = (float)tent(smooth + bin * plane + x, y, cells.x, cells.y);
-        weights[bin * plane + cell] = clamp((allowed - before) / fmax(own, least), 0.0f, 1.0f);
+        const float own = fmax((float)tent(smooth + bin * plane + x, y, cells.x, cells.y), 1.0f);
+        weights[bin * plane + cell] = mean_weight(before, own, allowed, soft);
         before += own;
     }
 }

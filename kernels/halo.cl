@@ -14,11 +14,48 @@
 #define SLACK 0.125f
 #define BEYOND_PICTURE 1e9f
 
-/* What a tile's list holds of a run. */
-typedef struct Passing {
-    float ends[4]; /* x, y of both, lengthened */
-    uint run;
-} Passing;
+/* HALO_LANES: how many lines of a list are looked at in one go; 1 on GPUs. A comparison of vectors
+ * gives -1 for true, of scalars 1. */
+#ifndef HALO_LANES
+#error "HALO_LANES must be 1, 8 or 16"
+#endif
+#if HALO_LANES == 1
+typedef float lanes_float;
+typedef int lanes_int;
+#define LOAD_LANES(from) (*(from))
+#define ANY(mask) ((mask) != 0)
+#define STORE_LANES(mask, to) (*(to) = (mask))
+#elif HALO_LANES == 8
+typedef float8 lanes_float;
+typedef int8 lanes_int;
+#define LOAD_LANES(from) vload8(0, from)
+#define ANY(mask) any(mask)
+#define STORE_LANES(mask, to) vstore8(mask, 0, to)
+#else
+typedef float16 lanes_float;
+typedef int16 lanes_int;
+#define LOAD_LANES(from) vload16(0, from)
+#define ANY(mask) any(mask)
+#define STORE_LANES(mask, to) vstore16(mask, 0, to)
+#endif
+
+/* What a tile's list holds of a run: its ends, lengthened, and its nearest depth in a table each,
+ * and its index. Each table has room for HALO_LANES more: rows are read beyond a list's end. */
+typedef struct Lists {
+    __global float *x0, *y0, *x1, *y1, *nearest;
+    __global uint* run;
+} Lists;
+
+static Lists lists_in(__global float* memory, const uint total) {
+    const size_t pitch = (size_t)total + HALO_LANES;
+    const Lists lists = {memory,
+                         memory + pitch,
+                         memory + 2 * pitch,
+                         memory + 3 * pitch,
+                         memory + 4 * pitch,
+                         (__global uint*)(memory + 5 * pitch)};
+    return lists;
+}
 
 static float2 run_way(__global const Run* run) {
     return vload2(0, run->end) - vload2(0, run->start);
@@ -89,8 +126,10 @@ __kernel void halo_count(__global const Run* restrict runs,
  * starts. */
 __kernel void halo_fill(__global const Run* restrict runs,
                         __global const FrameRecord* restrict record, const int2 tiles,
-                        __global uint* restrict ends, __global Passing* restrict lists) {
+                        __global uint* restrict ends, const uint total,
+                        __global float* restrict memory) {
     const uint count = record->points[0];
+    const Lists lists = lists_in(memory, total);
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         if (!has_length(runs + r)) continue;
         const float4 line = lengthened(runs + r, LA_HALO_REACH_OVER, LA_HALO_REACH_OVER);
@@ -98,9 +137,13 @@ __kernel void halo_fill(__global const Run* restrict runs,
         for (int y = rows.x; y <= rows.y; ++y) {
             const int2 columns = columns_of(line, y, tiles);
             for (int x = columns.x; x <= columns.y; ++x) {
-                __global Passing* passing = lists + atomic_inc(ends + y * tiles.x + x);
-                vstore4(line, 0, passing->ends);
-                passing->run = r;
+                const uint k = atomic_inc(ends + y * tiles.x + x);
+                lists.x0[k] = line.x;
+                lists.y0[k] = line.y;
+                lists.x1[k] = line.z;
+                lists.y1[k] = line.w;
+                lists.nearest[k] = fmin(runs[r].start_depth, runs[r].end_depth);
+                lists.run[k] = r;
             }
         }
     }
@@ -126,6 +169,20 @@ static bool find_crossing(const float4 r, const float length_r, const float4 c, 
     found->on_r = along_r / size;
     found->on_c = along_c / size;
     return true;
+}
+
+/* Which of the lines from k on in the lists cross r and may lie before its farthest depth. */
+static lanes_int may_cut(const float4 r, const float farthest, const Lists lists, const uint k) {
+    const float2 way_r = r.zw - r.xy;
+    const lanes_float x0 = LOAD_LANES(lists.x0 + k), y0 = LOAD_LANES(lists.y0 + k);
+    const lanes_float way_x = LOAD_LANES(lists.x1 + k) - x0, way_y = LOAD_LANES(lists.y1 + k) - y0;
+    const lanes_float between_x = x0 - r.x, between_y = y0 - r.y;
+    const lanes_float area = way_r.x * way_y - way_r.y * way_x;
+    const lanes_float sign = copysign((lanes_float)(1.0f), area);
+    const lanes_float along_r = (between_x * way_y - between_y * way_x) * sign;
+    const lanes_float along_c = (between_x * way_r.y - between_y * way_r.x) * sign;
+    return fmin(along_r, along_c) >= 0.0f && fmax(along_r, along_c) <= area * sign &&
+           LOAD_LANES(lists.nearest + k) < farthest;
 }
 
 /* Whether two segments meet in a vertex or follow one another in a path. */
@@ -170,6 +227,82 @@ static void add_cut(Cuts* cuts, float from, float to) {
     ++cuts->count;
 }
 
+/* A run with what is needed of it to test others against it. */
+typedef struct Subject {
+    __global const Run* run;
+    float4 line; /* lengthened by `before` at its start */
+    float before, length, own_length;
+    float farthest; /* depth */
+} Subject;
+
+/* What all runs are tested with. */
+typedef struct Scene {
+    __global const Segment* segments;
+    __global const ClippedSegment* clipped;
+    __global const Run* runs;
+    float width, tolerance;
+} Scene;
+
+/* Adds the gap that run c, lengthened to `line`, leaves in the subject, if any. */
+static void add_cut_of(const Scene scene, const Subject subject, const float4 line, const uint c,
+                       Cuts* cuts) {
+    Crossing crossing;
+    if (!find_crossing(subject.line, subject.length, line, &crossing)) return;
+    __global const Run* run = subject.run;
+    const float at = crossing.on_r * subject.length - subject.before; /* from the run's start */
+    const float centre = run->start_arc + at;
+    const float half_gap = fmin(scene.width / crossing.sine, LA_HALO_STRETCH * scene.width);
+    /* Where lines are dense most of them come too late: their depth need not be looked at. */
+    if (cuts->count == LA_MOST_CUTS && centre - half_gap > cuts->from[LA_MOST_CUTS - 1]) return;
+    __global const Run* other = scene.runs + c;
+    const float share = at / subject.own_length;
+    const float other_at = crossing.on_c * length_of(line.zw - line.xy) - LA_HALO_REACH_OVER;
+    const float other_share = clamp(other_at / length_of(run_way(other)), 0.0f, 1.0f);
+    const float depth = run->start_depth + (run->end_depth - run->start_depth) * share;
+    const float other_depth =
+        other->start_depth + (other->end_depth - other->start_depth) * other_share;
+    if (!(other_depth < depth)) return; /* before 1/w is computed */
+    const float apart =
+        scene.tolerance * inverse_w(run, scene.clipped + run->segment, share) + LA_DEPTH_ROUNDING;
+    if (!(other_depth < depth - 2.0f * apart)) return;
+    if (are_neighbours(scene.segments, run->segment, other->segment)) return;
+    add_cut(cuts, centre - half_gap, centre + half_gap);
+}
+
+/* All gaps of a run that has length. */
+static void find_cuts(const Scene scene, __global const Run* run, const int2 tiles,
+                      __global const uint* ends, const Lists lists, Cuts* cuts) {
+    const uint start_kind = (run->flags >> LA_RUN_START_SHIFT) & LA_END_MASK;
+    const uint end_kind = (run->flags >> LA_RUN_END_SHIFT) & LA_END_MASK;
+    Subject subject;
+    subject.run = run;
+    subject.before = start_kind == LA_END_HIDDEN ? LA_HALO_REACH_HIDDEN : 0.0f;
+    const float after = end_kind == LA_END_HIDDEN ? LA_HALO_REACH_HIDDEN : 0.0f;
+    subject.line = lengthened(run, subject.before, after);
+    subject.length = length_of(subject.line.zw - subject.line.xy);
+    subject.own_length = length_of(run_way(run));
+    const float deeper = (run->end_depth - run->start_depth) / subject.own_length; /* per pixel */
+    subject.farthest =
+        fmax(run->start_depth - deeper * subject.before, run->end_depth + deeper * after);
+    const int2 rows = rows_of(subject.line, tiles);
+    for (int y = rows.x; y <= rows.y; ++y) {
+        const int2 columns = columns_of(subject.line, y, tiles);
+        const int first = y * tiles.x + columns.x; /* lists of neighbours in a row adjoin */
+        const uint end = ends[y * tiles.x + columns.y];
+        for (uint k = first > 0 ? ends[first - 1] : 0; k < end; k += HALO_LANES) {
+            const lanes_int crosses = may_cut(subject.line, subject.farthest, lists, k);
+            if (!ANY(crosses)) continue;
+            int mask[HALO_LANES];
+            STORE_LANES(crosses, mask);
+            for (uint i = k; i < min(k + HALO_LANES, end); ++i) {
+                if (mask[i - k] == 0) continue;
+                const float4 line = (float4)(lists.x0[i], lists.y0[i], lists.x1[i], lists.y1[i]);
+                add_cut_of(scene, subject, line, lists.run[i], cuts);
+            }
+        }
+    }
+}
+
 /* cuts[r]: the gaps of run r. width: from the middle of the nearer stroke to the end of the gap.
  * tolerance: in window depth, times w. */
 __kernel void halo_cut(__global const Segment* restrict segments,
@@ -177,51 +310,15 @@ __kernel void halo_cut(__global const Segment* restrict segments,
                        __global const Run* restrict runs,
                        __global const FrameRecord* restrict record, const int2 tiles,
                        const float width, const float tolerance, __global const uint* restrict ends,
-                       __global const Passing* restrict lists, __global RunCuts* restrict cuts) {
+                       const uint total, __global float* restrict memory,
+                       __global RunCuts* restrict cuts) {
     const uint count = record->points[0];
+    const Lists lists = lists_in(memory, total);
+    const Scene scene = {segments, clipped, runs, width, tolerance};
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
-        __global const Run* run = runs + r;
         Cuts found;
         found.count = 0;
-        if (has_length(run)) {
-            const uint start_kind = (run->flags >> LA_RUN_START_SHIFT) & LA_END_MASK;
-            const uint end_kind = (run->flags >> LA_RUN_END_SHIFT) & LA_END_MASK;
-            const float before = start_kind == LA_END_HIDDEN ? LA_HALO_REACH_HIDDEN : 0.0f;
-            const float after = end_kind == LA_END_HIDDEN ? LA_HALO_REACH_HIDDEN : 0.0f;
-            const float4 line = lengthened(run, before, after);
-            const float own_length = length_of(run_way(run));
-            const float line_length = length_of(line.zw - line.xy);
-            const int2 rows = rows_of(line, tiles);
-            for (int y = rows.x; y <= rows.y; ++y) {
-                const int2 columns = columns_of(line, y, tiles);
-                const int first = y * tiles.x + columns.x, last = y * tiles.x + columns.y;
-                const uint end = ends[last];
-                for (uint k = first > 0 ? ends[first - 1] : 0; k < end; ++k) {
-                    Crossing crossing;
-                    const float4 other_line = vload4(0, lists[k].ends);
-                    if (!find_crossing(line, line_length, other_line, &crossing)) continue;
-                    __global const Run* other = runs + lists[k].run;
-                    const float at = crossing.on_r * line_length - before; /* from start */
-                    const float share = at / own_length;
-                    const float other_at =
-                        crossing.on_c * length_of(other_line.zw - other_line.xy) -
-                        LA_HALO_REACH_OVER;
-                    const float other_share =
-                        clamp(other_at / length_of(run_way(other)), 0.0f, 1.0f);
-                    const float depth =
-                        run->start_depth + (run->end_depth - run->start_depth) * share;
-                    const float other_depth =
-                        other->start_depth + (other->end_depth - other->start_depth) * other_share;
-                    const float apart = tolerance * inverse_w(run, clipped + run->segment, share) +
-                                        LA_DEPTH_ROUNDING;
-                    if (!(other_depth < depth - 2.0f * apart)) continue;
-                    if (are_neighbours(segments, run->segment, other->segment)) continue;
-                    const float half_gap = fmin(width / crossing.sine, LA_HALO_STRETCH * width);
-                    const float centre = run->start_arc + at;
-                    add_cut(&found, centre - half_gap, centre + half_gap);
-                }
-            }
-        }
+        if (has_length(runs + r)) find_cuts(scene, runs + r, tiles, ends, lists, &found);
         for (uint k = 0; k < LA_MOST_CUTS; ++k) {
             cuts[r].from[k] = k < found.count ? found.from[k] : 0.0f;
             cuts[r].to[k] = k < found.count ? found.to[k] : 0.0f;

@@ -126,8 +126,8 @@ typedef struct RunCuts {
 #define LA_PRIORITY_KIND 0.5f
 #define LA_PRIORITY_LENGTH 0.3f
 #define LA_PRIORITY_CHANCE 0.2f
-/* A bin fades while the lines before it take up this last share of the limit, or longer. */
-#define LA_DENSITY_SOFTNESS 0.125f
+/* Lines fade where those before them take up from 1 - this to 1 + this of the limit. */
+#define LA_DENSITY_SOFTNESS 0.5f
 
 /* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */

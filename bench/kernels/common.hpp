@@ -46,6 +46,8 @@ Rows scan_rows(const Backends& backends);
 Rows atlas_rows(const Backends& backends);
 Rows compact_rows(const Backends& backends);
 Rows compact_runs_rows(const Backends& backends);
+Rows halo_rows(const Backends& backends);
+Rows density_rows(const Backends& backends);
 
 /// "<stage>/copy": the plainest kernel that reads and writes as many bytes as `bytes_of` says of n
 /// elements, half each.

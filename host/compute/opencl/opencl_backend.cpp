@@ -246,13 +246,13 @@ class Implementation final : public OpenClBackend {
             queue_.enqueueReadBuffer(memory_of(ends), CL_TRUE, tile_count * sizeof(cl_uint),
                                      sizeof(cl_uint), &total);
         });
-        constexpr std::size_t words = 5; // of struct Passing
-        Buffer& lists = scratch(halo_lists_, total * words);
+        constexpr std::size_t tables = 6; // of struct Lists
+        Buffer& lists = scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
         launch(halo_fill_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends,
-               lists);
+               total, lists);
         launch(halo_cut_, items, tuning_.local_size, args.table.segments, args.clipped.clipped,
                args.runs, args.record, to_cl(tiles), args.halo + args.half_width, args.tolerance,
-               ends, lists, args.cuts);
+               ends, total, lists, args.cuts);
     }
 
     void density(const DensityArgs& args) override {
@@ -413,9 +413,10 @@ class Implementation final : public OpenClBackend {
     LazyKernel filter_show_{"filter.cl", "filter_show"};
     LazyKernel compact_samples_count_{"compact.cl", "compact_samples_count"};
     LazyKernel compact_samples_write_{"compact.cl", "compact_samples_write"};
-    LazyKernel halo_count_{"halo.cl", "halo_count"};
-    LazyKernel halo_fill_{"halo.cl", "halo_fill"};
-    LazyKernel halo_cut_{"halo.cl", "halo_cut"};
+    std::string halo_lanes_ = "-DHALO_LANES=" + std::to_string(tuning_.halo_lanes);
+    LazyKernel halo_count_{"halo.cl", "halo_count", halo_lanes_};
+    LazyKernel halo_fill_{"halo.cl", "halo_fill", halo_lanes_};
+    LazyKernel halo_cut_{"halo.cl", "halo_cut", halo_lanes_};
     LazyKernel density_lines_{"density.cl", "density_lines"};
     LazyKernel density_smooth_{"density.cl", "density_smooth"};
     LazyKernel density_weights_{"density.cl", "density_weights"};

@@ -12,6 +12,7 @@ constexpr Tuning cpu{.scan_tiles = false,
                      .block_local_size = 1,
                      .atlas_block = 256,
                      .atlas_vectors = true,
+                     .halo_lanes = 16,
                      .segment_block = 4096,
                      .sample_block = 16384};
 
@@ -24,6 +25,7 @@ constexpr Tuning gpu{.scan_tiles = true,
                      .block_local_size = 64,
                      .atlas_block = 4,
                      .atlas_vectors = false,
+                     .halo_lanes = 1,
                      .segment_block = 4,
                      .sample_block = 16};
 

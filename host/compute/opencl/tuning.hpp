@@ -16,6 +16,7 @@ struct Tuning {
     std::uint32_t block_local_size; ///< work-group size of kernels with a work-item per block
     std::uint32_t atlas_block;      ///< samples per work-item
     bool atlas_vectors;             ///< all probes of a sample in one vector
+    std::uint32_t halo_lanes;       ///< lines tested at a time: 1, 8 or 16
     std::uint32_t segment_block;    ///< segments per work-item of compact_runs
     std::uint32_t sample_block;     ///< samples per work-item of compact_samples
 };

@@ -154,6 +154,16 @@ float limit_at(const DensityInput& in, glm::vec2 place) {
     return in.limit * (1 + (in.far_limit - 1) * (t * t * (3 - 2 * t)));
 }
 
+/// The mean of a ramp from 1 at allowed - soft to 0 at allowed + soft.
+float mean_weight(float before, float own, float allowed, float soft) {
+    const float whole = std::clamp(allowed - soft - before, 0.0F, own);
+    const float from = std::max(before, allowed - soft);
+    const float to = std::min(before + own, allowed + soft);
+    if (!(to > from)) return whole / own;
+    const float at_middle = (allowed + soft - (from + to) * 0.5F) / (2 * soft);
+    return (whole + (to - from) * at_middle) / own;
+}
+
 } // namespace
 
 void density(const DensityInput& in, std::span<Run> runs, std::span<float> weights) {
@@ -172,12 +182,12 @@ void density(const DensityInput& in, std::span<Run> runs, std::span<float> weigh
             const float allowed =
                 limit_at(in, centre) *
                 (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
-            const float least = std::max(allowed * LA_DENSITY_SOFTNESS, 1.0F);
+            const float soft = allowed * LA_DENSITY_SOFTNESS;
             float before = 0;
             for (std::size_t bin = LA_DENSITY_BINS; bin-- > 0;) {
-                const auto own = static_cast<float>(smooth(bins[bin], x, y));
+                const float own = std::max(static_cast<float>(smooth(bins[bin], x, y)), 1.0F);
                 weights[bin * plane + static_cast<std::size_t>(y * cells.x + x)] =
-                    std::clamp((allowed - before) / std::max(own, least), 0.0F, 1.0F);
+                    mean_weight(before, own, allowed, soft);
                 before += own;
             }
         }
