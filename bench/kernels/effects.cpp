@@ -1,8 +1,9 @@
-// halo and density: n runs of 2 to 14 px strewn over a picture of 32 pixels per run, as the ship
-// has them, in paths of 16 and at two depths. Bytes: halo reads per run the run (80), its segment
-// (32) and its clipped segment (48), writes the cuts (64) and both writes and reads the lists (24
-// for each of about two tiles); density reads and writes the run, reads its segment and samples (4)
-// and writes, smooths and reads the grid (4 bytes for 16 bins per 2 runs, four times).
+// halo and density: n samples in runs of 1 to 15, strewn over a picture of 64 pixels per run, in
+// paths of 16 runs and at two depths. Bytes per run: halo reads the run (80), its segment (32) and
+// its clipped segment (48), writes the cuts (64), writes and reads the lists (24 for each of about
+// three tiles); density reads and writes the run (80) and reads its segment (32) and samples. Its
+// grid has 16 bins of 4 bytes per cell and is written, smoothed (read and written) and read, and
+// the weights are as large.
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +27,13 @@ struct Input {
 };
 
 Input make_input(std::uint32_t n) {
+    const std::uint32_t count = n / 8; // half of the most samples of a run
     Random random{9};
     Input input;
-    const float side = std::ceil(std::sqrt(32.0F * static_cast<float>(n)));
+    const float side = std::ceil(std::sqrt(64.0F * static_cast<float>(count)));
     input.viewport = {side, side};
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t samples = 1 + random.below(7);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t samples = 1 + random.below(15);
         const float length = 2 * static_cast<float>(samples);
         const float angle = random.between(0, 6.2831853F);
         const float depth = random.below(2) == 0 ? 0.4F : 0.6F;
@@ -43,7 +45,7 @@ Input make_input(std::uint32_t n) {
                                   .face_a = LA_NO_FACE,
                                   .face_b = LA_NO_FACE,
                                   .from_start = in_path,
-                                  .to_end = std::min(path_length - 1 - in_path, n - 1 - i),
+                                  .to_end = std::min(path_length - 1 - in_path, count - 1 - i),
                                   .path = i / path_length,
                                   .tag = i / path_length % LA_KIND_COUNT});
         input.clipped.push_back(
@@ -79,7 +81,8 @@ struct Buffers {
                                  .quads = {4, count, 0, 0},
                                  .sample_total = 0,
                                  .run_total = count,
-                                 .unused = {0, 0}};
+                                 .raw_run_total = n,
+                                 .unused = 0};
         record = to_device(backend, std::vector{values});
     }
     compute::SegmentTable table() const { return {*none, *none, *segments, 0, count}; }
@@ -93,13 +96,14 @@ struct Buffers {
 Job prepare_halo(compute::Backend& backend, std::uint32_t n) {
     const Input input = make_input(n);
     const Buffers on{backend, input};
-    const SharedBuffer cuts = backend.allocate(n * sizeof(RunCuts));
-    const auto run = [on, cuts, n, &backend] {
+    const std::uint32_t count = on.count;
+    const SharedBuffer cuts = backend.allocate(count * sizeof(RunCuts));
+    const auto run = [on, cuts, count, &backend] {
         backend.halo({.table = on.table(),
                       .clipped = on.clipped_table(),
                       .runs = *on.runs,
                       .record = *on.record,
-                      .run_capacity = n,
+                      .run_capacity = count,
                       .viewport = on.viewport,
                       .halo = halo_width,
                       .half_width = half_width,
@@ -108,7 +112,7 @@ Job prepare_halo(compute::Backend& backend, std::uint32_t n) {
         backend.finish();
     };
     run();
-    std::vector<RunCuts> expected(n);
+    std::vector<RunCuts> expected(count);
     compute::reference::halo({.segments = input.segments,
                               .clipped = input.clipped,
                               .runs = input.runs,
@@ -119,10 +123,11 @@ Job prepare_halo(compute::Backend& backend, std::uint32_t n) {
     const auto cut_runs = [](const std::vector<RunCuts>& all) {
         return std::ranges::count_if(all, [](const RunCuts& c) { return c.from[0] != c.to[0]; });
     };
-    const auto wanted = cut_runs(expected), seen = cut_runs(read_back<RunCuts>(backend, *cuts, n));
+    const auto wanted = cut_runs(expected),
+               seen = cut_runs(read_back<RunCuts>(backend, *cuts, count));
     // Where a line just reaches another, rounding decides.
-    require(wanted > 0 && std::abs(wanted - seen) <= n / 10000, "halo");
-    return {.run = run, .bytes = 320.0 * n};
+    require(wanted > 0 && std::abs(wanted - seen) <= count / 10000, "halo");
+    return {.run = run, .bytes = 368.0 * count};
 }
 
 Job prepare_density(compute::Backend& backend, std::uint32_t n) {
@@ -142,7 +147,7 @@ Job prepare_density(compute::Backend& backend, std::uint32_t n) {
                                   .layout = layout,
                                   .runs = *on.runs,
                                   .record = *on.record,
-                                  .run_capacity = n,
+                                  .run_capacity = on.count,
                                   .viewport = on.viewport,
                                   .limit = limit,
                                   .priority = {},
@@ -167,7 +172,7 @@ Job prepare_density(compute::Backend& backend, std::uint32_t n) {
     require(std::ranges::equal(expected, read_back<float>(backend, *weights, count),
                                [](float a, float b) { return std::fabs(a - b) < 1e-3F; }),
             "density");
-    return {.run = run, .bytes = 2.0 * 80 * n + 36.0 * n + 4 * 4.0 * static_cast<double>(count)};
+    return {.run = run, .bytes = 192.0 * on.count + n + 5 * 4.0 * static_cast<double>(count)};
 }
 
 } // namespace

@@ -76,11 +76,22 @@ float depth_at(const Run& run, float share) {
 
 using Cut = std::pair<float, float>;
 
+/// A run as what is cut, and as what cuts.
+struct Lines {
+    Line under, over;
+    float before; ///< by which `under` is longer at its start
+
+    explicit Lines(const Run& run) : before(reach(run, LA_RUN_START_SHIFT)) {
+        under = lengthened(line_of(run), before, reach(run, LA_RUN_END_SHIFT));
+        over = lengthened(line_of(run), LA_HALO_REACH_OVER, LA_HALO_REACH_OVER);
+    }
+};
+
 /// The gap that run c leaves in run r.
-std::optional<Cut> find_cut(const HaloInput& in, const Run& r, const Run& c) {
-    const float before = reach(r, LA_RUN_START_SHIFT);
-    const Line line = lengthened(line_of(r), before, reach(r, LA_RUN_END_SHIFT));
-    const Line other = lengthened(line_of(c), LA_HALO_REACH_OVER, LA_HALO_REACH_OVER);
+std::optional<Cut> find_cut(const HaloInput& in, const Run& r, const Lines& lines_r, const Run& c,
+                            const Lines& lines_c) {
+    const Line &line = lines_r.under, &other = lines_c.over;
+    const float before = lines_r.before;
     const std::optional<Crossing> crossing = find_crossing(line, other);
     if (!crossing || are_neighbours(in.segments, r.segment, c.segment)) return std::nullopt;
     const float at = crossing->on_r * line.length() - before;
@@ -99,7 +110,7 @@ std::optional<Cut> find_cut(const HaloInput& in, const Run& r, const Run& c) {
 /// pixels wider, touches.
 template <class Visit>
 void for_each_square(const Line& line, glm::ivec2 squares, Visit visit) {
-    constexpr float side = 32, margin = 8;
+    constexpr float side = 32, margin = 4.5F;
     const auto square_of = [&](glm::vec2 place) {
         return glm::clamp(glm::ivec2{glm::floor(place / side)}, glm::ivec2{0}, squares - 1);
     };
@@ -119,6 +130,7 @@ void halo(const HaloInput& in, std::span<RunCuts> cuts) {
     std::vector<std::vector<std::uint32_t>> passing(static_cast<std::size_t>(squares.x) *
                                                     static_cast<std::size_t>(squares.y));
     const auto has_length = [](const Run& run) { return line_of(run).way() != glm::vec2{0}; };
+    std::vector<Lines> lines(in.runs.begin(), in.runs.end());
     for (std::uint32_t c = 0; c < in.runs.size(); ++c) {
         if (!has_length(in.runs[c])) continue;
         for_each_square(line_of(in.runs[c]), squares,
@@ -129,7 +141,8 @@ void halo(const HaloInput& in, std::span<RunCuts> cuts) {
         if (has_length(in.runs[r])) {
             for_each_square(line_of(in.runs[r]), squares, [&](std::size_t square) {
                 for (const std::uint32_t c : passing[square]) {
-                    const std::optional<Cut> cut = find_cut(in, in.runs[r], in.runs[c]);
+                    const std::optional<Cut> cut =
+                        find_cut(in, in.runs[r], lines[r], in.runs[c], lines[c]);
                     if (cut) found.push_back(*cut);
                 }
             });
