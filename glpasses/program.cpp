@@ -93,6 +93,10 @@ void Program::set(const char* name, glm::vec4 value) const {
 void Program::set(const char* name, glm::uvec2 value) const {
     glProgramUniform2ui(program_.id(), location(name), value.x, value.y);
 }
+void Program::set(const char* name, std::span<const float> values) const {
+    glProgramUniform1fv(program_.id(), location(name), static_cast<GLsizei>(values.size()),
+                        values.data());
+}
 void Program::set(const char* name, const glm::mat4& value) const {
     glProgramUniformMatrix4fv(program_.id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

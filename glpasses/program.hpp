@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string_view>
 
 #include <epoxy/gl.h>
@@ -29,6 +30,7 @@ class Program {
     void set(const char* name, glm::vec4 value) const;
     void set(const char* name, glm::uvec2 value) const;
     void set(const char* name, const glm::mat4& value) const;
+    void set(const char* name, std::span<const float> values) const; ///< an array
 
   private:
     struct Traits {

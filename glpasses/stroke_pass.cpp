@@ -1,5 +1,6 @@
 #include "stroke_pass.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "segment_table.h"
@@ -23,6 +24,44 @@ VertexArray run_array(GLuint divisor) {
     return array;
 }
 
+// No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
+constexpr float plain_mitre_limit = 4;
+
+// As in stroke_style.glsl.
+constexpr std::size_t most_profile_values = 16;
+
+float largest(const Profile& profile) {
+    return *std::ranges::max_element(profile);
+}
+
+void set_style(const Program& program, const StrokeParams& params, const StrokeStyle& style) {
+    const float far_width = style.focus ? style.focus->far_width : 1;
+    const float widest = largest(style.width_profile) * std::max(1.0F, far_width);
+    program.set("half_width", 0.5F * params.width * widest);
+    program.set("pen_half_width", 0.5F * params.width);
+    program.set("join_kind", static_cast<unsigned>(style.join));
+    program.set("mitre_limit", style.mitre_limit);
+    program.set("cap_length", std::max(style.cap_length, 1e-3F));
+    program.set("width_profile", style.width_profile);
+    program.set("opacity_profile", style.opacity_profile);
+    program.set("profile_counts",
+                glm::uvec2{style.width_profile.size(), style.opacity_profile.size()});
+    glBindTextureUnit(2, style.cap_grain.texture);
+    program.set("cap_grain", 2);
+    program.set("cap_grain_repeat", style.cap_grain.repeat_length);
+    if (!style.focus) return;
+    const FocusParams& focus = *style.focus;
+    glBindTextureUnit(3, focus.far_pen.texture);
+    program.set("far_pen", 3);
+    program.set("far_pen_repeat", focus.far_pen.texture != 0 ? focus.far_pen.repeat_length : 0.0F);
+    program.set("focus_in_scene", focus.in_scene);
+    program.set("focus_point", glm::vec4{focus.point, 1});
+    program.set("focus_range", glm::vec2{focus.radius, focus.falloff});
+    program.set("far_width", focus.far_width);
+    program.set("far_opacity", focus.far_opacity);
+    program.set("world_from_clip", focus.world_from_clip);
+}
+
 } // namespace
 
 void PenTexture::bind(const Program& program, GLuint unit) const {
@@ -44,26 +83,54 @@ void StrokeParams::bind(const Program& program, GLuint unit) const {
     program.set("color", color);
 }
 
-StrokePass::StrokePass()
-    : geometry_program_({"strokes.vert", "strokes.geom", "strokes.frag"}),
-      vertex_program_({"strokes_quad.vert", "strokes.frag"}), point_array_(run_array(0)),
-      quad_array_(run_array(1)) {}
+bool StrokeStyle::is_plain() const {
+    const Profile constant{1};
+    return join == Join::mitre && mitre_limit >= plain_mitre_limit && cap == Cap::butt &&
+           path_cap == Cap::round && width_profile == constant && opacity_profile == constant &&
+           !focus && !hidden && !exact_ends;
+}
 
-void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params) {
-    // Made anew: the atlas may have grown into another buffer since the last frame.
+StrokePass::StrokePass() : point_array_(run_array(0)), quad_array_(run_array(1)) {}
+
+const Program& StrokePass::program(StrokeForm form, const std::string& defines) {
+    const auto key = std::pair{form, defines};
+    const auto found = programs_.find(key);
+    if (found != programs_.end()) return found->second;
+    const bool geometry = form == StrokeForm::geometry_shader;
+    Program program = geometry ? Program({"strokes.vert", "strokes.geom", "strokes.frag"}, defines)
+                               : Program({"strokes_quad.vert", "strokes.frag"}, defines);
+    return programs_.emplace(key, std::move(program)).first->second;
+}
+
+void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style,
+                      const DensityWeights& density) {
+    // Made anew: buffers may have grown into others since the last frame.
     const TextureBuffer alpha = TextureBuffer::create();
     glTextureBuffer(alpha.id(), GL_R8, runs.alpha);
+    TextureBuffer weights;
 
+    std::string defines;
+    if (!style.is_plain() || density.buffer != 0) defines += "STYLED ";
+    if (style.hidden) defines += "HIDDEN ";
+    if (style.focus) defines += "FOCUS ";
+    if (density.buffer != 0) defines += "DENSITY ";
     const bool geometry = params.form == StrokeForm::geometry_shader;
-    const Program& program = geometry ? geometry_program_ : vertex_program_;
+    const Program& program = this->program(params.form, defines);
     const VertexArray& array = geometry ? point_array_ : quad_array_;
     glBindTextureUnit(0, alpha.id());
     program.use();
     program.set("alpha", 0);
-    program.set("join_kind", 0U);
-    program.set("mitre_limit", 4.0F);
-    program.set("cap_kinds", glm::uvec2{0, 1});
     params.bind(program, 1);
+    program.set("cap_kinds", glm::uvec2{static_cast<unsigned>(style.cap),
+                                        static_cast<unsigned>(style.path_cap)});
+    if (!defines.empty()) set_style(program, params, style);
+    if (density.buffer != 0) {
+        weights = TextureBuffer::create();
+        glTextureBuffer(weights.id(), GL_R32F, density.buffer);
+        glBindTextureUnit(4, weights.id());
+        program.set("weights", 4);
+        program.set("cells", glm::vec2{density.cells});
+    }
     glVertexArrayVertexBuffer(array.id(), 0, runs.runs, 0, sizeof(Run));
     glBindVertexArray(array.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, runs.record);

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "lineatlas/style.hpp"
 #include "objects.hpp"
 #include "program.hpp"
 
@@ -15,7 +20,7 @@ enum class StrokeForm { geometry_shader, vertex_shader };
 
 /// A pen's mark as a texture: coverage, u along the stroke and v across it.
 struct PenTexture {
-    GLuint texture;          ///< 0: a solid mark
+    GLuint texture = 0;      ///< 0: a solid mark
     float repeat_length = 1; ///< pixels on the screen that one repeat of the texture covers
 
     /// Binds the texture to `unit` and sets the uniforms of mark.glsl.
@@ -34,6 +39,39 @@ struct StrokeParams {
     void bind(const Program& program, GLuint unit) const;
 };
 
+/// Line density on the GL side, as `density` writes it.
+struct DensityWeights {
+    GLuint buffer = 0; ///< floats, LA_DENSITY_BINS planes of `cells`; 0: all lines are drawn
+    glm::ivec2 cells{0, 0};
+};
+
+/// What the shader has to know of a focus (Focus in style.hpp).
+struct FocusParams {
+    bool in_scene = false;
+    glm::vec3 point{0, 0, 0};      ///< pixels, or in the model's coordinates
+    float radius = 0, falloff = 0; ///< in the same units
+    float far_width = 1;           ///< factors far from the focus
+    float far_opacity = 1;
+    PenTexture far_pen; ///< the mark there
+    glm::mat4 world_from_clip{1};
+};
+
+/// How strokes are drawn beyond the basics.
+struct StrokeStyle {
+    Join join = Join::mitre;
+    float mitre_limit = 4;
+    Cap cap = Cap::butt, path_cap = Cap::round;
+    float cap_length = 12;
+    Profile width_profile{1}, opacity_profile{1};
+    PenTexture cap_grain; ///< for textured caps
+    std::optional<FocusParams> focus;
+    bool hidden = false;     ///< draw runs of hidden samples: opaque where nothing is visible
+    bool exact_ends = false; ///< runs end where visibility does (`filter`), some without samples
+
+    /// Whether the plain shader would not do.
+    bool is_plain() const;
+};
+
 /// The visible runs on the GL side, as `compact` writes them.
 struct RunBuffers {
     GLuint runs;   ///< `Run` each
@@ -46,11 +84,13 @@ struct RunBuffers {
 class StrokePass {
   public:
     StrokePass();
-    void draw(const RunBuffers& runs, const StrokeParams& params);
+    void draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style = {},
+              const DensityWeights& density = {});
 
   private:
-    Program geometry_program_;
-    Program vertex_program_;
+    const Program& program(StrokeForm form, const std::string& defines);
+
+    std::map<std::pair<StrokeForm, std::string>, Program> programs_; ///< built when first used
     VertexArray point_array_;
     VertexArray quad_array_;
 };

@@ -115,7 +115,8 @@ static bool is_hidden(const float3 p, const float3 d, const float length_texels,
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
  * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden:
  * the texture of a path must not depend on what hides it. clipped[i] is written where arcs[i] is
- * not 0. use_tiles 0: keep hidden segments. */
+ * not 0. use_tiles 0: keep hidden segments;
+ * 2: they are drawn too, though without samples, so clipped[i] is written. */
 __kernel void project_clip(__global const Segment* restrict segments, const uint count,
                            __global const float* restrict vertices,
                            __global const uint* restrict triangles,
@@ -171,7 +172,8 @@ __kernel void project_clip(__global const Segment* restrict segments, const uint
         if (is_hidden(window_p * texels, d * texels, length_px * depth_scale, reach_texels, margin,
                       tiles, tile_count)) {
             /* Neighbours of its path still need to know where it runs. */
-            if ((segments[i].from_start | segments[i].to_end) == 0) return;
+            const bool alone = (segments[i].from_start | segments[i].to_end) == 0;
+            if (alone && use_tiles == 1) return;
             l = 0;
         }
     }

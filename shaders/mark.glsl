@@ -16,7 +16,10 @@ float stroke_coverage(float distance_px, float half_width) {
 }
 
 // The pen's texture at an arc length and a distance to the left, pixels.
+float mark_of(sampler2D mark, float repeat, float arc, float across, float half_width) {
+    if (repeat <= 0.0) return 1.0;
+    return texture(mark, vec2(arc / repeat, across * 0.5 / max(half_width, 0.5) + 0.5)).r;
+}
 float pen_mark(float arc, float across, float half_width) {
-    if (pen_repeat <= 0.0) return 1.0;
-    return texture(pen, vec2(arc / pen_repeat, across * 0.5 / max(half_width, 0.5) + 0.5)).r;
+    return mark_of(pen, pen_repeat, arc, across, half_width);
 }

@@ -4,28 +4,69 @@ const int most_profile_values = 16;
 
 uniform float width_profile[most_profile_values];    // along the stroke, evenly spaced
 uniform float opacity_profile[most_profile_values];
-uniform ivec2 profile_counts;                        // how many of each are in use
-uniform float widest_profile;                        // the largest width factor; half_width has it
+uniform uvec2 profile_counts;                        // how many of each are in use
+uniform float pen_half_width;                        // before any factor, pixels
 uniform float cap_length;                            // of tapered and textured caps, pixels
 uniform sampler2D cap_grain;                         // of textured caps: coverage as of a pen
 uniform float cap_grain_repeat;                      // pixels along the stroke
 
-flat in vec4 run_corners;
-flat in vec4 run_stroke;
-
 const uint run_solid = 0x8000u;
 
-float width_factor(float t) {
-    float x = clamp(t, 0.0, 1.0) * float(profile_counts.x - 1);
-    int i = min(int(x), max(profile_counts.x - 2, 0));
-    return mix(width_profile[i], width_profile[min(i + 1, profile_counts.x - 1)], x - float(i));
+float profile_at(float profile[most_profile_values], uint count, float t) {
+    float x = clamp(t, 0.0, 1.0) * float(count - 1u);
+    uint i = min(uint(x), count - 1u);
+    return mix(profile[i], profile[min(i + 1u, count - 1u)], x - float(i));
 }
 
-float opacity_factor(float t) {
-    float x = clamp(t, 0.0, 1.0) * float(profile_counts.y - 1);
-    int i = min(int(x), max(profile_counts.y - 2, 0));
-    return mix(opacity_profile[i], opacity_profile[min(i + 1, profile_counts.y - 1)], x - float(i));
+#ifdef DENSITY
+uniform samplerBuffer weights;  // of `density`: planes of cells by priority
+uniform vec2 cells;             // per axis
+
+const float cell_size = 8.0;    // pixels
+
+float cell_weight(ivec2 cell, uint bin) {
+    cell = clamp(cell, ivec2(0), ivec2(cells) - 1);
+    return texelFetch(weights, (int(bin) * int(cells.y) + cell.y) * int(cells.x) + cell.x).r;
 }
+
+float bin_weight(vec2 place, uint bin) {
+    vec2 x = place / cell_size - 0.5;
+    ivec2 cell = ivec2(floor(x));
+    vec2 f = x - vec2(cell);
+    return mix(mix(cell_weight(cell, bin), cell_weight(cell + ivec2(1, 0), bin), f.x),
+               mix(cell_weight(cell + ivec2(0, 1), bin), cell_weight(cell + ivec2(1, 1), bin), f.x), f.y);
+}
+
+// How much of the line is drawn at a place in the window. Its priority lies between two bins.
+float density_weight(vec2 place) {
+    uint priority = run_indices.z >> 16u & 255u;
+    uint bin = priority >> 4u;
+    float share = float(priority & 15u) / 16.0;
+    float weight = bin_weight(place, bin);
+    return share > 0.0 ? mix(weight, bin_weight(place, bin + 1u), share) : weight;
+}
+#endif
+
+#ifdef FOCUS
+uniform bool focus_in_scene;
+uniform vec4 focus_point;       // pixels, or in the scene
+uniform vec2 focus_range;       // radius and falloff, in the same units
+uniform float far_width, far_opacity;
+uniform sampler2D far_pen;
+uniform float far_pen_repeat;
+uniform mat4 world_from_clip;
+
+// 0 in the focus, 1 far from it.
+float focus_distance(vec2 place, float depth) {
+    vec3 point = vec3(place, 0.0);
+    if (focus_in_scene) {
+        vec4 world = world_from_clip * vec4(vec3(place / viewport, depth) * 2.0 - 1.0, 1.0);
+        point = world.xyz / world.w;
+    }
+    float range = distance(point, focus_point.xyz) - focus_range.x;
+    return smoothstep(0.0, max(focus_range.y, 1e-6), range);
+}
+#endif
 
 // What a join leaves, as a distance from the spine. corner: from the spine to the left corner on the
 // bisector, for half-width 1. beyond: pixels beyond the joint along the run.
@@ -60,7 +101,18 @@ float styled_opacity(float arc, float position, float run_length) {
     float stroke_length = run_stroke.y - run_stroke.x;
     float from_start = arc - run_stroke.x, from_end = run_stroke.y - arc;
     float place = stroke_length > 0.0 ? from_start / stroke_length : 0.5;
-    float width = half_width * width_factor(place) / widest_profile;
+    float width = pen_half_width * profile_at(width_profile, profile_counts.x, place);
+    vec2 spine = run_ends.xy + along * clamp(local.x, 0.0, run_length);
+    float factor = 1.0;
+#ifdef FOCUS
+    float shares = run_length > 0.0 ? clamp(local.x / run_length, 0.0, 1.0) : 0.5;
+    float away = focus_distance(spine, mix(run_stroke.z, run_stroke.w, shares));
+    width *= mix(1.0, far_width, away);
+    factor *= mix(1.0, far_opacity, away);
+#endif
+#ifdef DENSITY
+    factor *= density_weight(spine);
+#endif
     // A tapered end never meets the other one in less than a point.
     float taper = clamp(to_cap(cap_taper, from_start, from_end) / min(cap_length, 0.5 * stroke_length + 1e-3), 0.0, 1.0);
     width *= taper;
@@ -81,13 +133,22 @@ float styled_opacity(float arc, float position, float run_length) {
             covered = min(covered, clamp(0.5 - beyond, 0.0, 1.0));
         }
     }
-    float opacity = covered * stroke_coverage(distance_px, width) * opacity_factor(place);
-    opacity *= pen_mark(arc, local.y, width);
+    float opacity = covered * stroke_coverage(distance_px, width) * factor *
+                    profile_at(opacity_profile, profile_counts.y, place);
+    float mark = pen_mark(arc, local.y, width);
+#ifdef FOCUS
+    mark = mix(mark, mark_of(far_pen, far_pen_repeat, arc, local.y, width), away);
+#endif
+    opacity *= mark;
     float dry = to_cap(cap_texture, from_start, from_end) / cap_length;
     if (dry < 1.0) {
         float grain = texture(cap_grain, vec2(arc / cap_grain_repeat, local.y * 0.5 / max(width, 0.5) + 0.5)).r;
         opacity *= clamp((grain - 1.0 + dry) * 4.0 + dry, 0.0, 1.0);
     }
-    bool solid = (run_indices.z & run_solid) != 0u;
-    return opacity * (solid ? 1.0 : stroke_visibility(visibility_at(position)));
+    if ((run_indices.z & run_solid) != 0u) return opacity;
+#ifdef HIDDEN
+    return opacity * (1.0 - stroke_visibility(visibility_at(position)));
+#else
+    return opacity * stroke_visibility(visibility_at(position));
+#endif
 }

@@ -1,8 +1,8 @@
 #version 450 core
 // strokes: the pen's mark times the visibility along the run (§4.4).
 //
-// SOLID_PEN: without a texture. STYLED: with joins, caps and profiles of a style; without it joins are
-// mitred, paths end round and visible runs fade out.
+// STYLED: with joins, caps and profiles of a style; without it joins are mitred, paths end round and
+// visible runs fade out. HIDDEN: draws what is not visible. FOCUS, DENSITY: see stroke_style.glsl.
 
 #include "strokes.glsl"
 #include "mark.glsl"
@@ -13,6 +13,8 @@ noperspective in vec2 local;
 flat in vec4 run_ends;
 flat in vec4 run_params;
 flat in uvec4 run_indices;
+flat in vec4 run_corners;
+flat in vec4 run_stroke;
 
 layout(location = 0) out vec4 picture;
 

@@ -66,7 +66,8 @@ class BackdropTest : public testing::Test {
                 .options = options_,
                 .scene = scene,
                 .framebuffer = canvas_.framebuffer(),
-                .pen = {},
+                .pens = pens_,
+                .backdrop = backdrop_,
                 .clock = {*connection_.backend, false}};
     }
 
@@ -94,6 +95,7 @@ class BackdropTest : public testing::Test {
     gl::Canvas canvas_{{400, 300}};
     interop::Connection connection_ = interop::connect({});
     FrameOptions options_;
+    PenTextures pens_;
     Backdrop backdrop_;
 };
 

@@ -106,9 +106,10 @@ TEST_P(SamePicture, WrapEqualsGutter) {
 TEST_P(SamePicture, GeometryShaderStrokesEqualVertexShaderStrokes) {
     Renderer r = renderer({});
     for (const char* pen : {"solid", "pencil"}) {
-        const FrameOptions geometry{
-            .stroke_shader = StrokeShader::geometry, .width = 3, .pen = pen};
-        const FrameOptions vertex{.stroke_shader = StrokeShader::vertex, .width = 3, .pen = pen};
+        const FrameOptions geometry{.stroke_shader = StrokeShader::geometry,
+                                    .style = {.pen = {.mark = pen, .width = 3}}};
+        const FrameOptions vertex{.stroke_shader = StrokeShader::vertex,
+                                  .style = {.pen = {.mark = pen, .width = 3}}};
         compare_each(r, geometry, r, vertex, expect_same_picture);
     }
 }
@@ -138,7 +139,7 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
             const FrameOptions culled{.probes = high ? 9U : 1U,
                                       .depth_scale = high ? 2 : 1,
                                       .atlas = form,
-                                      .pen = "pencil",
+                                      .style = {.pen = {.mark = "pencil"}},
                                       .cull_hidden = true};
             FrameOptions kept = culled;
             kept.cull_hidden = false;
@@ -155,8 +156,9 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
 
 TEST_P(SamePicture, SpineStrokesOfBothShadersAreEqual) {
     Renderer r = renderer({});
-    const FrameOptions geometry{
-        .method = Method::spine, .stroke_shader = StrokeShader::geometry, .pen = "pencil"};
+    const FrameOptions geometry{.method = Method::spine,
+                                .stroke_shader = StrokeShader::geometry,
+                                .style = {.pen = {.mark = "pencil"}}};
     FrameOptions vertex = geometry;
     vertex.stroke_shader = StrokeShader::vertex;
     const Camera camera = scene_cameras(GetParam(), canvas_.size())[0].camera;
@@ -351,8 +353,8 @@ TEST_F(Frames, BadOptionsAreRefused) {
     EXPECT_THROW(draw({.depth_scale = 5}), UsageError);
     EXPECT_THROW(draw({.step = 0}), UsageError);
     EXPECT_THROW(draw({.step = NAN}), UsageError);
-    EXPECT_THROW(draw({.width = -1}), UsageError);
-    EXPECT_THROW(draw({.pen = "crayon"}), UsageError);
+    EXPECT_THROW(draw({.style = {.pen = {.width = -1}}}), UsageError);
+    EXPECT_THROW(draw({.style = {.pen = {.mark = "crayon"}}}), UsageError);
     EXPECT_THROW(Renderer{DeviceOptions{.compute = "cuda"}}, UsageError);
     EXPECT_THROW(Renderer{DeviceOptions{.device = "opencl:no such platform"}}, UsageError);
     EXPECT_THROW(Renderer{DeviceOptions{.interop = "telepathy"}}, UsageError);

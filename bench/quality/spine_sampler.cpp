@@ -40,7 +40,8 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
                 .options = options,
                 .scene = scene_,
                 .framebuffer = 0,
-                .pen = {0},
+                .pens = pens_,
+                .backdrop = backdrop_,
                 .clock = {*connection_.backend, false}};
     check_depth_size(frame);
     depth_.draw_texture(frame);

@@ -4,7 +4,9 @@
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "lineatlas/renderer.hpp"
+#include "renderer/backdrop.hpp"
 #include "renderer/depth_stage.hpp"
+#include "renderer/pen_textures.hpp"
 #include "renderer/scene_buffers.hpp"
 
 namespace lineatlas::bench {
@@ -24,6 +26,8 @@ class SpineSampler {
     interop::Connection connection_;
     SceneBuffers scene_;
     DepthStage depth_;
+    PenTextures pens_;
+    Backdrop backdrop_;
     gl::AtlasPass pass_{"spine_samples.frag"};
 };
 

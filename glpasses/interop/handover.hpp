@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include "shared_buffer.hpp"
 
@@ -21,7 +22,8 @@ class Handover {
     explicit Handover(compute::Backend& backend) : backend_(backend) {}
 
     void to_compute(std::initializer_list<Passed> buffers);
-    void to_gl(std::initializer_list<Passed> buffers);
+    void to_gl(std::initializer_list<Passed> buffers) { to_gl({buffers.begin(), buffers.size()}); }
+    void to_gl(std::span<const Passed> buffers);
 
   private:
     compute::Backend& backend_;

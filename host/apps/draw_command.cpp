@@ -80,10 +80,7 @@ FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
     options.stroke_shader = choose<StrokeShader>(
         "--stroke-shader", arguments.stroke_shader,
         {{"geometry", StrokeShader::geometry}, {"vertex", StrokeShader::vertex}});
-    // The rest of the style is handed over here once FrameOptions takes it.
-    options.width = style.pen.width;
-    options.color = glm::vec4{style.pen.color, style.pen.opacity};
-    options.pen = style.pen.mark;
+    options.style = style;
     return options;
 }
 
@@ -130,7 +127,6 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameOptions options = frame_options(arguments, style);
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     ImageWriter writer{arguments.output}; // before anything starts a thread
-    // Checked; the renderer is given them once it takes pens from images.
     const std::map<std::string, Image> pen_images = read_pen_images(style);
 
     Subject subject = load_subject(arguments, size);
@@ -140,6 +136,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const gl::HeadlessContext context;
     gl::Canvas canvas{size};
     Renderer renderer{arguments.device};
+    for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);
     const glm::vec4 paper{style.paper.color, 1};
     canvas.clear(paper);

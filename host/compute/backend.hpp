@@ -77,8 +77,9 @@ struct CullArgs {
 struct OcclusionTest {
     Buffer& tiles; ///< of `pyramid`
     glm::ivec2 tile_count;
-    float depth_scale; ///< depth texels per pixel
-    float tolerance;   ///< as in AtlasArgs
+    float depth_scale;         ///< depth texels per pixel
+    float tolerance;           ///< as in AtlasArgs
+    bool keep_clipped = false; ///< ClippedTable::clipped is written for hidden segments too
 };
 
 struct ProjectClipArgs {
@@ -119,7 +120,8 @@ struct CompactRunsArgs {
     AtlasLayout layout;
     std::uint32_t capacity; ///< samples that `alpha` has room for
     glm::vec2 viewport;     ///< pixels
-    float half_width;       ///< of the stroke, in pixels: decides where a mitre has room
+    float half_width;       ///< of the stroke, in pixels: decides where a join has room
+    bool hidden = false;    ///< runs of hidden samples instead of visible ones
     Buffer& runs;           ///< out: `Run` each
     std::uint32_t run_capacity;
     Buffer& record; ///< out: one `FrameRecord`

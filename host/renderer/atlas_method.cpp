@@ -6,14 +6,14 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "backdrop.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
 
-// First guesses; a frame that needs more makes its tables grow.
+// A first guess; a frame that needs more makes its tables grow.
 constexpr std::uint32_t first_sample_capacity = 1U << 18U;
-constexpr std::uint32_t first_run_capacity = 1U << 13U;
 
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
@@ -23,8 +23,7 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raster_is_faster_(!interop::gl_is_software()), depth_(connection),
-      record_(shared(sizeof(FrameRecord))) {
+      raster_is_faster_(!interop::gl_is_software()), depth_(connection), strokes_(connection) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_texture_);
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -41,7 +40,6 @@ void AtlasMethod::set_scene(const SceneBuffers& scene) {
     clipped_ = shared(std::size_t{segment_count_} * sizeof(ClippedSegment));
     offsets_ = shared((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
     arcs_ = backend_.allocate((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
-    totals_ = {};
     depth_.set_scene(scene);
 }
 
@@ -63,10 +61,6 @@ void AtlasMethod::prepare_layout(const Frame& frame) {
 void AtlasMethod::prepare(const Frame& frame) {
     check_depth_size(frame);
     prepare_layout(frame);
-    if (!runs_) {
-        run_capacity_ = first_run_capacity;
-        runs_ = shared(run_capacity_ * sizeof(Run));
-    }
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.atlas == AtlasForm::raster ||
@@ -86,7 +80,8 @@ void AtlasMethod::project(Frame& frame) {
         .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // any buffer where it isn't read
         .tile_count = compute::tiles_for(depth_.pass().size()),
         .depth_scale = static_cast<float>(frame.options.depth_scale),
-        .tolerance = frame.depth_tolerance()};
+        .tolerance = frame.depth_tolerance(),
+        .keep_clipped = StrokeStage::draws_hidden(frame)};
     frame.clock("project_clip", [&] {
         backend_.project_clip(
             {.table = frame.scene.table(),
@@ -195,69 +190,49 @@ void AtlasMethod::steady(Frame& frame) {
     });
 }
 
-void AtlasMethod::compact(Frame& frame) {
-    frame.clock("compact", [&] {
-        backend_.compact_runs({.table = frame.scene.table(),
-                               .clipped = clipped_table(),
-                               .alpha = alpha_->compute(),
-                               .layout = layout_,
-                               .capacity = sample_capacity_,
-                               .viewport = frame.viewport(),
-                               .half_width = 0.5F * frame.options.width,
-                               .runs = runs_->compute(),
-                               .run_capacity = run_capacity_,
-                               .record = record_->compute()});
-        backend_.download(record_->compute(), std::as_writable_bytes(std::span{&totals_, 1}));
-    });
+bool AtlasMethod::grow_atlas() {
+    const std::uint64_t needed = strokes_.sample_total();
+    if (needed <= sample_capacity_) return false;
+    const std::uint64_t limit =
+        static_cast<std::uint64_t>(largest_texture_buffer_) / layout_.pitch * layout_.width;
+    if (needed > limit) {
+        const bool uncountable = needed == 0xFFFFFFFFU;
+        throw DeviceError((uncountable ? "over 4 billion" : std::to_string(needed)) +
+                          " visibility samples are needed, this device's atlas holds " +
+                          std::to_string(limit) +
+                          "; use a larger --step, a smaller --size or fewer --lines kinds");
+    }
+    sample_capacity_ = static_cast<std::uint32_t>(std::min(needed + needed / 4, limit));
+    alpha_ = shared(layout_.texels(sample_capacity_));
+    handover_.to_compute({{*alpha_, 0}});
+    return true;
 }
 
 bool AtlasMethod::grow() {
-    bool grown = false;
-    if (totals_.sample_total > sample_capacity_) {
-        const std::uint64_t needed = totals_.sample_total;
-        const std::uint64_t limit =
-            static_cast<std::uint64_t>(largest_texture_buffer_) / layout_.pitch * layout_.width;
-        if (needed > limit) {
-            const bool uncountable = totals_.sample_total == 0xFFFFFFFFU;
-            throw DeviceError((uncountable ? "over 4 billion" : std::to_string(needed)) +
-                              " visibility samples are needed, this device's atlas holds " +
-                              std::to_string(limit) +
-                              "; use a larger --step, a smaller --size or fewer --lines kinds");
-        }
-        sample_capacity_ = static_cast<std::uint32_t>(std::min(needed + needed / 4, limit));
-        alpha_ = shared(layout_.texels(sample_capacity_));
-        handover_.to_compute({{*alpha_, 0}});
-        grown = true;
-    }
-    if (totals_.run_total > run_capacity_) {
-        run_capacity_ = totals_.run_total + totals_.run_total / 4;
-        runs_ = shared(std::size_t{run_capacity_} * sizeof(Run));
-        handover_.to_compute({{*runs_, 0}});
-        grown = true;
-    }
-    return grown;
+    const bool atlas_grown = grow_atlas();
+    return strokes_.grow() || atlas_grown;
 }
 
 void AtlasMethod::draw_strokes(Frame& frame) {
+    const bool own_depth = frame.options.method == Method::atlas;
+    if (own_depth)
+        frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
+    else
+        frame.backdrop.draw_fill(frame, frame.options.style.fill);
     frame.clock("handover", [&] {
-        handover_.to_gl({{*clipped_, 0},
-                         {*offsets_, 0},
-                         {*record_, sizeof(FrameRecord)},
-                         {*runs_, std::size_t{totals_.points[0]} * sizeof(Run)},
-                         {*alpha_, layout_.texels(totals_.sample_total)}});
+        std::vector<interop::Passed> buffers{
+            {*clipped_, 0}, {*offsets_, 0}, {*alpha_, layout_.texels(strokes_.sample_total())}};
+        strokes_.add_to_handover(buffers);
+        handover_.to_gl(buffers);
         if (reads_depth()) depth_.take_back();
     });
-    frame.clock("strokes", [&] {
-        glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-        stroke_pass_.draw({.runs = runs_->gl(), .record = record_->gl(), .alpha = alpha_->gl()},
-                          frame.stroke_params());
-    });
+    strokes_.draw(frame, alpha_->gl());
 }
 
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
-    handover_.to_compute(
-        {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}, {*record_, 0}});
+    handover_.to_compute({{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}});
+    strokes_.begin();
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
         project(frame);
@@ -271,33 +246,35 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     do {
         sample(frame);
         steady(frame);
-        compact(frame);
+        strokes_.make_runs(frame, {.clipped = clipped_table(),
+                                   .alpha = alpha_->compute(),
+                                   .layout = layout_,
+                                   .capacity = sample_capacity_});
     } while (grow());
     draw_strokes(frame);
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),
             .segments = segment_count_,
-            .samples = totals_.sample_total,
-            .runs = totals_.run_total,
+            .samples = strokes_.sample_total(),
+            .runs = strokes_.run_total(),
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
                              arcs_->size() + size_of(past_.offsets) + size_of(past_.ranges),
             .sample_bytes = alpha_->size() + size_of(past_.alpha),
-            .run_bytes = runs_->size(),
+            .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
 }
 
 Renderer::Samples AtlasMethod::read_samples() {
     Renderer::Samples result;
     result.offsets.resize(std::size_t{segment_count_} + 1);
-    result.runs.resize(totals_.points[0]);
-    std::vector<std::uint8_t> texels(layout_.texels(totals_.sample_total));
-    handover_.to_compute({{*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}});
+    result.runs = strokes_.read_runs();
+    std::vector<std::uint8_t> texels(layout_.texels(strokes_.sample_total()));
+    handover_.to_compute({{*offsets_, 0}, {*alpha_, 0}});
     backend_.download(offsets_->compute(), std::as_writable_bytes(std::span{result.offsets}));
     backend_.download(alpha_->compute(), std::as_writable_bytes(std::span{texels}));
-    backend_.download(runs_->compute(), std::as_writable_bytes(std::span{result.runs}));
-    handover_.to_gl({{*offsets_, 0}, {*alpha_, 0}, {*runs_, 0}});
-    result.alpha.reserve(totals_.sample_total);
+    handover_.to_gl({{*offsets_, 0}, {*alpha_, 0}});
+    result.alpha.reserve(strokes_.sample_total());
     for (std::size_t i = 0; i < segment_count_; ++i) {
         const std::uint32_t l = result.offsets[i + 1] - result.offsets[i];
         if (l == 0) continue;

@@ -9,8 +9,8 @@
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
-#include "glpasses/stroke_pass.hpp"
 #include "item_buffer_sampler.hpp"
+#include "stroke_stage.hpp"
 
 namespace lineatlas {
 
@@ -35,9 +35,9 @@ class AtlasMethod {
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
     void steady(Frame& frame);
-    void compact(Frame& frame);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
+    bool grow_atlas();
     void draw_strokes(Frame& frame);
 
     std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
@@ -59,9 +59,8 @@ class AtlasMethod {
     DepthStage depth_;
     std::uint32_t segment_count_ = 0;
     std::unique_ptr<compute::Buffer> front_, arcs_;
-    std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_, runs_, record_;
+    std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
-    std::uint32_t run_capacity_ = 0;
     AtlasLayout layout_{0, 0};
     bool raster_ = false; ///< the current frame's form of `atlas`
     /// What the last frame left for `temporal`, and what it must have in common with the next.
@@ -76,10 +75,9 @@ class AtlasMethod {
 
     Past past_;
     bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
-    FrameRecord totals_{};
 
     gl::AtlasPass atlas_pass_;
-    gl::StrokePass stroke_pass_;
+    StrokeStage strokes_;
     std::optional<ItemBufferSampler> item_buffer_; ///< made when first used
 };
 

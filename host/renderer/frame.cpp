@@ -42,12 +42,12 @@ bool Frame::culls_hidden() const {
            scene.segment_count() >= fewest_segments;
 }
 
-gl::StrokeParams Frame::stroke_params() const {
+gl::StrokeParams Frame::stroke_params(const Pen& pen) const {
     const bool geometry = options.stroke_shader == StrokeShader::geometry;
     return {.viewport = viewport(),
-            .width = options.width,
-            .color = options.color,
-            .pen = pen,
+            .width = pen.width,
+            .color = glm::vec4{pen.color, pen.opacity},
+            .pen = pens.get(pen.mark, pen.width),
             .form = geometry ? gl::StrokeForm::geometry_shader : gl::StrokeForm::vertex_shader};
 }
 

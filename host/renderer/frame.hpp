@@ -7,10 +7,13 @@
 #include "glpasses/stroke_pass.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/renderer.hpp"
+#include "pen_textures.hpp"
 #include "scene_buffers.hpp"
 #include "stage_clock.hpp"
 
 namespace lineatlas {
+
+class Backdrop;
 
 /// What a method needs to draw one frame.
 struct Frame {
@@ -18,7 +21,8 @@ struct Frame {
     const FrameOptions& options;
     SceneBuffers& scene;
     GLuint framebuffer;
-    gl::PenTexture pen;
+    PenTextures& pens;
+    Backdrop& backdrop;
     StageClock clock;
 
     glm::vec2 viewport() const { return glm::vec2{camera.size}; }
@@ -29,7 +33,7 @@ struct Frame {
     /// Whether segments and triangles that are hidden whole are looked for and left out.
     bool culls_hidden() const;
     /// Pens and visibility as the passes take them.
-    gl::StrokeParams stroke_params() const;
+    gl::StrokeParams stroke_params(const Pen& pen) const;
     gl::ProbeParams probe_params(GLuint depth) const;
 };
 

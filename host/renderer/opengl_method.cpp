@@ -1,5 +1,6 @@
 #include "opengl_method.hpp"
 
+#include "backdrop.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -10,13 +11,16 @@ FrameStats OpenGlMethod::draw(Frame& frame) {
                          "method atlas");
     }
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
+    const Pen& pen = frame.options.style.pen;
+    const glm::vec4 color{pen.color, pen.opacity};
+    frame.backdrop.draw_fill(frame, frame.options.style.fill);
     const gl::LineBuffers lines = frame.scene.gl_lines(frame.options.lines);
     frame.clock("depth", [&] {
         line_pass_.draw_depth(frame.scene.gl_triangles(), clip_from_world, frame.camera.size,
                               frame.framebuffer);
     });
     frame.clock("lines", [&] {
-        line_pass_.draw_lines(lines, clip_from_world, frame.options.width, frame.options.color);
+        line_pass_.draw_lines(lines, clip_from_world, frame.options.style.pen.width, color);
     });
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = frame.scene.triangle_count(),

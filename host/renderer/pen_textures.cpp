@@ -1,6 +1,7 @@
 #include "pen_textures.hpp"
 
 #include "core/pens.hpp"
+#include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
@@ -19,11 +20,25 @@ gl::Texture2D upload(const PenMark& mark) {
 
 } // namespace
 
+void PenTextures::set_image(const std::string& name, Image image) {
+    if (!is_pen_file(name)) {
+        throw UsageError("a pen from an image needs a file's name, with a / or a dot, not \"" +
+                         name + "\"");
+    }
+    if (image.size.x < 1 || image.size.y < 1) {
+        throw UsageError("the picture of the pen \"" + name + "\" is empty");
+    }
+    std::erase_if(pens_, [&](const auto& pen) { return pen.first.first == name; });
+    images_[name] = std::move(image);
+}
+
 gl::PenTexture PenTextures::get(const std::string& name, float width) {
     const auto key = std::pair{name, width};
     auto found = pens_.find(key);
     if (found == pens_.end()) {
-        const PenMark mark = make_pen(name, width);
+        const auto image = images_.find(name);
+        const PenMark mark =
+            image != images_.end() ? pen_from_image(image->second, width) : make_pen(name, width);
         found = pens_.emplace(key, Pen{upload(mark), mark.repeat_length}).first;
     }
     return {.texture = found->second.texture.id(), .repeat_length = found->second.repeat_length};

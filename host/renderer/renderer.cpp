@@ -1,9 +1,12 @@
 #include "lineatlas/renderer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "atlas_method.hpp"
+#include "backdrop.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "lineatlas/error.hpp"
@@ -33,6 +36,18 @@ interop::ConnectOptions connect_options(const DeviceOptions& options) {
     return result;
 }
 
+void check(const Pen& pen, const std::string& name) {
+    if (!(pen.width > 0) || pen.width > 1000) {
+        throw UsageError(name + ": width must lie above 0 and be at most 1000 pixels");
+    }
+    for (const Profile* profile : {&pen.width_profile, &pen.opacity_profile}) {
+        if (profile->empty() || profile->size() > 16) {
+            throw UsageError(name + ": a profile has 1 to 16 values, not " +
+                             std::to_string(profile->size()));
+        }
+    }
+}
+
 void check(const FrameOptions& options) {
     if (options.depth_scale < 1 || options.depth_scale > 4) {
         throw UsageError("depth-scale must be 1, 2, 3 or 4, not " +
@@ -41,9 +56,8 @@ void check(const FrameOptions& options) {
     if (!(options.step >= 0.01F) || !std::isfinite(options.step)) {
         throw UsageError("step must be a number of pixels of at least 0.01");
     }
-    if (!(options.width > 0) || options.width > 1000) {
-        throw UsageError("width must lie above 0 and be at most 1000 pixels");
-    }
+    check(options.style.pen, "pen");
+    if (options.style.hidden) check(options.style.hidden_pen, "hidden pen");
 }
 
 } // namespace
@@ -73,11 +87,25 @@ class Renderer::State {
                     .options = options,
                     .scene = *scene_,
                     .framebuffer = framebuffer,
-                    .pen = pens_.get(options.pen, options.width),
+                    .pens = pens_,
+                    .backdrop = backdrop_,
                     .clock = {*connection_.backend, options.measure_stages}};
+        frame.stroke_params(options.style.pen); // refuses an unknown pen and
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
-        switch (options.method) {
+        FrameStats stats = draw_method(frame);
+        backdrop_.draw_paper(frame, options.style.paper);
+        std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
+        return stats;
+    }
+
+    void set_pen_image(const std::string& mark, Image image) {
+        pens_.set_image(mark, std::move(image));
+    }
+
+  private:
+    FrameStats draw_method(Frame& frame) {
+        switch (frame.options.method) {
         case Method::atlas:
         case Method::item_buffer:
             return atlas_.draw(frame);
@@ -91,6 +119,7 @@ class Renderer::State {
         throw UsageError("renderer: unknown method");
     }
 
+  public:
     Samples read_samples() {
         if (!samples_drawn_) {
             throw UsageError(
@@ -103,6 +132,7 @@ class Renderer::State {
     interop::Connection connection_;
     std::optional<SceneBuffers> scene_;
     PenTextures pens_;
+    Backdrop backdrop_;
     AtlasMethod atlas_;
     bool samples_drawn_ = false; ///< the last frame left samples to read
     // Shaders of the other methods are compiled when they are first used.
@@ -117,6 +147,9 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 std::string Renderer::description() const {
     return state_->description();
+}
+void Renderer::set_pen_image(const std::string& mark, Image image) {
+    state_->set_pen_image(mark, std::move(image));
 }
 void Renderer::set_lines(const LineSet& lines) {
     state_->set_lines(lines);

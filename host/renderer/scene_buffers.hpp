@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "compute/backend.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/fill_pass.hpp"
@@ -39,6 +41,7 @@ class SceneBuffers {
     std::span<const Cluster> clusters() const { return clusters_; }
     compute::Buffer& cluster_buffer() const { return *cluster_buffer_; }
     const Bounds& bounds() const { return bounds_; }
+    float diagonal() const { return glm::distance(bounds_.min, bounds_.max); }
     /// How far points of the model move on the screen between two cameras: the median, in pixels;
     /// infinite if none can be seen in both.
     float typical_motion(const Camera& from, const Camera& to) const;

@@ -1,5 +1,7 @@
 #include "spine_method.hpp"
 
+#include "backdrop.hpp"
+
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace lineatlas {
@@ -14,6 +16,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
     } else {
         depth_.draw_texture(frame);
     }
+    frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
     frame.clock("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,
@@ -24,7 +27,8 @@ FrameStats SpineMethod::draw(Frame& frame) {
                           .step = frame.options.step,
                           .tiles = cull_hidden ? depth_.tiles().gl() : 0,
                           .tile_count = compute::tiles_for(depth_.pass().size())},
-                         frame.probe_params(depth_.pass().texture()), frame.stroke_params());
+                         frame.probe_params(depth_.pass().texture()),
+                         frame.stroke_params(frame.options.style.pen));
     });
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),

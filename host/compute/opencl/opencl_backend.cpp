@@ -146,9 +146,9 @@ class Implementation final : public OpenClBackend {
     void project_clip(const ProjectClipArgs& args) override {
         const std::uint32_t n = args.table.segment_count;
         // Without a pyramid any buffer will do: it isn't read.
-        const OcclusionTest unused{args.table.vertices, {1, 1}, 1, 0};
+        const OcclusionTest unused{args.table.vertices, {1, 1}, 1, 0, false};
         const OcclusionTest& test = args.occlusion != nullptr ? *args.occlusion : unused;
-        const cl_uint use_tiles = args.occlusion != nullptr ? 1 : 0;
+        const cl_uint use_tiles = args.occlusion == nullptr ? 0 : test.keep_clipped ? 2 : 1;
         launch(project_clip_, n, tuning_.local_size, args.table.segments, n, args.table.vertices,
                args.table.triangles, args.front, to_cl(args.clip_from_world),
                to_cl(args.world_from_clip), to_cl(args.viewport), args.step, args.kind_mask,
@@ -201,14 +201,15 @@ class Implementation final : public OpenClBackend {
     void compact_runs(const CompactRunsArgs& args) override {
         const std::uint32_t n = args.table.segment_count;
         const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
+        const cl_uint hidden = args.hidden ? 1 : 0;
         Buffer& counts = scratch(block_counts_, blocks + 1);
-        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.clipped.offsets, n,
-               args.alpha, args.layout.width, args.layout.pitch, args.capacity,
-               tuning_.segment_block, counts);
+        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.clipped.offsets,
+               args.clipped.arcs, hidden, n, args.alpha, args.layout.width, args.layout.pitch,
+               args.capacity, tuning_.segment_block, counts);
         scan(counts, blocks, ScanKind::saturate);
         launch(compact_runs_write_, std::max(blocks, 1U), tuning_.block_local_size,
                args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs,
-               n, args.alpha, args.layout.width, args.layout.pitch, args.capacity,
+               hidden, n, args.alpha, args.layout.width, args.layout.pitch, args.capacity,
                to_cl(args.viewport), args.half_width, tuning_.segment_block, counts, blocks,
                args.run_capacity, args.runs, args.record);
     }

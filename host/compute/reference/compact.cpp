@@ -7,16 +7,16 @@ namespace lineatlas::compute::reference {
 namespace {
 
 /// The run of samples [a, end) of segment i.
-Run make_visible_run(const FrameTables& frame, const AtlasLayout& layout, std::uint32_t i,
+Run make_sampled_run(const FrameTables& frame, const AtlasLayout& layout, std::uint32_t i,
                      std::uint32_t a, std::uint32_t end) {
     const std::uint32_t l = frame.samples(i);
-    // A run fades out half a sample beyond its last visible one: alpha is interpolated.
+    // A run fades out half a sample beyond its last one: alpha is interpolated.
     const float start_sample = a == 0 ? 0.0F : static_cast<float>(a) - 0.5F;
     const float end_sample = end == l ? static_cast<float>(l) : static_cast<float>(end) + 0.5F;
-    const End hidden{LA_END_HIDDEN};
+    const End between{LA_END_HIDDEN};
     Run run = make_run(frame, i, start_sample, end_sample, l,
-                       a == 0 ? segment_end(frame, i, false) : hidden,
-                       end == l ? segment_end(frame, i, true) : hidden);
+                       a == 0 ? segment_end(frame, i, false) : between,
+                       end == l ? segment_end(frame, i, true) : between);
     run.address = layout.address(frame.offsets[i]);
     return run;
 }
@@ -34,14 +34,23 @@ void compact_runs(const CompactRunsInput& in, std::span<Run> runs, FrameRecord& 
     for (std::uint32_t i = 0; i < in.segments.size(); ++i) {
         const std::uint32_t s = in.offsets[i];
         const std::uint32_t l = in.offsets[i + 1] - s;
+        if (in.hidden && l == 0 && frame.is_drawn(i)) { // dropped as hidden whole
+            if (total < runs.size()) {
+                runs[total] = make_run(frame, i, 0, 1, 1, segment_end(frame, i, false),
+                                       segment_end(frame, i, true));
+                runs[total].flags |= LA_RUN_SOLID;
+            }
+            ++total;
+        }
         if (l == 0 || l > in.capacity || s > in.capacity - l) continue;
         const std::span own = in.alpha.subspan(in.layout.address(s), l);
+        const auto wanted = [&](std::uint8_t alpha) { return (alpha == 0) == in.hidden; };
         for (auto a = own.begin(); a != own.end();) {
-            a = std::find_if(a, own.end(), [](std::uint8_t alpha) { return alpha != 0; });
+            a = std::find_if(a, own.end(), wanted);
             if (a == own.end()) break;
-            const auto end = std::find(a, own.end(), std::uint8_t{0});
+            const auto end = std::find_if_not(a, own.end(), wanted);
             if (total < runs.size()) {
-                runs[total] = make_visible_run(frame, in.layout, i,
+                runs[total] = make_sampled_run(frame, in.layout, i,
                                                static_cast<std::uint32_t>(a - own.begin()),
                                                static_cast<std::uint32_t>(end - own.begin()));
             }

@@ -198,7 +198,8 @@ void project_clip(const ProjectClipInput& in, std::span<ClippedSegment> clipped,
         const std::uint32_t own_b = own_face(in, segment.face_b, line);
         arcs[i] = std::max(static_cast<std::uint32_t>(length_px * LA_ARC_UNITS_PER_PIXEL), 1U);
         if (!in.tiles.empty() && is_hidden(in, line, window_p, d, own_a, own_b)) {
-            if (segment.from_start == 0 && segment.to_end == 0) continue;
+            const bool alone = segment.from_start == 0 && segment.to_end == 0;
+            if (alone && !in.keep_clipped) continue;
             l = 0;
         }
         counts[i] = l;

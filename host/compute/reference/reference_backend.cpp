@@ -90,7 +90,8 @@ class ReferenceBackend final : public Backend {
              .tiles = occlusion ? view_all<float>(occlusion->tiles) : std::span<float>{},
              .tile_count = occlusion ? occlusion->tile_count : glm::ivec2{0},
              .depth_scale = occlusion ? occlusion->depth_scale : 1,
-             .tolerance = occlusion ? occlusion->tolerance : 0},
+             .tolerance = occlusion ? occlusion->tolerance : 0,
+             .keep_clipped = occlusion && occlusion->keep_clipped},
             view<ClippedSegment>(args.out.clipped, n), view<std::uint32_t>(args.out.offsets, n),
             view<std::uint32_t>(args.out.arcs, n));
     }
@@ -142,7 +143,8 @@ class ReferenceBackend final : public Backend {
                                  .layout = args.layout,
                                  .capacity = args.capacity,
                                  .viewport = args.viewport,
-                                 .half_width = args.half_width},
+                                 .half_width = args.half_width,
+                                 .hidden = args.hidden},
                                 view<Run>(args.runs, args.run_capacity),
                                 view<FrameRecord>(args.record, 1)[0]);
     }

@@ -37,6 +37,7 @@ struct ProjectClipInput {
     glm::ivec2 tile_count{0, 0};
     float depth_scale = 1;
     float tolerance = 0;
+    bool keep_clipped = false; ///< clipped is written for hidden segments too
 };
 
 void project_clip(const ProjectClipInput& input, std::span<ClippedSegment> clipped,
@@ -83,6 +84,7 @@ struct CompactRunsInput {
     std::uint32_t capacity;
     glm::vec2 viewport;
     float half_width;
+    bool hidden; ///< runs of hidden samples instead of visible ones
 };
 
 /// Writes at most runs.size() runs.

@@ -9,7 +9,9 @@
 #include <glm/vec4.hpp>
 
 #include "lineatlas/camera.hpp"
+#include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
+#include "lineatlas/style.hpp"
 
 namespace lineatlas {
 
@@ -51,9 +53,9 @@ struct FrameOptions {
     AtlasForm atlas = AtlasForm::automatic;
     AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap;
     StrokeShader stroke_shader = StrokeShader::geometry;
-    float width = 2;             ///< of strokes, in pixels
-    glm::vec4 color{0, 0, 0, 1}; ///< of strokes: RGB and opacity, 0 to 1
-    std::string pen = "solid";   ///< solid, pen, pencil or dashed
+    /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl
+    /// only the last three; item_buffer, like atlas, joins and caps too.
+    Style style{};
     /// Leave out triangles and segments that are hidden whole, where a model is large enough for
     /// that to pay. Changes nothing in the picture.
     bool cull_hidden = true;
@@ -95,6 +97,10 @@ class Renderer {
 
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
+
+    /// Makes a picture known as a pen: `mark` is what Pen::mark calls it. Throws UsageError if that
+    /// is not the name of a file (it needs a `/` or a `.`) or the picture is empty.
+    void set_pen_image(const std::string& mark, Image image);
 
     /// Uploads the lines and triangles to draw; they replace what was there.
     void set_lines(const LineSet& lines);

@@ -96,14 +96,14 @@ struct Focus {
 /// How a drawing looks. The keys of style files and the options of the tool have the names of these
 /// members (docs/styles.md).
 struct Style {
-    Pen pen;
+    Pen pen{};
     bool hidden = false; ///< draw hidden lines too, with their own pen, under the visible ones
     Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
-    StrokeFilter filter;
-    Density density;
-    Fill fill;
-    Paper paper;
-    Focus focus;
+    StrokeFilter filter{};
+    Density density{};
+    Fill fill{};
+    Paper paper{};
+    Focus focus{};
 };
 
 } // namespace lineatlas

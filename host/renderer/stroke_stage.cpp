@@ -1,0 +1,299 @@
+#include "stroke_stage.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+
+namespace lineatlas {
+namespace {
+
+// A first guess; a frame that needs more makes its tables grow.
+constexpr std::uint32_t first_run_capacity = 1U << 13U;
+
+std::span<std::byte> bytes_of(FrameRecord& record) {
+    return std::as_writable_bytes(std::span{&record, 1});
+}
+
+/// Whether anything of the style concerns whole strokes, not runs of single segments.
+bool needs_filter(const Style& style) {
+    const StrokeFilter& f = style.filter;
+    const bool changes_lengths =
+        f.fill > 0 || f.drop > 0 || f.overshoot > 0 || f.undershoot > 0 || f.halo > 0;
+    const auto varies = [](const Profile& profile) { return profile.size() > 1; };
+    const Pen& pen = style.pen;
+    const bool has_caps =
+        pen.cap != Cap::butt || pen.path_cap == Cap::taper || pen.path_cap == Cap::texture;
+    return changes_lengths || has_caps || varies(pen.width_profile) || varies(pen.opacity_profile);
+}
+
+/// The focus in pixels, of a point in the scene too: for density, which knows no depth.
+glm::vec4 focus_on_screen(const Frame& frame) {
+    const Focus& focus = frame.options.style.focus;
+    const glm::vec2 size = frame.viewport();
+    if (!focus.on) return glm::vec4{0};
+    if (!focus.in_scene) {
+        return {glm::vec2{focus.point} * size, focus.radius * size.y, focus.falloff * size.y};
+    }
+    const glm::vec4 clip = frame.camera.clip_from_world() * glm::vec4{focus.point, 1};
+    const float w = std::max(clip.w, 1e-6F);
+    const glm::vec2 centre = (glm::vec2{clip} / w + 1.0F) * 0.5F * size;
+    const float scale = frame.scene.diagonal() * frame.camera.projection[1][1] / w * 0.5F * size.y;
+    return {centre, focus.radius * scale, focus.falloff * scale};
+}
+
+} // namespace
+
+StrokeStage::StrokeStage(const interop::Connection& connection)
+    : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
+      raw_record_(backend_.allocate(sizeof(FrameRecord))) {
+    make_table(visible_);
+}
+
+void StrokeStage::make_table(RunTable& table) {
+    table.capacity = first_run_capacity;
+    table.runs =
+        interop::make_shared_buffer(backend_, mode_, std::size_t{table.capacity} * sizeof(Run));
+    table.record = interop::make_shared_buffer(backend_, mode_, sizeof(FrameRecord));
+}
+
+void StrokeStage::begin() {
+    handover_.to_compute({{*visible_.runs, 0}, {*visible_.record, 0}});
+    if (hidden_.runs) handover_.to_compute({{*hidden_.runs, 0}, {*hidden_.record, 0}});
+    if (weights_) handover_.to_compute({{*weights_, 0}});
+}
+
+void StrokeStage::prepare(const Frame& frame) {
+    const Style& style = frame.options.style;
+    has_hidden_ = draws_hidden(frame);
+    filters_ = needs_filter(style);
+    if (has_hidden_ && !hidden_.runs) {
+        make_table(hidden_);
+        handover_.to_compute({{*hidden_.runs, 0}, {*hidden_.record, 0}});
+    }
+    if (filters_) {
+        raw_capacity_ = std::max(raw_capacity_, first_run_capacity);
+        const std::size_t bytes = std::size_t{raw_capacity_} * sizeof(Run);
+        if (!raw_runs_ || raw_runs_->size() < bytes) raw_runs_ = backend_.allocate(bytes);
+        const std::size_t cut_bytes = std::size_t{raw_capacity_} * sizeof(RunCuts);
+        const bool cuts = style.filter.halo > 0;
+        if (cuts && (!cuts_ || cuts_->size() < cut_bytes)) cuts_ = backend_.allocate(cut_bytes);
+    }
+    if (style.density.limit > 0) {
+        cells_ = compute::density_cells(frame.viewport());
+        const std::size_t bytes = std::size_t{LA_DENSITY_BINS} *
+                                  static_cast<std::size_t>(cells_.x * cells_.y) * sizeof(float);
+        if (!weights_ || weights_->size() < bytes) {
+            weights_ = interop::make_shared_buffer(backend_, mode_, bytes);
+            handover_.to_compute({{*weights_, 0}});
+        }
+    }
+}
+
+void StrokeStage::compact(Frame& frame, const Input& input, bool hidden, compute::Buffer& runs,
+                          std::uint32_t capacity, compute::Buffer& record) {
+    const Style& style = frame.options.style;
+    backend_.compact_runs({.table = frame.scene.table(),
+                           .clipped = input.clipped,
+                           .alpha = input.alpha,
+                           .layout = input.layout,
+                           .capacity = input.capacity,
+                           .viewport = frame.viewport(),
+                           .half_width = 0.5F * (hidden ? style.hidden_pen : style.pen).width,
+                           .hidden = hidden,
+                           .runs = runs,
+                           .run_capacity = capacity,
+                           .record = record});
+}
+
+void StrokeStage::make_runs(Frame& frame, const Input& input) {
+    prepare(frame);
+    frame.clock("compact", [&] {
+        if (filters_)
+            compact(frame, input, false, *raw_runs_, raw_capacity_, *raw_record_);
+        else
+            compact(frame, input, false, visible_.runs->compute(), visible_.capacity,
+                    visible_.record->compute());
+    });
+    if (has_hidden_) {
+        frame.clock("compact hidden", [&] {
+            compact(frame, input, true, hidden_.runs->compute(), hidden_.capacity,
+                    hidden_.record->compute());
+            backend_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
+        });
+    }
+    if (filters_) {
+        if (frame.options.style.filter.halo > 0) halo(frame, input);
+        filter(frame, input);
+    }
+    if (frame.options.style.density.limit > 0) density(frame, input);
+    frame.clock("compact",
+                [&] { backend_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
+}
+
+void StrokeStage::halo(Frame& frame, const Input& input) {
+    frame.clock("halo", [&] {
+        const Style& style = frame.options.style;
+        backend_.halo({.table = frame.scene.table(),
+                       .clipped = input.clipped,
+                       .runs = *raw_runs_,
+                       .record = *raw_record_,
+                       .run_capacity = raw_capacity_,
+                       .viewport = frame.viewport(),
+                       .halo = style.filter.halo,
+                       .half_width = 0.5F * style.pen.width,
+                       .tolerance = frame.depth_tolerance(),
+                       .cuts = *cuts_});
+    });
+}
+
+void StrokeStage::filter(Frame& frame, const Input& input) {
+    frame.clock("filter", [&] {
+        const StrokeFilter& lengths = frame.options.style.filter;
+        backend_.filter({.table = frame.scene.table(),
+                         .clipped = input.clipped,
+                         .alpha = input.alpha,
+                         .layout = input.layout,
+                         .viewport = frame.viewport(),
+                         .half_width = 0.5F * frame.options.style.pen.width,
+                         .fill = lengths.fill,
+                         .drop = lengths.drop,
+                         .overshoot = lengths.overshoot,
+                         .overshoot_variation = lengths.overshoot_variation,
+                         .undershoot = lengths.undershoot,
+                         .runs = *raw_runs_,
+                         .record = *raw_record_,
+                         .cuts = lengths.halo > 0 ? cuts_.get() : nullptr,
+                         .run_capacity = raw_capacity_,
+                         .filtered = visible_.runs->compute(),
+                         .filtered_capacity = visible_.capacity,
+                         .filtered_record = visible_.record->compute()});
+    });
+}
+
+void StrokeStage::density(Frame& frame, const Input& input) {
+    frame.clock("density", [&] {
+        const Style& style = frame.options.style;
+        compute::DensityArgs args{.table = frame.scene.table(),
+                                  .clipped = input.clipped,
+                                  .alpha = input.alpha,
+                                  .layout = input.layout,
+                                  .runs = visible_.runs->compute(),
+                                  .record = visible_.record->compute(),
+                                  .run_capacity = visible_.capacity,
+                                  .viewport = frame.viewport(),
+                                  .limit = style.density.limit,
+                                  .priority = {},
+                                  .focus = focus_on_screen(frame),
+                                  .far_limit = style.focus.on ? style.focus.density : 1,
+                                  .weights = weights_->compute()};
+        std::ranges::copy(style.density.priority, args.priority);
+        backend_.density(args);
+    });
+}
+
+bool StrokeStage::grow(RunTable& table) {
+    if (table.totals.run_total <= table.capacity) return false;
+    table.capacity = table.totals.run_total + table.totals.run_total / 4;
+    table.runs =
+        interop::make_shared_buffer(backend_, mode_, std::size_t{table.capacity} * sizeof(Run));
+    handover_.to_compute({{*table.runs, 0}});
+    return true;
+}
+
+bool StrokeStage::grow() {
+    bool grown = grow(visible_);
+    if (has_hidden_ && grow(hidden_)) grown = true;
+    const std::uint32_t raw_total = visible_.totals.raw_run_total;
+    if (filters_ && raw_total > raw_capacity_) {
+        raw_capacity_ = raw_total + raw_total / 4;
+        grown = true;
+    }
+    return grown;
+}
+
+void StrokeStage::add_to_handover(std::vector<interop::Passed>& buffers) {
+    const auto add = [&](RunTable& table) {
+        buffers.push_back({*table.record, sizeof(FrameRecord)});
+        buffers.push_back({*table.runs, std::size_t{table.totals.points[0]} * sizeof(Run)});
+    };
+    add(visible_);
+    if (hidden_.runs) {
+        if (!has_hidden_) hidden_.totals = {};
+        add(hidden_);
+    }
+    if (weights_) buffers.push_back({*weights_, weights_->size()});
+}
+
+gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hidden) const {
+    gl::StrokeStyle style{.join = pen.join,
+                          .mitre_limit = pen.mitre_limit,
+                          .cap = pen.cap,
+                          .path_cap = pen.path_cap,
+                          .cap_length = pen.cap_length,
+                          .width_profile = pen.width_profile,
+                          .opacity_profile = pen.opacity_profile,
+                          .cap_grain = {},
+                          .focus = std::nullopt,
+                          .hidden = hidden,
+                          .exact_ends = filters_ && !hidden};
+    if (pen.cap == Cap::texture || pen.path_cap == Cap::texture) {
+        style.cap_grain = frame.pens.get("brush", pen.width);
+    }
+    const Focus& focus = frame.options.style.focus;
+    if (focus.on) {
+        const float unit = focus.in_scene ? frame.scene.diagonal() : frame.viewport().y;
+        const glm::vec3 window{glm::vec2{focus.point} * frame.viewport(), 0};
+        const glm::dmat4 clip_from_world{frame.camera.clip_from_world()};
+        style.focus =
+            gl::FocusParams{.in_scene = focus.in_scene,
+                            .point = focus.in_scene ? focus.point : window,
+                            .radius = focus.radius * unit,
+                            .falloff = focus.falloff * unit,
+                            .far_width = focus.width,
+                            .far_opacity = hidden ? focus.hidden_opacity : focus.opacity,
+                            .far_pen = frame.pens.get(
+                                focus.mark.empty() || hidden ? pen.mark : focus.mark, pen.width),
+                            .world_from_clip = glm::mat4{glm::inverse(clip_from_world)}};
+    }
+    return style;
+}
+
+void StrokeStage::draw(Frame& frame, GLuint alpha) {
+    const Style& style = frame.options.style;
+    if (has_hidden_) {
+        frame.clock("strokes hidden", [&] {
+            glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+            pass_.draw({.runs = hidden_.runs->gl(), .record = hidden_.record->gl(), .alpha = alpha},
+                       frame.stroke_params(style.hidden_pen),
+                       stroke_style(frame, style.hidden_pen, true));
+        });
+    }
+    frame.clock("strokes", [&] {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+        const gl::DensityWeights density = style.density.limit > 0
+                                               ? gl::DensityWeights{weights_->gl(), cells_}
+                                               : gl::DensityWeights{};
+        pass_.draw({.runs = visible_.runs->gl(), .record = visible_.record->gl(), .alpha = alpha},
+                   frame.stroke_params(style.pen), stroke_style(frame, style.pen, false), density);
+    });
+}
+
+std::uint64_t StrokeStage::bytes() const {
+    const auto size_of = [](const auto& buffer) -> std::uint64_t {
+        return buffer ? buffer->size() : 0;
+    };
+    return size_of(visible_.runs) + size_of(hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) +
+           size_of(weights_);
+}
+
+std::vector<Run> StrokeStage::read_runs() {
+    std::vector<Run> runs(visible_.totals.points[0]);
+    handover_.to_compute({{*visible_.runs, 0}});
+    backend_.download(visible_.runs->compute(), std::as_writable_bytes(std::span{runs}));
+    handover_.to_gl({{*visible_.runs, 0}});
+    return runs;
+}
+
+} // namespace lineatlas
