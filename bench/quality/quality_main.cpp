@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -149,6 +150,23 @@ glm::vec3 axis(const std::string& name) {
     return up;
 }
 
+/// What each model is called: its file's name, or the path as given where two files share a name.
+std::vector<std::string> model_names(const std::vector<std::string>& paths) {
+    std::map<std::string, int> files;
+    const auto file = [](const std::string& path) {
+        return std::filesystem::path{path}.filename().string();
+    };
+    for (const std::string& path : paths) ++files[file(path)];
+    std::vector<std::string> names;
+    for (const std::string& path : paths) {
+        names.push_back(files[file(path)] > 1 ? path : file(path));
+        if (std::ranges::count(names, names.back()) > 1) {
+            throw UsageError("--model: " + path + " is given twice");
+        }
+    }
+    return names;
+}
+
 /// Ways to make the subjects, one after the other: all at once would fill the memory.
 std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 size) {
     const Places places{a.at.empty() ? even_places(a.frames) : a.at, a.distances};
@@ -168,10 +186,16 @@ std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 si
         throw UsageError(fmt::format("--up: {} axes for {} models; name one, or one for each",
                                      a.ups.size(), a.models.size()));
     }
+    const std::vector<std::string> names = model_names(a.models);
     for (std::size_t i = 0; i < a.models.size(); ++i) {
         const std::string path = a.models[i];
+        const std::string name = names[i];
         const glm::vec3 up = axis(a.ups[a.ups.size() == 1 ? 0 : i]);
-        result.emplace_back([=] { return model_subject(path, up, size, places); });
+        result.emplace_back([=] {
+            Subject subject = model_subject(path, up, size, places);
+            subject.name = name;
+            return subject;
+        });
     }
     return result;
 }
@@ -240,7 +264,11 @@ class Bench {
                                        std::size_t view) const {
         std::filesystem::path path = arguments_.picture;
         std::string stem = path.stem().string();
-        if (subjects_.size() > 1) stem += "-" + subject.name;
+        if (subjects_.size() > 1) {
+            std::string name = subject.name; // perhaps a path
+            std::ranges::replace(name, '/', '_');
+            stem += "-" + name;
+        }
         if (methods_.size() > 1) stem += "-" + method;
         if (subject.views.size() > 1) stem += fmt::format("-{}", view);
         return path.replace_filename(stem + path.extension().string());
