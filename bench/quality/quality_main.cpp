@@ -36,6 +36,7 @@ struct Arguments {
     int depth_scale = 0;
     float step = 2;
     TruthOptions truth;
+    bool no_average = false;
     bool no_cache = false;
     bool study = false;
     bool check_oracle = false;
@@ -86,6 +87,8 @@ void set_up(CLI::App& app, Arguments& a) {
     app.add_option("--depth-scale", a.depth_scale,
                    "Depth texels per pixel and axis in place of each method's own");
     app.add_option("--step", a.step, "Pixels between samples")->capture_default_str();
+    auto* average = app.add_flag("--no-average", a.no_average,
+                                 "Without the average of visibility over frames in slow motion");
     app.add_option("--rays", a.truth.rays, "Rays per sample")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();
@@ -107,7 +110,8 @@ void set_up(CLI::App& app, Arguments& a) {
     auto* study = app.add_flag("--study", a.study,
                                "In place of the methods: the segment atlas with 1 to 16 probes and "
                                "1x to 4x depth (Fig. 6)")
-                      ->excludes(methods);
+                      ->excludes(methods)
+                      ->excludes(average);
     app.add_option("--chart", a.charts,
                    "Curves of the study to write, .svg or .png; may be given again")
         ->needs(study);
@@ -138,6 +142,7 @@ std::vector<Contestant> contestants(const Arguments& a) {
         options.probes = a.probes != 0 ? a.probes : spec.probes;
         options.depth_scale = a.depth_scale != 0 ? a.depth_scale : spec.depth_scale;
         options.step = a.step;
+        options.steady = !a.no_average;
         options.cull_hidden = false; // every sample is compared
         result.push_back({std::string{spec.name}, options});
     }
