@@ -124,6 +124,14 @@ TEST_F(QualityProgram, ScenesAreWithinTheLimits) {
     }
 }
 
+TEST_F(QualityProgram, MeasuresWithAndWithoutTheAverageOverFrames) {
+    const auto sparkle = [&](const std::string& more) -> double {
+        const nlohmann::json figures = measure("", "--scene clevis --at 0.3 --methods SAhi" + more);
+        return figures["scenes"]["clevis"]["methods"]["SAhi"]["sparkle"];
+    };
+    EXPECT_LT(sparkle(""), 0.7 * sparkle(" --no-average"));
+}
+
 TEST_F(QualityProgram, TellsModelsWithTheSameFileNameApart) {
     std::string arguments = "--at 0 --burst 1 --methods SAlo";
     for (const char* name : {"a", "b"}) {
