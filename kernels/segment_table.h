@@ -153,7 +153,7 @@ typedef struct FrameRecord {
 
 /* A line's own face is recognised by its place and by its depth to within this many pixels (worth
  * of slope): the rasteriser snaps corners to a grid. */
-#define LA_OWN_FACE_SNAP 0.015625f
+#define LA_OWN_FACE_SNAP 0.00390625f
 
 /* A single probe beside a fold stands this many depth texels outside it: far enough that its
  * texel's centre cannot lie on the surface that folds away. */
@@ -174,7 +174,7 @@ typedef struct FrameRecord {
 /* The moving average over frames: the share of the new frame in it, and changes of visibility (of
  * 255) that are too large to be chance, or too small to bother at either extreme. */
 #define LA_TEMPORAL_SHARE 0.3f
-#define LA_TEMPORAL_LARGEST_CHANGE 90.0f
+#define LA_TEMPORAL_LARGEST_CHANGE 105.0f
 #define LA_TEMPORAL_SMALLEST_CHANGE 16.0f
 
 /* Texels per axis of a tile of the depth pyramid. */

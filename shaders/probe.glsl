@@ -8,7 +8,7 @@ uniform uint probes_per_axis;  // the probes fill a box of 1 pixel across by 1 s
 uniform float tolerance;       // window depth that may stand before a line, times w
 
 // As in kernels/segment_table.h.
-const float own_face_snap = 0.015625;
+const float own_face_snap = 0.00390625;
 const float own_face_reach = 2.0;
 const float fold_clearance = 0.75;
 const float depth_rounding = 2.4e-7;

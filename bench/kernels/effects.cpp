@@ -81,7 +81,7 @@ struct Buffers {
                                  .quads = {4, count, 0, 0},
                                  .sample_total = 0,
                                  .run_total = count,
-                                 .raw_run_total = n,
+                                 .raw_run_total = count,
                                  .unused = 0};
         record = to_device(backend, std::vector{values});
     }
