@@ -13,7 +13,7 @@ namespace lineatlas {
 namespace {
 
 // A first guess; a frame that needs more makes its tables grow.
-constexpr std::uint32_t first_sample_capacity = 1U << 18U;
+constexpr std::uint32_t first_sample_capacity = 1U << 16U;
 
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
