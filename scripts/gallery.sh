@@ -8,7 +8,8 @@ out=build/gallery
 scenes=(clevis house ship office)
 styles=(technical ink pencil charcoal blueprint haloed)
 
-# What is drawn: a sheet, the picture's name in it, and the options of `lineatlas draw`.
+# What is drawn: a sheet, the picture's name in it, and the options of `lineatlas draw`; "chart" is two lines,
+# a wave and a zigzag.
 effects='
 overshoot  none          --scene house
 overshoot  overshoot     --scene house --overshoot 12
@@ -34,25 +35,23 @@ focus      without       --scene house --hidden
 focus      window        --scene house --hidden --focus 0.4,0.55
 focus      scene         --scene house --hidden --focus 0,4,0 --focus-radius 0.15 --focus-falloff 0.1
 focus      pen           --scene house --width 3 --focus 0.4,0.55 --focus-pen pencil --focus-width 1 --focus-opacity 0.6
-caps       butt          --scene clevis --width 12 --cap butt --path-cap butt
-caps       round         --scene clevis --width 12 --cap round --path-cap round
-caps       taper         --scene clevis --width 12 --cap taper --path-cap taper --cap-length 60
-caps       texture       --scene clevis --width 12 --cap texture --path-cap texture --cap-length 60 --pen brush
-joins      mitre         --scene clevis --width 12 --join mitre
-joins      round         --scene clevis --width 12 --join round
-joins      bevel         --scene clevis --width 12 --join bevel
-joins      mitre-limit   --scene clevis --width 12 --join mitre --mitre-limit 1
-profiles   none          --scene clevis --width 6
-profiles   swell         --scene clevis --width 6 --width-profile 0.2,1,1.6,1,0.2
-profiles   decay         --scene clevis --width 6 --width-profile 1.6,0.3
-profiles   opacity       --scene clevis --width 6 --opacity-profile 1,0.1
-pens       solid         --scene clevis --width 8 --pen solid
-pens       fine          --scene clevis --width 8 --pen fine
-pens       pencil        --scene clevis --width 8 --pen pencil
-pens       charcoal      --scene clevis --width 8 --pen charcoal
-pens       brush         --scene clevis --width 8 --pen brush
-pens       dashed        --scene clevis --width 3 --pen dashed
-pens       dotted        --scene clevis --width 4 --pen dotted
+caps       butt          chart --width 16 --path-cap butt
+caps       round         chart --width 16 --path-cap round
+caps       taper         chart --width 16 --path-cap taper --cap-length 80
+caps       texture       chart --width 16 --path-cap texture --cap-length 80 --pen brush
+joins      mitre         chart --width 16 --join mitre
+joins      round         chart --width 16 --join round
+joins      bevel         chart --width 16 --join bevel
+profiles   swell         chart --width 12 --path-cap butt --width-profile 0.1,1,1.6,1,0.1
+profiles   decay         chart --width 12 --path-cap butt --width-profile 1.6,0.2
+profiles   opacity       chart --width 12 --path-cap butt --opacity-profile 1,0.1
+pens       solid         chart --width 14 --pen solid
+pens       fine          chart --width 14 --pen fine
+pens       pencil        chart --width 14 --pen pencil
+pens       charcoal      chart --width 14 --pen charcoal
+pens       brush         chart --width 14 --pen brush
+pens       dashed        chart --width 6 --pen dashed
+pens       dotted        chart --width 8 --pen dotted
 fill       none          --scene house
 fill       flat          --scene house --fill flat
 fill       lambert       --scene house --fill lambert
@@ -63,9 +62,33 @@ paper      half          --scene clevis --width 5 --pen charcoal --paper #ece4d6
 paper      full          --scene clevis --width 5 --pen charcoal --paper #ece4d6 --paper-grain 1
 '
 
-# The pictures of docs/gallery.md: a drawing and the part of it that is shown, WIDTHxHEIGHT+X+Y.
+# The pictures of docs/gallery.md: name, columns, the part of each drawing that is shown, the drawings.
 shown='
+technical  1  1024x768+0+0    technical/clevis
+ink        1  1024x768+0+0    ink/house
+pencil     1  1024x768+0+0    pencil/house
+charcoal   1  1024x768+0+0    charcoal/ship
+blueprint  1  1024x768+0+0    blueprint/office
+haloed     1  1024x768+0+0    haloed/ship
+overshoot  2  480x400+480+320 overshoot/none overshoot/overshoot
+halo       2  480x400+120+220 halo/without halo/with
+density    2  480x400+120+220 density/none density/limited
+hidden     2  480x400+260+90  hidden/dashed focus/window
+fill       2  480x400+480+60  fill/lambert fill/toon
+strokes    1  960x80+0+0      pens/fine pens/pencil pens/charcoal pens/brush pens/dotted caps/taper joins/bevel profiles/swell
 '
+
+# Two lines as an OBJ file.
+chart() {
+    awk 'BEGIN {
+        for (i = 0; i <= 60; i++) printf "v %g %g 0\n", 0.15 * i, 0.45 * sin(i * 3.1416 / 20)
+        for (i = 0; i <= 6; i++) printf "v %g %g 0\n", 10 + 1.1 * i, i % 2 ? 0.3 : -0.3
+        printf "l"; for (i = 1; i <= 61; i++) printf " %d", i
+        printf "\nl"; for (i = 62; i <= 68; i++) printf " %d", i
+        print ""
+    }'
+}
+in_chart="$out/chart.obj --size 960x80 --eye 8.3,0,40 --target 8.3,0,0 --fov 2.1"
 
 draw() { # SHEET NAME OPTIONS...
     mkdir -p "$out/$1"
@@ -76,6 +99,8 @@ draw() { # SHEET NAME OPTIONS...
 wanted() { ((${#only[@]} == 0)) || [[ " ${only[*]} " == *" $1 "* ]]; }
 
 only=("$@")
+mkdir -p "$out" docs/gallery
+chart >"$out/chart.obj"
 declare -A sheets=()
 for style in "${styles[@]}"; do
     wanted "$style" || continue
@@ -86,17 +111,24 @@ for style in "${styles[@]}"; do
 done
 while read -r sheet name options; do
     if [ -z "$sheet" ] || ! wanted "$sheet"; then continue; fi
-    read -ra words <<<"$options"
+    read -ra words <<<"${options/#chart/$in_chart}"
     draw "$sheet" "$name" "${words[@]}"
     sheets[$sheet]+=" $out/$sheet/$name.png"
 done <<<"$effects"
 for sheet in "${!sheets[@]}"; do
     read -ra pictures <<<"${sheets[$sheet]}"
-    oiiotool "${pictures[@]}" --mosaic:pad=8 "2x$(((${#pictures[@]} + 1) / 2))" --resize 50% -o "$out/$sheet.png"
+    columns=2
+    if [[ " caps joins profiles pens " == *" $sheet "* ]]; then columns=1; fi
+    rows=$(((${#pictures[@]} + columns - 1) / columns))
+    oiiotool "${pictures[@]}" --mosaic "${columns}x$rows" -o "$out/$sheet.png"
 done
-while read -r picture part; do
-    if [ -z "$picture" ] || ! wanted "${picture%/*}"; then continue; fi
-    oiiotool "$out/$picture.png" --cut "$part" --resize 480x0 --ch R,G,B \
-        --compression jpeg:80 -o "docs/gallery/${picture/\//-}.jpg"
+((${#only[@]} == 0)) || exit 0
+while read -r name columns part pictures; do
+    [ -n "$name" ] || continue
+    words=()
+    for picture in $pictures; do words+=("$out/$picture.png" --cut "$part"); done
+    read -ra drawings <<<"$pictures"
+    oiiotool "${words[@]}" --mosaic "${columns}x$((${#drawings[@]} / columns))" --resize 480x0 --ch R,G,B \
+        --compression jpeg:80 -o "docs/gallery/$name.jpg"
 done <<<"$shown"
 echo "Sheets: $out/*.png"
