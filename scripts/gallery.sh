@@ -11,20 +11,20 @@ styles=(technical ink pencil charcoal blueprint haloed)
 # What is drawn: a sheet, the picture's name in it, and the options of `lineatlas draw`; "chart" is two lines,
 # a wave and a zigzag.
 effects='
-overshoot  none          --scene house
-overshoot  overshoot     --scene house --overshoot 12
-overshoot  varied        --scene house --overshoot 18 --overshoot-variation 1
-overshoot  undershoot    --scene house --undershoot 6
-halo       without       --scene ship
-halo       with          --scene ship --halo 5
+overshoot  none          --scene house --width 1.3
+overshoot  overshoot     --scene house --width 1.3 --overshoot 7
+overshoot  varied        --scene house --width 1.3 --overshoot 12 --overshoot-variation 1
+overshoot  undershoot    --scene house --width 1.3 --undershoot 6
+halo       without       --scene ship --width 1.3
+halo       with          --scene ship --width 1.3 --halo 5
 halo       hidden        --scene clevis --hidden --hidden-pen solid
 halo       hidden-halo   --scene clevis --hidden --hidden-pen solid --halo 8
 filter     none          --scene office --at 0.6
 filter     fill-holes    --scene office --at 0.6 --fill-holes 16
 filter     drop-runs     --scene office --at 0.6 --drop-runs 16
 filter     both          --scene office --at 0.6 --fill-holes 16 --drop-runs 16
-density    none          --scene ship
-density    limited       --scene ship --density 0.12
+density    none          --scene ship --width 1.3
+density    limited       --scene ship --width 1.3 --density 0.12
 density    office        --scene office --at 0.6
 density    office-limited --scene office --at 0.6 --density 0.08
 hidden     without       --scene clevis
@@ -70,8 +70,8 @@ pencil     1  1024x768+0+0    pencil/house
 charcoal   1  1024x768+0+0    charcoal/ship
 blueprint  1  1024x768+0+0    blueprint/office
 haloed     1  1024x768+0+0    haloed/ship
-overshoot  2  480x400+480+320 overshoot/none overshoot/overshoot
-halo       2  480x400+120+220 halo/without halo/with
+overshoot  2  480x400+460+290 overshoot/none overshoot/overshoot
+halo       2  480x400+260+90  halo/hidden halo/hidden-halo
 density    2  480x400+120+220 density/none density/limited
 hidden     2  480x400+260+90  hidden/dashed focus/window
 fill       2  480x400+480+60  fill/lambert fill/toon
