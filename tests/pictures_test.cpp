@@ -154,6 +154,19 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
     }
 }
 
+TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixelOfFilteredStrokes) {
+    Renderer r = renderer({});
+    const FrameOptions culled{
+        .style = {.filter = {.fill = 4, .drop = 4, .overshoot = 12, .halo = 3}},
+        .cull_hidden = true};
+    FrameOptions kept = culled;
+    kept.cull_hidden = false;
+    compare_each(r, culled, r, kept, [](const Drawn& a, const Drawn& b) {
+        EXPECT_EQ(a.stats.runs, b.stats.runs);
+        EXPECT_TRUE(equal(a.pixels, b.pixels));
+    });
+}
+
 TEST_P(SamePicture, SpineStrokesOfBothShadersAreEqual) {
     Renderer r = renderer({});
     const FrameOptions geometry{.method = Method::spine,

@@ -201,6 +201,40 @@ class Stages {
         state.cuts = read_back<RunCuts>(*backend_, *cuts, state.runs.size());
     }
 
+    /// Of the runs in `state`, and with its gaps.
+    void filter(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
+        set(clipped_, state.clipped);
+        set(offsets_, state.offsets);
+        set(arcs_, state.arcs);
+        const auto alpha = to_device(*backend_, state.alpha);
+        const auto runs = to_device(*backend_, state.runs);
+        const auto record = to_device(*backend_, std::vector{state.record});
+        const auto cuts = to_device(*backend_, state.cuts);
+        const auto filtered = backend_->allocate(run_capacity * sizeof(Run));
+        const auto filtered_record = backend_->allocate(sizeof(FrameRecord));
+        backend_->filter({.table = table(),
+                          .clipped = {*clipped_, *offsets_, *arcs_},
+                          .alpha = *alpha,
+                          .layout = layout,
+                          .viewport = glm::vec2{camera.size},
+                          .half_width = 1,
+                          .fill = 4,
+                          .drop = 4,
+                          .overshoot = 12,
+                          .overshoot_variation = 0.3F,
+                          .undershoot = 2,
+                          .runs = *runs,
+                          .record = *record,
+                          .cuts = cuts.get(),
+                          .run_capacity = static_cast<std::uint32_t>(state.runs.size()),
+                          .filtered = *filtered,
+                          .filtered_capacity = run_capacity,
+                          .filtered_record = *filtered_record});
+        state.record = read_back<FrameRecord>(*backend_, *filtered_record, 1)[0];
+        state.runs = read_back<Run>(*backend_, *filtered, state.record.points[0]);
+        state.alpha = read_back<std::uint8_t>(*backend_, *alpha, state.alpha.size());
+    }
+
     /// Of the runs in `state`, with a limit that hides some.
     void density(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
         set(arcs_, state.arcs);
@@ -390,6 +424,17 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         // Where a line just reaches another, rounding decides whether they cross.
         EXPECT_LE(different(expected.cuts, seen.cuts), expected.cuts.size() / 1000);
 
+        FrameState filtered = expected;
+        reference.filter(camera, layout, filtered);
+        seen = expected;
+        device.filter(camera, layout, seen);
+        EXPECT_EQ(filtered.record.run_total, seen.record.run_total);
+        EXPECT_EQ(filtered.record.raw_run_total, seen.record.raw_run_total);
+        EXPECT_TRUE(all_close(filtered.runs, seen.runs));
+        EXPECT_LE(compare_bytes(filtered.alpha, seen.alpha).share(), 0.001);
+        EXPECT_FALSE(equal(filtered.alpha, expected.alpha)) << "nothing was changed";
+
+        seen = expected;
         reference.density(camera, layout, expected);
         device.density(camera, layout, seen);
         EXPECT_TRUE(equal(expected.flags, seen.flags));
