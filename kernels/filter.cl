@@ -24,6 +24,7 @@ typedef struct Filter {
 typedef struct Work {
     Frame frame;
     __global const Run* runs;
+    uint run_count;
     __global const RunCuts* cuts; /* or null */
     __global const uchar* alpha;
     uint width, pitch;
@@ -54,6 +55,35 @@ static uint stroke_end_kind(const uint kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
 }
 
+/* Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly. */
+static bool shown_across(__global const Segment* segments, __global const Run* runs,
+                         const uint run_count, const uint r, const bool at_end) {
+    const uint kind =
+        runs[r].flags >> (at_end ? LA_RUN_END_SHIFT : LA_RUN_START_SHIFT) & LA_END_MASK;
+    if (kind == LA_END_HIDDEN) return false;
+    if (kind != LA_END_JOIN && kind != LA_END_ROUND) return true;
+    const uint segment = runs[r].segment;
+    const uint before = segments[segment].from_start, after = segments[segment].to_end;
+    uint other = r;
+    if (at_end) {
+        const uint next = after > 0 ? segment + 1u : segment - before;
+        if (after > 0)
+            ++other;
+        else
+            while (other > 0 && runs[other - 1u].segment >= next) --other;
+        return other < run_count && runs[other].segment == next && runs[other].start_sample == 0.0f;
+    }
+    const uint previous = before > 0 ? segment - 1u : segment + after;
+    if (before > 0) {
+        if (r == 0) return false;
+        --other;
+    } else {
+        while (other + 1u < run_count && runs[other + 1u].segment <= previous) ++other;
+    }
+    return runs[other].segment == previous &&
+           runs[other].end_sample == (float)runs[other].samples;
+}
+
 /* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
  * where in it the end lies. */
 static Interval run_interval(const Work* work, const uint r) {
@@ -62,9 +92,11 @@ static Interval run_interval(const Work* work, const uint r) {
     const float l = (float)run->samples;
     float start = run->start_sample, end = run->end_sample;
     __global const uchar* own = work->alpha + run->address;
-    const bool starts = start > 0.0f, ends = end < l;
-    const uint a = starts ? (uint)(start + 0.5f) : 0u;
-    const uint b = ends ? (uint)(end - 0.5f) - 1u : run->samples - 1u;
+    const bool starts =
+        !shown_across(work->frame.segments, work->runs, work->run_count, r, false);
+    const bool ends = !shown_across(work->frame.segments, work->runs, work->run_count, r, true);
+    const uint a = start > 0.0f ? (uint)(start + 0.5f) : 0u;
+    const uint b = end < l ? (uint)(end - 0.5f) - 1u : run->samples - 1u;
     const float share_a = (float)own[a] * (1.0f / 255.0f);
     const float share_b = (float)own[b] * (1.0f / 255.0f);
     if (starts && ends && a == b) {
@@ -338,6 +370,7 @@ filter_count(__global const Segment* restrict segments,
     Work work;
     work.frame = frame;
     work.runs = runs;
+    work.run_count = run_count;
     work.cuts = use_cuts != 0 ? cuts : 0;
     work.alpha = alpha;
     work.width = width;
@@ -375,6 +408,7 @@ filter_write(__global const Segment* restrict segments,
     Work work;
     work.frame = frame;
     work.runs = runs;
+    work.run_count = run_count;
     work.cuts = use_cuts != 0 ? cuts : 0;
     work.alpha = alpha;
     work.width = width;
@@ -389,7 +423,8 @@ filter_write(__global const Segment* restrict segments,
 
 /* A hidden sample that is drawn now becomes visible, and where visibility ended a partly visible
  * one is drawn in full: the end of the stroke is cut at its exact place instead. */
-__kernel void filter_show(__global const Run* restrict runs,
+__kernel void filter_show(__global const Segment* restrict segments,
+                          __global const Run* restrict runs,
                           __global const FrameRecord* restrict record,
                           __global const Run* restrict filtered,
                           __global const FrameRecord* restrict filtered_record, const uint n,
@@ -405,15 +440,16 @@ __kernel void filter_show(__global const Run* restrict runs,
             if (own[j] == 0) own[j] = 255;
         }
     }
-    if (r < record->points[0]) {
+    const uint run_count = record->points[0];
+    if (r < run_count) {
         __global uchar* own = alpha + runs[r].address;
         const float start = runs[r].start_sample, end = runs[r].end_sample;
-        if (start > 0.0f) {
-            const uint a = (uint)(start + 0.5f);
+        if (!shown_across(segments, runs, run_count, r, false)) {
+            const uint a = start > 0.0f ? (uint)(start + 0.5f) : 0u;
             own[a] = max(own[a], (uchar)LA_FULLY_SHOWN);
         }
-        if (end < (float)runs[r].samples) {
-            const uint b = (uint)(end - 0.5f) - 1u;
+        if (!shown_across(segments, runs, run_count, r, true)) {
+            const uint b = (end < (float)runs[r].samples ? (uint)(end - 0.5f) : runs[r].samples) - 1u;
             own[b] = max(own[b], (uchar)LA_FULLY_SHOWN);
         }
     }

@@ -224,7 +224,7 @@ TEST_P(Strokes, OvershootMakesEveryEndLonger) {
             const double free = length_of(scene.lines[1]);
             expect_strokes(drawing.of(scene.lines[1]), {{-12, free + 12}});
             expect_strokes(drawing.of(scene.lines[2]), {{-12, 20 + 12}, {65 - 12, 212 + 12}});
-            for (const Run& run : drawing.runs) { // what it says of its stroke
+            for (const lineatlas::Run& run : drawing.runs) { // what it says of its stroke
                 bool found = false;
                 for (const Polyline& line : scene.lines) {
                     for (const Stretch& s : drawing.of(line)) {
@@ -319,7 +319,7 @@ TEST_P(Strokes, OvershootVariesFromPathToPath) {
         tenths.insert(static_cast<int>(grown * 10));
         const Polyline seen{line[0] - glm::vec3{3.3F, 1.7F, 0}, line[1] - glm::vec3{3.3F, 1.7F, 0}};
         bool found = false;
-        for (const Run& run : moved.runs) {
+        for (const lineatlas::Run& run : moved.runs) {
             if (std::abs(run.start[1] - seen[0].y) > 0.1F) continue;
             found = true;
             const double longer =
@@ -418,8 +418,9 @@ TEST_P(Strokes, NothingLeaksIntoTheNextPath) {
 }
 
 TEST_P(Strokes, CapsEndWhereTheyShould) {
-    const auto pen = [&](Cap cap, Cap path_cap) {
+    const auto pen = [&](Cap cap, Cap path_cap, float drop = 0.01F) {
         FrameOptions options;
+        options.style.filter.drop = drop;
         options.style.pen.width = 12;
         options.style.pen.cap = cap;
         options.style.pen.path_cap = path_cap;
@@ -432,6 +433,10 @@ TEST_P(Strokes, CapsEndWhereTheyShould) {
     EXPECT_NEAR(butt.row(200, 200, 300), 300 - 250.6, 0.6);
     EXPECT_NEAR(butt.row(200, 20, 100), 100 - 60.2, 0.6);
     EXPECT_NEAR(butt.row(200, 300, 380), 340.7 - 300, 0.6);
+    // Where no effect needs whole strokes, visible runs fade out.
+    const Drawing plain = pen(Cap::butt, Cap::butt, 0);
+    EXPECT_NEAR(plain.row(200, 100, 200), 150.3 - 100, 2);
+    EXPECT_NEAR(plain.row(200, 20, 100), 100 - 60.2, 0.6);
     const Drawing round = pen(Cap::round, Cap::round);
     EXPECT_NEAR(round.row(200, 100, 200), 150.3 - 100 + 6, 0.6);
     EXPECT_NEAR(round.row(200, 200, 300), 300 - 250.6 + 6, 0.6);

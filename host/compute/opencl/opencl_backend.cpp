@@ -230,8 +230,8 @@ class Implementation final : public OpenClBackend {
         scan(counts, n, ScanKind::saturate);
         step(filter_write_, counts, args.filtered_capacity, args.filtered, args.filtered_record);
         const std::uint32_t most = std::max(n, args.filtered_capacity);
-        launch(filter_show_, most, tuning_.local_size, args.runs, args.record, args.filtered,
-               args.filtered_record, most, args.alpha);
+        launch(filter_show_, most, tuning_.local_size, args.table.segments, args.runs, args.record,
+               args.filtered, args.filtered_record, most, args.alpha);
     }
 
     void halo(const HaloArgs& args) override {

@@ -27,6 +27,45 @@ std::uint32_t stroke_end_kind(std::uint32_t kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
 }
 
+/// Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly.
+bool shown_across(std::span<const Segment> segments, std::span<const Run> runs, std::size_t r,
+                  bool at_end) {
+    const std::uint32_t kind =
+        runs[r].flags >> (at_end ? LA_RUN_END_SHIFT : LA_RUN_START_SHIFT) & LA_END_MASK;
+    if (kind == LA_END_HIDDEN) return false;
+    if (kind != LA_END_JOIN && kind != LA_END_ROUND) return true;
+    const std::uint32_t segment = runs[r].segment;
+    const std::uint32_t before = segments[segment].from_start, after = segments[segment].to_end;
+    std::size_t other = r;
+    if (at_end) {
+        const std::uint32_t next = after > 0 ? segment + 1 : segment - before;
+        if (after > 0) {
+            ++other;
+        } else {
+            while (other > 0 && runs[other - 1].segment >= next) --other;
+        }
+        return other < runs.size() && runs[other].segment == next && runs[other].start_sample == 0;
+    }
+    const std::uint32_t previous = before > 0 ? segment - 1 : segment + after;
+    if (before > 0) {
+        if (r == 0) return false;
+        --other;
+    } else {
+        while (other + 1 < runs.size() && runs[other + 1].segment <= previous) ++other;
+    }
+    return runs[other].segment == previous &&
+           runs[other].end_sample == static_cast<float>(runs[other].samples);
+}
+
+/// The samples at the two ends of a run.
+std::uint32_t first_sample(const Run& run) {
+    return run.start_sample > 0 ? static_cast<std::uint32_t>(run.start_sample + 0.5F) : 0;
+}
+std::uint32_t last_sample(const Run& run) {
+    if (run.end_sample >= static_cast<float>(run.samples)) return run.samples - 1;
+    return static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1;
+}
+
 /// A share from 0 to 1 that looks random but belongs to the path.
 float path_share(std::uint32_t path) {
     std::uint32_t h = path * 0x9E3779B1U;
@@ -95,9 +134,9 @@ class PathFilter {
         const auto share = [&](std::uint32_t j) {
             return static_cast<float>(in_.alpha[run.address + j]) * (1.0F / 255.0F);
         };
-        const bool starts = run.start_sample > 0, ends = run.end_sample < l;
-        const auto a = static_cast<std::uint32_t>(run.start_sample + 0.5F);
-        const auto b = static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1;
+        const bool starts = !shown_across(in_.segments, in_.runs, r, false);
+        const bool ends = !shown_across(in_.segments, in_.runs, r, true);
+        const std::uint32_t a = first_sample(run), b = last_sample(run);
         float start = 0, end = l;
         if (starts && ends && a == b) {
             start = static_cast<float>(a) + 0.5F - 0.5F * share(a);
@@ -256,8 +295,8 @@ class PathFilter {
     float overshoot_, grow_, seam_grow_ = 0;
 };
 
-void show_samples(std::span<const Run> runs, std::span<const Run> filtered,
-                  std::span<std::uint8_t> alpha) {
+void show_samples(std::span<const Segment> segments, std::span<const Run> runs,
+                  std::span<const Run> filtered, std::span<std::uint8_t> alpha) {
     for (const Run& run : filtered) {
         if ((run.flags & LA_RUN_SOLID) != 0) continue;
         const int first = std::max(static_cast<int>(std::floor(run.start_sample - 0.5F)), 0);
@@ -268,15 +307,13 @@ void show_samples(std::span<const Run> runs, std::span<const Run> filtered,
             if (sample == 0) sample = 255;
         }
     }
-    for (const Run& run : runs) {
+    for (std::size_t r = 0; r < runs.size(); ++r) {
         const auto show = [&](std::uint32_t j) {
-            std::uint8_t& sample = alpha[run.address + j];
+            std::uint8_t& sample = alpha[runs[r].address + j];
             sample = std::max<std::uint8_t>(sample, LA_FULLY_SHOWN);
         };
-        if (run.start_sample > 0) show(static_cast<std::uint32_t>(run.start_sample + 0.5F));
-        if (run.end_sample < static_cast<float>(run.samples)) {
-            show(static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1);
-        }
+        if (!shown_across(segments, runs, r, false)) show(first_sample(runs[r]));
+        if (!shown_across(segments, runs, r, true)) show(last_sample(runs[r]));
     }
 }
 
@@ -303,7 +340,7 @@ void filter(const FilterInput& in, std::span<std::uint8_t> alpha, std::span<Run>
     filtered_record.raw_run_total = record.run_total;
     if (result.size() > filtered.size()) result.clear();
     std::ranges::copy(result, filtered.begin());
-    show_samples(in.runs, result, alpha);
+    show_samples(in.segments, in.runs, result, alpha);
 }
 
 } // namespace lineatlas::compute::reference
