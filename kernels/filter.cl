@@ -180,25 +180,37 @@ static void emit_piece(Work* work, uint i, const float start, const float end, u
     const uint kinds = start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
     const float2 stroke = (float2)(start, end);
     const float around = 2.0f * work->half_length;
-    float from = start, to = end;
+    const float to = end;
+    float from = start;
     if (work->seam && from < -work->half_length - SHORTEST) {
         uint tail = work->last; /* the part before the seam lies at the end of the path */
         while (tail > work->first && segment_span(frame, tail).x > from + around &&
                goes_on(frame, tail - 1))
             --tail;
-        emit_part(work, tail, fmax(from + around, segment_span(frame, tail).x), work->half_length,
-                  start_kind, LA_END_JOIN, stroke + around, kinds);
+        const bool all = to < -work->half_length + SHORTEST;
+        emit_part(work, tail, fmax(from + around, segment_span(frame, tail).x),
+                  all ? to + around : work->half_length, start_kind, all ? end_kind : LA_END_JOIN,
+                  stroke + around, kinds);
+        if (all) return;
         from = -work->half_length;
         start_kind = LA_END_JOIN;
     }
-    const bool wraps = work->seam && to > work->half_length + SHORTEST;
-    if (wraps) to = work->half_length;
-    while (i < work->last && segment_span(frame, i).y < from && goes_on(frame, i)) ++i;
-    emit_part(work, i, from, to, start_kind, wraps ? LA_END_JOIN : end_kind, stroke, kinds);
-    if (wraps) {
-        emit_part(work, work->first, -work->half_length, end - around, LA_END_JOIN, end_kind,
+    if (work->seam && to > work->half_length + SHORTEST) {
+        const bool all = from > work->half_length - SHORTEST;
+        if (!all) {
+            while (i < work->last && segment_span(frame, i).y < from && goes_on(frame, i)) ++i;
+            emit_part(work, i, from, work->half_length, start_kind, LA_END_JOIN, stroke, kinds);
+        }
+        uint head = work->first;
+        from = all ? from - around : -work->half_length;
+        while (head < work->last && segment_span(frame, head).y < from && goes_on(frame, head))
+            ++head;
+        emit_part(work, head, from, to - around, all ? start_kind : LA_END_JOIN, end_kind,
                   stroke - around, kinds);
+        return;
     }
+    while (i < work->last && segment_span(frame, i).y < from && goes_on(frame, i)) ++i;
+    emit_part(work, i, from, to, start_kind, end_kind, stroke, kinds);
 }
 
 /* The next gap beside a nearer line that ends behind `from`; with x > y: none. */
@@ -434,8 +446,9 @@ __kernel void filter_show(__global const Segment* restrict segments,
     if (r < filtered_record->points[0] && (filtered[r].flags & LA_RUN_SOLID) == 0) {
         __global uchar* own = alpha + filtered[r].address;
         const int last_sample = (int)filtered[r].samples - 1;
-        const int first = max((int)floor(filtered[r].start_sample - 0.5f), 0);
-        const int last = min((int)floor(filtered[r].end_sample - 0.5f) + 1, last_sample);
+        /* Beyond an end of the segment its last sample counts. */
+        const int first = clamp((int)floor(filtered[r].start_sample - 0.5f), 0, last_sample);
+        const int last = clamp((int)floor(filtered[r].end_sample - 0.5f) + 1, 0, last_sample);
         for (int j = first; j <= last; ++j) {
             if (own[j] == 0) own[j] = 255;
         }

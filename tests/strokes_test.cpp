@@ -178,6 +178,7 @@ class Strokes : public testing::TestWithParam<Setting> {
         renderer_.draw(camera, options, canvas_.framebuffer());
         drawing.runs = renderer_.read_samples().runs;
         drawing.pixels = canvas_.read();
+        for (const lineatlas::Run& run : drawing.runs) EXPECT_LE(run.start_arc, run.end_arc);
         return drawing;
     }
     Drawing draw(const Scene& scene, const StrokeFilter& filter) {
@@ -290,6 +291,13 @@ TEST_P(Strokes, OvershootGoesRoundALoop) {
         const double off = std::remainder(strokes[0].from - from, length);
         EXPECT_NEAR(off, 0, 1);
         EXPECT_NEAR(strokes[0].to - strokes[0].from, length * 320 / 360 + 24, 2);
+
+        // With gaps of 4 pixels on either side of the sector's edges.
+        FrameOptions options{.lines = mask_of(LineKind::file) | mask_of(LineKind::boundary)};
+        options.style.filter = {.overshoot = 12, .halo = 3};
+        double drawn = 0;
+        for (const Stretch& s : draw(scene, options).of(loop)) drawn += s.to - s.from;
+        EXPECT_NEAR(drawn, length * 320 / 360 + 24 - 16, 2);
     }
 }
 
@@ -357,6 +365,22 @@ TEST_P(Strokes, HaloLeavesAGapBesideABox) {
     // The outline is whole.
     expect_strokes(drawing.of({{150.3F, 100, front}, {150.3F, 300, front}}), {{0, 200}}, 0.1);
     expect_strokes(drawing.of({{250.6F, 100, front}, {250.6F, 300, front}}), {{0, 200}}, 0.1);
+}
+
+TEST_P(Strokes, APieceBeyondThePathIsInked) {
+    culled_or_not(
+        [] {
+            Scene scene; // its last segment is hidden, and a wire crosses before the end
+            scene.line({{60, 200.5F, 0}, {196, 200.5F, 0}, {199, 200.5F, 0}});
+            scene.box({195.5F, 150}, {300, 250});
+            scene.line({{197, 100, 100}, {197, 300, 100}});
+            return scene;
+        },
+        [&](const Scene& scene) {
+            const Drawing drawing = draw(scene, {.overshoot = 12, .halo = 3});
+            expect_strokes(drawing.of(scene.lines[0]), {{-12, 133}, {141, 147.5}});
+            for (int x = 203; x < 206; ++x) EXPECT_GT(drawing.darkness(x, 200), 0.98) << x;
+        });
 }
 
 /// A line with 5 pixels hidden at 100 of it, and 5 visible between two boxes on another.

@@ -232,25 +232,40 @@ class PathFilter {
         const std::uint32_t kinds =
             start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
         const float around = 2 * half_length_;
-        float from = start, to = end;
+        const float to = end;
+        float from = start;
         if (seam_ && from < -half_length_ - shortest) {
             std::uint32_t tail = last_;
             while (tail > first_ && span(tail).start > from + around && frame_.goes_on(tail - 1)) {
                 --tail;
             }
-            emit_part(tail, {std::max(from + around, span(tail).start), half_length_}, start_kind,
-                      LA_END_JOIN, {start + around, end + around}, kinds);
+            const bool all = to < -half_length_ + shortest;
+            emit_part(tail,
+                      {std::max(from + around, span(tail).start), all ? to + around : half_length_},
+                      start_kind, all ? end_kind : LA_END_JOIN, {start + around, end + around},
+                      kinds);
+            if (all) return;
             from = -half_length_;
             start_kind = LA_END_JOIN;
         }
-        const bool wraps = seam_ && to > half_length_ + shortest;
-        if (wraps) to = half_length_;
-        while (i < last_ && span(i).end < from && frame_.goes_on(i)) ++i;
-        emit_part(i, {from, to}, start_kind, wraps ? LA_END_JOIN : end_kind, {start, end}, kinds);
-        if (wraps) {
-            emit_part(first_, {-half_length_, end - around}, LA_END_JOIN, end_kind,
-                      {start - around, end - around}, kinds);
+        if (seam_ && to > half_length_ + shortest) {
+            const bool all = from > half_length_ - shortest;
+            if (!all) {
+                emit_part(forward(i, from), {from, half_length_}, start_kind, LA_END_JOIN,
+                          {start, end}, kinds);
+            }
+            from = all ? from - around : -half_length_;
+            emit_part(forward(first_, from), {from, to - around}, all ? start_kind : LA_END_JOIN,
+                      end_kind, {start - around, end - around}, kinds);
+            return;
         }
+        emit_part(forward(i, from), {from, to}, start_kind, end_kind, {start, end}, kinds);
+    }
+
+    /// From segment i on the one that an arc length lies in.
+    std::uint32_t forward(std::uint32_t i, float arc) const {
+        while (i < last_ && span(i).end < arc && frame_.goes_on(i)) ++i;
+        return i;
     }
 
     /// Runs from segment i on.
@@ -299,9 +314,10 @@ void show_samples(std::span<const Segment> segments, std::span<const Run> runs,
                   std::span<const Run> filtered, std::span<std::uint8_t> alpha) {
     for (const Run& run : filtered) {
         if ((run.flags & LA_RUN_SOLID) != 0) continue;
-        const int first = std::max(static_cast<int>(std::floor(run.start_sample - 0.5F)), 0);
-        const int last = std::min(static_cast<int>(std::floor(run.end_sample - 0.5F)) + 1,
-                                  static_cast<int>(run.samples) - 1);
+        // Beyond an end of the segment its last sample counts.
+        const int most = static_cast<int>(run.samples) - 1;
+        const int first = std::clamp(static_cast<int>(std::floor(run.start_sample - 0.5F)), 0, most);
+        const int last = std::clamp(static_cast<int>(std::floor(run.end_sample - 0.5F)) + 1, 0, most);
         for (int j = first; j <= last; ++j) {
             std::uint8_t& sample = alpha[run.address + static_cast<std::uint32_t>(j)];
             if (sample == 0) sample = 255;
