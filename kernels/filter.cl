@@ -55,35 +55,6 @@ static uint stroke_end_kind(const uint kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
 }
 
-/* Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly. */
-static bool shown_across(__global const Segment* segments, __global const Run* runs,
-                         const uint run_count, const uint r, const bool at_end) {
-    const uint kind =
-        runs[r].flags >> (at_end ? LA_RUN_END_SHIFT : LA_RUN_START_SHIFT) & LA_END_MASK;
-    if (kind == LA_END_HIDDEN) return false;
-    if (kind != LA_END_JOIN && kind != LA_END_ROUND) return true;
-    const uint segment = runs[r].segment;
-    const uint before = segments[segment].from_start, after = segments[segment].to_end;
-    uint other = r;
-    if (at_end) {
-        const uint next = after > 0 ? segment + 1u : segment - before;
-        if (after > 0)
-            ++other;
-        else
-            while (other > 0 && runs[other - 1u].segment >= next) --other;
-        return other < run_count && runs[other].segment == next && runs[other].start_sample == 0.0f;
-    }
-    const uint previous = before > 0 ? segment - 1u : segment + after;
-    if (before > 0) {
-        if (r == 0) return false;
-        --other;
-    } else {
-        while (other + 1u < run_count && runs[other + 1u].segment <= previous) ++other;
-    }
-    return runs[other].segment == previous &&
-           runs[other].end_sample == (float)runs[other].samples;
-}
-
 /* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
  * where in it the end lies. */
 static Interval run_interval(const Work* work, const uint r) {

@@ -6,6 +6,7 @@
  *
  * Work-items take runs in turns: how many there are is known on the device alone. */
 
+#include "run.h"
 #include "segment_table.h"
 
 #pragma OPENCL FP_CONTRACT OFF
@@ -240,6 +241,7 @@ typedef struct Scene {
     __global const Segment* segments;
     __global const ClippedSegment* clipped;
     __global const Run* runs;
+    uint run_count;
     float width, tolerance;
 } Scene;
 
@@ -272,12 +274,13 @@ static void add_cut_of(const Scene scene, const Subject subject, const float4 li
 /* All gaps of a run that has length. */
 static void find_cuts(const Scene scene, __global const Run* run, const int2 tiles,
                       __global const uint* ends, const Lists lists, Cuts* cuts) {
-    const uint start_kind = (run->flags >> LA_RUN_START_SHIFT) & LA_END_MASK;
-    const uint end_kind = (run->flags >> LA_RUN_END_SHIFT) & LA_END_MASK;
+    const uint r = (uint)(run - scene.runs);
+    const bool hidden_before = !shown_across(scene.segments, scene.runs, scene.run_count, r, false);
+    const bool hidden_after = !shown_across(scene.segments, scene.runs, scene.run_count, r, true);
     Subject subject;
     subject.run = run;
-    subject.before = start_kind == LA_END_HIDDEN ? LA_HALO_REACH_HIDDEN : 0.0f;
-    const float after = end_kind == LA_END_HIDDEN ? LA_HALO_REACH_HIDDEN : 0.0f;
+    subject.before = hidden_before ? LA_HALO_REACH_HIDDEN : 0.0f;
+    const float after = hidden_after ? LA_HALO_REACH_HIDDEN : 0.0f;
     subject.line = lengthened(run, subject.before, after);
     subject.length = length_of(subject.line.zw - subject.line.xy);
     subject.own_length = length_of(run_way(run));
@@ -314,7 +317,7 @@ __kernel void halo_cut(__global const Segment* restrict segments,
                        __global RunCuts* restrict cuts) {
     const uint count = record->points[0];
     const Lists lists = lists_in(memory, total);
-    const Scene scene = {segments, clipped, runs, width, tolerance};
+    const Scene scene = {segments, clipped, runs, count, width, tolerance};
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         Cuts found;
         found.count = 0;

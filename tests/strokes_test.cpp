@@ -192,7 +192,8 @@ class Strokes : public testing::TestWithParam<Setting> {
 };
 
 /// Scenes once as they are and once where hidden segments are culled.
-template <class Make, class Check> void culled_or_not(Make&& make, Check&& check) {
+template <class Make, class Check>
+void culled_or_not(Make&& make, Check&& check) {
     for (const bool culled : {false, true}) {
         SCOPED_TRACE(culled ? "culled" : "not culled");
         Scene scene = make();
@@ -278,8 +279,7 @@ TEST_P(Strokes, OvershootGoesRoundALoop) {
         // A sector of 40 degrees is hidden.
         const auto corner = [&](float degrees, float radius) {
             const float angle = degrees * std::numbers::pi_v<float> / 180;
-            return glm::vec2{200.3F, 200.1F} +
-                   radius * glm::vec2{std::cos(angle), std::sin(angle)};
+            return glm::vec2{200.3F, 200.1F} + radius * glm::vec2{std::cos(angle), std::sin(angle)};
         };
         const auto a = static_cast<float>(at);
         scene.sheet({corner(a, 20), corner(a, 150), corner(a + 40, 150), corner(a + 40, 20)});
@@ -516,8 +516,7 @@ TEST_P(Strokes, HiddenLinesAreDrawnWithTheirPen) {
     EXPECT_TRUE(equal(kept.pixels, culled.pixels));
     const auto color = [&](int x) {
         const auto at = (static_cast<std::size_t>(side - 1 - 200) * side + std::size_t(x)) * 4;
-        return std::array{int{kept.pixels[at]}, int{kept.pixels[at + 1]},
-                          int{kept.pixels[at + 2]}};
+        return std::array{int{kept.pixels[at]}, int{kept.pixels[at + 1]}, int{kept.pixels[at + 2]}};
     };
     for (int x = 63; x < 338; ++x) {
         if (std::abs(x - 150) < 4 || std::abs(x - 250) < 4 || std::abs(x - 198) == 4) continue;

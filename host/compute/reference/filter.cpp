@@ -27,36 +27,6 @@ std::uint32_t stroke_end_kind(std::uint32_t kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
 }
 
-/// Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly.
-bool shown_across(std::span<const Segment> segments, std::span<const Run> runs, std::size_t r,
-                  bool at_end) {
-    const std::uint32_t kind =
-        runs[r].flags >> (at_end ? LA_RUN_END_SHIFT : LA_RUN_START_SHIFT) & LA_END_MASK;
-    if (kind == LA_END_HIDDEN) return false;
-    if (kind != LA_END_JOIN && kind != LA_END_ROUND) return true;
-    const std::uint32_t segment = runs[r].segment;
-    const std::uint32_t before = segments[segment].from_start, after = segments[segment].to_end;
-    std::size_t other = r;
-    if (at_end) {
-        const std::uint32_t next = after > 0 ? segment + 1 : segment - before;
-        if (after > 0) {
-            ++other;
-        } else {
-            while (other > 0 && runs[other - 1].segment >= next) --other;
-        }
-        return other < runs.size() && runs[other].segment == next && runs[other].start_sample == 0;
-    }
-    const std::uint32_t previous = before > 0 ? segment - 1 : segment + after;
-    if (before > 0) {
-        if (r == 0) return false;
-        --other;
-    } else {
-        while (other + 1 < runs.size() && runs[other + 1].segment <= previous) ++other;
-    }
-    return runs[other].segment == previous &&
-           runs[other].end_sample == static_cast<float>(runs[other].samples);
-}
-
 /// The samples at the two ends of a run.
 std::uint32_t first_sample(const Run& run) {
     return run.start_sample > 0 ? static_cast<std::uint32_t>(run.start_sample + 0.5F) : 0;
@@ -240,10 +210,9 @@ class PathFilter {
                 --tail;
             }
             const bool all = to < -half_length_ + shortest;
-            emit_part(tail,
-                      {std::max(from + around, span(tail).start), all ? to + around : half_length_},
-                      start_kind, all ? end_kind : LA_END_JOIN, {start + around, end + around},
-                      kinds);
+            emit_part(
+                tail, {std::max(from + around, span(tail).start), all ? to + around : half_length_},
+                start_kind, all ? end_kind : LA_END_JOIN, {start + around, end + around}, kinds);
             if (all) return;
             from = -half_length_;
             start_kind = LA_END_JOIN;
@@ -316,8 +285,10 @@ void show_samples(std::span<const Segment> segments, std::span<const Run> runs,
         if ((run.flags & LA_RUN_SOLID) != 0) continue;
         // Beyond an end of the segment its last sample counts.
         const int most = static_cast<int>(run.samples) - 1;
-        const int first = std::clamp(static_cast<int>(std::floor(run.start_sample - 0.5F)), 0, most);
-        const int last = std::clamp(static_cast<int>(std::floor(run.end_sample - 0.5F)) + 1, 0, most);
+        const int first =
+            std::clamp(static_cast<int>(std::floor(run.start_sample - 0.5F)), 0, most);
+        const int last =
+            std::clamp(static_cast<int>(std::floor(run.end_sample - 0.5F)) + 1, 0, most);
         for (int j = first; j <= last; ++j) {
             std::uint8_t& sample = alpha[run.address + static_cast<std::uint32_t>(j)];
             if (sample == 0) sample = 255;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "runs.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute::reference {
@@ -31,9 +32,8 @@ Line lengthened(const Line& line, float at_start, float at_end) {
     return {line.start - along * at_start, line.end + along * at_end};
 }
 
-float reach(const Run& run, std::uint32_t end_shift) {
-    const bool hidden = ((run.flags >> end_shift) & LA_END_MASK) == LA_END_HIDDEN;
-    return hidden ? LA_HALO_REACH_HIDDEN : 0.0F;
+float reach(const HaloInput& in, std::size_t r, bool at_end) {
+    return shown_across(in.segments, in.runs, r, at_end) ? 0.0F : LA_HALO_REACH_HIDDEN;
 }
 
 struct Crossing {
@@ -81,8 +81,9 @@ struct Lines {
     Line under, over;
     float before; ///< by which `under` is longer at its start
 
-    explicit Lines(const Run& run) : before(reach(run, LA_RUN_START_SHIFT)) {
-        under = lengthened(line_of(run), before, reach(run, LA_RUN_END_SHIFT));
+    Lines(const HaloInput& in, std::size_t r) : before(reach(in, r, false)) {
+        const Run& run = in.runs[r];
+        under = lengthened(line_of(run), before, reach(in, r, true));
         over = lengthened(line_of(run), LA_HALO_REACH_OVER, LA_HALO_REACH_OVER);
     }
 };
@@ -130,7 +131,8 @@ void halo(const HaloInput& in, std::span<RunCuts> cuts) {
     std::vector<std::vector<std::uint32_t>> passing(static_cast<std::size_t>(squares.x) *
                                                     static_cast<std::size_t>(squares.y));
     const auto has_length = [](const Run& run) { return line_of(run).way() != glm::vec2{0}; };
-    std::vector<Lines> lines(in.runs.begin(), in.runs.end());
+    std::vector<Lines> lines;
+    for (std::size_t r = 0; r < in.runs.size(); ++r) lines.emplace_back(in, r);
     for (std::uint32_t c = 0; c < in.runs.size(); ++c) {
         if (!has_length(in.runs[c])) continue;
         for_each_square(line_of(in.runs[c]), squares,

@@ -105,6 +105,35 @@ Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, floa
     return run;
 }
 
+bool shown_across(std::span<const Segment> segments, std::span<const Run> runs, std::size_t r,
+                  bool at_end) {
+    const std::uint32_t kind =
+        runs[r].flags >> (at_end ? LA_RUN_END_SHIFT : LA_RUN_START_SHIFT) & LA_END_MASK;
+    if (kind == LA_END_HIDDEN) return false;
+    if (kind != LA_END_JOIN && kind != LA_END_ROUND) return true;
+    const std::uint32_t segment = runs[r].segment;
+    const std::uint32_t before = segments[segment].from_start, after = segments[segment].to_end;
+    std::size_t other = r;
+    if (at_end) {
+        const std::uint32_t next = after > 0 ? segment + 1 : segment - before;
+        if (after > 0) {
+            ++other;
+        } else {
+            while (other > 0 && runs[other - 1].segment >= next) --other;
+        }
+        return other < runs.size() && runs[other].segment == next && runs[other].start_sample == 0;
+    }
+    const std::uint32_t previous = before > 0 ? segment - 1 : segment + after;
+    if (before > 0) {
+        if (r == 0) return false;
+        --other;
+    } else {
+        while (other + 1 < runs.size() && runs[other + 1].segment <= previous) ++other;
+    }
+    return runs[other].segment == previous &&
+           runs[other].end_sample == static_cast<float>(runs[other].samples);
+}
+
 FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t samples) {
     const auto total = static_cast<std::uint32_t>(runs);
     const std::uint32_t drawn = runs <= capacity ? total : 0;

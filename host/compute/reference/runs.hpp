@@ -42,6 +42,10 @@ End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end);
 Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
              std::uint32_t l, const End& start, const End& end);
 
+/// Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly.
+bool shown_across(std::span<const Segment> segments, std::span<const Run> runs, std::size_t r,
+                  bool at_end);
+
 FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t samples);
 
 } // namespace lineatlas::compute::reference
