@@ -433,7 +433,8 @@ __kernel void filter_show(__global const Segment* restrict segments,
             own[a] = max(own[a], (uchar)LA_FULLY_SHOWN);
         }
         if (!shown_across(segments, runs, run_count, r, true)) {
-            const uint b = (end < (float)runs[r].samples ? (uint)(end - 0.5f) : runs[r].samples) - 1u;
+            const uint l = runs[r].samples;
+            const uint b = (end < (float)l ? (uint)(end - 0.5f) : l) - 1u;
             own[b] = max(own[b], (uchar)LA_FULLY_SHOWN);
         }
     }

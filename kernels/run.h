@@ -1,4 +1,5 @@
-/* What compact, halo and filter share: making a run of a piece of a segment, and its ends. OpenCL C only. */
+/* What compact, halo and filter share: making a run of a piece of a segment, and its ends. OpenCL C
+ * only. */
 #ifndef LINEATLAS_RUN_H
 #define LINEATLAS_RUN_H
 
