@@ -63,8 +63,7 @@ static Interval run_interval(const Work* work, const uint r) {
     const float l = (float)run->samples;
     float start = run->start_sample, end = run->end_sample;
     __global const uchar* own = work->alpha + run->address;
-    const bool starts =
-        !shown_across(work->frame.segments, work->runs, work->run_count, r, false);
+    const bool starts = !shown_across(work->frame.segments, work->runs, work->run_count, r, false);
     const bool ends = !shown_across(work->frame.segments, work->runs, work->run_count, r, true);
     const uint a = start > 0.0f ? (uint)(start + 0.5f) : 0u;
     const uint b = end < l ? (uint)(end - 0.5f) - 1u : run->samples - 1u;
@@ -321,6 +320,23 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
     if (has_stroke) emit(work, stroke, filter);
 }
 
+/* out: null to count only. */
+static Work make_work(const Frame frame, __global const Run* runs, const uint run_count,
+                      __global const RunCuts* cuts, __global const uchar* alpha, const uint width,
+                      const uint pitch, __global Run* out) {
+    Work work;
+    work.frame = frame;
+    work.runs = runs;
+    work.run_count = run_count;
+    work.cuts = cuts;
+    work.alpha = alpha;
+    work.width = width;
+    work.pitch = pitch;
+    work.out = out;
+    work.count = 0;
+    return work;
+}
+
 /* Segments of the path of run r, and the run after its last one; r itself if r is not its first. */
 static uint path_end(const Frame frame, __global const Run* runs, const uint run_count,
                      const uint r, uint* first, uint* last) {
@@ -350,16 +366,7 @@ filter_count(__global const Segment* restrict segments,
     const uint run_count = record->points[0];
     if (r >= run_count) return;
     const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
-    Work work;
-    work.frame = frame;
-    work.runs = runs;
-    work.run_count = run_count;
-    work.cuts = use_cuts != 0 ? cuts : 0;
-    work.alpha = alpha;
-    work.width = width;
-    work.pitch = pitch;
-    work.out = 0;
-    work.count = 0;
+    Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch, 0);
     const uint end = path_end(frame, runs, run_count, r, &work.first, &work.last);
     if (end == r) return;
     const Filter filter = {fill, drop, overshoot, undershoot};
@@ -388,16 +395,8 @@ filter_write(__global const Segment* restrict segments,
     const uint run_count = record->points[0];
     if (r >= run_count || total > filtered_capacity) return;
     const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
-    Work work;
-    work.frame = frame;
-    work.runs = runs;
-    work.run_count = run_count;
-    work.cuts = use_cuts != 0 ? cuts : 0;
-    work.alpha = alpha;
-    work.width = width;
-    work.pitch = pitch;
-    work.out = filtered + run_offsets[r];
-    work.count = 0;
+    Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch,
+                          filtered + run_offsets[r]);
     const uint end = path_end(frame, runs, run_count, r, &work.first, &work.last);
     if (end == r) return;
     const Filter filter = {fill, drop, overshoot, undershoot};

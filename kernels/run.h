@@ -101,8 +101,7 @@ static bool shown_across(__global const Segment* segments, __global const Run* r
     } else {
         while (other + 1u < run_count && runs[other + 1u].segment <= previous) ++other;
     }
-    return runs[other].segment == previous &&
-           runs[other].end_sample == (float)runs[other].samples;
+    return runs[other].segment == previous && runs[other].end_sample == (float)runs[other].samples;
 }
 
 static float arc_pixels(const uint units) {
