@@ -349,6 +349,13 @@ static uint path_end(const Frame frame, __global const Run* runs, const uint run
     return end;
 }
 
+/* Filters the path whose first run is r; nothing for every other run. */
+static void filter_path_of(Work* work, const uint r, const Filter filter, const float variation) {
+    const uint end =
+        path_end(work->frame, work->runs, work->run_count, r, &work->first, &work->last);
+    if (end > r) filter_path(work, r, end, filter, variation);
+}
+
 /* counts[r]: runs that result of the path whose first run is r; 0 for every other run.
  * use_cuts 0: `cuts` is not read. */
 __kernel void
@@ -367,10 +374,8 @@ filter_count(__global const Segment* restrict segments,
     if (r >= run_count) return;
     const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
     Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch, 0);
-    const uint end = path_end(frame, runs, run_count, r, &work.first, &work.last);
-    if (end == r) return;
     const Filter filter = {fill, drop, overshoot, undershoot};
-    filter_path(&work, r, end, filter, variation);
+    filter_path_of(&work, r, filter, variation);
     counts[r] = work.count;
 }
 
@@ -397,10 +402,8 @@ filter_write(__global const Segment* restrict segments,
     const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
     Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch,
                           filtered + run_offsets[r]);
-    const uint end = path_end(frame, runs, run_count, r, &work.first, &work.last);
-    if (end == r) return;
     const Filter filter = {fill, drop, overshoot, undershoot};
-    filter_path(&work, r, end, filter, variation);
+    filter_path_of(&work, r, filter, variation);
 }
 
 /* A hidden sample that is drawn now becomes visible, and where visibility ended a partly visible

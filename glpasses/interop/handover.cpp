@@ -2,7 +2,7 @@
 
 namespace lineatlas::interop {
 
-void Handover::to_compute(std::initializer_list<Passed> buffers) {
+void Handover::to_compute(std::span<const Passed> buffers) {
     glFinish();
     for (const Passed& passed : buffers) passed.buffer.enter_compute(passed.bytes);
 }

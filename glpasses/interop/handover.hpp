@@ -21,7 +21,10 @@ class Handover {
   public:
     explicit Handover(compute::Backend& backend) : backend_(backend) {}
 
-    void to_compute(std::initializer_list<Passed> buffers);
+    void to_compute(std::initializer_list<Passed> buffers) {
+        to_compute({buffers.begin(), buffers.size()});
+    }
+    void to_compute(std::span<const Passed> buffers);
     void to_gl(std::initializer_list<Passed> buffers) { to_gl({buffers.begin(), buffers.size()}); }
     void to_gl(std::span<const Passed> buffers);
 

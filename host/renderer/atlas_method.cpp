@@ -231,8 +231,9 @@ void AtlasMethod::draw_strokes(Frame& frame) {
 
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
-    handover_.to_compute({{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}});
-    strokes_.begin();
+    std::vector<interop::Passed> unread{{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}};
+    strokes_.add_unread(unread);
+    handover_.to_compute(unread);
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
         project(frame);

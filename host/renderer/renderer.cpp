@@ -103,6 +103,14 @@ class Renderer::State {
         pens_.set_image(mark, std::move(image));
     }
 
+    Samples read_samples() {
+        if (!samples_drawn_) {
+            throw UsageError(
+                "renderer: read_samples() needs a frame of method atlas or itembuffer");
+        }
+        return atlas_.read_samples();
+    }
+
   private:
     FrameStats draw_method(Frame& frame) {
         switch (frame.options.method) {
@@ -119,16 +127,6 @@ class Renderer::State {
         throw UsageError("renderer: unknown method");
     }
 
-  public:
-    Samples read_samples() {
-        if (!samples_drawn_) {
-            throw UsageError(
-                "renderer: read_samples() needs a frame of method atlas or itembuffer");
-        }
-        return atlas_.read_samples();
-    }
-
-  private:
     interop::Connection connection_;
     std::optional<SceneBuffers> scene_;
     PenTextures pens_;

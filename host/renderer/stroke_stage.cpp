@@ -58,10 +58,13 @@ void StrokeStage::make_table(RunTable& table) {
     table.record = interop::make_shared_buffer(backend_, mode_, sizeof(FrameRecord));
 }
 
-void StrokeStage::begin() {
-    handover_.to_compute({{*visible_.runs, 0}, {*visible_.record, 0}});
-    if (hidden_.runs) handover_.to_compute({{*hidden_.runs, 0}, {*hidden_.record, 0}});
-    if (weights_) handover_.to_compute({{*weights_, 0}});
+void StrokeStage::add_unread(std::vector<interop::Passed>& buffers) {
+    for (RunTable* table : {&visible_, &hidden_}) {
+        if (!table->runs) continue;
+        buffers.push_back({*table->runs, 0});
+        buffers.push_back({*table->record, 0});
+    }
+    if (weights_) buffers.push_back({*weights_, 0});
 }
 
 void StrokeStage::prepare(const Frame& frame) {

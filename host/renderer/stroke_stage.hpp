@@ -28,8 +28,8 @@ class StrokeStage {
     /// Whether the frame's style needs runs of hidden samples.
     static bool draws_hidden(const Frame& frame) { return frame.options.style.hidden; }
 
-    /// Hands its tables to compute, at the start of a frame.
-    void begin();
+    /// Adds its tables, to be passed to compute at the start of a frame.
+    void add_unread(std::vector<interop::Passed>& buffers);
     /// Makes the runs, and waits for their totals.
     void make_runs(Frame& frame, const Input& input);
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
