@@ -95,6 +95,39 @@ typedef struct Run {
     float start_depth, end_depth;   /* window depth of the two ends, 0 to 1 */
 } Run;
 
+/* A piece of one segment that is visible all along, or hidden all along (§4.6): what the readback
+ * gives. Written by `intervals`, in the order of the segments and along each of them. Positions in
+ * pixels, origin at the lower left. */
+typedef struct Interval {
+    float start[2], end[2];         /* window position of its two ends */
+    float start_depth, end_depth;   /* window depth there, 0 to 1 */
+    float start_world[3];           /* and the points of the model */
+    float end_world[3];             /* that are seen there */
+    float start_arc, end_arc;       /* arc length along the path, 0 in its middle, in pixels */
+    float start_sample, end_sample; /* the ends counted in samples of the segment */
+    float alpha;                    /* mean visibility of its samples, 0 to 1 */
+    la_uint segment;                /* index into the segment table */
+    la_uint flags;                  /* LA_INTERVAL_* */
+} Interval;
+
+/* Interval.flags: whether it is visible, what either end is (LA_END_CLIPPED, JOIN, ROUND, HIDDEN:
+ * visibility changes, or PATH), and between what visibility changes there. */
+#define LA_INTERVAL_VISIBLE 1u
+#define LA_INTERVAL_START_SHIFT 1u
+#define LA_INTERVAL_END_SHIFT 4u
+#define LA_INTERVAL_START_CHANGE_SHIFT 7u
+#define LA_INTERVAL_END_CHANGE_SHIFT 9u
+#define LA_CHANGE_MASK 3u
+#define LA_CHANGE_NONE 0u
+#define LA_CHANGE_WITHIN 1u /* the middles of two samples of the segment */
+#define LA_CHANGE_HEAD 2u   /* the segment's start and the middle of its first sample */
+#define LA_CHANGE_TAIL 3u   /* the middle of its last sample and the segment's end */
+
+/* Visibility (of 255) from which on a sample belongs to a visible interval: half of its box. */
+#define LA_INTERVAL_SHOWN 128
+/* Steps by which a change of visibility is narrowed down, from one sample's length. */
+#define LA_INTERVAL_STEPS 6
+
 /* Where nearer lines leave a gap in a run: arc lengths along its path, ascending, perhaps
  * overlapping; unused ones have from = to = 0. See `halo`. */
 #define LA_MOST_CUTS 8
@@ -188,6 +221,7 @@ typedef struct FrameRecord {
 static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);
 static_assert(sizeof(Cluster) == 32 && sizeof(Run) == 80 && sizeof(FrameRecord) == 48);
 static_assert(sizeof(RunCuts) == 64);
+static_assert(sizeof(Interval) == 76);
 static_assert(offsetof(ClippedSegment, t0) == 32 && offsetof(Run, start_arc) == 32);
 } // namespace lineatlas
 #endif

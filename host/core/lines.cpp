@@ -20,6 +20,7 @@ struct Line {
     std::uint32_t face_a = LA_NO_FACE;
     std::uint32_t face_b = LA_NO_FACE;
     LineKind kind;
+    LineSource source{}; ///< from p to q
 };
 
 std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
@@ -30,14 +31,32 @@ std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
 std::vector<Line> file_lines(const WeldedMesh& mesh,
                              std::unordered_map<std::uint64_t, std::size_t>& line_of_edge) {
     std::vector<Line> lines;
-    for (const auto& polyline : mesh.polylines) {
+    for (std::size_t k = 0; k < mesh.polylines.size(); ++k) {
+        const std::vector<std::uint32_t>& polyline = mesh.polylines[k];
+        const std::vector<std::uint32_t>& sources = mesh.polyline_sources[k];
         for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
             const std::uint64_t key = edge_key(polyline[i], polyline[i + 1]);
             if (!line_of_edge.emplace(key, lines.size()).second) continue;
-            lines.push_back({.p = polyline[i], .q = polyline[i + 1], .kind = LineKind::file});
+            lines.push_back({.p = polyline[i],
+                             .q = polyline[i + 1],
+                             .kind = LineKind::file,
+                             .source = {.from = sources[i], .to = sources[i + 1]}});
         }
     }
     return lines;
+}
+
+/// The edge from p to q of a welded triangle, in the mesh that was welded.
+LineSource triangle_edge(const Mesh& mesh, const WeldedMesh& welded, std::uint32_t face,
+                         std::uint32_t p, std::uint32_t q) {
+    const glm::uvec3 corners = welded.triangles[face];
+    LineSource result{.triangle = welded.triangle_source[face]};
+    for (int i = 0; i < 3; ++i) {
+        const std::uint32_t position = mesh.triangles[result.triangle][i];
+        if (corners[i] == p) result.from = position;
+        if (corners[i] == q) result.to = position;
+    }
+    return result;
 }
 
 /// The colours of groups, and which one each triangle has.
@@ -94,6 +113,9 @@ class LineSetBuilder {
                                    .to_end = to_end,
                                    .path = result.path_count,
                                    .tag = tag});
+        const LineSource& source = line.source;
+        result.sources.push_back({reversed ? source.to : source.from,
+                                  reversed ? source.from : source.to, source.triangle});
         ++result.kind_counts[static_cast<std::size_t>(line.kind)];
     }
 
@@ -129,6 +151,9 @@ class LineSetBuilder {
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
+    std::vector<std::uint32_t> first_face; // before a neighbour stands for a sliver
+    first_face.reserve(edges.size());
+    for (const MeshEdge& edge : edges) first_face.push_back(edge.face_a);
     replace_slivers(welded, edges);
     const std::vector<glm::dvec3> normals = face_normals(welded);
 
@@ -136,7 +161,8 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     std::vector<Line> candidates;
     std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
     if ((options.kinds & mask_of(LineKind::file)) != 0) fixed = file_lines(welded, line_of_edge);
-    for (const MeshEdge& edge : edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const MeshEdge& edge = edges[i];
         if (!line_of_edge.empty()) {
             const auto found = line_of_edge.find(edge_key(edge.p, edge.q));
             if (found != line_of_edge.end()) {
@@ -148,7 +174,8 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
         const std::optional<LineKind> kind = classify(edge, welded, normals, options);
         if (!kind) continue;
         (*kind == LineKind::silhouette ? candidates : fixed)
-            .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kind});
+            .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kind,
+                        triangle_edge(mesh, welded, first_face[i], edge.p, edge.q)});
     }
 
     std::vector<ChainEdge> to_chain;
@@ -160,6 +187,7 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     builder.count_vertices(fixed);
     builder.count_vertices(candidates);
     builder.result.segments.reserve(fixed.size() + candidates.size());
+    builder.result.sources.reserve(fixed.size() + candidates.size());
     builder.append_paths(fixed, chain_edges(welded.vertices, to_chain, options.chain_angle));
     builder.append_candidates(candidates);
 

@@ -121,6 +121,7 @@ WeldedMesh weld(const Mesh& mesh) {
     keys.reserve(mesh.triangles.size());
     result.triangles.reserve(mesh.triangles.size());
     result.triangle_group.reserve(mesh.triangles.size());
+    result.triangle_source.reserve(mesh.triangles.size());
 
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3 source = mesh.triangles[i];
@@ -132,15 +133,20 @@ WeldedMesh weld(const Mesh& mesh) {
         if (seen.find_or_add(key, fresh, mix(key.x, key.y, key.z), keys) != fresh) continue;
         keys.push_back(key);
         result.triangles.push_back(triangle);
+        result.triangle_source.push_back(static_cast<std::uint32_t>(i));
         result.triangle_group.push_back(mesh.triangle_group.empty() ? 0 : mesh.triangle_group[i]);
     }
     for (const auto& polyline : mesh.polylines) {
-        std::vector<std::uint32_t> welded;
+        std::vector<std::uint32_t> welded, sources;
         for (const std::uint32_t index : polyline) {
             const std::uint32_t vertex = weld_vertex(index);
-            if (welded.empty() || welded.back() != vertex) welded.push_back(vertex);
+            if (!welded.empty() && welded.back() == vertex) continue;
+            welded.push_back(vertex);
+            sources.push_back(index);
         }
-        if (welded.size() > 1) result.polylines.push_back(std::move(welded));
+        if (welded.size() < 2) continue;
+        result.polylines.push_back(std::move(welded));
+        result.polyline_sources.push_back(std::move(sources));
     }
     result.vertices = std::move(weld_vertex.vertices);
     drop_unused_vertices(result);

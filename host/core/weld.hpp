@@ -15,6 +15,9 @@ struct WeldedMesh {
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> triangle_group; ///< per triangle; 0 where the mesh has no groups
     std::vector<std::vector<std::uint32_t>> polylines; ///< repeated neighbours removed
+    std::vector<std::uint32_t> triangle_source;        ///< index into Mesh::triangles
+    /// Per polyline, per vertex: index into Mesh::positions.
+    std::vector<std::vector<std::uint32_t>> polyline_sources;
 };
 
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and

@@ -39,12 +39,20 @@ struct LineOptions {
     float chain_angle = 1.134464F;
 };
 
+/// Where a segment lies in the `Mesh` that it was extracted from.
+struct LineSource {
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    std::uint32_t from = none, to = none; ///< indices into Mesh::positions, from p to q
+    std::uint32_t triangle = none; ///< into Mesh::triangles, has both; none for a file's polyline
+};
+
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
 /// pipeline.
 struct LineSet {
     std::vector<glm::vec3> vertices;   ///< welded: no two are equal, each is used
     std::vector<glm::uvec3> triangles; ///< into `vertices`; no duplicates, no repeated corners
     std::vector<Segment> segments;     ///< paths one after the other; silhouette candidates last
+    std::vector<LineSource> sources;   ///< per segment
     std::uint32_t path_count = 0;      ///< `Segment::path` is below this
     std::array<std::uint32_t, LA_KIND_COUNT> kind_counts{}; ///< segments per kind
     Bounds bounds;                                          ///< of `vertices`

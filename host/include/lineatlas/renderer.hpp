@@ -41,6 +41,13 @@ struct DeviceOptions {
     std::string interop{};          ///< "gl-sharing", "host-pointer", "copy" or "": chosen
 };
 
+/// What a frame keeps for `Renderer::read_intervals`.
+enum class KeptIntervals {
+    none,
+    visible, ///< visible pieces of lines
+    all,     ///< hidden ones too: together the whole of every line inside the picture
+};
+
 /// How a frame is drawn.
 struct FrameOptions {
     Method method = Method::atlas;
@@ -62,6 +69,9 @@ struct FrameOptions {
     /// Average visibility with that of the frame before where the picture moves slowly, so that
     /// lines don't sparkle. A still picture, or the first after a jump, is not touched. Atlas only.
     bool steady = true;
+    KeptIntervals intervals = KeptIntervals::none; ///< atlas only
+    /// Draw the picture; without it a frame is only computed, for its intervals.
+    bool draw = true;
     bool measure_stages = false; ///< wait after every stage and report its time; slower
 };
 
@@ -118,6 +128,12 @@ class Renderer {
         std::vector<Run> runs;
     };
     Samples read_samples();
+
+    /// The visible pieces of the lines of the last frame (`FrameOptions::intervals`; with `all` the
+    /// hidden ones too), in order of LineSet::segments and along each, with their ends between the
+    /// samples where the depth buffer has them. The same on every device up to rounding. Only these
+    /// come out of the device; waits for it. Throws UsageError if the last frame kept none.
+    std::vector<Interval> read_intervals();
 
   private:
     class State;
