@@ -129,10 +129,13 @@ std::vector<Contestant> contestants(const Arguments& a) {
         if (method_spec(name).method == Method::opengl) {
             throw UsageError("--methods: OGL has no visibility samples to measure");
         }
+        if (method_spec(name).reads_back) {
+            throw UsageError("--methods: " + name + " has the samples of SAhi");
+        }
     }
     std::vector<Contestant> result;
     for (const MethodSpec& spec : method_specs()) {
-        if (spec.method == Method::opengl) continue;
+        if (spec.method == Method::opengl || spec.reads_back) continue;
         if (!a.methods.empty() && std::ranges::find(a.methods, spec.name) == a.methods.end()) {
             continue;
         }
