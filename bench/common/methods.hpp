@@ -14,7 +14,7 @@ struct MethodSpec {
     Method method;
     std::uint32_t probes;
     int depth_scale;
-    bool silhouettes; ///< finds silhouettes itself; the others are left out of the "+s" rows
+    bool silhouettes;        ///< finds silhouettes itself; the others are left out of the "+s" rows
     bool reads_back = false; ///< the visible intervals of every frame (§4.6)
 };
 
