@@ -4,15 +4,19 @@
 #include <numbers>
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
+#include "description.hpp"
 #include "draw_stats.hpp"
-#include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/image_writer.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "picture_options.hpp"
+#include "picture_output.hpp"
+#include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
 
@@ -39,6 +43,8 @@ struct DrawArguments {
     std::string atlas_layout = "wrap";
     std::string stroke_shader = "geometry";
     StyleOptions style;
+    SequenceOptions sequence;
+    PictureOptions picture;
     DeviceOptions device;
     bool stats = false;
     int repeat = 1;
@@ -53,7 +59,6 @@ T choose(std::string_view option, const std::string& value, const std::map<std::
     throw UsageError(fmt::format("{} \"{}\" is unknown; there is {}", option, value, names));
 }
 
-/// Everything that can be wrong on the command line alone is found before any work starts.
 FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
     const Method method = choose<Method>("--method", arguments.method,
                                          {{"atlas", Method::atlas},
@@ -91,6 +96,11 @@ struct Subject {
     View view;
 };
 
+Axis vertical_axis(const Subject& subject, glm::vec3 up) {
+    return {.point = 0.5F * (subject.lines.bounds.min + subject.lines.bounds.max),
+            .direction = glm::normalize(up)};
+}
+
 Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
     const LineOptions line_options{.kinds = parse_lines("--lines", arguments.lines),
                                    .crease_angle = arguments.crease * radians_per_degree};
@@ -103,7 +113,10 @@ Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
     for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
     Subject subject{arguments.model, extract_lines(loaded.mesh, line_options), {}};
     const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
-    subject.view = frame_points(subject.lines.vertices, size, up, fov);
+    const std::vector<glm::vec3>& points = subject.lines.vertices;
+    subject.view = arguments.sequence.turns()
+                       ? frame_points(swept(points, vertical_axis(subject, up)), size, up, fov)
+                       : frame_points(points, size, up, fov);
     return subject;
 }
 
@@ -118,37 +131,66 @@ void apply_camera(const DrawArguments& arguments, const CLI::App& app, View& vie
     if (app.count("--fov") > 0) view.fov_y = arguments.fov * radians_per_degree;
 }
 
-void draw(const DrawArguments& arguments, const CLI::App& app) {
+/// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
+std::vector<SequenceFrame> sequence_frames(const DrawArguments& arguments, const Subject& subject,
+                                           glm::ivec2 size) {
+    if (!arguments.sequence.given(arguments.output)) return {};
+    Axis axis = vertical_axis(subject, subject.view.up);
+    if (!arguments.target.empty()) axis.point = subject.view.target;
+    return arguments.sequence.frames(arguments.output, subject.view, axis, size,
+                                     subject.lines.bounds);
+}
+
+/// Everything that can be wrong on the command line alone is found before any work starts.
+void check_arguments(const DrawArguments& arguments) {
     if (arguments.model.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
+    if (arguments.sequence.given(arguments.output) && arguments.stats) {
+        throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
+    }
+    check_image_path(arguments.output);
+    arguments.picture.check(arguments.output);
+}
+
+void draw(const DrawArguments& arguments, const CLI::App& app) {
+    check_arguments(arguments);
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const Style style = arguments.style.style();
-    const FrameOptions options = frame_options(arguments, style);
-    if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
-    ImageWriter writer{arguments.output}; // before anything starts a thread
+    FrameOptions options = frame_options(arguments, style);
+    ImageWriter writer; // before anything starts a thread
     const std::map<std::string, Image> pen_images = read_pen_images(style);
 
     Subject subject = load_subject(arguments, size);
     apply_camera(arguments, app, subject.view);
-    const Camera camera = make_camera(subject.view, size, subject.lines.bounds);
+    const std::vector<SequenceFrame> frames = sequence_frames(arguments, subject, size);
+    // A frame of a sequence is the same whatever was drawn before it.
+    if (!frames.empty()) options.steady = false;
 
     const gl::HeadlessContext context;
-    gl::Canvas canvas{size};
     Renderer renderer{arguments.device};
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);
-    const glm::vec4 paper{style.paper.color, 1};
-    canvas.clear(paper);
-    renderer.draw(camera, options, canvas.framebuffer());
-    writer.write({.size = size, .channels = 4, .pixels = canvas.read()});
+    ImageSettings settings = arguments.picture.settings();
+    settings.description = describe_drawing(app, arguments.model);
+    PictureOutput output{{.size = size,
+                          .options = options,
+                          .settings = settings,
+                          .transparent = arguments.picture.transparent()},
+                         renderer,
+                         writer};
+    if (!frames.empty()) return draw_sequence(frames, output, arguments.sequence.resume());
+    const Camera camera = make_camera(subject.view, size, subject.lines.bounds);
+    output.draw(camera, arguments.output);
+    output.finish();
     if (arguments.stats) {
-        measure_and_print({.name = subject.name,
-                           .camera = camera,
-                           .options = options,
-                           .paper = paper,
-                           .repeat = arguments.repeat},
-                          renderer, canvas);
+        measure_and_print(
+            {.name = subject.name,
+             .options = options,
+             .repeat = arguments.repeat,
+             .draw = [&](const FrameOptions& wanted) { return output.draw(camera, wanted); }},
+            renderer);
     }
 }
 
@@ -215,6 +257,8 @@ Command setup_draw(CLI::App& app) {
         ->group(visibility);
 
     a.style.declare(app);
+    a.sequence.declare(app);
+    a.picture.declare(app);
 
     const std::string device = "Device";
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference (plain C++)")
@@ -238,6 +282,7 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw chair.obj -o chair.png\n"
                "  lineatlas draw part.stl -o part.png --up z --style pencil --width 3\n"
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
+               "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20");
     return [arguments, &app] { draw(*arguments, app); };
 }
