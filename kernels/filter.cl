@@ -39,11 +39,11 @@ typedef struct Work {
 } Work;
 
 /* A visible interval of a path. */
-typedef struct Interval {
+typedef struct Stretch {
     float start, end; /* arc lengths */
     uint start_kind, end_kind;
     uint first_run, last_run;
-} Interval;
+} Stretch;
 
 static float2 segment_span(const Frame frame, const uint i) {
     const float start = segment_arc(frame, i);
@@ -57,7 +57,7 @@ static uint stroke_end_kind(const uint kind) {
 
 /* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
  * where in it the end lies. */
-static Interval run_interval(const Work* work, const uint r) {
+static Stretch run_interval(const Work* work, const uint r) {
     __global const Run* run = work->runs + r;
     const float2 span = segment_span(work->frame, run->segment);
     const float l = (float)run->samples;
@@ -77,7 +77,7 @@ static Interval run_interval(const Work* work, const uint r) {
         if (ends) end = (float)b + share_b;
     }
     const float per_sample = (span.y - span.x) / l;
-    Interval interval;
+    Stretch interval;
     interval.start = starts ? span.x + start * per_sample : span.x;
     interval.end = ends ? span.x + end * per_sample : span.y;
     interval.start_kind = stroke_end_kind(run->flags >> LA_RUN_START_SHIFT & LA_END_MASK);
@@ -184,7 +184,7 @@ static void emit_piece(Work* work, uint i, const float start, const float end, u
 }
 
 /* The next gap beside a nearer line that ends behind `from`; with x > y: none. */
-static float2 next_cut(const Work* work, const Interval interval, const float from) {
+static float2 next_cut(const Work* work, const Stretch interval, const float from) {
     float2 next = (float2)(INFINITY, -INFINITY);
     if (work->cuts == 0) return next;
     for (uint r = interval.first_run; r <= interval.last_run; ++r) {
@@ -197,7 +197,7 @@ static float2 next_cut(const Work* work, const Interval interval, const float fr
 }
 
 /* A stroke to its final length, and the runs of it. */
-static void emit(Work* work, const Interval interval, const Filter filter) {
+static void emit(Work* work, const Stretch interval, const Filter filter) {
     const Frame frame = work->frame;
     float start = interval.start, end = interval.end;
     uint start_kind = interval.start_kind, end_kind = interval.end_kind;
@@ -271,9 +271,9 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
     work->last_run = r_end - 1;
 
     bool has_stroke = false, has_current = false;
-    Interval stroke, current;
+    Stretch stroke, current;
     for (uint r = r_first; r <= r_end; ++r) {
-        Interval next;
+        Stretch next;
         bool merges = false;
         if (r < r_end) {
             next = run_interval(work, r);
@@ -338,8 +338,8 @@ static Work make_work(const Frame frame, __global const Run* runs, const uint ru
 }
 
 /* Segments of the path of run r, and the run after its last one; r itself if r is not its first. */
-static uint path_end(const Frame frame, __global const Run* runs, const uint run_count,
-                     const uint r, uint* first, uint* last) {
+static uint path_runs_end(const Frame frame, __global const Run* runs, const uint run_count,
+                          const uint r, uint* first, uint* last) {
     const uint segment = runs[r].segment;
     *first = segment - frame.segments[segment].from_start;
     *last = segment + frame.segments[segment].to_end;
@@ -352,7 +352,7 @@ static uint path_end(const Frame frame, __global const Run* runs, const uint run
 /* Filters the path whose first run is r; nothing for every other run. */
 static void filter_path_of(Work* work, const uint r, const Filter filter, const float variation) {
     const uint end =
-        path_end(work->frame, work->runs, work->run_count, r, &work->first, &work->last);
+        path_runs_end(work->frame, work->runs, work->run_count, r, &work->first, &work->last);
     if (end > r) filter_path(work, r, end, filter, variation);
 }
 

@@ -55,21 +55,28 @@ static uint join(const float2 own, const float2 other, const float room, const f
     return LA_END_JOIN;
 }
 
-/* One end of segment i: at_end 0 is p', 1 is q'. */
+/* What lies at one end of segment i (at_end 0: p', 1: q'): LA_END_CLIPPED, LA_END_PATH, or
+ * LA_END_JOIN where the path goes on in segment `neighbour`. */
+static uint path_end(const Frame frame, const uint i, const uint at_end, uint* neighbour) {
+    const bool clipped = at_end != 0 ? frame.clipped[i].t1 < 1.0f : frame.clipped[i].t0 > 0.0f;
+    if (clipped) return LA_END_CLIPPED;
+    const uint before = frame.segments[i].from_start;
+    const uint after = frame.segments[i].to_end;
+    const bool last = at_end != 0 ? after == 0 : before == 0;
+    if (last && (frame.segments[i].tag & LA_TAG_CLOSED) == 0) return LA_END_PATH;
+    *neighbour = at_end != 0 ? (last ? i - before : i + 1) : (last ? i + after : i - 1);
+    /* Arc lengths, not sample counts: a neighbour that is hidden whole has no samples. */
+    return frame.arcs[*neighbour + 1] != frame.arcs[*neighbour] ? LA_END_JOIN : LA_END_CLIPPED;
+}
+
+/* One end of segment i as strokes meet it. */
 static uint segment_end(const Frame frame, const uint i, const uint at_end, const float2 direction,
                         float2* corner) {
     *corner = (float2)(0.0f, 0.0f);
-    const uint tag = frame.segments[i].tag;
-    const uint before = frame.segments[i].from_start;
-    const uint after = frame.segments[i].to_end;
-    const bool clipped = at_end != 0 ? frame.clipped[i].t1 < 1.0f : frame.clipped[i].t0 > 0.0f;
-    if (clipped) return LA_END_CLIPPED;
-    const bool last = at_end != 0 ? after == 0 : before == 0;
-    if (last && (tag & LA_TAG_CLOSED) == 0) return LA_END_PATH;
-    const uint neighbour = at_end != 0 ? (last ? i - before : i + 1) : (last ? i + after : i - 1);
-    /* Arc lengths, not sample counts: a neighbour that is hidden whole has no samples. */
+    uint neighbour;
+    const uint kind = path_end(frame, i, at_end, &neighbour);
+    if (kind != LA_END_JOIN) return kind;
     const uint neighbour_length = frame.arcs[neighbour + 1] - frame.arcs[neighbour];
-    if (neighbour_length == 0) return LA_END_CLIPPED;
     const uint own_length = frame.arcs[i + 1] - frame.arcs[i];
     const float room = (float)min(own_length, neighbour_length) * (1.0f / LA_ARC_UNITS_PER_PIXEL);
     const float2 other = window_direction(frame.clipped + neighbour, frame.viewport);
@@ -116,28 +123,41 @@ static float segment_arc(const Frame frame, const uint i) {
     return arc_pixels(frame.arcs[i] - frame.arcs[first]) - half_path;
 }
 
-/* Fills in the places of a run between two positions counted in samples of segment i; its flags,
- * corners, stroke and address are the caller's. `l` is the segment's sample count or, if it has
- * none, any number in which the positions are counted. */
-static void place_run(const Frame frame, const uint i, const float start_sample,
-                      const float end_sample, const uint l, __global Run* run) {
+/* A position on a segment. */
+typedef struct Place {
+    float2 position; /* in the window */
+    float depth, arc;
+} Place;
+
+/* The place at a position counted in samples of segment i, of which it has `l` or, if it has none,
+ * any number in which positions are counted. */
+static Place place_at(const Frame frame, const uint i, const float sample, const uint l) {
     const float2 p = window_position(frame.clipped[i].p, frame.viewport);
     const float2 q = window_position(frame.clipped[i].q, frame.viewport);
     const float depth_p = window_depth(frame.clipped[i].p);
     const float depth_q = window_depth(frame.clipped[i].q);
-    const float arc = segment_arc(frame, i);
-    const float length_px = arc_pixels(frame.arcs[i + 1] - frame.arcs[i]);
-    const float u0 = start_sample / (float)l;
-    const float u1 = end_sample / (float)l;
-    vstore2(p + (q - p) * u0, 0, run->start);
+    const float u = sample / (float)l;
+    Place place;
     /* Exactly where the next segment starts. */
-    vstore2(u1 == 1.0f ? q : p + (q - p) * u1, 0, run->end);
-    run->start_arc = arc + length_px * u0;
-    run->end_arc = arc + length_px * u1;
+    place.position = u == 1.0f ? q : p + (q - p) * u;
+    place.depth = depth_p + (depth_q - depth_p) * u;
+    place.arc = segment_arc(frame, i) + arc_pixels(frame.arcs[i + 1] - frame.arcs[i]) * u;
+    return place;
+}
+
+/* Fills in the places of a run; its flags, corners, stroke and address are the caller's. */
+static void place_run(const Frame frame, const uint i, const float start_sample,
+                      const float end_sample, const uint l, __global Run* run) {
+    const Place start = place_at(frame, i, start_sample, l);
+    const Place end = place_at(frame, i, end_sample, l);
+    vstore2(start.position, 0, run->start);
+    vstore2(end.position, 0, run->end);
+    run->start_arc = start.arc;
+    run->end_arc = end.arc;
     run->start_sample = start_sample;
     run->end_sample = end_sample;
-    run->start_depth = depth_p + (depth_q - depth_p) * u0;
-    run->end_depth = depth_p + (depth_q - depth_p) * u1;
+    run->start_depth = start.depth;
+    run->end_depth = end.depth;
     run->samples = l;
     run->segment = i;
 }

@@ -55,6 +55,27 @@ bool close(const RunCuts& a, const RunCuts& b) {
     return true;
 }
 
+bool close(const Interval& a, const Interval& b) {
+    constexpr float pixel = 1e-3F;
+    for (int i = 0; i < 2; ++i) {
+        if (!close(a.start[i], b.start[i], 1e-5F, pixel) ||
+            !close(a.end[i], b.end[i], 1e-5F, pixel)) {
+            return false;
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (!close(a.start_world[i], b.start_world[i], 1e-5F, 1e-4F) ||
+            !close(a.end_world[i], b.end_world[i], 1e-5F, 1e-4F)) {
+            return false;
+        }
+    }
+    return close(a.start_arc, b.start_arc, 1e-5F, pixel) &&
+           close(a.end_arc, b.end_arc, 1e-5F, pixel) && close(a.start_depth, b.start_depth) &&
+           close(a.end_depth, b.end_depth) && close(a.start_sample, b.start_sample, 1e-5F, pixel) &&
+           close(a.end_sample, b.end_sample, 1e-5F, pixel) && close(a.alpha, b.alpha) &&
+           a.segment == b.segment && a.flags == b.flags;
+}
+
 ByteDifference compare_bytes(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
                              int allowed) {
     if (a.size() != b.size()) {

@@ -48,6 +48,9 @@ bool close(const Run& a, const Run& b);
 /// Whether two runs have the same gaps, within a thousandth of a pixel.
 bool close(const RunCuts& a, const RunCuts& b);
 
+/// Whether two intervals agree: integers exactly, floats within a thousandth of a pixel.
+bool close(const Interval& a, const Interval& b);
+
 /// How two arrays of 8-bit values differ.
 struct ByteDifference {
     std::size_t count = 0;  ///< values compared

@@ -111,6 +111,32 @@ TEST(Compare, RunsDifferInEveryField) {
     }
 }
 
+TEST(Compare, IntervalsDifferInAnyField) {
+    const Interval a{.start = {1, 2},
+                     .end = {3, 4},
+                     .start_depth = 0.5F,
+                     .end_depth = 0.6F,
+                     .start_world = {1, 2, 3},
+                     .end_world = {4, 5, 6},
+                     .start_arc = 7,
+                     .end_arc = 8,
+                     .start_sample = 9,
+                     .end_sample = 10,
+                     .alpha = 0.5F,
+                     .segment = 3,
+                     .flags = 1};
+    EXPECT_TRUE(close(a, a));
+    constexpr std::size_t floats = 17; // then two integers
+    for (std::size_t field = 0; field < floats + 2; ++field) {
+        auto words = std::bit_cast<std::array<std::uint32_t, floats + 2>>(a);
+        words[field] =
+            field < floats
+                ? std::bit_cast<std::uint32_t>(std::bit_cast<float>(words[field]) + 0.01F)
+                : words[field] + 1;
+        EXPECT_FALSE(close(a, std::bit_cast<Interval>(words))) << "field " << field;
+    }
+}
+
 TEST(Compare, BytesCountWhatLiesBeyondTheStep) {
     std::vector<std::uint8_t> a(1000, 100);
     std::vector<std::uint8_t> b = a;

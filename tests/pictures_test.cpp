@@ -264,7 +264,7 @@ class Planted : public Pictures {
 };
 
 TEST_F(Planted, InTheAtlasKernelIsSeenBesideTheRasterForm) {
-    const PlantedError error{"atlas.cl", "sees = seen >= -before", "sees = seen >= before"};
+    const PlantedError error{"probe.h", "sees = seen >= -before", "sees = seen >= before"};
     EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
                                draw_clevis({.atlas = AtlasForm::compute})));
 }

@@ -31,6 +31,7 @@ struct FrameState {
     std::vector<std::uint32_t> counts, lengths; ///< after project_clip
     std::vector<std::uint32_t> offsets, arcs;   ///< after scan
     std::vector<std::uint8_t> alpha;
+    std::vector<Interval> intervals;
     std::vector<Run> runs;
     FrameRecord record{};
     std::vector<RunCuts> cuts;
@@ -180,6 +181,33 @@ class Stages {
                                 .record = *record});
         state.record = read_back<FrameRecord>(*backend_, *record, 1)[0];
         state.runs = read_back<Run>(*backend_, *runs, state.record.points[0]);
+    }
+
+    void intervals(const Camera& camera, const std::vector<float>& depth, const AtlasLayout& layout,
+                   bool hidden_too, FrameState& state) {
+        set(clipped_, state.clipped);
+        set(offsets_, state.offsets);
+        set(arcs_, state.arcs);
+        const auto alpha = to_device(*backend_, state.alpha);
+        const auto depth_buffer = to_device(*backend_, depth);
+        const auto table = backend_->allocate(run_capacity * sizeof(Interval));
+        const auto total = backend_->allocate(sizeof(std::uint32_t));
+        backend_->intervals({.table = this->table(),
+                             .clipped = {*clipped_, *offsets_, *arcs_},
+                             .alpha = *alpha,
+                             .layout = layout,
+                             .capacity = state.offsets.back(),
+                             .viewport = glm::vec2{camera.size},
+                             .depth = *depth_buffer,
+                             .depth_size = camera.size * depth_scale,
+                             .depth_scale = depth_scale,
+                             .tolerance = depth_tolerance(camera),
+                             .hidden_too = hidden_too,
+                             .intervals = *table,
+                             .interval_capacity = run_capacity,
+                             .total = *total});
+        const std::uint32_t count = read_back<std::uint32_t>(*backend_, *total, 1)[0];
+        state.intervals = read_back<Interval>(*backend_, *table, count);
     }
 
     /// Of the runs in `state`.
@@ -412,6 +440,15 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             EXPECT_EQ(seen.record.quads[1], seen.record.run_total);
             EXPECT_GT(seen.record.run_total, 0U);
             EXPECT_TRUE(all_close(expected.runs, seen.runs));
+            for (const bool hidden_too : {false, true}) {
+                reference.intervals(camera, depth, layout, hidden_too, expected);
+                device.intervals(camera, depth, layout, hidden_too, seen);
+                ASSERT_EQ(expected.intervals.size(), seen.intervals.size());
+                EXPECT_GT(seen.intervals.size(), 0U);
+                // Where two steps of a search tie, rounding decides.
+                EXPECT_LE(different(expected.intervals, seen.intervals),
+                          expected.intervals.size() / 1000);
+            }
             compare_effects(reference, device, camera, layout, expected);
         }
     }
@@ -471,6 +508,8 @@ TEST_P(StagesTest, NoSegmentsAtAll) {
     device.compact(camera, layout, state);
     EXPECT_EQ(state.record.run_total, 0U);
     EXPECT_EQ(state.record.points[0], 0U);
+    device.intervals(camera, std::vector<float>(64 * 48 * 4, 1.0F), layout, true, state);
+    EXPECT_TRUE(state.intervals.empty());
     device.halo(camera, state);
     device.density(camera, layout, state);
     EXPECT_TRUE(equal(state.weights, std::vector<float>(state.weights.size(), 1.0F)));

@@ -198,6 +198,25 @@ struct DensityArgs {
     Buffer& weights; ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
 };
 
+/// Visible and hidden pieces of segments, for the readback (§4.6).
+struct IntervalsArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    Buffer& alpha;
+    AtlasLayout layout;
+    std::uint32_t capacity; ///< samples that `alpha` has room for
+    glm::vec2 viewport;     ///< pixels
+    Buffer& depth;          ///< as in AtlasArgs
+    glm::ivec2 depth_size;
+    float depth_scale;
+    float tolerance;
+    /// Hidden pieces too; then ClippedTable::clipped must be there for hidden segments.
+    bool hidden_too;
+    Buffer& intervals; ///< out: `Interval` each; none if there are more than it has room for
+    std::uint32_t interval_capacity;
+    Buffer& total; ///< out: one uint32, how many there are
+};
+
 struct CompactSamplesArgs {
     Buffer& alpha;
     std::uint32_t count;  ///< bytes of alpha to look at
@@ -240,6 +259,7 @@ class Backend {
     virtual void filter(const FilterArgs& args) = 0;
     virtual void halo(const HaloArgs& args) = 0; ///< waits: the host sizes a table of its own
     virtual void density(const DensityArgs& args) = 0;
+    virtual void intervals(const IntervalsArgs& args) = 0;
     virtual void compact_samples(const CompactSamplesArgs& args) = 0;
 
     virtual void flush() = 0;  ///< starts what was submitted

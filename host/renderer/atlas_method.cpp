@@ -23,7 +23,8 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raster_is_faster_(!interop::gl_is_software()), depth_(connection), strokes_(connection) {
+      raster_is_faster_(!interop::gl_is_software()), depth_(connection), strokes_(connection),
+      intervals_(backend_) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_texture_);
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -66,6 +67,7 @@ void AtlasMethod::prepare(const Frame& frame) {
               frame.options.atlas == AtlasForm::raster ||
               (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
     cull_hidden_ = frame.culls_hidden();
+    keeps_intervals_ = IntervalStage::wanted(frame);
 }
 
 void AtlasMethod::project(Frame& frame) {
@@ -81,7 +83,7 @@ void AtlasMethod::project(Frame& frame) {
         .tile_count = compute::tiles_for(depth_.pass().size()),
         .depth_scale = static_cast<float>(frame.options.depth_scale),
         .tolerance = frame.depth_tolerance(),
-        .keep_clipped = StrokeStage::draws_hidden(frame)};
+        .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
         backend_.project_clip(
             {.table = frame.scene.table(),
@@ -210,7 +212,8 @@ bool AtlasMethod::grow_atlas() {
 
 bool AtlasMethod::grow() {
     const bool atlas_grown = grow_atlas();
-    return strokes_.grow() || atlas_grown;
+    const bool intervals_grown = intervals_.grow();
+    return strokes_.grow() || intervals_grown || atlas_grown;
 }
 
 void AtlasMethod::draw_strokes(Frame& frame) {
@@ -219,14 +222,18 @@ void AtlasMethod::draw_strokes(Frame& frame) {
         frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
     else
         frame.backdrop.draw_fill(frame, frame.options.style.fill);
+    hand_to_gl(frame, layout_.texels(strokes_.sample_total()));
+    strokes_.draw(frame, alpha_->gl());
+}
+
+void AtlasMethod::hand_to_gl(Frame& frame, std::size_t alpha_bytes) {
     frame.clock("handover", [&] {
         std::vector<interop::Passed> buffers{
-            {*clipped_, 0}, {*offsets_, 0}, {*alpha_, layout_.texels(strokes_.sample_total())}};
+            {*clipped_, 0}, {*offsets_, 0}, {*alpha_, alpha_bytes}};
         strokes_.add_to_handover(buffers);
         handover_.to_gl(buffers);
         if (reads_depth()) depth_.take_back();
     });
-    strokes_.draw(frame, alpha_->gl());
 }
 
 FrameStats AtlasMethod::draw(Frame& frame) {
@@ -247,12 +254,20 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     do {
         sample(frame);
         steady(frame);
+        intervals_.find(frame, {.clipped = clipped_table(),
+                                .alpha = alpha_->compute(),
+                                .layout = layout_,
+                                .capacity = sample_capacity_,
+                                .depth = depth_});
         strokes_.make_runs(frame, {.clipped = clipped_table(),
                                    .alpha = alpha_->compute(),
                                    .layout = layout_,
                                    .capacity = sample_capacity_});
     } while (grow());
-    draw_strokes(frame);
+    if (frame.options.draw)
+        draw_strokes(frame);
+    else
+        hand_to_gl(frame, 0);
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),
             .segments = segment_count_,

@@ -9,6 +9,7 @@
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
+#include "interval_stage.hpp"
 #include "item_buffer_sampler.hpp"
 #include "stroke_stage.hpp"
 
@@ -24,6 +25,7 @@ class AtlasMethod {
     void set_scene(const SceneBuffers& scene);
     FrameStats draw(Frame& frame);
     Renderer::Samples read_samples();
+    std::vector<Interval> read_intervals() { return intervals_.read(); }
 
   private:
     using SharedBuffer = interop::SharedBuffer;
@@ -39,12 +41,14 @@ class AtlasMethod {
     bool grow();
     bool grow_atlas();
     void draw_strokes(Frame& frame);
+    /// Ends the frame's computing. alpha_bytes: what GL reads of the atlas.
+    void hand_to_gl(Frame& frame, std::size_t alpha_bytes);
 
     std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
         return interop::make_shared_buffer(backend_, mode_, bytes);
     }
     /// Whether kernels need the current frame's depth.
-    bool reads_depth() const { return !raster_ || cull_hidden_; }
+    bool reads_depth() const { return !raster_ || cull_hidden_ || keeps_intervals_; }
     compute::ClippedTable clipped_table() {
         return {clipped_->compute(), offsets_->compute(), *arcs_};
     }
@@ -62,7 +66,8 @@ class AtlasMethod {
     std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
     AtlasLayout layout_{0, 0};
-    bool raster_ = false; ///< the current frame's form of `atlas`
+    bool keeps_intervals_ = false; ///< the current frame
+    bool raster_ = false;          ///< the current frame's form of `atlas`
     /// What the last frame left for `temporal`, and what it must have in common with the next.
     struct Past {
         std::unique_ptr<compute::Buffer> alpha, offsets, ranges;
@@ -78,6 +83,7 @@ class AtlasMethod {
 
     gl::AtlasPass atlas_pass_;
     StrokeStage strokes_;
+    IntervalStage intervals_;
     std::optional<ItemBufferSampler> item_buffer_; ///< made when first used
 };
 

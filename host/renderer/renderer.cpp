@@ -56,6 +56,10 @@ void check(const FrameOptions& options) {
     if (!(options.step >= 0.01F) || !std::isfinite(options.step)) {
         throw UsageError("step must be a number of pixels of at least 0.01");
     }
+    const bool only_atlas = options.intervals != KeptIntervals::none || !options.draw;
+    if (only_atlas && options.method != Method::atlas) {
+        throw UsageError("renderer: intervals, and frames that are not drawn, need method atlas");
+    }
     check(options.style.pen, "pen");
     if (options.style.hidden) check(options.style.hidden_pen, "hidden pen");
 }
@@ -94,7 +98,7 @@ class Renderer::State {
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
         FrameStats stats = draw_method(frame);
-        backdrop_.draw_paper(frame, options.style.paper);
+        if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
         return stats;
     }
@@ -110,6 +114,8 @@ class Renderer::State {
         }
         return atlas_.read_samples();
     }
+
+    std::vector<Interval> read_intervals() { return atlas_.read_intervals(); }
 
   private:
     FrameStats draw_method(Frame& frame) {
@@ -155,6 +161,9 @@ void Renderer::set_lines(const LineSet& lines) {
 FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
                           std::uint32_t framebuffer) {
     return state_->draw(camera, options, framebuffer);
+}
+std::vector<Interval> Renderer::read_intervals() {
+    return state_->read_intervals();
 }
 Renderer::Samples Renderer::read_samples() {
     return state_->read_samples();

@@ -274,6 +274,26 @@ class Implementation final : public OpenClBackend {
                to_cl(args.focus), args.far_limit, args.weights);
     }
 
+    void intervals(const IntervalsArgs& args) override {
+        const std::uint32_t n = args.table.segment_count;
+        const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
+        const cl_uint wanted = args.hidden_too ? 3 : 1;
+        Buffer& counts = scratch(block_counts_, blocks + 1);
+        const auto step = [&](LazyKernel& kernel, auto&&... out) {
+            launch(kernel, std::max(blocks, 1U), tuning_.block_local_size, args.table.segments,
+                   args.clipped.clipped, args.clipped.offsets, args.clipped.arcs, n, args.alpha,
+                   args.layout.width, args.layout.pitch, args.capacity, to_cl(args.viewport),
+                   wanted, tuning_.segment_block, counts, out...);
+        };
+        step(intervals_count_);
+        scan(counts, blocks, ScanKind::saturate);
+        step(intervals_write_, blocks, args.interval_capacity, args.intervals, args.total);
+        launch(intervals_refine_, args.interval_capacity, tuning_.local_size, args.table.segments,
+               args.clipped.clipped, args.clipped.offsets, args.clipped.arcs, args.table.vertices,
+               to_cl(args.viewport), args.depth, to_cl(args.depth_size), args.depth_scale,
+               args.tolerance, args.interval_capacity, args.intervals, args.total);
+    }
+
     void compact_samples(const CompactSamplesArgs& args) override {
         const std::uint32_t blocks = divide_up(args.count, tuning_.sample_block);
         Buffer& counts = scratch(block_counts_, blocks + 1);
@@ -412,6 +432,10 @@ class Implementation final : public OpenClBackend {
     LazyKernel filter_count_{"filter.cl", "filter_count"};
     LazyKernel filter_write_{"filter.cl", "filter_write"};
     LazyKernel filter_show_{"filter.cl", "filter_show"};
+    std::string probe_lanes_ = tuning_.atlas_vectors ? "-DPROBE_LANES=16" : "-DPROBE_LANES=1";
+    LazyKernel intervals_count_{"intervals.cl", "intervals_count", probe_lanes_};
+    LazyKernel intervals_write_{"intervals.cl", "intervals_write", probe_lanes_};
+    LazyKernel intervals_refine_{"intervals.cl", "intervals_refine", probe_lanes_};
     LazyKernel compact_samples_count_{"compact.cl", "compact_samples_count"};
     LazyKernel compact_samples_write_{"compact.cl", "compact_samples_write"};
     std::string halo_lanes_ = "-DHALO_LANES=" + std::to_string(tuning_.halo_lanes);

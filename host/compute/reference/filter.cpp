@@ -17,7 +17,7 @@ struct Span {
 };
 
 /// A visible interval of a path in arc length, and its runs.
-struct Interval {
+struct Stretch {
     float start, end;
     std::uint32_t start_kind, end_kind; ///< LA_END_*
     std::size_t first_run, last_run;
@@ -64,7 +64,7 @@ class PathFilter {
     }
 
     void run() {
-        std::vector<Interval> intervals;
+        std::vector<Stretch> intervals;
         for (std::size_t r = begin_; r < end_; ++r) intervals.push_back(interval_of(r));
         float seam_gap = std::numeric_limits<float>::infinity();
         if (seam_) seam_gap = intervals.front().start + 2 * half_length_ - intervals.back().end;
@@ -75,20 +75,20 @@ class PathFilter {
             intervals.back().end = half_length_;
             intervals.back().end_kind = LA_END_JOIN;
         }
-        intervals = merged(intervals, [&](const Interval& a, const Interval& b) {
+        intervals = merged(intervals, [&](const Stretch& a, const Stretch& b) {
             return b.start - a.end <= shortest || b.start - a.end < in_.fill;
         });
-        std::erase_if(intervals, [&](const Interval& interval) {
+        std::erase_if(intervals, [&](const Stretch& interval) {
             const auto cut_off = [](std::uint32_t kind) {
                 return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
             };
             return !cut_off(interval.start_kind) && !cut_off(interval.end_kind) &&
                    interval.end - interval.start < in_.drop;
         });
-        intervals = merged(intervals, [&](const Interval& a, const Interval& b) {
+        intervals = merged(intervals, [&](const Stretch& a, const Stretch& b) {
             return b.start - a.end <= 2 * grow_;
         });
-        for (const Interval& interval : intervals) emit(interval);
+        for (const Stretch& interval : intervals) emit(interval);
     }
 
   private:
@@ -97,7 +97,7 @@ class PathFilter {
         return {start, start + frame_.length(i)};
     }
 
-    Interval interval_of(std::size_t r) const {
+    Stretch interval_of(std::size_t r) const {
         const Run& run = in_.runs[r];
         const Span whole = span(run.segment);
         const auto l = static_cast<float>(run.samples);
@@ -132,9 +132,9 @@ class PathFilter {
     }
 
     template <class Meets>
-    std::vector<Interval> merged(const std::vector<Interval>& intervals, Meets&& meets) const {
-        std::vector<Interval> result;
-        for (const Interval& next : intervals) {
+    std::vector<Stretch> merged(const std::vector<Stretch>& intervals, Meets&& meets) const {
+        std::vector<Stretch> result;
+        for (const Stretch& next : intervals) {
             if (!result.empty() && meets(result.back(), next) &&
                 connected(in_.runs[result.back().last_run].segment,
                           in_.runs[next.first_run].segment)) {
@@ -149,7 +149,7 @@ class PathFilter {
     }
 
     /// A stroke at its final length, less the gaps in it.
-    void emit(const Interval& interval) {
+    void emit(const Stretch& interval) {
         float start = interval.start, end = interval.end;
         std::uint32_t start_kind = interval.start_kind, end_kind = interval.end_kind;
         if (start_kind == LA_END_PATH) start -= overshoot_;
@@ -183,7 +183,7 @@ class PathFilter {
     }
 
     /// In ascending order; they may overlap.
-    std::vector<Span> gaps(const Interval& interval) const {
+    std::vector<Span> gaps(const Stretch& interval) const {
         std::vector<Span> result;
         if (in_.cuts.empty()) return result;
         for (std::size_t r = interval.first_run; r <= interval.last_run; ++r) {

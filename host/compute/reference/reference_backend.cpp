@@ -200,6 +200,26 @@ class ReferenceBackend final : public Backend {
                            view<Run>(args.runs, count), view_all<float>(args.weights));
     }
 
+    void intervals(const IntervalsArgs& args) override {
+        const std::size_t n = args.table.segment_count;
+        view<std::uint32_t>(args.total, 1)[0] =
+            reference::intervals({.segments = view<Segment>(args.table.segments, n),
+                                  .vertices = view_all<glm::vec3>(args.table.vertices),
+                                  .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                                  .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+                                  .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+                                  .alpha = view_all<std::uint8_t>(args.alpha),
+                                  .layout = args.layout,
+                                  .capacity = args.capacity,
+                                  .viewport = args.viewport,
+                                  .depth = view_all<float>(args.depth),
+                                  .depth_size = args.depth_size,
+                                  .depth_scale = args.depth_scale,
+                                  .tolerance = args.tolerance,
+                                  .hidden_too = args.hidden_too},
+                                 view<Interval>(args.intervals, args.interval_capacity));
+    }
+
     void compact_samples(const CompactSamplesArgs& args) override {
         view<std::uint32_t>(args.packed_count, 1)[0] =
             reference::compact_samples(view<std::uint8_t>(args.alpha, args.count),

@@ -52,16 +52,23 @@ bool FrameTables::goes_on(std::uint32_t i) const {
            clipped[i + 1].t0 <= 0;
 }
 
-End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end) {
+std::uint32_t path_end(const FrameTables& frame, std::uint32_t i, bool at_end,
+                       std::uint32_t& neighbour) {
     const Segment& segment = frame.segments[i];
     const bool clipped = at_end ? frame.clipped[i].t1 < 1 : frame.clipped[i].t0 > 0;
-    if (clipped) return {LA_END_CLIPPED};
+    if (clipped) return LA_END_CLIPPED;
     const bool last = at_end ? segment.to_end == 0 : segment.from_start == 0;
-    if (last && (segment.tag & LA_TAG_CLOSED) == 0) return {LA_END_PATH};
-    std::uint32_t neighbour = at_end ? i + 1 : i - 1;
+    if (last && (segment.tag & LA_TAG_CLOSED) == 0) return LA_END_PATH;
+    neighbour = at_end ? i + 1 : i - 1;
     if (last) neighbour = at_end ? i - segment.from_start : i + segment.to_end;
     // Arc lengths, not sample counts: a neighbour that is hidden whole has no samples.
-    if (!frame.is_drawn(neighbour)) return {LA_END_CLIPPED};
+    return frame.is_drawn(neighbour) ? LA_END_JOIN : LA_END_CLIPPED;
+}
+
+End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end) {
+    std::uint32_t neighbour = i;
+    const std::uint32_t kind = path_end(frame, i, at_end, neighbour);
+    if (kind != LA_END_JOIN) return {kind};
     const std::uint32_t shorter = std::min(frame.arcs[i + 1] - frame.arcs[i],
                                            frame.arcs[neighbour + 1] - frame.arcs[neighbour]);
     return join(window_direction(frame.clipped[i], frame.viewport),
@@ -69,34 +76,37 @@ End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end) {
                 frame.half_width);
 }
 
-Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
-             std::uint32_t l, const End& start, const End& end) {
+Place place_at(const FrameTables& frame, std::uint32_t i, float sample, std::uint32_t l) {
     const ClippedSegment& clipped = frame.clipped[i];
     const glm::vec2 p = window_position(clipped.p, frame.viewport);
     const glm::vec2 q = window_position(clipped.q, frame.viewport);
     const float depth_p = window_depth(clipped.p);
     const float depth_q = window_depth(clipped.q);
-    const float u0 = start_sample / static_cast<float>(l);
-    const float u1 = end_sample / static_cast<float>(l);
-    const glm::vec2 start_px = p + (q - p) * u0;
-    const glm::vec2 end_px = u1 == 1 ? q : p + (q - p) * u1; // exactly where the next one starts
-    const float arc = frame.arc(i);
-    const float length_px = frame.length(i);
+    const float u = sample / static_cast<float>(l);
+    return {.position = u == 1 ? q : p + (q - p) * u, // exactly where the next one starts
+            .depth = depth_p + (depth_q - depth_p) * u,
+            .arc = frame.arc(i) + frame.length(i) * u};
+}
+
+Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
+             std::uint32_t l, const End& start, const End& end) {
+    const Place from = place_at(frame, i, start_sample, l);
+    const Place to = place_at(frame, i, end_sample, l);
     Run run{};
-    run.start[0] = start_px.x;
-    run.start[1] = start_px.y;
-    run.end[0] = end_px.x;
-    run.end[1] = end_px.y;
+    run.start[0] = from.position.x;
+    run.start[1] = from.position.y;
+    run.end[0] = to.position.x;
+    run.end[1] = to.position.y;
     run.start_corner[0] = start.corner.x;
     run.start_corner[1] = start.corner.y;
     run.end_corner[0] = end.corner.x;
     run.end_corner[1] = end.corner.y;
-    run.start_arc = run.stroke_start = arc + length_px * u0;
-    run.end_arc = run.stroke_end = arc + length_px * u1;
+    run.start_arc = run.stroke_start = from.arc;
+    run.end_arc = run.stroke_end = to.arc;
     run.start_sample = start_sample;
     run.end_sample = end_sample;
-    run.start_depth = depth_p + (depth_q - depth_p) * u0;
-    run.end_depth = depth_p + (depth_q - depth_p) * u1;
+    run.start_depth = from.depth;
+    run.end_depth = to.depth;
     run.samples = l;
     run.segment = i;
     run.flags = start.kind << LA_RUN_START_SHIFT | end.kind << LA_RUN_END_SHIFT |

@@ -34,6 +34,21 @@ struct End {
     glm::vec2 corner{0, 0}; ///< at a join, see Run
 };
 
+/// What lies at one end of segment i: LA_END_CLIPPED, LA_END_PATH, or LA_END_JOIN where the path
+/// goes on in segment `neighbour`.
+std::uint32_t path_end(const FrameTables& frame, std::uint32_t i, bool at_end,
+                       std::uint32_t& neighbour);
+
+/// A position on a segment.
+struct Place {
+    glm::vec2 position; ///< in the window
+    float depth, arc;
+};
+
+/// The place at a position counted in samples of segment i, of which it has `l` or, if it has none,
+/// any number in which positions are counted.
+Place place_at(const FrameTables& frame, std::uint32_t i, float sample, std::uint32_t l);
+
 /// §4.5, mitering; see run.h.
 End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end);
 

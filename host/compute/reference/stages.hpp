@@ -134,6 +134,26 @@ struct DensityInput {
 /// weights: LA_DENSITY_BINS planes of density_cells(viewport).
 void density(const DensityInput& input, std::span<Run> runs, std::span<float> weights);
 
+struct IntervalsInput {
+    std::span<const Segment> segments;
+    std::span<const glm::vec3> vertices;
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> arcs;
+    std::span<const std::uint8_t> alpha;
+    AtlasLayout layout;
+    std::uint32_t capacity;
+    glm::vec2 viewport;
+    std::span<const float> depth;
+    glm::ivec2 depth_size;
+    float depth_scale;
+    float tolerance;
+    bool hidden_too;
+};
+
+/// Returns how many intervals there are; writes them if they fit.
+std::uint32_t intervals(const IntervalsInput& input, std::span<Interval> out);
+
 /// Returns the number of addresses written to `packed`.
 std::uint32_t compact_samples(std::span<const std::uint8_t> alpha, std::span<std::uint32_t> packed);
 

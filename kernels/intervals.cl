@@ -1,0 +1,263 @@
+/* intervals: what is visible of every segment and what is hidden, for the readback (§4.6), with
+ * ends between the samples.
+ *
+ * Three steps: count the intervals of every block of segments (and scan the counts), write them
+ * with their ends where neighbouring samples differ, narrow every end down against the depth
+ * buffer. Where two segments of a path differ, visibility may change on either side of their joint:
+ * each gets an interval for its half sample there, of no length if the change is on the other side.
+ *
+ * PROBE_LANES: 1 or 16, see probe.h. */
+
+#pragma OPENCL FP_CONTRACT OFF
+
+#if !defined(PROBE_LANES)
+#error "PROBE_LANES must be set"
+#endif
+#define PROBES 9 /* the majority decides */
+
+#include "atlas_address.h"
+#include "probe.h"
+#include "run.h"
+#include "segment_table.h"
+
+/* The atlas, and which intervals are wanted: bit 0 visible ones, bit 1 hidden ones. */
+typedef struct Atlas {
+    __global const uchar* alpha;
+    uint width, pitch, capacity;
+    uint wanted;
+} Atlas;
+
+/* A part of a segment: from one change of visibility to the next, counted in samples. */
+typedef struct Piece {
+    float start, end;
+    uint start_change, end_change;
+    bool visible;
+} Piece;
+
+/* The samples of segment i; null if it has none, or they are beyond the atlas. */
+static __global const uchar* samples_of(const Frame frame, const Atlas atlas, const uint i) {
+    const uint s = frame.offsets[i];
+    const uint l = frame.offsets[i + 1] - s;
+    if (l == 0 || l > atlas.capacity || s > atlas.capacity - l) return 0;
+    return atlas.alpha + atlas_address(s, atlas.width, atlas.pitch);
+}
+
+/* Whether the path is visible just beyond one end of segment i; `own` where it ends there. */
+static bool shown_beyond(const Frame frame, const Atlas atlas, const uint i, const uint at_end,
+                         const bool own) {
+    uint neighbour;
+    if (path_end(frame, i, at_end, &neighbour) != LA_END_JOIN) return own;
+    __global const uchar* samples = samples_of(frame, atlas, neighbour);
+    if (samples == 0) return false;
+    const uint last = frame.offsets[neighbour + 1] - frame.offsets[neighbour] - 1u;
+    return samples[at_end != 0 ? 0u : last] >= LA_INTERVAL_SHOWN;
+}
+
+/* Mean visibility of the samples whose middles lie in the piece. */
+static float mean_alpha(__global const uchar* samples, const Piece piece) {
+    const uint first = (uint)(piece.start + 0.5f), end = (uint)(piece.end + 0.5f);
+    if (first >= end) return piece.visible ? 1.0f : 0.0f;
+    uint sum = 0;
+    for (uint j = first; j < end; ++j) sum += samples[j];
+    return (float)sum / (255.0f * (float)(end - first));
+}
+
+static uint end_kind(const Frame frame, const uint i, const uint at_end, const uint change) {
+    uint neighbour;
+    return change == LA_CHANGE_NONE ? path_end(frame, i, at_end, &neighbour) : LA_END_HIDDEN;
+}
+
+/* Adds a piece of segment i if such are wanted. out null: only count. */
+static uint put(const Frame frame, const Atlas atlas, const uint i, __global const uchar* samples,
+                const Piece piece, const uint count, __global Interval* out) {
+    if ((atlas.wanted & (piece.visible ? 1u : 2u)) == 0) return count;
+    if (out != 0) {
+        out[count].segment = i;
+        out[count].start_sample = piece.start;
+        out[count].end_sample = piece.end;
+        out[count].alpha = samples != 0 ? mean_alpha(samples, piece) : 0.0f;
+        out[count].flags = (piece.visible ? LA_INTERVAL_VISIBLE : 0u) |
+                           end_kind(frame, i, 0, piece.start_change) << LA_INTERVAL_START_SHIFT |
+                           end_kind(frame, i, 1, piece.end_change) << LA_INTERVAL_END_SHIFT |
+                           piece.start_change << LA_INTERVAL_START_CHANGE_SHIFT |
+                           piece.end_change << LA_INTERVAL_END_CHANGE_SHIFT;
+    }
+    return count + 1u;
+}
+
+/* The intervals of segment i; returns how many. */
+static uint put_segment(const Frame frame, const Atlas atlas, const uint i,
+                        __global Interval* out) {
+    if (frame.arcs[i + 1] == frame.arcs[i]) return 0; /* not in this frame */
+    __global const uchar* samples = samples_of(frame, atlas, i);
+    Piece piece = {0.0f, 1.0f, LA_CHANGE_NONE, LA_CHANGE_NONE, false};
+    if (samples == 0) return put(frame, atlas, i, samples, piece, 0, out);
+    const uint l = frame.offsets[i + 1] - frame.offsets[i];
+    uint count = 0;
+    bool shown = samples[0] >= LA_INTERVAL_SHOWN;
+    if (shown_beyond(frame, atlas, i, 0, shown) != shown) {
+        piece.end = 0.25f;
+        piece.end_change = LA_CHANGE_HEAD;
+        piece.visible = !shown;
+        count = put(frame, atlas, i, samples, piece, count, out);
+        piece.start = piece.end;
+        piece.start_change = piece.end_change;
+    }
+    for (uint j = 1; j < l; ++j) {
+        if ((samples[j] >= LA_INTERVAL_SHOWN) == shown) continue;
+        piece.end = (float)j;
+        piece.end_change = LA_CHANGE_WITHIN;
+        piece.visible = shown;
+        count = put(frame, atlas, i, samples, piece, count, out);
+        piece.start = piece.end;
+        piece.start_change = piece.end_change;
+        shown = !shown;
+    }
+    piece.visible = shown;
+    if (shown_beyond(frame, atlas, i, 1, shown) != shown) {
+        piece.end = (float)l - 0.25f;
+        piece.end_change = LA_CHANGE_TAIL;
+        count = put(frame, atlas, i, samples, piece, count, out);
+        piece.start = piece.end;
+        piece.start_change = piece.end_change;
+        piece.visible = !shown;
+    }
+    piece.end = (float)l;
+    piece.end_change = LA_CHANGE_NONE;
+    return put(frame, atlas, i, samples, piece, count, out);
+}
+
+/* counts[b]: intervals in block b of `block` segments. */
+__kernel void intervals_count(__global const Segment* restrict segments,
+                              __global const ClippedSegment* restrict clipped,
+                              __global const uint* restrict offsets,
+                              __global const uint* restrict arcs, const uint count,
+                              __global const uchar* restrict alpha, const uint width,
+                              const uint pitch, const uint capacity, const float2 viewport,
+                              const uint wanted, const uint block, __global uint* restrict counts) {
+    const uint b = (uint)get_global_id(0);
+    const uint first = b * block;
+    if (first >= count) return;
+    const uint last = min(first + block, count);
+    const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
+    const Atlas atlas = {alpha, width, pitch, capacity, wanted};
+    uint total = 0;
+    for (uint i = first; i < last; ++i) total += put_segment(frame, atlas, i, 0);
+    counts[b] = total;
+}
+
+/* Writes the intervals of every block from its offset on, their places still missing. If they
+ * exceed the table, none is written; the host sees the total. */
+__kernel void intervals_write(
+    __global const Segment* restrict segments, __global const ClippedSegment* restrict clipped,
+    __global const uint* restrict offsets, __global const uint* restrict arcs, const uint count,
+    __global const uchar* restrict alpha, const uint width, const uint pitch, const uint capacity,
+    const float2 viewport, const uint wanted, const uint block,
+    __global const uint* restrict block_offsets, const uint blocks, const uint interval_capacity,
+    __global Interval* restrict intervals, __global uint* restrict interval_total) {
+    const uint b = (uint)get_global_id(0);
+    const uint total = block_offsets[blocks];
+    if (b == 0) *interval_total = total;
+    const uint first = b * block;
+    if (first >= count || total > interval_capacity) return;
+    const uint last = min(first + block, count);
+    const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
+    const Atlas atlas = {alpha, width, pitch, capacity, wanted};
+    uint next = block_offsets[b];
+    for (uint i = first; i < last; ++i) next += put_segment(frame, atlas, i, intervals + next);
+}
+
+/* Whether the line is visible at a position counted in samples: by most of the probes in a box one
+ * pixel wide and long, so that a slanted edge of depth texels counts as the straight one it stands
+ * for. */
+static bool shown_at(const Spine spine, const float sample, const float pixel, const Depth depth) {
+    uint visible = 0;
+    for (int first = 0; first < PROBES; first += PROBE_LANES) {
+        const lanes_int probe = LANE_INDEX + first;
+        const lanes_int row = probe / 3;
+        const lanes_int column = probe - row * 3;
+        const lanes_float across = TO_FLOAT(column) - 1.0f, ahead = TO_FLOAT(row) - 1.0f;
+        const lanes_float side = across * (1.0f / 3.0f) + ahead * (1.0f / 9.0f);
+        const lanes_float along = ahead * (1.0f / 3.0f) + across * (1.0f / 9.0f);
+        const lanes_float u = (sample + along * pixel) * spine.inverse_l;
+        visible += (uint)COUNT(sees_line(spine, u, side, probe < PROBES, depth));
+    }
+    return 2u * visible > PROBES;
+}
+
+/* Where visibility changes. shown: visible before the change; pixel: its length in samples. */
+static float narrow(const Spine spine, const uint change, const float around, const float l,
+                    const float pixel, const bool shown, const Depth depth) {
+    if (change == LA_CHANGE_NONE) return around;
+    float low = around - 0.5f, high = around + 0.5f;
+    if (change == LA_CHANGE_HEAD) {
+        if (shown_at(spine, 0.0f, pixel, depth) != shown) return 0.0f;
+        low = 0.0f;
+        high = 0.5f;
+    } else if (change == LA_CHANGE_TAIL) {
+        if (shown_at(spine, l, pixel, depth) == shown) return l;
+        low = l - 0.5f;
+        high = l;
+    }
+    for (int step = 0; step < LA_INTERVAL_STEPS; ++step) {
+        const float middle = 0.5f * (low + high);
+        if (shown_at(spine, middle, pixel, depth) == shown)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5f * (low + high);
+}
+
+/* The point of the model at share u of what the screen shows of segment i. */
+static float3 world_point(const Frame frame, const uint i, const float u,
+                          __global const float* vertices) {
+    const float wp = frame.clipped[i].p[3], wq = frame.clipped[i].q[3];
+    const float t0 = frame.clipped[i].t0, t1 = frame.clipped[i].t1;
+    const float along = u * wp / ((1.0f - u) * wq + u * wp);
+    const float t = t0 + (t1 - t0) * along;
+    const float3 p = vload3(frame.segments[i].p, vertices);
+    const float3 q = vload3(frame.segments[i].q, vertices);
+    return p + (q - p) * t;
+}
+
+/* Puts the ends of every interval where they belong. */
+__kernel void intervals_refine(__global const Segment* restrict segments,
+                               __global const ClippedSegment* restrict clipped,
+                               __global const uint* restrict offsets,
+                               __global const uint* restrict arcs,
+                               __global const float* restrict vertices, const float2 viewport,
+                               __global const float* restrict texels, const int2 depth_size,
+                               const float depth_scale, const float tolerance,
+                               const uint interval_capacity, __global Interval* restrict intervals,
+                               __global const uint* restrict interval_total) {
+    const uint k = (uint)get_global_id(0);
+    if (*interval_total > interval_capacity || k >= *interval_total) return;
+    __global Interval* interval = intervals + k;
+    const uint i = interval->segment;
+    const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
+    const Depth depth = {texels, depth_size, depth_scale, tolerance};
+    const uint l = max(offsets[i + 1] - offsets[i], 1u);
+    const Spine spine = make_spine(clipped + i, viewport, depth_scale, l);
+    const float pixel = (float)l / arc_pixels(arcs[i + 1] - arcs[i]);
+    const bool visible = (interval->flags & LA_INTERVAL_VISIBLE) != 0;
+    const uint start_change = interval->flags >> LA_INTERVAL_START_CHANGE_SHIFT & LA_CHANGE_MASK;
+    const uint end_change = interval->flags >> LA_INTERVAL_END_CHANGE_SHIFT & LA_CHANGE_MASK;
+    const float start =
+        narrow(spine, start_change, interval->start_sample, (float)l, pixel, !visible, depth);
+    const float end =
+        narrow(spine, end_change, interval->end_sample, (float)l, pixel, visible, depth);
+
+    const Place from = place_at(frame, i, start, l);
+    const Place to = place_at(frame, i, end, l);
+    interval->start_sample = start;
+    interval->end_sample = end;
+    vstore2(from.position, 0, interval->start);
+    vstore2(to.position, 0, interval->end);
+    interval->start_depth = from.depth;
+    interval->end_depth = to.depth;
+    interval->start_arc = from.arc;
+    interval->end_arc = to.arc;
+    vstore3(world_point(frame, i, start / (float)l, vertices), 0, interval->start_world);
+    vstore3(world_point(frame, i, end / (float)l, vertices), 0, interval->end_world);
+}
