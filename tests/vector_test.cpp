@@ -185,7 +185,9 @@ TEST(Junctions, PiecesNeverTurnRound) {
 // --- chaining
 
 std::vector<VectorPath> chained(const Lines& lines, const Cuts& cuts) {
-    return chain_pieces(lines.set, make_pieces(lines.set, flat_camera(), cuts.intervals));
+    Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
+    drop_flickers(pieces);
+    return chain_pieces(lines.set, pieces);
 }
 
 TEST(VectorChains, APathIsOnePolyline) {

@@ -12,10 +12,8 @@
 namespace lineatlas {
 namespace {
 
-/// Ends of neighbours in a path are one place within this, pixels.
-constexpr double same_place = 0.02;
-/// A piece of a segment shorter than this, in pixels, is a flicker of visibility.
-constexpr double shortest_piece = 0.01;
+/// A piece counts as at least this long for the mean visibility, pixels.
+constexpr double least_weight = 0.01;
 /// Silhouettes of fine meshes zigzag: they go on through all but the sharpest turns.
 constexpr float silhouette_chain_angle = 150.0F * std::numbers::pi_v<float> / 180;
 
@@ -56,26 +54,19 @@ class Chaining {
         return kind_of(first_of(runs_[run])) == LA_KIND_SILHOUETTE;
     }
 
-    /// A whole segment stays however short it is: it holds its neighbours together.
-    bool is_flicker(const Piece& piece) const {
-        return (piece.start.t > 0 || piece.end.t < 1) && pieces_.length(piece) < shortest_piece;
-    }
-
-    bool goes_on(const Piece& a, const Piece& b) const {
-        return a.visible == b.visible && segment_of(a).path == segment_of(b).path &&
-               glm::distance(pieces_.end(a).at, pieces_.start(b).at) < same_place;
+    bool continues(const Piece& a, const Piece& b) const {
+        return a.visible == b.visible && goes_on(lines_, pieces_, a, b);
     }
 
     void find_runs() {
         std::size_t first_of_path = 0;
         for (std::uint32_t i = 0; i < pieces_.list.size(); ++i) {
-            if (is_flicker(piece(i))) continue;
             if (!runs_.empty() &&
                 segment_of(last_of(runs_.back())).path != segment_of(piece(i)).path) {
                 close_path(first_of_path);
                 first_of_path = runs_.size();
             }
-            if (runs_.size() == first_of_path || !goes_on(last_of(runs_.back()), piece(i))) {
+            if (runs_.size() == first_of_path || !continues(last_of(runs_.back()), piece(i))) {
                 runs_.emplace_back();
             }
             runs_.back().pieces.push_back(i);
@@ -91,7 +82,7 @@ class Chaining {
         const Segment& first = segment_of(first_of(head));
         const Segment& last = segment_of(last_of(tail));
         const bool at_seam = (first.tag & LA_TAG_CLOSED) != 0 && first.from_start == 0 &&
-                             last.to_end == 0 && goes_on(last_of(tail), first_of(head));
+                             last.to_end == 0 && continues(last_of(tail), first_of(head));
         if (!at_seam) return;
         if (&head == &tail) {
             head.closed = true;
@@ -149,7 +140,7 @@ class Chaining {
         double alpha_length = 0;
         const auto add = [&](std::uint32_t i, bool reversed) {
             append(path, piece(i), reversed);
-            const double own = std::max(pieces_.length(piece(i)), shortest_piece);
+            const double own = std::max(pieces_.length(piece(i)), least_weight);
             length += own;
             alpha_length += own * static_cast<double>(piece(i).alpha);
         };

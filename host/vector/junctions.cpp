@@ -15,8 +15,6 @@ namespace {
 constexpr double least_sine = 0.01;
 /// A line that crosses at its very end, pixels.
 constexpr double end_slack = 0.05;
-/// Ends of neighbours in one segment are the same end within this, pixels.
-constexpr double same_place = 0.02;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -52,30 +50,33 @@ class Junctions {
   private:
     static PieceEnd& end_of(Piece& piece, bool at_end) { return at_end ? piece.end : piece.start; }
 
-    /// The piece beyond an end in the same segment, if there is one.
+    /// The next piece beyond an end, if there is one.
     Piece* neighbour(std::size_t i, bool at_end) {
         if (at_end ? i + 1 == pieces_.list.size() : i == 0) return nullptr;
-        Piece& other = pieces_.list[at_end ? i + 1 : i - 1];
-        return other.segment == pieces_.list[i].segment ? &other : nullptr;
+        return &pieces_.list[at_end ? i + 1 : i - 1];
+    }
+
+    bool touches(const Piece& piece, const Piece& other, bool at_end) const {
+        return at_end ? goes_on(lines_, pieces_, piece, other)
+                      : goes_on(lines_, pieces_, other, piece);
     }
 
     bool meet(std::size_t i, bool at_end) {
         Piece& piece = pieces_.list[i];
         PieceEnd& end = end_of(piece, at_end);
-        const ScreenSegment& segment = pieces_.segment_of(piece);
-        if (end.kind != LA_END_HIDDEN || !(segment.length > 0)) return false;
+        if (end.kind != LA_END_HIDDEN || !(pieces_.segment_of(piece).length > 0)) return false;
         Piece* other = neighbour(i, at_end);
-        const bool shared =
-            other != nullptr &&
-            std::abs(end_of(*other, !at_end).t - end.t) * segment.length < same_place;
-        // The far end of the neighbour that moves along, or the near end of one that does not.
+        const bool shared = other != nullptr && touches(piece, *other, at_end);
+        if (shared && other->visible) return false; // visible on either side of a vertex
+        const bool beside = other != nullptr && other->segment == piece.segment;
+        const bool moves_along = shared && beside;
         double limit = at_end ? 1 : 0;
-        if (other != nullptr) limit = end_of(*other, shared ? at_end : !at_end).t;
+        if (beside) limit = end_of(*other, moves_along ? at_end : !at_end).t;
         const Range range = at_end ? Range{piece.start.t, limit} : Range{limit, piece.end.t};
         const std::optional<double> t = nearest_crossing(piece, end.t, range);
         if (!t) return false;
         end.t = *t;
-        if (shared) end_of(*other, !at_end).t = *t;
+        if (moves_along) end_of(*other, !at_end).t = *t;
         return true;
     }
 

@@ -42,6 +42,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
                                   const VectorOptions& options) {
     const glm::dvec2 picture{camera.size};
     Pieces pieces = make_pieces(lines, camera, intervals);
+    drop_flickers(pieces);
     meet_junctions(lines, picture, pieces);
     if (!style.hidden) std::erase_if(pieces.list, [](const Piece& p) { return !p.visible; });
 

@@ -17,9 +17,10 @@ namespace {
 
 /// Lines run along each other where they are no farther apart than this, pixels.
 constexpr double reach = 0.25;
-/// Lines at less than this sine to each other are parallel: where they are within reach, one goes.
-constexpr double parallel_sine = 0.02;
-/// Short ones at less than this are so if they are within reach all along each other.
+/// Lines at less than this sine to each other (5 degrees) count as parallel: where they are within
+/// reach, one goes. However lines are cut, what is left is within reach of nothing.
+constexpr double parallel_sine = 0.0872;
+/// Short ones at less than this do if they are within reach all along each other.
 constexpr double along_sine = 0.5;
 /// Shorter overlaps are joints, pixels.
 constexpr double shortest_overlap = 0.02;
@@ -34,28 +35,25 @@ struct Span {
 };
 
 struct Line {
-    glm::dvec2 a, b;
+    glm::dvec2 a, along; ///< its start and unit direction
+    double length;
 };
 
 /// The part of `line` that runs along `other`, as pixels from its start.
 std::optional<Span> part_along(const Line& line, const Line& other) {
-    const double length = glm::distance(line.a, line.b);
-    const double other_length = glm::distance(other.a, other.b);
-    const glm::dvec2 along = (line.b - line.a) / length;
-    const glm::dvec2 other_along = (other.b - other.a) / other_length;
-    const double sine = along.x * other_along.y - along.y * other_along.x;
+    const double sine = line.along.x * other.along.y - line.along.y * other.along.x;
     if (!(std::abs(sine) < along_sine)) return {};
-    const double cosine = glm::dot(along, other_along);
+    const double cosine = glm::dot(line.along, other.along);
 
     // The stretch beside the other line, then as much of it as is within reach.
-    const double start = glm::dot(line.a - other.a, other_along);
+    const double start = glm::dot(line.a - other.a, other.along);
     const double at_a = -start / cosine;
-    const double at_b = (other_length - start) / cosine;
-    Span span{std::max(0.0, std::min(at_a, at_b)), std::min(length, std::max(at_a, at_b))};
+    const double at_b = (other.length - start) / cosine;
+    Span span{std::max(0.0, std::min(at_a, at_b)), std::min(line.length, std::max(at_a, at_b))};
     if (span.to - span.from < shortest_overlap) return {};
-    const glm::dvec2 normal{-other_along.y, other_along.x};
+    const glm::dvec2 normal{-other.along.y, other.along.x};
     const double apart = glm::dot(line.a - other.a, normal);
-    const double opening = glm::dot(along, normal); // distance gained per pixel
+    const double opening = glm::dot(line.along, normal); // distance gained per pixel
     const auto within = [&](double s) { return std::abs(apart + opening * s) <= reach; };
     if (within(span.from) && within(span.to)) return span;
     if (!(std::abs(sine) < parallel_sine) || opening == 0) return {};
@@ -132,11 +130,12 @@ class Overlaps {
         std::vector<Span> covered;
         double passed = 0;
         for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-            const Line line{path.points[i].at, path.points[i + 1].at};
-            const double length = glm::distance(line.a, line.b);
+            const glm::dvec2 way = path.points[i + 1].at - path.points[i].at;
+            const double length = glm::length(way);
             if (!(length > 0)) continue;
-            std::vector<Span> own = covered_part(line);
-            for (const Span free : rest_of(own, length)) add(line, length, free);
+            const Line line{path.points[i].at, way / length, length};
+            const std::vector<Span> own = covered_part(line);
+            for (const Span free : rest_of(own, length)) add(line, free);
             for (const Span span : own) covered.push_back({passed + span.from, passed + span.to});
             passed += length;
         }
@@ -150,7 +149,8 @@ class Overlaps {
   private:
     std::vector<Span> covered_part(const Line& line) {
         std::vector<Span> covered;
-        for (const std::uint32_t i : grid_.near(line.a, line.b, reach)) {
+        const glm::dvec2 end = line.a + line.along * line.length;
+        for (const std::uint32_t i : grid_.near(line.a, end, reach)) {
             if (const std::optional<Span> span = part_along(line, lines_[i])) {
                 covered.push_back(*span);
             }
@@ -159,11 +159,11 @@ class Overlaps {
         return covered;
     }
 
-    void add(const Line& line, double length, Span part) {
+    void add(const Line& line, Span part) {
         if (part.to - part.from < shortest_overlap) return;
-        const glm::dvec2 way = (line.b - line.a) / length;
-        const Line free{line.a + way * part.from, line.a + way * part.to};
-        grid_.insert(free.a, free.b, static_cast<std::uint32_t>(lines_.size()));
+        const Line free{line.a + line.along * part.from, line.along, part.to - part.from};
+        grid_.insert(free.a, free.a + free.along * free.length,
+                     static_cast<std::uint32_t>(lines_.size()));
         lines_.push_back(free);
     }
 

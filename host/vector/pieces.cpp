@@ -107,6 +107,18 @@ bool at_vertex(std::uint32_t kind) {
     return kind == LA_END_PATH || kind == LA_END_JOIN || kind == LA_END_ROUND;
 }
 
+void drop_flickers(Pieces& pieces) {
+    constexpr double shortest = 0.01; // pixels
+    std::erase_if(pieces.list, [&](const Piece& piece) {
+        return (piece.start.t > 0 || piece.end.t < 1) && pieces.length(piece) < shortest;
+    });
+}
+
+bool goes_on(const LineSet& lines, const Pieces& pieces, const Piece& a, const Piece& b) {
+    return lines.segments[a.segment].path == lines.segments[b.segment].path &&
+           glm::distance(pieces.end(a).at, pieces.start(b).at) < same_place;
+}
+
 Pieces make_pieces(const LineSet& lines, const Camera& camera,
                    std::span<const Interval> intervals) {
     const Projector projector{camera};

@@ -53,6 +53,16 @@ struct Pieces {
 /// Whether an end of this kind lies at the vertex of its segment.
 bool at_vertex(std::uint32_t kind);
 
+/// Ends of neighbours in a path are one place within this, pixels.
+constexpr double same_place = 0.02;
+
+/// Leaves out pieces without length, where visibility only seems to change. A whole segment stays
+/// however short it is: it holds its neighbours together.
+void drop_flickers(Pieces& pieces);
+
+/// Whether piece b starts where piece a, which comes before it, ends, in one path.
+bool goes_on(const LineSet& lines, const Pieces& pieces, const Piece& a, const Piece& b);
+
 /// The intervals as parts of their segments, so that ends move along exact lines. Intervals of
 /// segments that the camera cannot see, and what is not finite, are left out.
 Pieces make_pieces(const LineSet& lines, const Camera& camera, std::span<const Interval> intervals);

@@ -8,7 +8,7 @@ namespace lineatlas {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr double least_cell = 8;
+constexpr double least_cell = 2;
 constexpr double most_cells_per_axis = 2048;
 
 int cells(double pixels, double cell) {
