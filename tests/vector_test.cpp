@@ -187,7 +187,7 @@ TEST(Junctions, PiecesNeverTurnRound) {
 std::vector<VectorPath> chained(const Lines& lines, const Cuts& cuts) {
     Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
     drop_flickers(pieces);
-    return chain_pieces(lines.set, pieces);
+    return chain_strips(lines.set, pieces, make_strips(lines.set, pieces));
 }
 
 TEST(VectorChains, APathIsOnePolyline) {

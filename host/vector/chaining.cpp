@@ -1,199 +1,117 @@
 #include "chaining.hpp"
 
 #include <algorithm>
-#include <numbers>
-#include <unordered_map>
-
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include "core/chain.hpp"
+#include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace lineatlas {
 namespace {
 
-/// A piece counts as at least this long for the mean visibility, pixels.
-constexpr double least_weight = 0.01;
-/// Silhouettes of fine meshes zigzag: they go on through all but the sharpest turns.
-constexpr float silhouette_chain_angle = 150.0F * std::numbers::pi_v<float> / 180;
+/// Places along a strip are the same within this, pixels: rounding.
+constexpr double rounding = 1e-6;
 
-/// Consecutive pieces of a path that are drawn in one go.
-struct Run {
-    std::vector<std::uint32_t> pieces; ///< along the path
-    bool closed = false;
-};
+/// The stretches of a closed strip with those that meet at its seam joined: what is left of the
+/// last one goes on beyond the strip's length.
+std::vector<Stretch> across_seam(const Strip& strip) {
+    std::vector<Stretch> stretches = strip.stretches;
+    if (!strip.closed || stretches.size() < 2) return stretches;
+    Stretch& first = stretches.front();
+    const Stretch last = stretches.back();
+    const bool meet =
+        first.visible == last.visible && first.from + strip.length - last.to < same_place;
+    if (!meet) return stretches;
+    first.from = last.from - strip.length;
+    first.start_kind = last.start_kind;
+    stretches.pop_back();
+    return stretches;
+}
 
-struct RunStep {
-    std::uint32_t run;
-    bool reversed;
-};
-
-class Chaining {
+class PathMaker {
   public:
-    Chaining(const LineSet& lines, const Pieces& pieces) : lines_(lines), pieces_(pieces) {}
+    PathMaker(const LineSet& lines, const Pieces& pieces, const Strip& strip)
+        : lines_(lines), pieces_(pieces), strip_(strip) {}
 
-    std::vector<VectorPath> chain() {
-        find_runs();
-        std::vector<VectorPath> paths;
-        for (std::uint32_t r = 0; r < runs_.size(); ++r) {
-            if (!is_silhouette(r)) paths.push_back(make_path({{r, false}}, runs_[r].closed));
-        }
-        chain_silhouettes(paths);
-        return paths;
-    }
-
-  private:
-    const Piece& piece(std::uint32_t i) const { return pieces_.list[i]; }
-    const Piece& first_of(const Run& run) const { return piece(run.pieces.front()); }
-    const Piece& last_of(const Run& run) const { return piece(run.pieces.back()); }
-    const Segment& segment_of(const Piece& piece) const { return lines_.segments[piece.segment]; }
-    std::uint32_t kind_of(const Piece& piece) const {
-        return segment_of(piece).tag & LA_TAG_KIND_MASK;
-    }
-    bool is_silhouette(std::uint32_t run) const {
-        return kind_of(first_of(runs_[run])) == LA_KIND_SILHOUETTE;
-    }
-
-    bool continues(const Piece& a, const Piece& b) const {
-        return a.visible == b.visible && goes_on(lines_, pieces_, a, b);
-    }
-
-    void find_runs() {
-        std::size_t first_of_path = 0;
-        for (std::uint32_t i = 0; i < pieces_.list.size(); ++i) {
-            if (!runs_.empty() &&
-                segment_of(last_of(runs_.back())).path != segment_of(piece(i)).path) {
-                close_path(first_of_path);
-                first_of_path = runs_.size();
-            }
-            if (runs_.size() == first_of_path || !continues(last_of(runs_.back()), piece(i))) {
-                runs_.emplace_back();
-            }
-            runs_.back().pieces.push_back(i);
-        }
-        close_path(first_of_path);
-    }
-
-    /// Joins the last run of a closed path to its first one where both are drawn at the seam.
-    void close_path(std::size_t first_of_path) {
-        if (first_of_path == runs_.size()) return;
-        Run& head = runs_[first_of_path];
-        Run& tail = runs_.back();
-        const Segment& first = segment_of(first_of(head));
-        const Segment& last = segment_of(last_of(tail));
-        const bool at_seam = (first.tag & LA_TAG_CLOSED) != 0 && first.from_start == 0 &&
-                             last.to_end == 0 && continues(last_of(tail), first_of(head));
-        if (!at_seam) return;
-        if (&head == &tail) {
-            head.closed = true;
-            return;
-        }
-        tail.pieces.insert(tail.pieces.end(), head.pieces.begin(), head.pieces.end());
-        head = std::move(tail);
-        runs_.pop_back();
-    }
-
-    void chain_silhouettes(std::vector<VectorPath>& paths) {
-        std::vector<std::uint32_t> silhouettes;
-        for (std::uint32_t r = 0; r < runs_.size(); ++r) {
-            if (!is_silhouette(r)) continue;
-            silhouettes.push_back(r);
-            const Run& run = runs_[r];
-            edges_.push_back({.p = node(first_of(run), false),
-                              .q = node(last_of(run), true),
-                              .kind = first_of(run).visible ? 1U : 0U});
-        }
-        for (const Chain& chain : chain_edges(nodes_, edges_, silhouette_chain_angle)) {
-            std::vector<RunStep> steps;
-            steps.reserve(chain.steps.size());
-            for (const ChainStep step : chain.steps) {
-                steps.push_back({silhouettes[step.edge], step.reversed});
-            }
-            paths.push_back(make_path(steps, chain.closed));
-            centre_arcs(paths.back());
-        }
-    }
-
-    /// One for all ends at a vertex of the mesh, one of its own for every other end.
-    std::uint32_t node(const Piece& piece, bool at_end) {
-        const PieceEnd& end = at_end ? piece.end : piece.start;
-        const auto fresh = static_cast<std::uint32_t>(nodes_.size());
-        if (at_vertex(end.kind)) {
-            const Segment& segment = segment_of(piece);
-            const auto [known, is_new] =
-                node_of_vertex_.emplace(at_end ? segment.q : segment.p, fresh);
-            if (!is_new) return known->second;
-        }
-        const glm::dvec2 at = pieces_.point(piece, end.t).at;
-        nodes_.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y), 0.0F);
-        return fresh;
-    }
-
-    VectorPath make_path(const std::vector<RunStep>& steps, bool closed) const {
-        const Piece& first = first_of(runs_[steps.front().run]);
-        VectorPath path{.kind = static_cast<LineKind>(kind_of(first)),
-                        .visible = first.visible,
-                        .closed = closed,
+    VectorPath make(const Stretch& stretch) const {
+        VectorPath path{.kind = strip_.kind,
+                        .visible = stretch.visible,
+                        .alpha = stretch.alpha,
                         .points = {},
                         .pieces = {}};
-        double length = 0;
-        double alpha_length = 0;
-        const auto add = [&](std::uint32_t i, bool reversed) {
-            append(path, piece(i), reversed);
-            const double own = std::max(pieces_.length(piece(i)), least_weight);
-            length += own;
-            alpha_length += own * static_cast<double>(piece(i).alpha);
-        };
-        for (const RunStep step : steps) {
-            const std::vector<std::uint32_t>& own = runs_[step.run].pieces;
-            for (std::size_t k = 0; k < own.size(); ++k) {
-                add(step.reversed ? own[own.size() - 1 - k] : own[k], step.reversed);
-            }
+        if (!strip_.closed) {
+            add_part(path, stretch.from, stretch.to, 0);
+            return path;
         }
-        path.alpha = static_cast<float>(alpha_length / length);
+        path.closed = stretch.length() > strip_.length - same_place;
+        const double to = path.closed ? stretch.from + strip_.length : stretch.to;
+        for (double lap = std::floor(stretch.from / strip_.length); lap * strip_.length < to;
+             ++lap) {
+            const double passed = lap * strip_.length;
+            add_part(path, std::max(stretch.from - passed, 0.0),
+                     std::min(to - passed, strip_.length), passed);
+        }
         // Bit by bit, whatever rounding made of it.
-        if (closed) path.points.back().at = path.points.front().at;
+        if (path.closed) path.points.back().at = path.points.front().at;
         return path;
     }
 
-    void append(VectorPath& path, const Piece& piece, bool reversed) const {
-        if (path.points.empty()) {
-            path.points.push_back(reversed ? pieces_.end(piece) : pieces_.start(piece));
+  private:
+    /// Adds what lies between two places of one lap; beyond the strip's ends straight on.
+    void add_part(VectorPath& path, double from, double to, double passed) const {
+        if (to - from <= rounding) return;
+        const auto after =
+            std::ranges::upper_bound(strip_.steps, from + rounding, {}, &StripStep::start);
+        auto step = after == strip_.steps.begin() ? after : std::prev(after);
+        double at = from;
+        for (; at < to - rounding; ++step) {
+            const auto next = std::next(step);
+            const bool last = next == strip_.steps.end();
+            const double end = last ? to : std::min(to, next->start);
+            if (end - at > 0) add_piece(path, *step, at, end, passed);
+            if (last) break;
+            at = end;
         }
-        VectorPiece tag{.point = static_cast<std::uint32_t>(path.points.size() - 1),
-                        .segment = piece.segment};
-        if (piece.segment < lines_.sources.size()) tag.source = lines_.sources[piece.segment];
-        if (reversed) std::swap(tag.source.from, tag.source.to);
-        path.pieces.push_back(tag);
-        path.points.push_back(reversed ? pieces_.start(piece) : pieces_.end(piece));
     }
 
-    /// A chain of silhouettes has an arc length of its own.
-    static void centre_arcs(VectorPath& path) {
-        double length = 0;
-        for (std::size_t i = 1; i < path.points.size(); ++i) {
-            length += glm::distance(path.points[i - 1].at, path.points[i].at);
-        }
-        double arc = -0.5 * length;
-        path.points.front().arc = arc;
-        for (std::size_t i = 1; i < path.points.size(); ++i) {
-            arc += glm::distance(path.points[i - 1].at, path.points[i].at);
-            path.points[i].arc = arc;
-        }
+    VectorPoint place(const StripStep& step, double at, double passed) const {
+        const ScreenSegment& segment = pieces_.screen[step.screen];
+        const double share = (at - step.start) / segment.length;
+        VectorPoint point = step.reversed ? between(segment.q, segment.p, share)
+                                          : between(segment.p, segment.q, share);
+        point.arc = strip_.start_arc + passed + at;
+        return point;
+    }
+
+    void add_piece(VectorPath& path, const StripStep& step, double from, double to,
+                   double passed) const {
+        if (!(pieces_.screen[step.screen].length > 0)) return;
+        if (path.points.empty()) path.points.push_back(place(step, from, passed));
+        VectorPiece piece{.point = static_cast<std::uint32_t>(path.points.size() - 1),
+                          .segment = step.segment};
+        if (step.segment < lines_.sources.size()) piece.source = lines_.sources[step.segment];
+        if (step.reversed) std::swap(piece.source.from, piece.source.to);
+        path.pieces.push_back(piece);
+        path.points.push_back(place(step, to, passed));
     }
 
     const LineSet& lines_;
     const Pieces& pieces_;
-    std::vector<Run> runs_;
-    std::vector<ChainEdge> edges_;
-    std::vector<glm::vec3> nodes_;
-    std::unordered_map<std::uint32_t, std::uint32_t> node_of_vertex_;
+    const Strip& strip_;
 };
 
 } // namespace
 
-std::vector<VectorPath> chain_pieces(const LineSet& lines, const Pieces& pieces) {
-    return Chaining{lines, pieces}.chain();
+std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
+                                     const std::vector<Strip>& strips) {
+    std::vector<VectorPath> paths;
+    for (const Strip& strip : strips) {
+        const PathMaker maker{lines, pieces, strip};
+        for (const Stretch& stretch : across_seam(strip)) {
+            VectorPath path = maker.make(stretch);
+            if (path.points.size() > 1) paths.push_back(std::move(path));
+        }
+    }
+    return paths;
 }
 
 } // namespace lineatlas

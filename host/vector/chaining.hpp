@@ -5,12 +5,13 @@
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
 #include "pieces.hpp"
+#include "strips.hpp"
 
 namespace lineatlas {
 
-/// Joins pieces to polylines. Pieces of a path join at its vertices; silhouettes, each a path of
-/// its own in the line set, at the mesh's vertices, the straightest first. Only pieces of one kind
-/// that are all visible or all hidden are joined.
-std::vector<VectorPath> chain_pieces(const LineSet& lines, const Pieces& pieces);
+/// A polyline for every stretch of every strip; one that goes on across the seam of a closed strip
+/// is one polyline, closed if it goes all around.
+std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
+                                     const std::vector<Strip>& strips);
 
 } // namespace lineatlas

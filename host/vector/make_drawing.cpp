@@ -8,6 +8,7 @@
 #include "pieces.hpp"
 #include "plotter.hpp"
 #include "simplify.hpp"
+#include "strips.hpp"
 
 namespace lineatlas {
 namespace {
@@ -21,6 +22,12 @@ void sort_for_drawing(std::vector<VectorPath>& paths) {
         const int rank = drawn_rank[static_cast<std::size_t>(path.kind)];
         return path.visible ? static_cast<int>(drawn_rank.size()) + rank : rank;
     });
+}
+
+void drop_hidden(std::vector<Strip>& strips) {
+    for (Strip& strip : strips) {
+        std::erase_if(strip.stretches, [](const Stretch& stretch) { return !stretch.visible; });
+    }
 }
 
 void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
@@ -44,10 +51,11 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
     meet_junctions(lines, picture, pieces);
-    if (!style.hidden) std::erase_if(pieces.list, [](const Piece& p) { return !p.visible; });
+    std::vector<Strip> strips = make_strips(lines, pieces);
+    if (!style.hidden) drop_hidden(strips);
 
     VectorDrawing drawing{.size = camera.size, .style = style, .groups = {}, .paths = {}};
-    drawing.paths = chain_pieces(lines, pieces);
+    drawing.paths = chain_strips(lines, pieces, strips);
     simplify(drawing.paths, options.tolerance);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture);
     sort_for_drawing(drawing.paths);
