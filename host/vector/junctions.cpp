@@ -96,7 +96,7 @@ class Junctions {
 
     /// Where along the segment of `piece` a nearer line crosses it.
     std::optional<double> crossing(const Piece& piece, const Piece& other) const {
-        if (meet_in_vertex(piece.segment, other.segment)) return {};
+        if (share_vertex(lines_.segments[piece.segment], lines_.segments[other.segment])) return {};
         const ScreenSegment& segment = pieces_.segment_of(piece);
         const VectorPoint a = pieces_.start(other);
         const VectorPoint b = pieces_.end(other);
@@ -115,12 +115,6 @@ class Junctions {
         constexpr double rounding = 2 * double{LA_DEPTH_ROUNDING};
         if (!(other_depth < depth - rounding)) return {};
         return t;
-    }
-
-    bool meet_in_vertex(std::uint32_t i, std::uint32_t j) const {
-        const Segment& a = lines_.segments[i];
-        const Segment& b = lines_.segments[j];
-        return a.p == b.p || a.p == b.q || a.q == b.p || a.q == b.q;
     }
 
     const LineSet& lines_;

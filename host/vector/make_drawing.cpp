@@ -2,7 +2,10 @@
 #include <array>
 
 #include "chaining.hpp"
+#include "core/depth_tolerance.hpp"
+#include "halos.hpp"
 #include "junctions.hpp"
+#include "lengths.hpp"
 #include "lineatlas/vector.hpp"
 #include "overlaps.hpp"
 #include "pieces.hpp"
@@ -30,6 +33,18 @@ void drop_hidden(std::vector<Strip>& strips) {
     }
 }
 
+void apply_filter(const LineSet& lines, const Camera& camera, const Style& style,
+                  const Pieces& pieces, std::vector<Strip>& strips) {
+    const StrokeFilter& filter = style.filter;
+    std::vector<std::vector<Cut>> cuts(strips.size());
+    if (filter.halo > 0) {
+        cuts = find_halos(lines, pieces, strips, glm::dvec2{camera.size},
+                          {.width = static_cast<double>(filter.halo + 0.5F * style.pen.width),
+                           .tolerance = static_cast<double>(depth_tolerance(camera))});
+    }
+    for (std::size_t i = 0; i < strips.size(); ++i) filter_lengths(strips[i], filter, cuts[i]);
+}
+
 void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
     drawing.groups = mesh.groups;
     for (VectorPath& path : drawing.paths) {
@@ -53,6 +68,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (!style.hidden) drop_hidden(strips);
+    apply_filter(lines, camera, style, pieces, strips);
 
     VectorDrawing drawing{.size = camera.size, .style = style, .groups = {}, .paths = {}};
     drawing.paths = chain_strips(lines, pieces, strips);

@@ -107,6 +107,10 @@ bool at_vertex(std::uint32_t kind) {
     return kind == LA_END_PATH || kind == LA_END_JOIN || kind == LA_END_ROUND;
 }
 
+bool share_vertex(const Segment& a, const Segment& b) {
+    return a.p == b.p || a.p == b.q || a.q == b.p || a.q == b.q;
+}
+
 void drop_flickers(Pieces& pieces) {
     constexpr double shortest = 0.01; // pixels
     std::erase_if(pieces.list, [&](const Piece& piece) {

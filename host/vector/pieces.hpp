@@ -60,6 +60,9 @@ constexpr double same_place = 0.02;
 /// however short it is: it holds its neighbours together.
 void drop_flickers(Pieces& pieces);
 
+/// Whether two segments meet in a vertex of the mesh.
+bool share_vertex(const Segment& a, const Segment& b);
+
 /// Whether piece b starts where piece a, which comes before it, ends, in one path.
 bool goes_on(const LineSet& lines, const Pieces& pieces, const Piece& a, const Piece& b);
 
