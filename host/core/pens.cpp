@@ -145,10 +145,32 @@ float brush(float x, float y, float width) {
     return (0.5F + inside) * std::lerp(1.0F, wet, std::clamp(width / 6, 0.3F, 1.0F));
 }
 
+/// One dash in the middle of its period.
+PenMark paint_dashes(const DashLengths& dashes, float width) {
+    const float unit = std::max(1.0F, width);
+    const float period = dashes.dash + dashes.gap;
+    const int unit_columns = std::clamp(static_cast<int>(std::ceil(width)), 8, 256);
+    constexpr float rounding = 0.25F; // columns
+    const int columns =
+        static_cast<int>(period / unit * static_cast<float>(unit_columns) + rounding);
+    return paint(columns, period, width, [&](float x, float y) {
+        const float from_middle = std::abs(x - 0.5F * period);
+        if (!dashes.round) return 0.5F + 0.5F * dashes.dash - from_middle;
+        return 0.5F + 0.5F * unit - std::hypot(std::max(0.0F, from_middle - 0.5F * dashes.dash), y);
+    });
+}
+
 } // namespace
 
 std::span<const PenName> pen_names() {
     return names;
+}
+
+std::optional<DashLengths> dash_lengths(std::string_view name, float width) {
+    const float unit = std::max(1.0F, width);
+    if (name == "dashed") return DashLengths{.dash = 6 * unit, .gap = 3 * unit, .round = false};
+    if (name == "dotted") return DashLengths{.dash = 0, .gap = 2.5F * unit, .round = true};
+    return {};
 }
 
 PenMark make_pen(std::string_view name, float width) {
@@ -162,16 +184,8 @@ PenMark make_pen(std::string_view name, float width) {
     if (name == "brush") return uneven(brush);
     // Regular marks grow with the width, so that the pattern keeps its look; below a width of 1 it
     // would close up.
-    const float unit = std::max(1.0F, width);
-    const int unit_columns = std::clamp(static_cast<int>(std::ceil(width)), 8, 256);
-    if (name == "dashed") {
-        return paint(9 * unit_columns, 9 * unit, width,
-                     [&](float x, float) { return 0.5F + 3 * unit - std::abs(x - 4.5F * unit); });
-    }
-    if (name == "dotted") {
-        return paint(5 * unit_columns / 2, 2.5F * unit, width, [&](float x, float y) {
-            return 0.5F + 0.5F * unit - std::hypot(x - 1.25F * unit, y);
-        });
+    if (const std::optional<DashLengths> dashes = dash_lengths(name, width)) {
+        return paint_dashes(*dashes, width);
     }
     if (is_pen_file(name)) {
         throw UsageError("the picture of the pen \"" + std::string{name} +

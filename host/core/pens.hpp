@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,15 @@ std::span<const PenName> pen_names();
 /// The mark of a built-in pen for strokes of `width` pixels, the same every time. Grain keeps its
 /// size on the screen whatever the width. Throws UsageError for an unknown name.
 PenMark make_pen(std::string_view name, float width);
+
+/// What a mark of dashes or dots consists of, in pixels along the stroke.
+struct DashLengths {
+    float dash, gap; ///< a round dash reaches beyond both of its ends by half the stroke's width
+    bool round;
+};
+
+/// Of the built-in marks that are dashed; nothing for every other name.
+std::optional<DashLengths> dash_lengths(std::string_view name, float width);
 
 /// Whether a mark's name is that of an image file: it holds a '/' or a '.'. The caller reads it and
 /// makes a mark with `pen_from_image`.

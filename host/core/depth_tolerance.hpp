@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lineatlas/camera.hpp"
+
+namespace lineatlas {
+
+/// Window depth, times w, by which a surface or line must be nearer than a line to count as before
+/// it.
+float depth_tolerance(const Camera& camera);
+
+} // namespace lineatlas

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+#include "lineatlas/mesh.hpp"
+#include "lineatlas/style.hpp"
+#include "segment_table.h"
+
+namespace lineatlas {
+
+/// A point of a drawing.
+struct VectorPoint {
+    glm::dvec2 at{0, 0};       ///< pixels, from the upper left corner of the picture, y down
+    double depth = 0;          ///< window depth, 0 near to 1 far
+    double inverse_w = 1;      ///< 1/w of clip space: linear along a line on the screen
+    glm::dvec3 world{0, 0, 0}; ///< the point of the model that is seen there
+    double arc = 0;            ///< pixels along the line, 0 in its middle
+};
+
+/// Where a piece of a path comes from.
+struct VectorPiece {
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    std::uint32_t point = 0;    ///< from this point of the path to the next one
+    std::uint32_t segment = 0;  ///< index into LineSet::segments
+    LineSource source{};        ///< in the mesh, in the direction of the path
+    std::uint32_t group = none; ///< index into VectorDrawing::groups
+};
+
+/// A polyline that is drawn in one go.
+struct VectorPath {
+    LineKind kind = LineKind::crease;
+    bool visible = true;
+    bool closed = false; ///< the last point is where the first one is
+    float alpha = 1;     ///< mean visibility
+    std::vector<VectorPoint> points;
+    /// By point; several of one point where segments in a row lie on one straight line.
+    std::vector<VectorPiece> pieces;
+};
+
+/// What a plotter's pen travels without drawing, in pixels, and how many paths it draws.
+struct PenTravel {
+    double before = 0, after = 0;
+    std::size_t paths_before = 0, paths_after = 0;
+};
+
+/// A drawing as paths, in the order in which they are drawn: hidden lines before visible ones, and
+/// within both by kind.
+struct VectorDrawing {
+    glm::ivec2 size{1, 1}; ///< of the picture in pixels
+    Style style{};
+    std::vector<MeshGroup> groups; ///< what pieces belong to; empty where none are known
+    std::vector<VectorPath> paths;
+    std::optional<PenTravel> travel{}; ///< of a drawing for a plotter
+};
+
+struct VectorOptions {
+    /// The mesh that the lines were extracted from: pieces then know their object and material.
+    const Mesh* mesh = nullptr;
+    double tolerance = 0.05; ///< pixels by which simplified paths may be off
+    bool plotter = false;    ///< order, turn and join paths for the least travel of the pen
+};
+
+/// The drawing of what `Renderer::read_intervals` gave for a frame with this camera. Hidden lines
+/// are in it if the style draws them and `intervals` has them.
+VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
+                                  std::span<const Interval> intervals, const Style& style,
+                                  const VectorOptions& options = {});
+
+/// Units of length on paper. A pixel is that of CSS: 96 to an inch.
+enum class Unit { px, mm, in };
+
+struct Length {
+    double value = 0;
+    Unit unit = Unit::px;
+};
+double length_in(Length length, Unit unit);
+
+/// Throws UsageError unless it is "px", "mm" or "in".
+Unit parse_unit(std::string_view text);
+
+/// "10mm", "0.5in", "12px", or a number of `unit`. Throws UsageError, also for less than 0.
+Length parse_length(std::string_view text, Unit unit);
+
+/// A sheet of paper.
+struct Page {
+    Length width, height;
+    bool turns = false; ///< may lie on its side, as the drawing does
+};
+
+/// "a0" to "a6", "letter", "legal", "tabloid", or width and height as "300x200mm". Throws
+/// UsageError that names them.
+Page parse_page(std::string_view text);
+
+struct SvgOptions {
+    Unit units = Unit::px;
+    /// The picture is scaled to fit on it and centred. None: the page is the picture.
+    std::optional<Page> page{};
+    Length margin{};        ///< around the picture, on all four sides
+    bool background = true; ///< the paper's colour, unless it is white
+    bool tags = true;       ///< where each path comes from; never in a drawing for a plotter
+    bool layers = true;     ///< mark groups as layers of Inkscape
+    bool relative = true;   ///< shorter path data
+    std::string title = "Line drawing";
+    std::string description{}; ///< the settings that made it, for people
+};
+
+/// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room.
+std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options = {});
+
+struct JsonOptions {
+    bool tags = true; ///< the pieces of each path
+    std::string description{};
+};
+
+/// The drawing as JSON (docs/vector.md).
+std::string to_json(const VectorDrawing& drawing, const JsonOptions& options = {});
+
+} // namespace lineatlas

@@ -1,0 +1,117 @@
+#include "chaining.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace lineatlas {
+namespace {
+
+/// Places along a strip are the same within this, pixels: rounding.
+constexpr double rounding = 1e-6;
+
+/// The stretches of a closed strip with those that meet at its seam joined: what is left of the
+/// last one goes on beyond the strip's length.
+std::vector<Stretch> across_seam(const Strip& strip) {
+    std::vector<Stretch> stretches = strip.stretches;
+    if (!strip.closed || stretches.size() < 2) return stretches;
+    Stretch& first = stretches.front();
+    const Stretch last = stretches.back();
+    const bool meet =
+        first.visible == last.visible && first.from + strip.length - last.to < same_place;
+    if (!meet) return stretches;
+    first.from = last.from - strip.length;
+    first.start_kind = last.start_kind;
+    stretches.pop_back();
+    return stretches;
+}
+
+class PathMaker {
+  public:
+    PathMaker(const LineSet& lines, const Pieces& pieces, const Strip& strip)
+        : lines_(lines), pieces_(pieces), strip_(strip) {}
+
+    VectorPath make(const Stretch& stretch) const {
+        VectorPath path{.kind = strip_.kind,
+                        .visible = stretch.visible,
+                        .alpha = stretch.alpha,
+                        .points = {},
+                        .pieces = {}};
+        if (!strip_.closed) {
+            add_part(path, stretch.from, stretch.to, 0);
+            return path;
+        }
+        path.closed = stretch.length() > strip_.length - same_place;
+        const double to = path.closed ? stretch.from + strip_.length : stretch.to;
+        for (double lap = std::floor(stretch.from / strip_.length); lap * strip_.length < to;
+             ++lap) {
+            const double passed = lap * strip_.length;
+            add_part(path, std::max(stretch.from - passed, 0.0),
+                     std::min(to - passed, strip_.length), passed);
+        }
+        // Bit by bit, whatever rounding made of it.
+        if (path.closed) path.points.back().at = path.points.front().at;
+        return path;
+    }
+
+  private:
+    /// Adds what lies between two places of one lap; beyond the strip's ends straight on.
+    void add_part(VectorPath& path, double from, double to, double passed) const {
+        if (to - from <= rounding) return;
+        const auto after =
+            std::ranges::upper_bound(strip_.steps, from + rounding, {}, &StripStep::start);
+        auto step = after == strip_.steps.begin() ? after : std::prev(after);
+        double at = from;
+        for (; at < to - rounding; ++step) {
+            const auto next = std::next(step);
+            const bool last = next == strip_.steps.end();
+            const double end = last ? to : std::min(to, next->start);
+            if (end - at > 0) add_piece(path, *step, at, end, passed);
+            if (last) break;
+            at = end;
+        }
+    }
+
+    VectorPoint place(const StripStep& step, double at, double passed) const {
+        const ScreenSegment& segment = pieces_.screen[step.screen];
+        const double share = (at - step.start) / segment.length;
+        VectorPoint point = step.reversed ? between(segment.q, segment.p, share)
+                                          : between(segment.p, segment.q, share);
+        point.arc = strip_.start_arc + passed + at;
+        return point;
+    }
+
+    void add_piece(VectorPath& path, const StripStep& step, double from, double to,
+                   double passed) const {
+        if (!(pieces_.screen[step.screen].length > 0)) return;
+        if (path.points.empty()) path.points.push_back(place(step, from, passed));
+        VectorPiece piece{.point = static_cast<std::uint32_t>(path.points.size() - 1),
+                          .segment = step.segment};
+        if (step.segment < lines_.sources.size()) piece.source = lines_.sources[step.segment];
+        if (step.reversed) std::swap(piece.source.from, piece.source.to);
+        path.pieces.push_back(piece);
+        path.points.push_back(place(step, to, passed));
+    }
+
+    const LineSet& lines_;
+    const Pieces& pieces_;
+    const Strip& strip_;
+};
+
+} // namespace
+
+std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
+                                     const std::vector<Strip>& strips) {
+    std::vector<VectorPath> paths;
+    for (const Strip& strip : strips) {
+        const PathMaker maker{lines, pieces, strip};
+        for (const Stretch& stretch : across_seam(strip)) {
+            VectorPath path = maker.make(stretch);
+            if (path.points.size() > 1) paths.push_back(std::move(path));
+        }
+    }
+    return paths;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,157 @@
+#include "halos.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "segment_grid.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr double reach_hidden{LA_HALO_REACH_HIDDEN};
+constexpr double reach_over{LA_HALO_REACH_OVER};
+constexpr double least_sine{LA_HALO_LEAST_SINE};
+constexpr double most_stretch{LA_HALO_STRETCH};
+
+/// What is visible of one segment.
+struct Part {
+    std::uint32_t strip, segment;
+    double from;          ///< pixels from the start of the strip
+    VectorPoint a, b;     ///< along the strip
+    glm::dvec2 along;     ///< unit direction
+    double length;        ///< pixels
+    double before, after; ///< as a line that is cut it is longer by these, pixels
+};
+
+struct Crossing {
+    double on_line, on_other, sine; ///< pixels from the starts
+};
+
+class Halos {
+  public:
+    Halos(const LineSet& lines, const Pieces& pieces, glm::dvec2 picture,
+          const HaloOptions& options)
+        : lines_(lines), pieces_(pieces), options_(options), grid_(picture) {}
+
+    std::vector<std::vector<Cut>> find(const std::vector<Strip>& strips) {
+        for (std::uint32_t i = 0; i < strips.size(); ++i) add_parts(strips[i], i);
+        std::vector<std::vector<Cut>> cuts(strips.size());
+        for (const Part& part : parts_) find_cuts(part, cuts[part.strip]);
+        for (std::size_t i = 0; i < strips.size(); ++i) {
+            if (strips[i].closed) wrap(strips[i].length, cuts[i]);
+            std::ranges::sort(cuts[i], {}, &Cut::from);
+        }
+        return cuts;
+    }
+
+  private:
+    void add_parts(const Strip& strip, std::uint32_t index) {
+        for (const Stretch& stretch : strip.stretches) {
+            if (!stretch.visible) continue;
+            auto step = std::ranges::upper_bound(strip.steps, stretch.from, {}, &StripStep::start);
+            for (step = std::prev(step); step != strip.steps.end() && step->start < stretch.to;
+                 ++step) {
+                add_part(stretch, *step, index);
+            }
+        }
+    }
+
+    void add_part(const Stretch& stretch, const StripStep& step, std::uint32_t index) {
+        const ScreenSegment& segment = pieces_.screen[step.screen];
+        const double from = std::max(stretch.from, step.start);
+        const double to = std::min(stretch.to, step.start + segment.length);
+        if (!(to > from)) return;
+        const auto place = [&](double at) {
+            const double share = (at - step.start) / segment.length;
+            return step.reversed ? between(segment.q, segment.p, share)
+                                 : between(segment.p, segment.q, share);
+        };
+        const auto reach = [](std::uint32_t kind) {
+            return kind == LA_END_HIDDEN ? reach_hidden : 0;
+        };
+        Part part{.strip = index,
+                  .segment = step.segment,
+                  .from = from,
+                  .a = place(from),
+                  .b = place(to),
+                  .along = {},
+                  .length = to - from,
+                  .before = from == stretch.from ? reach(stretch.start_kind) : 0,
+                  .after = to == stretch.to ? reach(stretch.end_kind) : 0};
+        part.along = (part.b.at - part.a.at) / part.length;
+        grid_.insert(part.a.at - part.along * reach_over, part.b.at + part.along * reach_over,
+                     static_cast<std::uint32_t>(parts_.size()));
+        parts_.push_back(part);
+    }
+
+    void find_cuts(const Part& part, std::vector<Cut>& cuts) {
+        const glm::dvec2 start = part.a.at - part.along * part.before;
+        const glm::dvec2 end = part.b.at + part.along * part.after;
+        for (const std::uint32_t i : grid_.near(start, end, 0)) {
+            const Part& other = parts_[i];
+            const std::optional<Crossing> crossing = crossing_of(part, other);
+            if (!crossing || !is_nearer(part, other, *crossing)) continue;
+            if (share_vertex(lines_.segments[part.segment], lines_.segments[other.segment])) {
+                continue;
+            }
+            const double half =
+                std::min(options_.width / crossing->sine, most_stretch * options_.width);
+            const double centre = part.from + crossing->on_line;
+            cuts.push_back({centre - half, centre + half});
+        }
+    }
+
+    static std::optional<Crossing> crossing_of(const Part& part, const Part& other) {
+        const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
+        const double sine = cross(part.along, other.along);
+        if (!(std::abs(sine) >= least_sine)) return {};
+        const glm::dvec2 between = other.a.at - part.a.at;
+        const Crossing crossing{.on_line = cross(between, other.along) / sine,
+                                .on_other = cross(between, part.along) / sine,
+                                .sine = std::abs(sine)};
+        if (crossing.on_line < -part.before || crossing.on_line > part.length + part.after ||
+            crossing.on_other < -reach_over || crossing.on_other > other.length + reach_over) {
+            return {};
+        }
+        return crossing;
+    }
+
+    bool is_nearer(const Part& part, const Part& other, const Crossing& crossing) const {
+        const VectorPoint own = between(part.a, part.b, crossing.on_line / part.length);
+        const double share = std::clamp(crossing.on_other / other.length, 0.0, 1.0);
+        const double other_depth = std::lerp(other.a.depth, other.b.depth, share);
+        const double apart =
+            options_.tolerance * own.inverse_w + static_cast<double>(LA_DEPTH_ROUNDING);
+        return other_depth < own.depth - 2 * apart;
+    }
+
+    /// Gaps at the seam of a closed strip lie on both of its sides.
+    static void wrap(double length, std::vector<Cut>& cuts) {
+        const std::size_t count = cuts.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Cut cut = cuts[i];
+            if (cut.from < 0) cuts.push_back({cut.from + length, cut.to + length});
+            if (cut.to > length) cuts.push_back({cut.from - length, cut.to - length});
+        }
+    }
+
+    const LineSet& lines_;
+    const Pieces& pieces_;
+    HaloOptions options_;
+    SegmentGrid grid_;
+    std::vector<Part> parts_;
+};
+
+} // namespace
+
+std::vector<std::vector<Cut>> find_halos(const LineSet& lines, const Pieces& pieces,
+                                         const std::vector<Strip>& strips, glm::dvec2 picture,
+                                         const HaloOptions& options) {
+    return Halos{lines, pieces, picture, options}.find(strips);
+}
+
+} // namespace lineatlas

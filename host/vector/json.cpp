@@ -1,0 +1,104 @@
+#include <charconv>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "lineatlas/vector.hpp"
+
+namespace lineatlas {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+
+double rounded(double value, double steps) {
+    return std::round(value * steps) / steps;
+}
+double pixels(double value) {
+    return rounded(value, 1000);
+}
+double depth(double value) {
+    return rounded(value, 1e7);
+}
+
+/// As few digits as a float needs.
+double short_float(double value) {
+    char text[32];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, static_cast<float>(value));
+    double result = 0;
+    std::from_chars(text, end, result);
+    return result;
+}
+
+Json piece_json(const VectorPiece& piece) {
+    Json json{{"point", piece.point}, {"from", piece.source.from}, {"to", piece.source.to}};
+    if (piece.source.triangle != LineSource::none) json["triangle"] = piece.source.triangle;
+    if (piece.group != VectorPiece::none) json["group"] = piece.group;
+    return json;
+}
+
+Json path_json(const VectorPath& path, const JsonOptions& options) {
+    Json json{{"kind", line_kind_names[static_cast<std::size_t>(path.kind)]},
+              {"visible", path.visible},
+              {"closed", path.closed},
+              {"alpha", rounded(static_cast<double>(path.alpha), 1000)}};
+    Json points = Json::array();
+    Json depths = Json::array();
+    Json world = Json::array();
+    Json arcs = Json::array();
+    for (const VectorPoint& point : path.points) {
+        points.push_back({pixels(point.at.x), pixels(point.at.y)});
+        depths.push_back(depth(point.depth));
+        world.push_back(
+            {short_float(point.world.x), short_float(point.world.y), short_float(point.world.z)});
+        arcs.push_back(pixels(point.arc));
+    }
+    json["points"] = std::move(points);
+    json["depth"] = std::move(depths);
+    json["world"] = std::move(world);
+    json["arc"] = std::move(arcs);
+    if (!options.tags) return json;
+    json["pieces"] = Json::array();
+    for (const VectorPiece& piece : path.pieces) json["pieces"].push_back(piece_json(piece));
+    return json;
+}
+
+Json head_json(const VectorDrawing& drawing, const JsonOptions& options) {
+    Json json{{"format", "lineatlas-drawing"},
+              {"version", version},
+              {"units", "pixels"},
+              {"size", {drawing.size.x, drawing.size.y}}};
+    if (!options.description.empty()) json["description"] = options.description;
+    if (drawing.travel) {
+        json["pen_travel"] = {{"before", pixels(drawing.travel->before)},
+                              {"after", pixels(drawing.travel->after)}};
+    }
+    if (!options.tags) return json;
+    json["groups"] = Json::array();
+    for (const MeshGroup& group : drawing.groups) {
+        json["groups"].push_back({{"object", group.object}, {"material", group.material}});
+    }
+    return json;
+}
+
+/// Names from files may be in any encoding.
+std::string text_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace
+
+std::string to_json(const VectorDrawing& drawing, const JsonOptions& options) {
+    std::string text = text_of(head_json(drawing, options));
+    text.pop_back(); // the brace that closes it
+    text += ",\n\"paths\":[";
+    const char* before = "\n";
+    for (const VectorPath& path : drawing.paths) {
+        text += before + text_of(path_json(path, options));
+        before = ",\n";
+    }
+    return text + "\n]}\n";
+}
+
+} // namespace lineatlas

@@ -1,0 +1,133 @@
+#include "junctions.hpp"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "segment_grid.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// Lines at less than this sine to each other run along each other and do not cross.
+constexpr double least_sine = 0.01;
+/// A line that crosses at its very end, pixels.
+constexpr double end_slack = 0.05;
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// Where an end may go along its segment.
+struct Range {
+    double low, high;
+};
+
+class Junctions {
+  public:
+    Junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces, double reach)
+        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(picture), reach_(reach) {
+        for (std::uint32_t i = 0; i < before_.size(); ++i) {
+            const Piece& piece = before_[i];
+            if (piece.visible) {
+                grid_.insert(pieces.start(piece).at, pieces.end(piece).at, i);
+            }
+        }
+    }
+
+    std::size_t meet_all() {
+        std::size_t met = 0;
+        for (std::size_t i = 0; i < pieces_.list.size(); ++i) {
+            if (!pieces_.list[i].visible) continue;
+            met += meet(i, false) ? 1U : 0U;
+            met += meet(i, true) ? 1U : 0U;
+        }
+        return met;
+    }
+
+  private:
+    static PieceEnd& end_of(Piece& piece, bool at_end) { return at_end ? piece.end : piece.start; }
+
+    /// The next piece beyond an end, if there is one.
+    Piece* neighbour(std::size_t i, bool at_end) {
+        if (at_end ? i + 1 == pieces_.list.size() : i == 0) return nullptr;
+        return &pieces_.list[at_end ? i + 1 : i - 1];
+    }
+
+    bool touches(const Piece& piece, const Piece& other, bool at_end) const {
+        return at_end ? goes_on(lines_, pieces_, piece, other)
+                      : goes_on(lines_, pieces_, other, piece);
+    }
+
+    bool meet(std::size_t i, bool at_end) {
+        Piece& piece = pieces_.list[i];
+        PieceEnd& end = end_of(piece, at_end);
+        if (end.kind != LA_END_HIDDEN || !(pieces_.segment_of(piece).length > 0)) return false;
+        Piece* other = neighbour(i, at_end);
+        const bool shared = other != nullptr && touches(piece, *other, at_end);
+        if (shared && other->visible) return false; // visible on either side of a vertex
+        const bool beside = other != nullptr && other->segment == piece.segment;
+        const bool moves_along = shared && beside;
+        double limit = at_end ? 1 : 0;
+        if (beside) limit = end_of(*other, moves_along ? at_end : !at_end).t;
+        const Range range = at_end ? Range{piece.start.t, limit} : Range{limit, piece.end.t};
+        const std::optional<double> t = nearest_crossing(piece, end.t, range);
+        if (!t) return false;
+        end.t = *t;
+        if (moves_along) end_of(*other, !at_end).t = *t;
+        return true;
+    }
+
+    std::optional<double> nearest_crossing(const Piece& piece, double t, Range range) {
+        const double step = reach_ / pieces_.segment_of(piece).length;
+        const glm::dvec2 from = pieces_.point(piece, t - step).at;
+        const glm::dvec2 to = pieces_.point(piece, t + step).at;
+        std::optional<double> nearest;
+        for (const std::uint32_t j : grid_.near(from, to, end_slack)) {
+            const std::optional<double> found = crossing(piece, before_[j]);
+            if (!found || *found < range.low || *found > range.high) continue;
+            if (std::abs(*found - t) > step) continue;
+            if (!nearest || std::abs(*found - t) < std::abs(*nearest - t)) nearest = found;
+        }
+        return nearest;
+    }
+
+    /// Where along the segment of `piece` a nearer line crosses it.
+    std::optional<double> crossing(const Piece& piece, const Piece& other) const {
+        if (share_vertex(lines_.segments[piece.segment], lines_.segments[other.segment])) return {};
+        const ScreenSegment& segment = pieces_.segment_of(piece);
+        const VectorPoint a = pieces_.start(other);
+        const VectorPoint b = pieces_.end(other);
+        const glm::dvec2 way = segment.q.at - segment.p.at;
+        const glm::dvec2 other_way = b.at - a.at;
+        const double other_length = glm::length(other_way);
+        const double area = cross(way, other_way);
+        if (!(std::abs(area) > least_sine * segment.length * other_length)) return {};
+        const glm::dvec2 offset = a.at - segment.p.at;
+        const double t = cross(offset, other_way) / area;
+        const double on_other = cross(offset, way) / area;
+        const double slack = end_slack / other_length;
+        if (on_other < -slack || on_other > 1 + slack) return {};
+        const double depth = std::lerp(segment.p.depth, segment.q.depth, t);
+        const double other_depth = std::lerp(a.depth, b.depth, on_other);
+        constexpr double rounding = 2 * double{LA_DEPTH_ROUNDING};
+        if (!(other_depth < depth - rounding)) return {};
+        return t;
+    }
+
+    const LineSet& lines_;
+    Pieces& pieces_;
+    const std::vector<Piece> before_; ///< lines cross where they were: in any order the same
+    SegmentGrid grid_;
+    double reach_;
+};
+
+} // namespace
+
+std::size_t meet_junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces, double reach) {
+    return Junctions{lines, picture, pieces, reach}.meet_all();
+}
+
+} // namespace lineatlas

@@ -1,0 +1,213 @@
+#include "lengths.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace lineatlas {
+namespace {
+
+/// Nothing is shorter than this, in pixels: rounding of places.
+constexpr double shortest = 0.01;
+/// Visibility from which on a stroke is drawn in full.
+constexpr float fully_shown = static_cast<float>(LA_FULLY_SHOWN) / 255;
+
+struct Stroke {
+    Stretch part;
+    double start_overshoot = 0, end_overshoot = 0;
+};
+
+/// Whether a stroke may go on beyond an end, so that nobody knows how long it is.
+bool is_cut_off(std::uint32_t kind) {
+    return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
+}
+bool is_cut_off(const Stretch& stretch) {
+    return is_cut_off(stretch.start_kind) || is_cut_off(stretch.end_kind);
+}
+
+void extend(Stretch& stretch, const Stretch& next) {
+    const auto length = static_cast<float>(stretch.length());
+    const auto own = static_cast<float>(next.length());
+    if (length + own > 0) {
+        stretch.alpha = (stretch.alpha * length + next.alpha * own) / (length + own);
+    }
+    stretch.to = next.to;
+    stretch.end_kind = next.end_kind;
+}
+
+class Lengths {
+  public:
+    Lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts)
+        : strip_(strip), fill_(filter.fill), drop_(filter.drop), undershoot_(filter.undershoot),
+          overshoot_(filter.overshoot * (1 - filter.overshoot_variation * path_share(strip.path))),
+          cuts_(cuts) {}
+
+    void apply() {
+        const auto hidden = std::ranges::stable_partition(strip_.stretches, &Stretch::visible);
+        seen_.assign(strip_.stretches.begin(), hidden.begin());
+        if (seen_.empty()) return;
+        strip_.stretches.erase(strip_.stretches.begin(), hidden.begin());
+        if (strip_.closed) find_seam();
+        for (const Stroke& stroke : meeting(long_enough(filled()))) emit(stroke);
+        std::ranges::stable_sort(strip_.stretches, {}, &Stretch::from);
+    }
+
+  private:
+    /// What is hidden around the seam of a closed strip.
+    void find_seam() {
+        const double gap = seen_.front().from + strip_.length - seen_.back().to;
+        joined_ = gap <= shortest || gap < fill_;
+        seam_room_ = 0.5 * gap;
+    }
+
+    std::vector<Stretch> filled() const {
+        std::vector<Stretch> result;
+        for (const Stretch& next : seen_) {
+            const double gap = result.empty() ? 0 : next.from - result.back().to;
+            if (!result.empty() && (gap <= shortest || gap < fill_)) {
+                extend(result.back(), next);
+            } else {
+                result.push_back(next);
+            }
+        }
+        if (joined_) {
+            result.front().from = 0;
+            result.back().to = strip_.length;
+            result.front().start_kind = result.back().end_kind = LA_END_JOIN;
+        }
+        return result;
+    }
+
+    std::vector<Stroke> long_enough(const std::vector<Stretch>& stretches) const {
+        std::vector<Stroke> strokes;
+        for (const Stretch& stretch : stretches) {
+            if (!is_cut_off(stretch) && stretch.length() < drop_) continue;
+            strokes.push_back({.part = stretch,
+                               .start_overshoot = overshoot_at(stretch.from, true),
+                               .end_overshoot = overshoot_at(stretch.to, false)});
+        }
+        return strokes;
+    }
+
+    /// Strokes that overshoot into each other are one.
+    std::vector<Stroke> meeting(const std::vector<Stroke>& strokes) const {
+        std::vector<Stroke> result;
+        for (const Stroke& next : strokes) {
+            const bool meets = !result.empty() && next.part.from - result.back().part.to <=
+                                                      result.back().end_overshoot +
+                                                          next.start_overshoot - 2 * undershoot_;
+            if (meets) {
+                extend(result.back().part, next.part);
+                result.back().end_overshoot = next.end_overshoot;
+            } else {
+                result.push_back(next);
+            }
+        }
+        return result;
+    }
+
+    /// The square of the ink beside an end over the overshoot itself: that of a crumb is short. It
+    /// never reaches a gap beside a nearer line.
+    double overshoot_at(double place, bool at_start) const {
+        if (!(overshoot_ > 0)) return 0;
+        const double ink = at_start ? ink_within(place, place + overshoot_)
+                                    : ink_within(place - overshoot_, place);
+        double most = std::min(ink * ink / overshoot_, overshoot_);
+        for (const Cut& cut : cuts_) {
+            const bool beyond = at_start ? cut.from < place : cut.to > place;
+            const double room = at_start ? place - cut.to : cut.from - place;
+            if (beyond) most = std::clamp(room, 0.0, most);
+        }
+        return most;
+    }
+
+    /// Length that is visible between two places, times its opacity.
+    double ink_within(double low, double high) const {
+        double ink = ink_of_lap(low, high);
+        if (joined_) {
+            ink += ink_of_lap(low + strip_.length, high + strip_.length) +
+                   ink_of_lap(low - strip_.length, high - strip_.length);
+        }
+        return ink;
+    }
+
+    double ink_of_lap(double low, double high) const {
+        double ink = 0;
+        for (const Stretch& stretch : seen_) {
+            const double length = std::min(stretch.to, high) - std::max(stretch.from, low);
+            const float opacity = std::min(stretch.alpha / fully_shown, 1.0F);
+            ink += std::max(length, 0.0) * static_cast<double>(opacity);
+        }
+        return ink;
+    }
+
+    /// A stroke to its final length, in pieces between its gaps.
+    void emit(Stroke stroke) {
+        grow(stroke);
+        Stretch& part = stroke.part;
+        double least = shortest;
+        for (const Cut& cut : cuts_) {
+            if (cut.to <= part.from || cut.from >= part.to) continue;
+            least = std::max(drop_, shortest);
+            Stretch before = part;
+            before.to = cut.from;
+            before.end_kind = LA_END_HIDDEN;
+            if (before.length() >= (is_cut_off(part.start_kind) ? shortest : least)) {
+                strip_.stretches.push_back(before);
+            }
+            part.from = cut.to;
+            part.start_kind = LA_END_HIDDEN;
+        }
+        if (part.length() >= (is_cut_off(part.end_kind) ? shortest : least)) {
+            strip_.stretches.push_back(part);
+        }
+    }
+
+    void grow(Stroke& stroke) const {
+        Stretch& part = stroke.part;
+        const bool first = part.from <= seen_.front().from;
+        const bool last = part.to >= seen_.back().to;
+        part.from -= growth(part.start_kind, stroke.start_overshoot, first);
+        part.to += growth(part.end_kind, stroke.end_overshoot, last);
+        // No farther than the path is drawn, unless it ends there.
+        if (strip_.closed) return;
+        if (part.from < 0 && !strip_.open_start) {
+            part.from = 0;
+            part.start_kind = LA_END_CLIPPED;
+        }
+        if (part.to > strip_.length && !strip_.open_end) {
+            part.to = strip_.length;
+            part.end_kind = LA_END_CLIPPED;
+        }
+    }
+
+    double growth(std::uint32_t kind, double overshoot, bool at_seam) const {
+        if (kind == LA_END_PATH) return overshoot;
+        if (kind != LA_END_HIDDEN) return 0;
+        const double grown = overshoot - undershoot_;
+        return at_seam ? std::min(grown, seam_room_) : grown;
+    }
+
+    Strip& strip_;
+    double fill_, drop_, undershoot_, overshoot_;
+    std::span<const Cut> cuts_;
+    std::vector<Stretch> seen_; ///< what is visible before any change
+    bool joined_ = false;       ///< visible across the seam
+    double seam_room_ = std::numeric_limits<double>::infinity();
+};
+
+} // namespace
+
+float path_share(std::uint32_t path) {
+    std::uint32_t h = path * 0x9E3779B1U;
+    h ^= h >> 16U;
+    h *= 0x85EBCA6BU;
+    h ^= h >> 13U;
+    return static_cast<float>(h >> 8U) * (1.0F / 16777216.0F);
+}
+
+void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts) {
+    Lengths{strip, filter, cuts}.apply();
+}
+
+} // namespace lineatlas

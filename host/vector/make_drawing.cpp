@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <array>
+
+#include "chaining.hpp"
+#include "core/depth_tolerance.hpp"
+#include "halos.hpp"
+#include "junctions.hpp"
+#include "lengths.hpp"
+#include "lineatlas/vector.hpp"
+#include "overlaps.hpp"
+#include "pieces.hpp"
+#include "plotter.hpp"
+#include "simplify.hpp"
+#include "strips.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// By LineKind: crease, boundary, material, silhouette, file. What outlines the model is drawn
+/// last.
+constexpr std::array drawn_rank{1, 2, 0, 3, 4};
+
+void sort_for_drawing(std::vector<VectorPath>& paths) {
+    std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {
+        const int rank = drawn_rank[static_cast<std::size_t>(path.kind)];
+        return path.visible ? static_cast<int>(drawn_rank.size()) + rank : rank;
+    });
+}
+
+void drop_hidden(std::vector<Strip>& strips) {
+    for (Strip& strip : strips) {
+        std::erase_if(strip.stretches, [](const Stretch& stretch) { return !stretch.visible; });
+    }
+}
+
+void apply_filter(const LineSet& lines, const Camera& camera, const Style& style,
+                  const Pieces& pieces, std::vector<Strip>& strips) {
+    const StrokeFilter& filter = style.filter;
+    std::vector<std::vector<Cut>> cuts(strips.size());
+    if (filter.halo > 0) {
+        cuts = find_halos(lines, pieces, strips, glm::dvec2{camera.size},
+                          {.width = static_cast<double>(filter.halo + 0.5F * style.pen.width),
+                           .tolerance = static_cast<double>(depth_tolerance(camera))});
+    }
+    for (std::size_t i = 0; i < strips.size(); ++i) filter_lengths(strips[i], filter, cuts[i]);
+}
+
+void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
+    drawing.groups = mesh.groups;
+    for (VectorPath& path : drawing.paths) {
+        for (VectorPiece& piece : path.pieces) {
+            const std::uint32_t triangle = piece.source.triangle;
+            if (triangle >= mesh.triangle_group.size()) continue;
+            const std::uint32_t group = mesh.triangle_group[triangle];
+            if (group < mesh.groups.size()) piece.group = group;
+        }
+    }
+}
+
+} // namespace
+
+VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
+                                  std::span<const Interval> intervals, const Style& style,
+                                  const VectorOptions& options) {
+    const glm::dvec2 picture{camera.size};
+    Pieces pieces = make_pieces(lines, camera, intervals);
+    drop_flickers(pieces);
+    meet_junctions(lines, picture, pieces);
+    std::vector<Strip> strips = make_strips(lines, pieces);
+    if (!style.hidden) drop_hidden(strips);
+    apply_filter(lines, camera, style, pieces, strips);
+
+    VectorDrawing drawing{.size = camera.size, .style = style, .groups = {}, .paths = {}};
+    drawing.paths = chain_strips(lines, pieces, strips);
+    simplify(drawing.paths, options.tolerance);
+    drawing.paths = remove_overlaps(std::move(drawing.paths), picture);
+    sort_for_drawing(drawing.paths);
+    if (options.mesh != nullptr) add_groups(*options.mesh, drawing);
+    if (options.plotter) drawing.travel = order_for_plotter(drawing.paths);
+    return drawing;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,202 @@
+#include "overlaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include "paths.hpp"
+#include "segment_grid.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// Lines run along each other where they are no farther apart than this, pixels.
+constexpr double reach = 0.25;
+/// Lines at less than this sine to each other (5 degrees) count as parallel: where they are within
+/// reach, one goes. However lines are cut, what is left is within reach of nothing.
+constexpr double parallel_sine = 0.0872;
+/// Short ones at less than this do if they are within reach all along each other.
+constexpr double along_sine = 0.5;
+/// Shorter overlaps are joints, pixels.
+constexpr double shortest_overlap = 0.02;
+/// What is left between two overlaps, or of a path with overlaps, is dropped if shorter, pixels.
+constexpr double shortest_rest = 0.5;
+
+/// By LineKind: crease, boundary, material, silhouette, file.
+constexpr std::array kind_rank{3, 1, 2, 4, 0};
+
+struct Span {
+    double from, to; ///< pixels from the start of a line or path
+};
+
+struct Line {
+    glm::dvec2 a, along; ///< its start and unit direction
+    double length;
+};
+
+/// The part of `line` that runs along `other`, as pixels from its start.
+std::optional<Span> part_along(const Line& line, const Line& other) {
+    const double sine = line.along.x * other.along.y - line.along.y * other.along.x;
+    if (!(std::abs(sine) < along_sine)) return {};
+    const double cosine = glm::dot(line.along, other.along);
+
+    // The stretch beside the other line, then as much of it as is within reach.
+    const double start = glm::dot(line.a - other.a, other.along);
+    const double at_a = -start / cosine;
+    const double at_b = (other.length - start) / cosine;
+    Span span{std::max(0.0, std::min(at_a, at_b)), std::min(line.length, std::max(at_a, at_b))};
+    if (span.to - span.from < shortest_overlap) return {};
+    const glm::dvec2 normal{-other.along.y, other.along.x};
+    const double apart = glm::dot(line.a - other.a, normal);
+    const double opening = glm::dot(line.along, normal); // distance gained per pixel
+    const auto within = [&](double s) { return std::abs(apart + opening * s) <= reach; };
+    if (within(span.from) && within(span.to)) return span;
+    if (!(std::abs(sine) < parallel_sine) || opening == 0) return {};
+    const double one = (-reach - apart) / opening;
+    const double two = (reach - apart) / opening;
+    span = {std::max(span.from, std::min(one, two)), std::min(span.to, std::max(one, two))};
+    if (span.to - span.from < shortest_overlap) return {};
+    return span;
+}
+
+/// Sorts them and joins those with less than `gap` between them.
+void join_spans(std::vector<Span>& spans, double gap) {
+    std::ranges::sort(spans, {}, &Span::from);
+    std::size_t count = 0;
+    for (const Span span : spans) {
+        if (count > 0 && span.from - spans[count - 1].to < gap) {
+            spans[count - 1].to = std::max(spans[count - 1].to, span.to);
+        } else {
+            spans[count++] = span;
+        }
+    }
+    spans.resize(count);
+}
+
+/// What is left of [0, length] without `covered`, which is sorted.
+std::vector<Span> rest_of(const std::vector<Span>& covered, double length) {
+    std::vector<Span> rest;
+    double from = 0;
+    for (const Span span : covered) {
+        if (span.from > from) rest.push_back({from, span.from});
+        from = std::max(from, span.to);
+    }
+    if (from < length) rest.push_back({from, length});
+    return rest;
+}
+
+double mean_depth(const VectorPath& path) {
+    double sum = 0;
+    for (const VectorPoint& point : path.points) sum += point.depth;
+    return sum / static_cast<double>(path.points.size());
+}
+
+/// Paths in the order in which they claim their place.
+std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
+    struct Claim {
+        bool hidden;
+        int kind;
+        double depth;
+        std::size_t path;
+        auto operator<=>(const Claim&) const = default;
+    };
+    std::vector<Claim> claims;
+    claims.reserve(paths.size());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const VectorPath& path = paths[i];
+        claims.push_back({.hidden = !path.visible,
+                          .kind = kind_rank[static_cast<std::size_t>(path.kind)],
+                          .depth = mean_depth(path),
+                          .path = i});
+    }
+    std::ranges::sort(claims);
+    std::vector<std::size_t> order;
+    order.reserve(claims.size());
+    for (const Claim& claim : claims) order.push_back(claim.path);
+    return order;
+}
+
+class Overlaps {
+  public:
+    explicit Overlaps(glm::dvec2 picture) : grid_(picture) {}
+
+    /// Appends to `result` what may be drawn of `path`, which claims its place.
+    void claim(VectorPath&& path, std::vector<VectorPath>& result) {
+        std::vector<Span> covered;
+        double passed = 0;
+        for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+            const glm::dvec2 way = path.points[i + 1].at - path.points[i].at;
+            const double length = glm::length(way);
+            if (!(length > 0)) continue;
+            const Line line{path.points[i].at, way / length, length};
+            const std::vector<Span> own = covered_part(line);
+            for (const Span free : rest_of(own, length)) add(line, free);
+            for (const Span span : own) covered.push_back({passed + span.from, passed + span.to});
+            passed += length;
+        }
+        if (covered.empty()) {
+            result.push_back(std::move(path));
+            return;
+        }
+        keep_rest(path, covered, passed, result);
+    }
+
+  private:
+    std::vector<Span> covered_part(const Line& line) {
+        std::vector<Span> covered;
+        const glm::dvec2 end = line.a + line.along * line.length;
+        for (const std::uint32_t i : grid_.near(line.a, end, reach)) {
+            if (const std::optional<Span> span = part_along(line, lines_[i])) {
+                covered.push_back(*span);
+            }
+        }
+        join_spans(covered, shortest_overlap);
+        return covered;
+    }
+
+    void add(const Line& line, Span part) {
+        if (part.to - part.from < shortest_overlap) return;
+        const Line free{line.a + line.along * part.from, line.along, part.to - part.from};
+        grid_.insert(free.a, free.a + free.along * free.length,
+                     static_cast<std::uint32_t>(lines_.size()));
+        lines_.push_back(free);
+    }
+
+    static void keep_rest(const VectorPath& path, std::vector<Span>& covered, double length,
+                          std::vector<VectorPath>& result) {
+        join_spans(covered, shortest_rest);
+        std::vector<VectorPath> parts;
+        for (const Span span : rest_of(covered, length)) {
+            if (span.to - span.from < shortest_rest) continue;
+            parts.push_back(part_of(path, span.from, span.to));
+        }
+        const bool over_seam = path.closed && parts.size() > 1 && covered.front().from > 0 &&
+                               covered.back().to < length;
+        if (over_seam && parts.front().points.front().at == path.points.front().at &&
+            parts.back().points.back().at == path.points.back().at) {
+            append(parts.back(), parts.front());
+            parts.erase(parts.begin());
+        }
+        for (VectorPath& part : parts) result.push_back(std::move(part));
+    }
+
+    SegmentGrid grid_;
+    std::vector<Line> lines_; ///< what is drawn already
+};
+
+} // namespace
+
+std::vector<VectorPath> remove_overlaps(std::vector<VectorPath> paths, glm::dvec2 picture) {
+    Overlaps overlaps{picture};
+    std::vector<VectorPath> result;
+    result.reserve(paths.size());
+    for (const std::size_t i : claim_order(paths)) overlaps.claim(std::move(paths[i]), result);
+    return result;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,77 @@
+#include "paths.hpp"
+
+#include <algorithm>
+
+#include "pieces.hpp"
+
+namespace lineatlas {
+
+double length_of(const VectorPath& path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        length += glm::distance(path.points[i - 1].at, path.points[i].at);
+    }
+    return length;
+}
+
+VectorPath part_of(const VectorPath& path, double from, double to) {
+    VectorPath part{.kind = path.kind,
+                    .visible = path.visible,
+                    .closed = false,
+                    .alpha = path.alpha,
+                    .points = {},
+                    .pieces = {}};
+    double passed = 0;
+    auto piece = path.pieces.begin();
+    for (std::size_t i = 0; i + 1 < path.points.size() && passed < to; ++i) {
+        const VectorPoint& a = path.points[i];
+        const VectorPoint& b = path.points[i + 1];
+        const double length = glm::distance(a.at, b.at);
+        const double end = passed + length;
+        const bool inside = length > 0 && end > from;
+        if (inside) {
+            const double share_from = std::max(0.0, (from - passed) / length);
+            const double share_to = std::min(1.0, (to - passed) / length);
+            if (part.points.empty()) part.points.push_back(between(a, b, share_from));
+            part.points.push_back(between(a, b, share_to));
+        }
+        for (; piece != path.pieces.end() && piece->point == i; ++piece) {
+            if (!inside) continue;
+            part.pieces.push_back(*piece);
+            part.pieces.back().point = static_cast<std::uint32_t>(part.points.size() - 2);
+        }
+        passed = end;
+    }
+    return part;
+}
+
+void reverse(VectorPath& path) {
+    std::ranges::reverse(path.points);
+    std::ranges::reverse(path.pieces);
+    for (VectorPiece& piece : path.pieces) {
+        piece.point = static_cast<std::uint32_t>(path.points.size() - 2 - piece.point);
+        std::swap(piece.source.from, piece.source.to);
+    }
+}
+
+void rotate(VectorPath& path, std::size_t first) {
+    if (first == 0 || first + 1 >= path.points.size()) return;
+    const auto edges = static_cast<std::uint32_t>(path.points.size() - 1);
+    const auto by = static_cast<std::uint32_t>(first);
+    path.points.pop_back();
+    std::rotate(path.points.begin(), path.points.begin() + by, path.points.end());
+    path.points.push_back(path.points.front());
+    for (VectorPiece& piece : path.pieces) piece.point = (piece.point + edges - by) % edges;
+    std::ranges::stable_sort(path.pieces, {}, &VectorPiece::point);
+}
+
+void append(VectorPath& path, const VectorPath& next) {
+    const auto offset = static_cast<std::uint32_t>(path.points.size() - 1);
+    path.points.insert(path.points.end(), next.points.begin() + 1, next.points.end());
+    for (VectorPiece piece : next.pieces) {
+        piece.point += offset;
+        path.pieces.push_back(piece);
+    }
+}
+
+} // namespace lineatlas

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "lineatlas/vector.hpp"
+
+namespace lineatlas {
+
+/// Length on the screen, pixels.
+double length_of(const VectorPath& path);
+
+/// The part of a path between two lengths from its start.
+VectorPath part_of(const VectorPath& path, double from, double to);
+
+/// The same path, drawn from its other end.
+void reverse(VectorPath& path);
+
+/// The same closed path, drawn from another of its points on.
+void rotate(VectorPath& path, std::size_t first);
+
+/// Puts `next` behind `path`, whose end is at its start.
+void append(VectorPath& path, const VectorPath& next);
+
+} // namespace lineatlas

@@ -1,0 +1,39 @@
+#include "sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+glm::dvec2 page_size(const Page& page, glm::dvec2 picture, Unit unit) {
+    const glm::dvec2 size{length_in(page.width, unit), length_in(page.height, unit)};
+    const bool on_its_side = page.turns && (picture.x > picture.y) != (size.x > size.y);
+    return on_its_side ? glm::dvec2{size.y, size.x} : size;
+}
+
+} // namespace
+
+Sheet lay_out(glm::ivec2 picture, const SvgOptions& options) {
+    const glm::dvec2 pixels{picture};
+    const double margin = length_in(options.margin, options.units);
+    const double natural = length_in({1, Unit::px}, options.units);
+    Sheet sheet{.size = pixels * natural + 2 * margin, .scale = natural, .corner = {}, .digits = 0};
+    if (options.page) {
+        sheet.size = page_size(*options.page, pixels, options.units);
+        const glm::dvec2 room = sheet.size - 2 * margin;
+        if (!(std::min(room.x, room.y) > 0)) {
+            throw UsageError("the margin leaves no room on the page");
+        }
+        sheet.scale = std::min(room.x / pixels.x, room.y / pixels.y);
+    }
+    sheet.corner = 0.5 * (sheet.size - pixels * sheet.scale);
+    constexpr double precision = 0.01; // pixels
+    sheet.digits =
+        std::clamp(static_cast<int>(std::ceil(-std::log10(precision * sheet.scale))), 0, 6);
+    return sheet;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "lineatlas/vector.hpp"
+
+namespace lineatlas {
+
+/// Where the picture lies on its page, in the page's units.
+struct Sheet {
+    glm::dvec2 size;   ///< of the page
+    double scale;      ///< units per pixel of the picture
+    glm::dvec2 corner; ///< where the picture's upper left corner lies
+    int digits;        ///< after the point, for a hundredth of a pixel
+
+    glm::dvec2 place(glm::dvec2 pixels) const { return corner + pixels * scale; }
+};
+
+/// Throws UsageError when the margin leaves no room.
+Sheet lay_out(glm::ivec2 picture, const SvgOptions& options);
+
+} // namespace lineatlas

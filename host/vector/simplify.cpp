@@ -1,0 +1,73 @@
+#include "simplify.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "paths.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr double shortest_path = 0.01;
+
+double distance_to(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 way = b - a;
+    const double squared = glm::dot(way, way);
+    if (!(squared > 0)) return glm::distance(point, a);
+    const double share = std::clamp(glm::dot(point - a, way) / squared, 0.0, 1.0);
+    return glm::distance(point, a + way * share);
+}
+
+/// The point between two others that is farthest from the line between them.
+std::pair<std::size_t, double> farthest(const std::vector<VectorPoint>& points, std::size_t first,
+                                        std::size_t last) {
+    std::pair<std::size_t, double> found{first, 0};
+    for (std::size_t i = first + 1; i < last; ++i) {
+        const double distance = distance_to(points[i].at, points[first].at, points[last].at);
+        if (distance > found.second) found = {i, distance};
+    }
+    return found;
+}
+
+std::vector<std::size_t> kept_points(const std::vector<VectorPoint>& points, double tolerance) {
+    std::vector<bool> keep(points.size(), false);
+    keep.front() = keep.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+    while (!open.empty()) {
+        const auto [first, last] = open.back();
+        open.pop_back();
+        const auto [middle, distance] = farthest(points, first, last);
+        if (!(distance > tolerance)) continue;
+        keep[middle] = true;
+        open.emplace_back(first, middle);
+        open.emplace_back(middle, last);
+    }
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+        if (keep[i]) kept.push_back(i);
+    }
+    return kept;
+}
+
+} // namespace
+
+void simplify(VectorPath& path, double tolerance) {
+    if (path.points.size() < 3) return;
+    const std::vector<std::size_t> kept = kept_points(path.points, tolerance);
+    std::size_t edge = 0;
+    for (VectorPiece& piece : path.pieces) {
+        while (edge + 2 < kept.size() && kept[edge + 1] <= piece.point) ++edge;
+        piece.point = static_cast<std::uint32_t>(edge);
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i) path.points[i] = path.points[kept[i]];
+    path.points.resize(kept.size());
+}
+
+void simplify(std::vector<VectorPath>& paths, double tolerance) {
+    for (VectorPath& path : paths) simplify(path, tolerance);
+    std::erase_if(paths, [](const VectorPath& path) { return length_of(path) < shortest_path; });
+}
+
+} // namespace lineatlas

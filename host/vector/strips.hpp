@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lineatlas/lines.hpp"
+#include "lineatlas/vector.hpp"
+#include "pieces.hpp"
+
+namespace lineatlas {
+
+/// A segment of a strip.
+struct StripStep {
+    std::uint32_t segment = 0; ///< index into LineSet::segments
+    std::uint32_t screen = 0;  ///< index into Pieces::screen
+    bool reversed = false;     ///< walked from q to p
+    double start = 0;          ///< pixels from the start of the strip
+};
+
+/// A part of a strip that is visible all along, or hidden all along. Of a stroke that grew, it may
+/// reach beyond the strip: straight on where that is open, and around where it is closed.
+struct Stretch {
+    double from = 0, to = 0;                    ///< pixels from the start of the strip
+    std::uint32_t start_kind = 0, end_kind = 0; ///< LA_END_*: CLIPPED, JOIN (a seam), HIDDEN, PATH
+    bool visible = true;
+    float alpha = 1; ///< mean visibility
+
+    double length() const { return to - from; }
+};
+
+/// Segments that are connected on the screen: a path of the line set, or a chain of silhouettes,
+/// which are a path each there.
+struct Strip {
+    LineKind kind = LineKind::crease;
+    std::uint32_t path = 0; ///< of its first segment
+    bool closed = false;
+    bool open_start = false, open_end = false; ///< the path itself ends there
+    double length = 0;
+    double start_arc = 0; ///< arc length at its start
+    std::vector<StripStep> steps;
+    std::vector<Stretch> stretches; ///< ascending
+};
+
+/// Silhouettes are chained at the mesh's vertices, the straightest first.
+std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
+
+} // namespace lineatlas

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include <pugixml.hpp>
+
+#include "lineatlas/vector.hpp"
+#include "sheet.hpp"
+
+namespace lineatlas {
+
+/// An element for paths of one kind, visible or hidden, with how the style draws them.
+pugi::xml_node add_group(pugi::xml_node& svg, const Style& style, LineKind kind, bool visible,
+                         const Sheet& sheet, bool layers);
+
+/// "#rrggbb".
+std::string color_text(glm::vec3 color);
+
+} // namespace lineatlas
