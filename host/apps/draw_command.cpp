@@ -19,6 +19,8 @@
 #include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
+#include "vector_options.hpp"
+#include "vector_output.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -45,6 +47,7 @@ struct DrawArguments {
     StyleOptions style;
     SequenceOptions sequence;
     PictureOptions picture;
+    VectorOptionsGroup paths;
     DeviceOptions device;
     bool stats = false;
     int repeat = 1;
@@ -92,6 +95,7 @@ FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
 /// What is drawn, and the view on it unless the command line says another.
 struct Subject {
     std::string name;
+    Mesh mesh;
     LineSet lines;
     View view;
 };
@@ -106,12 +110,15 @@ Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
                                    .crease_angle = arguments.crease * radians_per_degree};
     const float fov = arguments.fov * radians_per_degree;
     if (!arguments.scene.empty()) {
-        const Scene scene = make_scene(arguments.scene);
-        return {scene.name, extract_lines(scene.mesh, line_options), scene.view(arguments.at)};
+        Scene scene = make_scene(arguments.scene);
+        LineSet lines = extract_lines(scene.mesh, line_options);
+        const View view = scene.view(arguments.at);
+        return {scene.name, std::move(scene.mesh), std::move(lines), view};
     }
-    const LoadedMesh loaded = load_mesh(arguments.model);
+    LoadedMesh loaded = load_mesh(arguments.model);
     for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
-    Subject subject{arguments.model, extract_lines(loaded.mesh, line_options), {}};
+    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}};
+    subject.lines = extract_lines(subject.mesh, line_options);
     const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
     const std::vector<glm::vec3>& points = subject.lines.vertices;
     subject.view = arguments.sequence.turns()
@@ -150,8 +157,73 @@ void check_arguments(const DrawArguments& arguments) {
     if (arguments.sequence.given(arguments.output) && arguments.stats) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
+    arguments.paths.check(arguments.output);
+    if (is_vector_path(arguments.output)) return;
     check_image_path(arguments.output);
     arguments.picture.check(arguments.output);
+}
+
+/// All that `draw` draws.
+struct Drawing {
+    const DrawArguments& arguments;
+    std::string description;
+    const Subject& subject;
+    glm::ivec2 size;
+    const FrameOptions& options;
+    std::span<const SequenceFrame> frames; ///< empty: a single one
+};
+
+/// `draw`: how --stats draws a frame.
+void draw_frames(const Drawing& drawing, FrameOutput& output, const Renderer& renderer,
+                 const std::function<FrameStats(const Camera&, const FrameOptions&)>& draw) {
+    const DrawArguments& arguments = drawing.arguments;
+    if (!drawing.frames.empty()) {
+        return draw_sequence(drawing.frames, output, arguments.sequence.resume());
+    }
+    const Subject& subject = drawing.subject;
+    const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
+    output.draw(camera, arguments.output);
+    output.finish();
+    if (!arguments.stats) return;
+    measure_and_print({.name = subject.name,
+                       .options = drawing.options,
+                       .repeat = arguments.repeat,
+                       .draw = [&](const FrameOptions& wanted) { return draw(camera, wanted); }},
+                      renderer);
+}
+
+void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writer) {
+    const PictureOptions& picture = drawing.arguments.picture;
+    ImageSettings settings = picture.settings();
+    settings.description = drawing.description;
+    PictureOutput output{{.size = drawing.size,
+                          .options = drawing.options,
+                          .settings = settings,
+                          .transparent = picture.transparent()},
+                         renderer,
+                         writer};
+    draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
+        return output.draw(camera, wanted);
+    });
+}
+
+void draw_paths(const Drawing& drawing, Renderer& renderer) {
+    const VectorOptionsGroup& paths = drawing.arguments.paths;
+    const Subject& subject = drawing.subject;
+    SvgOptions svg = paths.svg();
+    svg.title = std::filesystem::path{subject.name}.stem().string();
+    svg.background = !drawing.arguments.picture.transparent();
+    VectorOutput output{
+        {.options = drawing.options,
+         .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
+         .svg = svg,
+         .json = {.tags = paths.tags(), .description = {}},
+         .description = drawing.description},
+        subject.lines,
+        renderer};
+    draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
+        return output.find(camera, wanted);
+    });
 }
 
 void draw(const DrawArguments& arguments, const CLI::App& app) {
@@ -172,26 +244,12 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     Renderer renderer{arguments.device};
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);
-    ImageSettings settings = arguments.picture.settings();
-    settings.description = describe_drawing(app, arguments.model);
-    PictureOutput output{{.size = size,
-                          .options = options,
-                          .settings = settings,
-                          .transparent = arguments.picture.transparent()},
-                         renderer,
-                         writer};
-    if (!frames.empty()) return draw_sequence(frames, output, arguments.sequence.resume());
-    const Camera camera = make_camera(subject.view, size, subject.lines.bounds);
-    output.draw(camera, arguments.output);
-    output.finish();
-    if (arguments.stats) {
-        measure_and_print(
-            {.name = subject.name,
-             .options = options,
-             .repeat = arguments.repeat,
-             .draw = [&](const FrameOptions& wanted) { return output.draw(camera, wanted); }},
-            renderer);
-    }
+    const Drawing drawing{arguments, describe_drawing(app, arguments.model), subject, size, options,
+                          frames};
+    if (is_vector_path(arguments.output))
+        draw_paths(drawing, renderer);
+    else
+        draw_pictures(drawing, renderer, writer);
 }
 
 } // namespace
@@ -200,7 +258,9 @@ Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
     app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file");
-    app.add_option("-o,--output", a.output, "Picture to write; PNG, JPEG, TIFF, ...")->required();
+    app.add_option("-o,--output", a.output,
+                   "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG or JSON")
+        ->required();
 
     const std::string model = "What to draw";
     app.add_option("--scene", a.scene,
@@ -259,6 +319,7 @@ Command setup_draw(CLI::App& app) {
     a.style.declare(app);
     a.sequence.declare(app);
     a.picture.declare(app);
+    a.paths.declare(app);
 
     const std::string device = "Device";
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference (plain C++)")
@@ -282,6 +343,7 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw chair.obj -o chair.png\n"
                "  lineatlas draw part.stl -o part.png --up z --style pencil --width 3\n"
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
+               "  lineatlas draw chair.obj -o chair.svg --page a4 --margin 10mm --plotter\n"
                "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20");
     return [arguments, &app] { draw(*arguments, app); };
