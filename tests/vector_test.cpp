@@ -530,6 +530,17 @@ TEST(VectorDrawings, OfScenesAreSound) {
     }
 }
 
+TEST(VectorDrawings, ForAPlotterAreSoundToo) {
+    const VectorDrawing plain = scene_drawing("house", false);
+    const VectorDrawing drawing = scene_drawing("house", false, {.plotter = true});
+    EXPECT_EQ(test::flaws_of(drawing), "");
+    EXPECT_LE(test::longest_overlap(drawing.paths), 0.5);
+    ASSERT_TRUE(drawing.travel);
+    EXPECT_LT(drawing.travel->after, 0.1 * drawing.travel->before);
+    EXPECT_NEAR(test::total_length(drawing.paths), test::total_length(plain.paths),
+                0.1 * static_cast<double>(plain.paths.size()));
+}
+
 TEST(VectorDrawings, HiddenLinesComeFirst) {
     const VectorDrawing drawing = scene_drawing("clevis", true);
     EXPECT_TRUE(std::ranges::is_sorted(drawing.paths, {}, &VectorPath::visible));
