@@ -88,9 +88,9 @@ TEST(Plotter, JoinsEndsThatMeet) {
     EXPECT_EQ(travel.paths_before, 5U);
     ASSERT_EQ(paths.size(), 3U);
     EXPECT_EQ(travel.paths_after, 3U);
-    EXPECT_EQ(paths[0].points.size(), 4U);
-    EXPECT_NEAR(length_of(paths[0]), 30, 0.1);
-    EXPECT_EQ(paths[0].pieces.back().point, 2U);
+    EXPECT_EQ(paths[0].points.size(), 6U);
+    EXPECT_NEAR(length_of(paths[0]), 30.1, 0.01);
+    EXPECT_EQ(paths[0].pieces.back().point, 4U);
     EXPECT_NEAR(travel.after, 0.2, 1e-9);
 }
 

@@ -12,6 +12,7 @@
 #include "lineatlas/vector.hpp"
 #include "vector/path_data.hpp"
 #include "vector/sheet.hpp"
+#include "vector/xml_text.hpp"
 #include "vector_support.hpp"
 
 namespace lineatlas {
@@ -112,6 +113,17 @@ TEST(Pages, ThePictureIsCentredAndTurnsThePage) {
 }
 
 // --- SVG
+
+TEST(XmlText, HoldsOnlyWhatXmlKnows) {
+    EXPECT_EQ(xml_text("T\xC3\xBCr \xF0\x9F\x9A\xAA"), "T\xC3\xBCr \xF0\x9F\x9A\xAA");
+    EXPECT_EQ(xml_text("T\xFCr"), "T?r"); // Latin-1
+    EXPECT_EQ(xml_text("a\tb\x01"), "a b ");
+    EXPECT_EQ(xml_text("\xC3"), "?");
+    EXPECT_EQ(xml_text("\xC0\xAF"), "??");           // too long
+    EXPECT_EQ(xml_text("\xED\xA0\x80"), "???");      // half a surrogate pair
+    EXPECT_EQ(xml_text("\xEF\xBF\xBF"), "???");      // no character
+    EXPECT_EQ(xml_text("\xF4\x90\x80\x80"), "????"); // beyond Unicode
+}
 
 VectorDrawing example() {
     VectorDrawing drawing{.size = {100, 80}, .style = {}, .groups = {}, .paths = {}};

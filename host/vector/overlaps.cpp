@@ -15,8 +15,9 @@
 namespace lineatlas {
 namespace {
 
-/// Lines run along each other where they are no farther apart than this, pixels.
-constexpr double reach = 0.25;
+/// Lines run along each other where they are no farther apart than this, pixels: a quarter, from
+/// whichever of the two it is measured.
+constexpr double reach = 0.26;
 /// Lines at less than this sine to each other (5 degrees) count as parallel: where they are within
 /// reach, one goes. However lines are cut, what is left is within reach of nothing.
 constexpr double parallel_sine = 0.0872;

@@ -109,7 +109,15 @@ void improve(std::span<VectorPath> paths, glm::dvec2 at) {
     std::ranges::move(ordered, paths.begin());
 }
 
-/// The end of `path` becomes the start of `next`.
+/// Both ends stay where they are: lines that move by so little may come to lie along others.
+void bridge(VectorPath& path, const VectorPoint& to) {
+    VectorPiece piece = path.pieces.back();
+    piece.point = static_cast<std::uint32_t>(path.points.size() - 1);
+    path.pieces.push_back(piece);
+    path.points.push_back(to);
+}
+
+/// Lets `path` go on in `next`.
 void join(VectorPath& path, VectorPath&& next) {
     const double length = length_of(path);
     const double next_length = length_of(next);
@@ -117,6 +125,7 @@ void join(VectorPath& path, VectorPath&& next) {
     path.alpha = static_cast<float>(
         (static_cast<double>(path.alpha) * length + static_cast<double>(next.alpha) * next_length) /
         sum);
+    if (next.points.front().at != path.points.back().at) bridge(path, next.points.front());
     append(path, next);
 }
 

@@ -8,6 +8,7 @@
 #include "sheet.hpp"
 #include "svg_groups.hpp"
 #include "tags.hpp"
+#include "xml_text.hpp"
 
 namespace lineatlas {
 namespace {
@@ -19,7 +20,7 @@ void set(pugi::xml_node& node, const char* name, const std::string& value) {
 }
 
 void add_text(pugi::xml_node& node, const char* name, const std::string& text) {
-    node.append_child(name).text() = text.c_str();
+    node.append_child(name).text() = xml_text(text).c_str();
 }
 
 pugi::xml_node add_svg(pugi::xml_document& document, const Sheet& sheet,

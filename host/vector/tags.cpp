@@ -1,19 +1,13 @@
 #include "tags.hpp"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include <fmt/core.h>
 
 namespace lineatlas {
 namespace {
-
-/// XML 1.0 knows no control characters.
-std::string printable(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return c >= 0 && c < ' '; }, ' ');
-    return text;
-}
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
     if (name.empty() || std::ranges::find(names, name) != names.end()) return;
@@ -25,7 +19,7 @@ std::string list(const char* what, const std::vector<std::string>& names) {
     std::string text = what;
     for (const std::string& name : names) {
         text += &name == names.data() ? " " : ", ";
-        text += printable(name);
+        text += name;
     }
     return text + "; ";
 }
