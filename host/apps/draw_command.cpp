@@ -177,7 +177,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     PictureOutput output{{.size = size,
                           .options = options,
                           .settings = settings,
-                          .transparent = arguments.picture.transparent()},
+                          .transparent = arguments.picture.transparent(),
+                          .tile_size = arguments.picture.tile_size()},
                          renderer,
                          writer};
     if (!frames.empty()) return draw_sequence(frames, output, arguments.sequence.resume());

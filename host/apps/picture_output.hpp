@@ -17,6 +17,7 @@ struct PictureFrame {
     FrameOptions options;
     ImageSettings settings; ///< its description is completed by the camera's
     bool transparent = false;
+    int tile_size = 0; ///< 0: tiles only for what GL cannot draw in one piece
 };
 
 /// Frames as pictures of pixels.
@@ -30,14 +31,18 @@ class PictureOutput final : public FrameOutput {
         return writer_.is_whole(path, size);
     }
 
-    /// Draws the frame and leaves it on the canvas.
+    /// Draws the frame and keeps it, in one piece on the canvas, by tiles in `tiled_`.
     FrameStats draw(const Camera& camera, const FrameOptions& options);
 
   private:
+    void clear();
+    void take(const PictureTile& tile);
+
     PictureFrame frame_;
     Renderer& renderer_;
     ImageWriter& writer_;
-    gl::Canvas canvas_;
+    gl::Canvas canvas_; ///< for the picture, or for a tile
+    std::vector<std::uint8_t> tiled_;
 };
 
 } // namespace lineatlas::apps
