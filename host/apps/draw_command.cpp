@@ -14,6 +14,7 @@
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "output_pattern.hpp"
 #include "picture_options.hpp"
 #include "picture_output.hpp"
 #include "sequence_options.hpp"
@@ -147,10 +148,12 @@ void check_arguments(const DrawArguments& arguments) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
-    if (arguments.sequence.given(arguments.output) && arguments.stats) {
+    const bool sequence = arguments.sequence.given(arguments.output);
+    if (sequence && arguments.stats) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
-    check_image_path(arguments.output);
+    check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
+                              : std::filesystem::path{arguments.output});
     arguments.picture.check(arguments.output);
 }
 

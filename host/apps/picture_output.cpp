@@ -53,47 +53,64 @@ void PictureOutput::clear() {
                                      : glm::vec4{frame_.options.style.paper.color, 1});
 }
 
-/// Copies a tile to its place in the picture, whose first row is the top one.
-void PictureOutput::take(const PictureTile& tile) {
-    const auto pixel = static_cast<std::size_t>(canvas_.bits() / 2); // bytes
-    const std::size_t row = static_cast<std::size_t>(frame_.size.x) * pixel;
-    const std::vector<std::uint8_t> part = canvas_.read(tile.size);
-    const std::size_t part_row = static_cast<std::size_t>(tile.size.x) * pixel;
-    const auto top = static_cast<std::size_t>(frame_.size.y - tile.low.y - tile.size.y);
-    std::uint8_t* to = tiled_.data() + top * row + static_cast<std::size_t>(tile.low.x) * pixel;
-    for (std::size_t begin = 0; begin < part.size(); begin += part_row, to += row) {
-        std::copy_n(part.data() + begin, part_row, to);
-    }
+Pixels PictureOutput::pixels(std::span<const std::uint8_t> values) const {
+    return {.size = frame_.size,
+            .channels = 4,
+            .bits = canvas_.bits(),
+            .premultiplied = true,
+            .values = std::as_bytes(values)};
+}
+
+TileTarget PictureOutput::target(std::function<void(const PictureTile&)> end) {
+    return {.framebuffer = canvas_.framebuffer(),
+            .tile_size = frame_.tile_size,
+            .begin = [this](const PictureTile&) { clear(); },
+            .end = std::move(end)};
 }
 
 FrameStats PictureOutput::draw(const Camera& camera, const FrameOptions& options) {
-    if (frame_.tile_size == 0) {
-        clear();
-        return renderer_.draw(camera, options, canvas_.framebuffer());
+    if (frame_.tile_size != 0) {
+        return renderer_.draw_tiles(camera, options, target([](const PictureTile&) {}));
     }
-    tiled_.resize(static_cast<std::size_t>(frame_.size.x) *
-                  static_cast<std::size_t>(frame_.size.y) *
-                  static_cast<std::size_t>(canvas_.bits() / 2));
-    return renderer_.draw_tiles(camera, options,
-                                {.framebuffer = canvas_.framebuffer(),
-                                 .tile_size = frame_.tile_size,
-                                 .begin = [&](const PictureTile&) { clear(); },
-                                 .end = [&](const PictureTile& tile) { take(tile); }});
+    clear();
+    return renderer_.draw(camera, options, canvas_.framebuffer());
+}
+
+void PictureOutput::take(const PictureTile& tile) {
+    const auto pixel = static_cast<std::size_t>(canvas_.bits() / 2); // bytes
+    const std::size_t row = static_cast<std::size_t>(frame_.size.x) * pixel;
+    const std::size_t part_row = static_cast<std::size_t>(tile.size.x) * pixel;
+    const std::vector<std::uint8_t> part = canvas_.read(tile.size);
+    band_.resize(row * static_cast<std::size_t>(tile.size.y));
+    std::size_t to = static_cast<std::size_t>(tile.low.x) * pixel;
+    for (std::size_t from = 0; from < part.size(); from += part_row, to += row) {
+        std::copy_n(part.data() + from, part_row, band_.data() + to);
+    }
+    if (tile.low.x + tile.size.x == frame_.size.x) {
+        writer_.append(std::as_bytes(std::span{band_}));
+    }
+}
+
+void PictureOutput::draw_tiles(const Camera& camera, const std::filesystem::path& path,
+                               const ImageSettings& settings) {
+    writer_.begin(path, pixels({}), settings);
+    renderer_.draw_tiles(camera, frame_.options,
+                         target([this](const PictureTile& tile) { take(tile); }));
+}
+
+void PictureOutput::draw_whole(const Camera& camera, const std::filesystem::path& path,
+                               const ImageSettings& settings) {
+    draw(camera, frame_.options);
+    writer_.write(path, pixels(canvas_.read()), settings);
 }
 
 void PictureOutput::draw(const Camera& camera, const std::filesystem::path& path) {
-    draw(camera, frame_.options);
     ImageSettings settings = frame_.settings;
     settings.description += fmt::format(" {}", describe_camera(camera));
-    const std::vector<std::uint8_t> pixels =
-        frame_.tile_size == 0 ? canvas_.read() : std::exchange(tiled_, {});
-    writer_.write(path,
-                  {.size = frame_.size,
-                   .channels = 4,
-                   .bits = canvas_.bits(),
-                   .premultiplied = true,
-                   .values = std::as_bytes(std::span{pixels})},
-                  settings);
+    if (frame_.tile_size != 0)
+        draw_tiles(camera, path, settings);
+    else
+        draw_whole(camera, path, settings);
 }
 
 } // namespace lineatlas::apps
