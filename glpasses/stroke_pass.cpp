@@ -71,7 +71,7 @@ void PenTexture::bind(const Program& program, GLuint unit) const {
 }
 
 void StrokeParams::bind(const Program& program, GLuint unit) const {
-    glViewport(0, 0, static_cast<GLsizei>(viewport.x), static_cast<GLsizei>(viewport.y));
+    glViewport(0, 0, tile.size.x, tile.size.y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
@@ -79,6 +79,7 @@ void StrokeParams::bind(const Program& program, GLuint unit) const {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     pen.bind(program, unit);
     program.set("viewport", viewport);
+    program.set("tile", glm::vec4{tile.low, tile.size});
     program.set("half_width", 0.5F * width);
     program.set("color", color);
 }

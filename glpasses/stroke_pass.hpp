@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/tiles.hpp"
 #include "lineatlas/style.hpp"
 #include "objects.hpp"
 #include "program.hpp"
@@ -29,6 +30,7 @@ struct PenTexture {
 
 struct StrokeParams {
     glm::vec2 viewport; ///< pixels
+    PictureTile tile;   ///< the part of it that is drawn
     float width;        ///< pixels
     glm::vec4 color;    ///< RGB and opacity
     PenTexture pen;

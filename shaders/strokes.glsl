@@ -17,6 +17,7 @@ const uint cap_taper = 2u;
 const uint cap_texture = 3u;
 
 uniform vec2 viewport;      // pixels
+uniform vec4 tile;          // the part of it that is drawn: lower left corner and size, pixels
 uniform float half_width;   // of the stroke where it is widest, pixels
 uniform uint join_kind;
 uniform float mitre_limit;  // largest length of a mitre over the stroke's width
@@ -68,7 +69,7 @@ Corner stroke_corner(Run run, uint end, float side) {
     vec2 from_start = point + offset - run.ends.xy;
 
     Corner corner;
-    corner.position = vec4((point + offset) / viewport * 2.0 - 1.0, 0.0, 1.0);
+    corner.position = vec4((point + offset - tile.xy) / tile.zw * 2.0 - 1.0, 0.0, 1.0);
     corner.local = vec2(dot(from_start, along), dot(from_start, left));
     return corner;
 }
