@@ -247,7 +247,7 @@ class Implementation final : public OpenClBackend {
             queue_.enqueueReadBuffer(memory_of(ends), CL_TRUE, tile_count * sizeof(cl_uint),
                                      sizeof(cl_uint), &total);
         });
-        constexpr std::size_t tables = 6; // of struct Lists
+        constexpr std::size_t tables = 7; // of struct Lists
         Buffer& lists = scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
         launch(halo_fill_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends,
                total, lists);
