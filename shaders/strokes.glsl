@@ -28,6 +28,8 @@ uniform float cap_length;   // of tapered and textured caps, pixels
 
 uniform bool focus_in_scene;
 uniform vec4 focus_point;   // pixels, or in the scene
+uniform vec2 focus_range;   // radius and falloff, in the same units
+uniform float far_opacity;
 uniform mat4 world_from_clip;
 
 // A quad reaches this far beyond the stroke's edge: coverage is 0 there (stroke_coverage).
@@ -113,6 +115,18 @@ vec4 from_focus(vec2 place, float depth) {
     if (!focus_in_scene) return vec4(place - focus_point.xy, 0.0, 1.0);
     vec4 world = world_from_clip * vec4(vec3(place / viewport, depth) * 2.0 - 1.0, 1.0);
     return vec4(world.xyz - focus_point.xyz * world.w, world.w);
+}
+
+// Whether all of the run is so far from the focus that nothing of it is drawn.
+bool fades_out(Run run) {
+#ifdef FOCUS
+    if (far_opacity > 0.0) return false;
+    vec4 start = from_focus(run.ends.xy, run.stroke.z), end = from_focus(run.ends.zw, run.stroke.w);
+    vec3 a = start.xyz / start.w, b = end.xyz / end.w;
+    return max(length(a), length(b)) - distance(a, b) > focus_range.x + focus_range.y;
+#else
+    return false;
+#endif
 }
 
 void set_run(Run run, Axes axes) {
