@@ -546,6 +546,30 @@ TEST_P(Strokes, TheFocusChangesWidthAndOpacity) {
     }
 }
 
+TEST_P(Strokes, NoLineNearAFocusIsLostWithThoseFarAway) {
+    Scene scene;
+    scene.line({{20, 150.5F, 0}, {380, 150.5F, 0}});
+    for (int x = 20; x < 380; x += 12) {
+        const auto from = static_cast<float>(x);
+        scene.line({{from, 200.5F, 0}, {from + 8, 200.5F, 0}});
+    }
+    FrameOptions options;
+    options.style.focus = {.on = true, .radius = 0.1F, .falloff = 0.1F, .opacity = 0};
+    for (const bool in_scene : {false, true}) {
+        options.style.focus.in_scene = in_scene;
+        options.style.focus.point = in_scene ? glm::vec3{200, 200, 0} : glm::vec3{0.5F, 0.5F, 0};
+        for (const StrokeShader shader : {StrokeShader::geometry, StrokeShader::vertex}) {
+            options.stroke_shader = shader;
+            options.style.focus.opacity = 0; // lines may be left out
+            const Drawing without = draw(scene, options);
+            options.style.focus.opacity = 1e-9F; // all are drawn, though they cannot be seen
+            const Drawing with = draw(scene, options);
+            EXPECT_TRUE(equal(without.pixels, with.pixels));
+            EXPECT_GT(without.row(200, 0, side), 20);
+        }
+    }
+}
+
 TEST_P(Strokes, DensityFallsToAboutItsLimit) {
     Scene scene;
     for (int i = 0; i < 20; ++i) {

@@ -72,7 +72,7 @@ std::optional<double> effect_cost(const Report& report, std::string_view name) {
     const Measured* plain = row->method("none");
     const Measured* with = row->method(name);
     if (plain == nullptr || with == nullptr) return std::nullopt;
-    return time_ratio(*with, *plain);
+    return paired_ratio(*with, *plain);
 }
 
 std::vector<std::string_view> stroke_effects() {
