@@ -526,6 +526,24 @@ TEST_P(Strokes, HiddenLinesAreDrawnWithTheirPen) {
     }
 }
 
+TEST_P(Strokes, HiddenPathsShorterThanAPixelAreLeftOut) {
+    FrameOptions options;
+    options.style.hidden = true;
+    options.style.hidden_pen = {.mark = "solid", .width = 1, .path_cap = Cap::butt};
+    const auto with_spur = [&](float length, bool crowded) {
+        Scene scene;
+        scene.line({{160, 200.5F, 0}, {200, 200.5F, 0}, {240, 200.5F, 0}});
+        if (length > 0) scene.line({{200, 200.5F, 0}, {200, 200.5F + length, 0}});
+        scene.box({150.3F, 100}, {250.6F, 300});
+        if (crowded) scene.crowd();
+        return draw(scene, options).pixels;
+    };
+    for (const bool crowded : {false, true}) {
+        EXPECT_TRUE(equal(with_spur(0.9F, crowded), with_spur(0, crowded)));
+        EXPECT_FALSE(equal(with_spur(1.5F, crowded), with_spur(0, crowded)));
+    }
+}
+
 TEST_P(Strokes, TheFocusChangesWidthAndOpacity) {
     Scene scene;
     scene.line({{20, 200.5F, 0}, {380, 200.5F, 0}});
