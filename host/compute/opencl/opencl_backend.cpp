@@ -206,9 +206,9 @@ class Implementation final : public OpenClBackend {
         const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
         const cl_uint hidden = args.hidden ? 1 : 0;
         Buffer& counts = scratch(block_counts_, blocks + 1);
-        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.clipped.offsets,
-               args.clipped.arcs, hidden, n, args.alpha, args.layout.width, args.layout.pitch,
-               args.capacity, tuning_.segment_block, counts);
+        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.table.segments,
+               args.clipped.offsets, args.clipped.arcs, hidden, n, args.alpha, args.layout.width,
+               args.layout.pitch, args.capacity, tuning_.segment_block, counts);
         scan(counts, blocks, ScanKind::saturate);
         launch(compact_runs_write_, std::max(blocks, 1U), tuning_.block_local_size,
                args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs,
@@ -250,7 +250,7 @@ class Implementation final : public OpenClBackend {
             queue_.enqueueReadBuffer(memory_of(ends), CL_TRUE, tile_count * sizeof(cl_uint),
                                      sizeof(cl_uint), &total);
         });
-        constexpr std::size_t tables = 6; // of struct Lists
+        constexpr std::size_t tables = 7; // of struct Lists
         Buffer& lists = scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
         launch(halo_fill_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends,
                total, lists);
