@@ -36,6 +36,8 @@ class Measurement {
     SubjectReport run(const std::vector<Contestant>& methods, const ViewCallback& on_view);
     /// The same of the segment atlas with any number of probes and depth scale.
     StudyReport study();
+    /// Sparkle of what is drawn with each of some styles; each gets all of a view's frames in turn.
+    SubjectReport styles(const std::vector<Contestant>& styles);
     /// Whether the truth hangs on the number of rays.
     OracleReport check_oracle();
 
@@ -59,6 +61,9 @@ class Measurement {
     Renderer::Samples sample(const Contestant& method, const Frame& frame);
     MethodReport measure(const Contestant& method, const std::vector<Frame>& frames,
                          Renderer::Samples& first);
+    StyledFigures restlessness_of(const Contestant& style, const std::vector<Frame>& frames,
+                                  const Tracks& tracks);
+    SubjectReport empty_report() const;
     void begin_view(std::size_t index);
     void doing(const std::string& what);
 
