@@ -227,5 +227,5 @@ __kernel void density_excess(__global const float* restrict drawn, const int2 ce
         }
     }
     const float allowed = allowed_in(x, y, limit, focus, far_limit);
-    excess[cell] = left > allowed ? left / allowed - 1.0f : 0.0f;
+    excess[cell] = fmax(left / (allowed * LA_DENSITY_TOLERATED) - 1.0f, 0.0f);
 }

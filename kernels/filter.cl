@@ -226,7 +226,9 @@ static void emit_piece(Work* work, uint i, const float start, const float end, u
     if (end - start < SHORTEST) return;
     const Frame frame = work->frame;
     const uint kinds = start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
-    const float2 stroke = (float2)(start, end);
+    /* A loop without an end: all of it is the middle of its stroke. */
+    const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
+    const float2 stroke = endless ? (float2)(-LA_ENDLESS, LA_ENDLESS) : (float2)(start, end);
     const float around = 2.0f * work->half_length;
     const float to = end;
     float from = start;

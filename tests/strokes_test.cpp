@@ -546,6 +546,25 @@ TEST_P(Strokes, ProfilesRunAlongTheStroke) {
     }
 }
 
+TEST_P(Strokes, ALoopHasTheSameProfileAllAround) {
+    Scene scene;
+    scene.line(circle(36, 80));
+    FrameOptions options;
+    options.style.pen.width = 12;
+    options.style.pen.cap = options.style.pen.path_cap = Cap::taper;
+    options.style.pen.width_profile = {0, 0.5F, 2};
+    const Drawing drawing = draw(scene, options);
+    for (int degrees = 0; degrees < 360; degrees += 3) {
+        const double angle = degrees * std::numbers::pi / 180;
+        double width = 0;
+        for (double r = 65; r < 95; r += 0.25) {
+            width += 0.25 * drawing.darkness(static_cast<int>(200.3 + r * std::cos(angle)),
+                                             static_cast<int>(200.1 + r * std::sin(angle)));
+        }
+        EXPECT_NEAR(width, 6, 0.8) << degrees;
+    }
+}
+
 TEST_P(Strokes, HiddenLinesAreDrawnWithTheirPen) {
     FrameOptions options;
     options.style.hidden = true;

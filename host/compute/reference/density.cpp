@@ -225,7 +225,7 @@ Cells excess_of(const DensityInput& in, glm::ivec2 cells, const Cells& drawn) {
                 }
             }
             const float allowed = allowed_in(in, x, y);
-            excess.push_back(left > allowed ? left / allowed - 1 : 0);
+            excess.push_back(std::max(left / (allowed * LA_DENSITY_TOLERATED) - 1, 0.0F));
         }
     }
     return excess;

@@ -280,6 +280,9 @@ class PathFilter {
         if (end - start < shortest) return;
         const std::uint32_t kinds =
             start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
+        // A loop without an end: all of it is the middle of its stroke.
+        const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
+        const Span stroke = endless ? Span{-LA_ENDLESS, LA_ENDLESS} : Span{start, end};
         const float around = 2 * half_length_;
         const float to = end;
         float from = start;
@@ -307,7 +310,7 @@ class PathFilter {
                       end_kind, {start - around, end - around}, kinds);
             return;
         }
-        emit_part(forward(i, from), {from, to}, start_kind, end_kind, {start, end}, kinds);
+        emit_part(forward(i, from), {from, to}, start_kind, end_kind, stroke, kinds);
     }
 
     /// From segment i on the one that an arc length lies in.
