@@ -3,8 +3,9 @@
  *
  * density_lines adds up the drawn length of line per cell of a grid and bin of priority,
  * density_smooth and density_weights smooth it and share the limit out among the bins, first to
- * last. Lengths are summed as integers: the same in any order. Everything is continuous in what the
- * camera moves, so that lines fade and do not pop: length is shared out between cells and bins. */
+ * last, density_excess finds where that leaves too much, and the limit is shared out again. Lengths
+ * are summed as integers: the same in any order. Everything is continuous in what the camera moves,
+ * so that lines fade and do not pop: length is shared out between cells and bins. */
 
 #include "segment_table.h"
 
@@ -162,25 +163,69 @@ static float mean_weight(const float before, const float own, const float allowe
     return (whole + (to - from) * (((allowed + soft) - middle) / (2.0f * soft))) / own;
 }
 
-/* The tent along the columns, then the weights of every bin: those of more priority come first. */
-__kernel void density_weights(__global const uint* restrict smooth, const int2 cells,
+/* The limit of a cell, in units of length per cell, as smoothed sums are. */
+static float allowed_in(const int x, const int y, const float limit, const float4 focus,
+                        const float far_limit) {
+    const float2 place = ((float2)((float)x, (float)y) + 0.5f) * LA_DENSITY_CELL;
+    return limit * limit_factor(place, focus, far_limit) *
+           (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
+}
+
+/* The most of the excesses about a cell: what is too much there is drawn in all of these cells. */
+static float excess_about(__global const float* excess, const int2 cells, const int x,
+                          const int y) {
+    float most = 0.0f;
+    for (int v = max(y - 2, 0); v <= min(y + 2, cells.y - 1); ++v)
+        for (int u = max(x - 2, 0); u <= min(x + 2, cells.x - 1); ++u)
+            most = fmax(most, excess[v * cells.x + u]);
+    return most;
+}
+
+/* The tent along the columns, then the weights of every bin: those of more priority come first.
+ * drawn: the length that they leave in each cell. again 1: where the first weights left too much,
+ * by `excess` of the limit; else that is not read. */
+__kernel void density_weights(__global const uint* restrict grid,
+                              __global const uint* restrict smooth, const int2 cells,
                               const float limit, const float4 focus, const float far_limit,
-                              __global float* restrict weights) {
+                              const uint again, __global const float* restrict excess,
+                              __global float* restrict weights, __global float* restrict drawn) {
     const int cell = (int)get_global_id(0);
     const int plane = cells.x * cells.y;
     if (cell >= plane) return;
     const int y = cell / cells.x;
     const int x = cell - y * cells.x;
-    const float2 place = ((float2)((float)x, (float)y) + 0.5f) * LA_DENSITY_CELL;
-    /* In units of length per cell, as the sums are. */
-    const float allowed =
-        limit * limit_factor(place, focus, far_limit) *
-        (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
+    const float too_much = again != 0 ? excess_about(excess, cells, x, y) : 0.0f;
+    if (again != 0 && too_much == 0.0f) return;
+    const float allowed = allowed_in(x, y, limit, focus, far_limit) / (1.0f + too_much);
     const float soft = allowed * LA_DENSITY_SOFTNESS;
-    float before = 0.0f;
+    float before = 0.0f, left = 0.0f;
     for (int bin = (int)LA_DENSITY_BINS - 1; bin >= 0; --bin) {
         const float own = fmax((float)tent(smooth + bin * plane + x, y, cells.x, cells.y), 1.0f);
-        weights[bin * plane + cell] = mean_weight(before, own, allowed, soft);
+        const float weight = mean_weight(before, own, allowed, soft);
+        weights[bin * plane + cell] = weight;
+        left += weight * (float)grid[bin * plane + cell];
         before += own;
     }
+    drawn[cell] = left;
+}
+
+/* excess: the share of the limit by which the weights leave too much about each cell. The edges of
+ * a heap, where there are fewer lines, keep more of them than its middle. */
+__kernel void density_excess(__global const float* restrict drawn, const int2 cells,
+                             const float limit, const float4 focus, const float far_limit,
+                             __global float* restrict excess) {
+    const int cell = (int)get_global_id(0);
+    if (cell >= cells.x * cells.y) return;
+    const int y = cell / cells.x;
+    const int x = cell - y * cells.x;
+    float left = 0.0f;
+    for (int dy = -2; dy <= 2; ++dy) {
+        __global const float* row = drawn + clamp(y + dy, 0, cells.y - 1) * cells.x;
+        for (int dx = -2; dx <= 2; ++dx) {
+            const float share = (float)((3 - abs(dx)) * (3 - abs(dy)));
+            left += share * row[clamp(x + dx, 0, cells.x - 1)];
+        }
+    }
+    const float allowed = allowed_in(x, y, limit, focus, far_limit);
+    excess[cell] = fmax(left / (allowed * LA_DENSITY_TOLERATED) - 1.0f, 0.0f);
 }

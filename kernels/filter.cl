@@ -30,9 +30,10 @@ typedef struct Work {
     uint width, pitch;
     uint first, last; /* segments of the path */
     uint first_run, last_run;
-    bool seam; /* the path is closed, and drawn where its last segment meets its first */
+    bool seam;   /* the path is closed, and drawn where its last segment meets its first */
+    bool joined; /* and visible there */
     float
-        seam_grow; /* how far strokes may grow towards the seam: to the middle of what is hidden */
+        seam_room; /* how far strokes may grow towards the seam: to the middle of what is hidden */
     float half_length;
     __global Run* out;
     uint count;
@@ -43,6 +44,7 @@ typedef struct Stretch {
     float start, end; /* arc lengths */
     uint start_kind, end_kind;
     uint first_run, last_run;
+    float start_overshoot, end_overshoot;
 } Stretch;
 
 static float2 segment_span(const Frame frame, const uint i) {
@@ -83,7 +85,13 @@ static Stretch run_interval(const Work* work, const uint r) {
     interval.start_kind = stroke_end_kind(run->flags >> LA_RUN_START_SHIFT & LA_END_MASK);
     interval.end_kind = stroke_end_kind(run->flags >> LA_RUN_END_SHIFT & LA_END_MASK);
     interval.first_run = interval.last_run = r;
+    interval.start_overshoot = interval.end_overshoot = 0.0f;
     return interval;
+}
+
+/* Whether a stroke may go on beyond an end, so that nobody knows how long it is. */
+static bool is_cut_off(const uint kind) {
+    return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
 }
 
 /* Whether the path is drawn all the way between two of its segments. */
@@ -92,6 +100,76 @@ static bool connected(const Frame frame, const uint from, const uint to) {
         if (!goes_on(frame, i)) return false;
     }
     return true;
+}
+
+/* Length of stroke that run r draws between two arc lengths, times its opacity. */
+static float ink_of(const Work* work, const uint r, const float low, const float high) {
+    __global const Run* run = work->runs + r;
+    const float2 span = segment_span(work->frame, run->segment);
+    const float per_sample = (span.y - span.x) / (float)run->samples;
+    __global const uchar* own = work->alpha + run->address;
+    const int last = (int)run->samples - 1;
+    const float from = (low - span.x) / per_sample, to = (high - span.x) / per_sample;
+    float sum = 0.0f;
+    for (int j = clamp((int)from, 0, last); j <= last && (float)j < to; ++j) {
+        const float opacity = fmin((float)own[j] * (1.0f / LA_FULLY_SHOWN), 1.0f);
+        sum += (fmin((float)(j + 1), to) - fmax((float)j, from)) * opacity;
+    }
+    return fmax(sum, 0.0f) * per_sample;
+}
+
+/* Length of stroke times opacity within `reach` of a place, from run r on forwards or backwards. */
+static float ink_near(const Work* work, uint r, const float place, const bool forward,
+                      const float reach) {
+    const float low = forward ? place : place - reach;
+    const float high = forward ? place + reach : place;
+    const uint last = forward ? work->last_run : work->first_run;
+    float sum = 0.0f, around = 0.0f;
+    for (uint left = work->last_run - work->first_run + 1; left > 0; --left) {
+        const Stretch own = run_interval(work, r);
+        const float from = fmax(own.start, low - around), to = fmin(own.end, high - around);
+        if (to < from) break;
+        sum += ink_of(work, r, from, to);
+        if (r == last) {
+            if (!work->joined) break;
+            around += forward ? 2.0f * work->half_length : -2.0f * work->half_length;
+            r = forward ? work->first_run : work->last_run;
+            continue;
+        }
+        const uint a = forward ? r : r - 1;
+        if (!connected(work->frame, work->runs[a].segment, work->runs[a + 1].segment)) break;
+        r = forward ? r + 1 : r - 1;
+    }
+    return sum;
+}
+
+/* Overshoot beside so much ink, of `most` pixels: that of a crumb, which comes and goes with every
+ * texel, would make a long stroke flash up. */
+static float overshoot_beside(const float ink, const float most) {
+    return fmin(ink * ink / most, most);
+}
+
+/* How far either end of an interval overshoots: never across a gap beside a nearer line. */
+static void set_overshoot(const Work* work, Stretch* interval, const float most) {
+    interval->start_overshoot = interval->end_overshoot = 0.0f;
+    if (!(most > 0.0f)) return;
+    const uint first = interval->first_run, last = interval->last_run;
+    interval->start_overshoot =
+        overshoot_beside(ink_near(work, first, interval->start, true, most), most);
+    interval->end_overshoot =
+        overshoot_beside(ink_near(work, last, interval->end, false, most), most);
+    for (uint r = first; work->cuts != 0 && r <= last; ++r) {
+        for (int k = 0; k < LA_MOST_CUTS; ++k) {
+            const float2 cut = (float2)(work->cuts[r].from[k], work->cuts[r].to[k]);
+            if (!(cut.y > cut.x)) continue;
+            if (cut.x < interval->start)
+                interval->start_overshoot =
+                    clamp(interval->start - cut.y, 0.0f, interval->start_overshoot);
+            if (cut.y > interval->end)
+                interval->end_overshoot =
+                    clamp(cut.x - interval->end, 0.0f, interval->end_overshoot);
+        }
+    }
 }
 
 /* Runs for a part of the path between two arc lengths, from segment i on. `stroke`: the whole
@@ -148,7 +226,9 @@ static void emit_piece(Work* work, uint i, const float start, const float end, u
     if (end - start < SHORTEST) return;
     const Frame frame = work->frame;
     const uint kinds = start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
-    const float2 stroke = (float2)(start, end);
+    /* A loop without an end: all of it is the middle of its stroke. */
+    const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
+    const float2 stroke = endless ? (float2)(-LA_ENDLESS, LA_ENDLESS) : (float2)(start, end);
     const float around = 2.0f * work->half_length;
     const float to = end;
     float from = start;
@@ -201,13 +281,15 @@ static void emit(Work* work, const Stretch interval, const Filter filter) {
     const Frame frame = work->frame;
     float start = interval.start, end = interval.end;
     uint start_kind = interval.start_kind, end_kind = interval.end_kind;
-    const float grow = filter.overshoot - filter.undershoot;
-    if (start_kind == LA_END_PATH) start -= filter.overshoot;
-    if (end_kind == LA_END_PATH) end += filter.overshoot;
+    const float start_grow = interval.start_overshoot - filter.undershoot;
+    const float end_grow = interval.end_overshoot - filter.undershoot;
+    if (start_kind == LA_END_PATH) start -= interval.start_overshoot;
+    if (end_kind == LA_END_PATH) end += interval.end_overshoot;
     if (start_kind == LA_END_HIDDEN)
-        start -= interval.first_run == work->first_run ? work->seam_grow : grow;
+        start -=
+            interval.first_run == work->first_run ? fmin(start_grow, work->seam_room) : start_grow;
     if (end_kind == LA_END_HIDDEN)
-        end += interval.last_run == work->last_run ? work->seam_grow : grow;
+        end += interval.last_run == work->last_run ? fmin(end_grow, work->seam_room) : end_grow;
 
     /* Back to where it starts, and no farther than the path is drawn. */
     uint i = work->runs[interval.first_run].segment;
@@ -228,13 +310,17 @@ static void emit(Work* work, const Stretch interval, const Filter filter) {
     }
 
     float2 cut = next_cut(work, interval, start);
+    float shortest = SHORTEST;
     while (cut.x < end && cut.y > cut.x) {
-        emit_piece(work, i, start, cut.x, start_kind, LA_END_HIDDEN);
+        shortest = fmax(filter.drop, SHORTEST);
+        if (is_cut_off(start_kind) || cut.x - start >= shortest)
+            emit_piece(work, i, start, cut.x, start_kind, LA_END_HIDDEN);
         start = cut.y;
         start_kind = LA_END_HIDDEN;
         cut = next_cut(work, interval, start);
     }
-    emit_piece(work, i, start, end, start_kind, end_kind);
+    if (is_cut_off(end_kind) || end - start >= shortest)
+        emit_piece(work, i, start, end, start_kind, end_kind);
 }
 
 /* A share from 0 to 1 that looks random but belongs to the path. */
@@ -265,13 +351,14 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
                    run_interval(work, r_end - 1).end;
     }
     const bool joined = seam_gap <= SHORTEST || seam_gap < filter.fill;
-    const float grow = filter.overshoot - filter.undershoot;
-    work->seam_grow = fmin(grow, 0.5f * seam_gap);
+    work->joined = joined;
+    work->seam_room = 0.5f * seam_gap;
     work->first_run = r_first;
     work->last_run = r_end - 1;
 
     bool has_stroke = false, has_current = false;
     Stretch stroke, current;
+    stroke.end_overshoot = 0.0f;
     for (uint r = r_first; r <= r_end; ++r) {
         Stretch next;
         bool merges = false;
@@ -296,17 +383,19 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
             }
         }
         if (has_current) {
-            const bool cut_off =
-                current.start_kind == LA_END_CLIPPED || current.end_kind == LA_END_CLIPPED ||
-                current.start_kind == LA_END_JOIN || current.end_kind == LA_END_JOIN;
-            if (cut_off || current.end - current.start >= filter.drop) {
-                const bool meets = has_stroke && current.start - stroke.end <= 2.0f * grow &&
+            if (is_cut_off(current.start_kind) || is_cut_off(current.end_kind) ||
+                current.end - current.start >= filter.drop) {
+                set_overshoot(work, &current, filter.overshoot);
+                const float grow =
+                    stroke.end_overshoot + current.start_overshoot - 2.0f * filter.undershoot;
+                const bool meets = has_stroke && current.start - stroke.end <= grow &&
                                    connected(frame, work->runs[stroke.last_run].segment,
                                              work->runs[current.first_run].segment);
                 if (meets) {
                     stroke.end = current.end;
                     stroke.end_kind = current.end_kind;
                     stroke.last_run = current.last_run;
+                    stroke.end_overshoot = current.end_overshoot;
                 } else {
                     if (has_stroke) emit(work, stroke, filter);
                     stroke = current;

@@ -135,6 +135,10 @@ typedef struct RunCuts {
     float from[LA_MOST_CUTS], to[LA_MOST_CUTS];
 } RunCuts;
 
+/* Arc length, either way, of the ends of a stroke that has none: so far away that profiles have
+ * their middle value all along. */
+#define LA_ENDLESS 1e9f
+
 /* Visibility (of 255) from which on a stroke is drawn in full: a third (shaders/mark.glsl). */
 #define LA_FULLY_SHOWN 85
 
@@ -161,6 +165,8 @@ typedef struct RunCuts {
 #define LA_PRIORITY_CHANCE 0.2f
 /* Lines fade where those before them take up from 1 - this to 1 + this of the limit. */
 #define LA_DENSITY_SOFTNESS 0.5f
+/* What is left of lines may exceed the limit by this factor before it is shared out again. */
+#define LA_DENSITY_TOLERATED 1.04f
 
 /* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */

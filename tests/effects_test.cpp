@@ -332,9 +332,9 @@ float density_of_fan(const Runs& runs, const std::vector<float>* weights) {
 }
 
 TEST_P(EffectsTest, TheLimitIsKeptWhereLinesAreDense) {
-    for (const float spacing : {0.4F, 5.0F}) {
-        // In the middle of a heap its edges, where there are fewer lines, take part too.
-        const float most = spacing < 1 ? 1.12F : 1.05F;
+    for (const float spacing : {0.1F, 0.4F, 1.0F, 2.0F, 5.0F}) {
+        // The edges of narrow heaps, where there are fewer lines, take part in their middle.
+        const float most = spacing < 5 ? 1.08F : 1.05F;
         Effects effects = make(fan(spacing));
         for (const float share : {0.25F, 0.5F, 0.75F}) {
             SCOPED_TRACE(testing::Message() << spacing << " " << share);

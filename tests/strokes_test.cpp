@@ -292,12 +292,12 @@ TEST_P(Strokes, OvershootGoesRoundALoop) {
         EXPECT_NEAR(off, 0, 1);
         EXPECT_NEAR(strokes[0].to - strokes[0].from, length * 320 / 360 + 24, 2);
 
-        // With gaps of 4 pixels on either side of the sector's edges.
+        // With gaps of 4 pixels on either side of the sector's edges: nothing shows behind it.
         FrameOptions options{.lines = mask_of(LineKind::file) | mask_of(LineKind::boundary)};
         options.style.filter = {.overshoot = 12, .halo = 3};
         double drawn = 0;
         for (const Stretch& s : draw(scene, options).of(loop)) drawn += s.to - s.from;
-        EXPECT_NEAR(drawn, length * 320 / 360 + 24 - 16, 2);
+        EXPECT_NEAR(drawn, length * 320 / 360 - 8, 2);
     }
 }
 
@@ -370,17 +370,62 @@ TEST_P(Strokes, HaloLeavesAGapBesideABox) {
 TEST_P(Strokes, APieceBeyondThePathIsInked) {
     culled_or_not(
         [] {
-            Scene scene; // its last segment is hidden, and a wire crosses before the end
+            Scene scene; // its last segment is hidden
             scene.line({{60, 200.5F, 0}, {196, 200.5F, 0}, {199, 200.5F, 0}});
             scene.box({195.5F, 150}, {300, 250});
-            scene.line({{197, 100, 100}, {197, 300, 100}});
             return scene;
         },
         [&](const Scene& scene) {
-            const Drawing drawing = draw(scene, {.overshoot = 12, .halo = 3});
-            expect_strokes(drawing.of(scene.lines[0]), {{-12, 133}, {141, 147.5}});
-            for (int x = 203; x < 206; ++x) EXPECT_GT(drawing.darkness(x, 200), 0.98) << x;
+            const Drawing drawing = draw(scene, {.overshoot = 12});
+            expect_strokes(drawing.of(scene.lines[0]), {{-12, 147.5}});
+            for (int x = 200; x < 206; ++x) EXPECT_GT(drawing.darkness(x, 200), 0.98) << x;
         });
+}
+
+TEST_P(Strokes, OvershootEndsAtAHalo) {
+    culled_or_not(
+        [] {
+            Scene scene = behind_a_box();
+            scene.box({150.3F, 20}, {160.6F, 60}); // overshoots would meet behind this one
+            scene.line({{60.2F, 40.4F, 0}, {340.7F, 40.4F, 0}});
+            return scene;
+        },
+        [&](const Scene& scene) {
+            FrameOptions options{.lines = mask_of(LineKind::file) | mask_of(LineKind::boundary)};
+            options.style.filter = {.overshoot = 12, .halo = 3};
+            const Drawing drawing = draw(scene, options);
+            expect_strokes(drawing.of(scene.lines[0]), {{-12, 90.1 - 4}, {190.4 + 4, 280.5 + 12}});
+            expect_strokes(drawing.of(scene.lines[1]), {{-12, 90.1 - 4}, {100.4 + 4, 280.5 + 12}});
+        });
+}
+
+TEST_P(Strokes, ACrumbBetweenHalosIsDropped) {
+    Scene scene; // 20 pixels between the wires, less 4 on either side
+    scene.line({{60.3F, 200.2F, 0}, {340.3F, 200.2F, 0}});
+    scene.line({{180.3F, 60.1F, front}, {180.3F, 340.1F, front}});
+    scene.line({{200.3F, 60.1F, front}, {200.3F, 340.1F, front}});
+    scene.line({{334.3F, 60.1F, front}, {334.3F, 340.1F, front}}); // leaves 2 pixels
+    const auto strokes = [&](float drop) {
+        return draw(scene, {.drop = drop, .halo = 3}).of(scene.lines[0]);
+    };
+    expect_strokes(strokes(0), {{0, 116}, {124, 136}, {144, 270}, {278, 280}});
+    expect_strokes(strokes(10), {{0, 116}, {124, 136}, {144, 270}});
+    expect_strokes(strokes(14), {{0, 116}, {144, 270}});
+}
+
+TEST_P(Strokes, OvershootOfACrumbIsShort) {
+    for (const float shown : {0.6F, 2.0F, 4.0F, 6.0F, 11.0F, 14.0F}) {
+        SCOPED_TRACE(shown);
+        Scene scene;
+        scene.line({{80.2F, 120.4F, 0}, {340.2F, 120.4F, 0}});
+        scene.box({140, 100}, {200.2F, 150});
+        scene.box({200.2F + shown, 100}, {260, 150});
+        const std::vector<Stretch> strokes = draw(scene, {.overshoot = 12}).of(scene.lines[0]);
+        ASSERT_EQ(strokes.size(), 3U);
+        const double overshoot = std::min(shown * shown / 12, 12.0F);
+        EXPECT_NEAR(strokes[1].from, 120 - overshoot, 1.5);
+        EXPECT_NEAR(strokes[1].to, 120 + shown + overshoot, 1.5);
+    }
 }
 
 /// A line with 5 pixels hidden at 100 of it, and 5 visible between two boxes on another.
@@ -498,6 +543,25 @@ TEST_P(Strokes, ProfilesRunAlongTheStroke) {
     const Drawing faint = draw(behind_a_box(), options);
     for (int x = 64; x < 148; x += 4) {
         EXPECT_NEAR(faint.darkness(x, 200), (x + 0.5 - 60.2) / 90.1, 0.03) << x;
+    }
+}
+
+TEST_P(Strokes, ALoopHasTheSameProfileAllAround) {
+    Scene scene;
+    scene.line(circle(36, 80));
+    FrameOptions options;
+    options.style.pen.width = 12;
+    options.style.pen.cap = options.style.pen.path_cap = Cap::taper;
+    options.style.pen.width_profile = {0, 0.5F, 2};
+    const Drawing drawing = draw(scene, options);
+    for (int degrees = 0; degrees < 360; degrees += 3) {
+        const double angle = degrees * std::numbers::pi / 180;
+        double width = 0;
+        for (double r = 65; r < 95; r += 0.25) {
+            width += 0.25 * drawing.darkness(static_cast<int>(200.3 + r * std::cos(angle)),
+                                             static_cast<int>(200.1 + r * std::sin(angle)));
+        }
+        EXPECT_NEAR(width, 6, 0.8) << degrees;
     }
 }
 

@@ -94,13 +94,18 @@ MethodReport Measurement::measure(const Contestant& method, const std::vector<Fr
     return report;
 }
 
-SubjectReport Measurement::run(const std::vector<Contestant>& methods,
-                               const ViewCallback& on_view) {
+SubjectReport Measurement::empty_report() const {
     SubjectReport report;
     report.name = subject_.name;
     report.triangles = subject_.lines.triangles.size();
     report.segments = subject_.lines.segments.size();
     report.views = subject_.views.size();
+    return report;
+}
+
+SubjectReport Measurement::run(const std::vector<Contestant>& methods,
+                               const ViewCallback& on_view) {
+    SubjectReport report = empty_report();
     for (const Contestant& method : methods) report.methods.push_back({method.name, {}, {}});
     for (std::size_t v = 0; v < subject_.views.size(); ++v) {
         begin_view(v);
@@ -118,6 +123,43 @@ SubjectReport Measurement::run(const std::vector<Contestant>& methods,
         }
     }
     return report;
+}
+
+SubjectReport Measurement::styles(const std::vector<Contestant>& styles) {
+    SubjectReport report = empty_report();
+    for (const Contestant& style : styles) report.styles.push_back({style.name, {}});
+    for (std::size_t v = 0; v < subject_.views.size(); ++v) {
+        begin_view(v);
+        const Moving moving = frames_of(subject_.views[v]);
+        report.typical_motion += moving.typical_motion / static_cast<double>(subject_.views.size());
+        std::vector<const ClippedLines*> clipped;
+        for (const Frame& frame : moving.frames) clipped.push_back(&frame.clipped);
+        const Tracks tracks = follow_points(clipped, settings_.size);
+        for (std::size_t s = 0; s < styles.size(); ++s) {
+            doing(styles[s].name);
+            report.styles[s].figures.add(restlessness_of(styles[s], moving.frames, tracks));
+        }
+    }
+    return report;
+}
+
+StyledFigures Measurement::restlessness_of(const Contestant& style,
+                                           const std::vector<Frame>& frames, const Tracks& tracks) {
+    // Nothing of another style's last frame may be averaged into the first one.
+    Contestant unsteady = style;
+    unsteady.options.steady = false;
+    sample(unsteady, frames[0]);
+    std::vector<const ClippedLines*> clipped;
+    std::vector<std::vector<float>> drawn, truth;
+    for (const Frame& frame : frames) {
+        const Renderer::Samples samples = sample(style, frame);
+        clipped.push_back(&frame.clipped);
+        drawn.push_back(shown_samples(
+            {frame.clipped, samples.alpha, samples.runs, samples.density, settings_.size}));
+        truth.push_back(frame.truth);
+        for (float& visibility : truth.back()) visibility = shown(visibility);
+    }
+    return restlessness(subject_.lines, clipped, tracks, drawn, truth);
 }
 
 StudyReport Measurement::study() {

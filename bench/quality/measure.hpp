@@ -38,6 +38,8 @@ class Measurement {
     StudyReport study();
     /// How right the intervals are that come out of SAhi.
     IntervalReport intervals();
+    /// Sparkle of what is drawn with each of some styles; each gets all of a view's frames in turn.
+    SubjectReport styles(const std::vector<Contestant>& styles);
     /// Whether the truth hangs on the number of rays.
     OracleReport check_oracle();
 
@@ -61,6 +63,9 @@ class Measurement {
     Renderer::Samples sample(const Contestant& method, const Frame& frame);
     MethodReport measure(const Contestant& method, const std::vector<Frame>& frames,
                          Renderer::Samples& first);
+    StyledFigures restlessness_of(const Contestant& style, const std::vector<Frame>& frames,
+                                  const Tracks& tracks);
+    SubjectReport empty_report() const;
     void begin_view(std::size_t index);
     void doing(const std::string& what);
 

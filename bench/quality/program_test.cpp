@@ -132,6 +132,24 @@ TEST_F(QualityProgram, MeasuresWithAndWithoutTheAverageOverFrames) {
     EXPECT_LT(sparkle(""), 0.7 * sparkle(" --no-average"));
 }
 
+TEST_F(QualityProgram, EffectsHardlySparkleMoreThanPlainLines) {
+    const auto figures = [&](const std::string& environment) -> nlohmann::json {
+        return measure(environment, "--scene house --at 0.3 --size 512x384 --burst 6 "
+                                    "--styles overshoot,all")["scenes"]["house"]["styles"];
+    };
+    const nlohmann::json good = figures("");
+    const double plain = good["plain"]["flicker"];
+    EXPECT_GT(plain, 0);
+    EXPECT_LE(good["all"]["flicker"], 1.3 * plain);
+    // An overshoot that is another one in every frame.
+    const fs::path kernels =
+        with_planted("kernels", "path_share(frame.segments[work->first].path)",
+                     "path_share(frame.arcs[work->last + 1] + frame.arcs[work->last])");
+    const nlohmann::json bad = figures("LINEATLAS_KERNEL_DIR=" + kernels.string());
+    EXPECT_EQ(bad["plain"]["flicker"], plain);
+    EXPECT_GT(bad["overshoot"]["flicker"], 1.5 * good["overshoot"]["flicker"].get<double>());
+}
+
 TEST_F(QualityProgram, TellsModelsWithTheSameFileNameApart) {
     std::string arguments = "--at 0 --burst 1 --methods SAlo";
     for (const char* name : {"a", "b"}) {

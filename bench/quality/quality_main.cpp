@@ -41,6 +41,7 @@ struct Arguments {
     bool study = false;
     bool check_oracle = false;
     bool intervals = false;
+    std::vector<std::string> styles;
     bool kinds = false;
     std::size_t worst = 0;
     std::string picture;
@@ -49,6 +50,31 @@ struct Arguments {
     std::vector<std::string> charts;
     DeviceOptions device;
 };
+
+/// Effects one by one, and all of them.
+const std::map<std::string, Style>& named_styles() {
+    static const std::map<std::string, Style> styles = [] {
+        const StrokeFilter overshoot{.overshoot = 8, .overshoot_variation = 0.5F};
+        const StrokeFilter lengths{.fill = 4, .drop = 4};
+        const StrokeFilter halo{.halo = 4};
+        const StrokeFilter all{.overshoot = 8, .overshoot_variation = 0.5F, .halo = 4};
+        const Density density{.limit = 0.3F};
+        return std::map<std::string, Style>{{"overshoot", {.filter = overshoot}},
+                                            {"filter", {.filter = lengths}},
+                                            {"halo", {.filter = halo}},
+                                            {"density", {.density = density}},
+                                            {"all", {.filter = all, .density = density}}};
+    }();
+    return styles;
+}
+std::vector<std::string> style_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, style] : named_styles()) names.push_back(name);
+    return names;
+}
+const Style& style_of(const std::string& name) {
+    return named_styles().at(name);
+}
 
 void set_up(CLI::App& app, Arguments& a) {
     app.add_option("--scene,--scenes", a.scenes,
@@ -124,6 +150,13 @@ void set_up(CLI::App& app, Arguments& a) {
                  "In place of the methods: how right the intervals are that come out of the device")
         ->excludes(study)
         ->excludes(methods);
+    app.add_option("--styles", a.styles,
+                   "In place of the methods: sparkle of what is drawn plain and with each of "
+                   "these, of overshoot, halo, density, filter, all")
+        ->delimiter(',')
+        ->check(CLI::IsMember(style_names()))
+        ->excludes(study)
+        ->excludes(methods);
     app.add_option("--json", a.json, "Figures to write");
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference")
         ->capture_default_str();
@@ -153,6 +186,22 @@ std::vector<Contestant> contestants(const Arguments& a) {
         options.steady = !a.no_average;
         options.cull_hidden = false; // every sample is compared
         result.push_back({std::string{spec.name}, options});
+    }
+    return result;
+}
+
+std::vector<Contestant> style_contestants(const Arguments& a) {
+    const MethodSpec& spec = method_spec("SAhi");
+    FrameOptions options{.method = spec.method,
+                         .probes = a.probes != 0 ? a.probes : spec.probes,
+                         .depth_scale = a.depth_scale != 0 ? a.depth_scale : spec.depth_scale,
+                         .step = a.step,
+                         .cull_hidden = false, // every sample is compared
+                         .steady = !a.no_average};
+    std::vector<Contestant> result{{"plain", options}};
+    for (const std::string& name : a.styles) {
+        options.style = style_of(name);
+        result.push_back({name, options});
     }
     return result;
 }
@@ -238,6 +287,8 @@ class Bench {
                 report_.oracle.push_back(measurement.check_oracle());
             } else if (arguments_.intervals) {
                 report_.intervals.push_back(measurement.intervals());
+            } else if (!arguments_.styles.empty()) {
+                report_.subjects.push_back(measurement.styles(style_contestants(arguments_)));
             } else {
                 measure(subject, measurement);
             }
@@ -302,6 +353,8 @@ class Bench {
         } else if (arguments_.intervals) {
             if (report_.intervals.size() == 1) print_intervals_header();
             print_intervals(report_.intervals.back());
+        } else if (!arguments_.styles.empty()) {
+            print_styles(report_.subjects.back());
         } else {
             print_table(report_.subjects.back(), arguments_.kinds);
         }
@@ -310,7 +363,11 @@ class Bench {
 
     void finish() {
         if (report_.subjects.size() > 1) {
-            print_table(total_of(report_.subjects), arguments_.kinds);
+            const SubjectReport total = total_of(report_.subjects);
+            if (arguments_.styles.empty())
+                print_table(total, arguments_.kinds);
+            else
+                print_styles(total);
         }
         if (report_.study.size() > 1) {
             report_.study.push_back(total_of(report_.study));

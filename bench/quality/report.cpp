@@ -23,6 +23,13 @@ void print_columns(std::string_view first, bool motion) {
     fmt::print("{}\n", motion ? "   sparkle crawl px" : "");
 }
 
+void print_subject(const SubjectReport& report) {
+    fmt::print("{}: {} triangles, {} segments, {} views", report.name, report.triangles,
+               report.segments, report.views);
+    if (report.typical_motion > 0) fmt::print(", moving {:.2f} px a frame", report.typical_motion);
+    fmt::print("\n");
+}
+
 void print_row(const std::string& name, const Figures& f, const MotionFigures* motion) {
     fmt::print("  {:<14}{:>10}{:>10.4f}{:>9.3f}{:>9.3f}{:>9.3f}", name, f.samples, f.mean_error(),
                100 * f.share(f.wrong()), 100 * f.share(f.false_visible),
@@ -101,11 +108,20 @@ Json json(const MethodReport& method) {
 Json json(const SubjectReport& subject) {
     Json methods = Json::object();
     for (const MethodReport& method : subject.methods) methods[method.name] = json(method);
+    Json styles = Json::object();
+    for (const auto& [name, figures] : subject.styles) {
+        styles[name] = {{"drawn", json(figures.mean_shown())},
+                        {"sparkle", json(figures.sparkle())},
+                        {"flicker", json(figures.flicker())},
+                        {"jumps", json(figures.jumps())},
+                        {"points", figures.changes}};
+    }
     return Json{{"triangles", subject.triangles},
                 {"segments", subject.segments},
                 {"views", subject.views},
                 {"typical_motion", rounded(subject.typical_motion)},
-                {"methods", methods}};
+                {"methods", methods},
+                {"styles", styles}};
 }
 
 Json json(const StudyReport& study) {
@@ -137,6 +153,11 @@ SubjectReport total_of(const std::vector<SubjectReport>& subjects) {
             total.methods[i].name = subject.methods[i].name;
             total.methods[i].add(subject.methods[i]);
         }
+        total.styles.resize(subject.styles.size());
+        for (std::size_t i = 0; i < subject.styles.size(); ++i) {
+            total.styles[i].name = subject.styles[i].name;
+            total.styles[i].figures.add(subject.styles[i].figures);
+        }
     }
     return total;
 }
@@ -157,16 +178,33 @@ StudyReport total_of(const std::vector<StudyReport>& study) {
 }
 
 void print_table(const SubjectReport& report, bool kinds) {
-    fmt::print("{}: {} triangles, {} segments, {} views", report.name, report.triangles,
-               report.segments, report.views);
-    if (report.typical_motion > 0) fmt::print(", moving {:.2f} px a frame", report.typical_motion);
-    fmt::print("\n");
+    print_subject(report);
     print_columns("method", true);
     for (const MethodReport& method : report.methods) {
         print_row(method.name, method.errors.all, &method.motion.all);
         if (kinds) print_kinds(method.errors, &method.motion);
     }
     for (const std::string_view other : {"IBlo", "IBhi", "SAlo"}) print_ratio(report, other);
+    fmt::print("\n");
+}
+
+void print_styles(const SubjectReport& report) {
+    print_subject(report);
+    fmt::print("  {:<14}{:>10}{:>10}{:>9}{:>10}{:>9}{:>10}{:>9}\n", "style", "drawn", "sparkle",
+               "to plain", "flicker", "to plain", "jumps", "to plain");
+    const StyledFigures& plain = report.styles.front().figures;
+    const auto six = [](const std::optional<double>& value) {
+        return value ? fmt::format("{:.6f}", *value) : "-";
+    };
+    const auto ratio = [](const std::optional<double>& a, const std::optional<double>& b) {
+        return a && b && *b > 0 ? fmt::format("{:.2f}", *a / *b) : "-";
+    };
+    for (const auto& [name, f] : report.styles) {
+        fmt::print("  {:<14}{:>10}{:>10}{:>9}{:>10}{:>9}{:>10}{:>9}\n", name, six(f.mean_shown()),
+                   six(f.sparkle()), ratio(f.sparkle(), plain.sparkle()), six(f.flicker()),
+                   ratio(f.flicker(), plain.flicker()), six(f.jumps()),
+                   ratio(f.jumps(), plain.jumps()));
+    }
     fmt::print("\n");
 }
 

@@ -7,6 +7,7 @@
 #include "compare.hpp"
 #include "interval_errors.hpp"
 #include "motion.hpp"
+#include "styled.hpp"
 
 // What `lineatlas-bench-quality` says: tables for people, JSON for programs.
 namespace lineatlas::bench {
@@ -19,11 +20,18 @@ struct MethodReport {
     void add(const MethodReport& other);
 };
 
+/// What the segment atlas at high quality draws with a style.
+struct StyleReport {
+    std::string name;
+    StyledFigures figures;
+};
+
 struct SubjectReport {
     std::string name; ///< a scene, or a model's file name
     std::size_t triangles = 0, segments = 0, views = 0;
     double typical_motion = 0; ///< median of visible points, from frame to frame, pixels
     std::vector<MethodReport> methods;
+    std::vector<StyleReport> styles{}; ///< in place of methods; the first is the plain one
 };
 
 /// Mean alpha* with the usual number of rays, and with twice as many.
@@ -73,6 +81,8 @@ StudyReport total_of(const std::vector<StudyReport>& study);
 
 /// A row per method; with `kinds`, also one per line kind.
 void print_table(const SubjectReport& report, bool kinds);
+/// A row per style.
+void print_styles(const SubjectReport& report);
 void print_study(const StudyReport& report);
 void print_intervals_header();
 void print_intervals(const IntervalReport& report);

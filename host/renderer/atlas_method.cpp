@@ -287,6 +287,7 @@ Renderer::Samples AtlasMethod::read_samples() {
     Renderer::Samples result;
     result.offsets.resize(std::size_t{segment_count_} + 1);
     result.runs = strokes_.read_runs();
+    result.density = strokes_.read_density();
     std::vector<std::uint8_t> texels(layout_.texels(strokes_.sample_total()));
     handover_.to_compute({{*offsets_, 0}, {*alpha_, 0}});
     backend_.download(offsets_->compute(), std::as_writable_bytes(std::span{result.offsets}));

@@ -83,7 +83,8 @@ void StrokeStage::prepare(const Frame& frame) {
         const bool cuts = style.filter.halo > 0;
         if (cuts && (!cuts_ || cuts_->size() < cut_bytes)) cuts_ = backend_.allocate(cut_bytes);
     }
-    if (style.density.limit > 0) {
+    limits_density_ = style.density.limit > 0;
+    if (limits_density_) {
         cells_ = compute::density_cells(frame.viewport());
         const std::size_t bytes = std::size_t{LA_DENSITY_BINS} *
                                   static_cast<std::size_t>(cells_.x * cells_.y) * sizeof(float);
@@ -297,6 +298,16 @@ std::vector<Run> StrokeStage::read_runs() {
     backend_.download(visible_.runs->compute(), std::as_writable_bytes(std::span{runs}));
     handover_.to_gl({{*visible_.runs, 0}});
     return runs;
+}
+
+std::vector<float> StrokeStage::read_density() {
+    if (!limits_density_) return {};
+    std::vector<float> weights(std::size_t{LA_DENSITY_BINS} *
+                               static_cast<std::size_t>(cells_.x * cells_.y));
+    handover_.to_compute({{*weights_, 0}});
+    backend_.download(weights_->compute(), std::as_writable_bytes(std::span{weights}));
+    handover_.to_gl({{*weights_, 0}});
+    return weights;
 }
 
 } // namespace lineatlas

@@ -45,6 +45,8 @@ class StrokeStage {
     std::uint64_t bytes() const;
     /// The visible runs of the last frame.
     std::vector<Run> read_runs();
+    /// What density control left of lines in the last frame; empty without it.
+    std::vector<float> read_density();
 
   private:
     /// Runs on both sides, and how many there are.
@@ -68,7 +70,7 @@ class StrokeStage {
     interop::SharingMode mode_;
     interop::Handover handover_;
     RunTable visible_, hidden_;
-    bool has_hidden_ = false, filters_ = false; ///< the current frame's
+    bool has_hidden_ = false, filters_ = false, limits_density_ = false; ///< the current frame's
     // Before `filter`, on the device alone.
     std::unique_ptr<compute::Buffer> raw_runs_, raw_record_, cuts_;
     std::uint32_t raw_capacity_ = 0;

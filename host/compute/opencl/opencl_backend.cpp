@@ -273,8 +273,17 @@ class Implementation final : public OpenClBackend {
                args.alpha, args.record, of_kind, to_cl(cells), args.runs, grid);
         launch(density_smooth_, LA_DENSITY_BINS * plane, tuning_.local_size, grid, to_cl(cells),
                rows, smooth);
-        launch(density_weights_, plane, tuning_.local_size, smooth, to_cl(cells), args.limit,
-               to_cl(args.focus), args.far_limit, args.weights);
+        Buffer& drawn = scratch(density_drawn_, plane);
+        Buffer& excess = scratch(density_excesses_, plane);
+        const auto share_out = [&](cl_uint again) {
+            launch(density_weights_, plane, tuning_.local_size, grid, smooth, to_cl(cells),
+                   args.limit, to_cl(args.focus), args.far_limit, again, excess, args.weights,
+                   drawn);
+        };
+        share_out(0);
+        launch(density_excess_, plane, tuning_.local_size, drawn, to_cl(cells), args.limit,
+               to_cl(args.focus), args.far_limit, excess);
+        share_out(1);
     }
 
     void intervals(const IntervalsArgs& args) override {
@@ -455,11 +464,12 @@ class Implementation final : public OpenClBackend {
     LazyKernel density_lines_{"density.cl", "density_lines"};
     LazyKernel density_smooth_{"density.cl", "density_smooth"};
     LazyKernel density_weights_{"density.cl", "density_weights"};
+    LazyKernel density_excess_{"density.cl", "density_excess"};
     ScanKernels scan_[2];
     std::unique_ptr<Buffer> scan_sums_;
     std::unique_ptr<Buffer> block_counts_, run_counts_;
     std::unique_ptr<Buffer> halo_ends_, halo_lists_;
-    std::unique_ptr<Buffer> density_grid_, density_rows_;
+    std::unique_ptr<Buffer> density_grid_, density_rows_, density_drawn_, density_excesses_;
 };
 
 } // namespace

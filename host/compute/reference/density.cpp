@@ -164,6 +164,73 @@ float mean_weight(float before, float own, float allowed, float soft) {
     return (whole + (to - from) * at_middle) / own;
 }
 
+/// The limit of a cell, as smoothed sums are counted.
+float allowed_in(const DensityInput& in, int x, int y) {
+    const glm::vec2 centre = (glm::vec2{x, y} + 0.5F) * float{LA_DENSITY_CELL};
+    return limit_at(in, centre) *
+           (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
+}
+
+/// A value per cell.
+using Cells = std::vector<float>;
+
+/// The most about a cell.
+float most_about(const Cells& values, glm::ivec2 cells, int x, int y) {
+    float most = 0;
+    for (int v = std::max(y - 2, 0); v <= std::min(y + 2, cells.y - 1); ++v) {
+        for (int u = std::max(x - 2, 0); u <= std::min(x + 2, cells.x - 1); ++u) {
+            most = std::max(most, values[static_cast<std::size_t>(v * cells.x + u)]);
+        }
+    }
+    return most;
+}
+
+/// The weights of every bin; returns the length that they leave in each cell.
+Cells share_out(const DensityInput& in, Bins& bins, const Cells& excess, std::span<float> weights) {
+    const glm::ivec2 cells = bins[0].cells;
+    const std::size_t plane = bins[0].values.size();
+    Cells drawn(plane);
+    for (int y = 0; y < cells.y; ++y) {
+        for (int x = 0; x < cells.x; ++x) {
+            const auto cell = static_cast<std::size_t>(y * cells.x + x);
+            const float allowed = allowed_in(in, x, y) / (1 + most_about(excess, cells, x, y));
+            float before = 0;
+            for (std::size_t bin = LA_DENSITY_BINS; bin-- > 0;) {
+                const float own = std::max(static_cast<float>(smooth(bins[bin], x, y)), 1.0F);
+                const float weight =
+                    mean_weight(before, own, allowed, allowed * LA_DENSITY_SOFTNESS);
+                weights[bin * plane + cell] = weight;
+                drawn[cell] += weight * static_cast<float>(bins[bin].values[cell]);
+                before += own;
+            }
+        }
+    }
+    return drawn;
+}
+
+/// By which share of the limit more than that is left about each cell.
+Cells excess_of(const DensityInput& in, glm::ivec2 cells, const Cells& drawn) {
+    const auto drawn_at = [&](int x, int y) {
+        return drawn[static_cast<std::size_t>(std::clamp(y, 0, cells.y - 1) * cells.x +
+                                              std::clamp(x, 0, cells.x - 1))];
+    };
+    Cells excess;
+    for (int y = 0; y < cells.y; ++y) {
+        for (int x = 0; x < cells.x; ++x) {
+            float left = 0;
+            for (int dy = -2; dy <= 2; ++dy) {
+                for (int dx = -2; dx <= 2; ++dx) {
+                    const auto share = static_cast<float>((3 - std::abs(dx)) * (3 - std::abs(dy)));
+                    left += share * drawn_at(x + dx, y + dy);
+                }
+            }
+            const float allowed = allowed_in(in, x, y);
+            excess.push_back(std::max(left / (allowed * LA_DENSITY_TOLERATED) - 1, 0.0F));
+        }
+    }
+    return excess;
+}
+
 } // namespace
 
 void density(const DensityInput& in, std::span<Run> runs, std::span<float> weights) {
@@ -175,23 +242,8 @@ void density(const DensityInput& in, std::span<Run> runs, std::span<float> weigh
         run.flags |= priority << LA_RUN_BIN_SHIFT;
         add_run(bins, run, priority, in.alpha);
     }
-    const std::size_t plane = bins[0].values.size();
-    for (int y = 0; y < cells.y; ++y) {
-        for (int x = 0; x < cells.x; ++x) {
-            const glm::vec2 centre = (glm::vec2{x, y} + 0.5F) * float{LA_DENSITY_CELL};
-            const float allowed =
-                limit_at(in, centre) *
-                (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
-            const float soft = allowed * LA_DENSITY_SOFTNESS;
-            float before = 0;
-            for (std::size_t bin = LA_DENSITY_BINS; bin-- > 0;) {
-                const float own = std::max(static_cast<float>(smooth(bins[bin], x, y)), 1.0F);
-                weights[bin * plane + static_cast<std::size_t>(y * cells.x + x)] =
-                    mean_weight(before, own, allowed, soft);
-                before += own;
-            }
-        }
-    }
+    const Cells drawn = share_out(in, bins, Cells(bins[0].values.size()), weights);
+    share_out(in, bins, excess_of(in, cells, drawn), weights);
 }
 
 } // namespace lineatlas::compute::reference

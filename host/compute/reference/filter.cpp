@@ -21,10 +21,16 @@ struct Stretch {
     float start, end;
     std::uint32_t start_kind, end_kind; ///< LA_END_*
     std::size_t first_run, last_run;
+    float start_overshoot = 0, end_overshoot = 0;
 };
 
 std::uint32_t stroke_end_kind(std::uint32_t kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
+}
+
+/// Whether a stroke may go on beyond an end, so that nobody knows how long it is.
+bool is_cut_off(std::uint32_t kind) {
+    return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
 }
 
 /// The samples at the two ends of a run.
@@ -60,7 +66,6 @@ class PathFilter {
                 frame.clipped[first_].t0 <= 0 && frame.is_drawn(last_) && frame.is_drawn(first_);
         overshoot_ =
             in.overshoot * (1 - in.overshoot_variation * path_share(frame.segments[first_].path));
-        grow_ = overshoot_ - in.undershoot;
     }
 
     void run() {
@@ -68,8 +73,9 @@ class PathFilter {
         for (std::size_t r = begin_; r < end_; ++r) intervals.push_back(interval_of(r));
         float seam_gap = std::numeric_limits<float>::infinity();
         if (seam_) seam_gap = intervals.front().start + 2 * half_length_ - intervals.back().end;
-        seam_grow_ = std::min(grow_, 0.5F * seam_gap);
-        if (seam_gap <= shortest || seam_gap < in_.fill) {
+        seam_room_ = 0.5F * seam_gap;
+        joined_ = seam_gap <= shortest || seam_gap < in_.fill;
+        if (joined_) {
             intervals.front().start = -half_length_;
             intervals.front().start_kind = LA_END_JOIN;
             intervals.back().end = half_length_;
@@ -79,14 +85,12 @@ class PathFilter {
             return b.start - a.end <= shortest || b.start - a.end < in_.fill;
         });
         std::erase_if(intervals, [&](const Stretch& interval) {
-            const auto cut_off = [](std::uint32_t kind) {
-                return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
-            };
-            return !cut_off(interval.start_kind) && !cut_off(interval.end_kind) &&
+            return !is_cut_off(interval.start_kind) && !is_cut_off(interval.end_kind) &&
                    interval.end - interval.start < in_.drop;
         });
+        for (Stretch& interval : intervals) set_overshoot(interval);
         intervals = merged(intervals, [&](const Stretch& a, const Stretch& b) {
-            return b.start - a.end <= 2 * grow_;
+            return b.start - a.end <= a.end_overshoot + b.start_overshoot - 2 * in_.undershoot;
         });
         for (const Stretch& interval : intervals) emit(interval);
     }
@@ -141,6 +145,7 @@ class PathFilter {
                 result.back().end = next.end;
                 result.back().end_kind = next.end_kind;
                 result.back().last_run = next.last_run;
+                result.back().end_overshoot = next.end_overshoot;
             } else {
                 result.push_back(next);
             }
@@ -148,16 +153,84 @@ class PathFilter {
         return result;
     }
 
+    /// Length of stroke that a run draws in a stretch, times its opacity.
+    float ink_of(const Run& run, Span stretch) const {
+        const Span whole = span(run.segment);
+        const float per_sample = (whole.end - whole.start) / static_cast<float>(run.samples);
+        const float from = (stretch.start - whole.start) / per_sample;
+        const float to = (stretch.end - whole.start) / per_sample;
+        const int last = static_cast<int>(run.samples) - 1;
+        float sum = 0;
+        for (int j = std::clamp(static_cast<int>(from), 0, last);
+             j <= last && static_cast<float>(j) < to; ++j) {
+            const std::uint8_t alpha = in_.alpha[run.address + static_cast<std::uint32_t>(j)];
+            const float opacity =
+                std::min(static_cast<float>(alpha) * (1.0F / LA_FULLY_SHOWN), 1.0F);
+            sum +=
+                (std::min(static_cast<float>(j + 1), to) - std::max(static_cast<float>(j), from)) *
+                opacity;
+        }
+        return std::max(sum, 0.0F) * per_sample;
+    }
+
+    /// Length of stroke times opacity within the overshoot of a place, from run r on.
+    float ink_near(std::size_t r, float place, bool forward) const {
+        const float low = forward ? place : place - overshoot_;
+        const float high = forward ? place + overshoot_ : place;
+        float sum = 0, around = 0;
+        for (std::size_t left = end_ - begin_; left > 0; --left) {
+            const Stretch own = interval_of(r);
+            const Span stretch{std::max(own.start, low - around), std::min(own.end, high - around)};
+            if (stretch.end < stretch.start) break;
+            sum += ink_of(in_.runs[r], stretch);
+            if (r == (forward ? end_ - 1 : begin_)) {
+                if (!joined_) break;
+                around += forward ? 2 * half_length_ : -2 * half_length_;
+                r = forward ? begin_ : end_ - 1;
+                continue;
+            }
+            const std::size_t a = forward ? r : r - 1;
+            if (!connected(in_.runs[a].segment, in_.runs[a + 1].segment)) break;
+            r = forward ? r + 1 : r - 1;
+        }
+        return sum;
+    }
+
+    float overshoot_beside(float ink) const { return std::min(ink * ink / overshoot_, overshoot_); }
+
+    /// Less beside little ink, and never across a gap.
+    void set_overshoot(Stretch& interval) const {
+        if (!(overshoot_ > 0)) return;
+        float& at_start = interval.start_overshoot;
+        float& at_end = interval.end_overshoot;
+        at_start = overshoot_beside(ink_near(interval.first_run, interval.start, true));
+        at_end = overshoot_beside(ink_near(interval.last_run, interval.end, false));
+        for (const Span gap : gaps(interval)) {
+            if (gap.start < interval.start) {
+                at_start = std::clamp(interval.start - gap.end, 0.0F, at_start);
+            }
+            if (gap.end > interval.end) {
+                at_end = std::clamp(gap.start - interval.end, 0.0F, at_end);
+            }
+        }
+    }
+
     /// A stroke at its final length, less the gaps in it.
     void emit(const Stretch& interval) {
         float start = interval.start, end = interval.end;
         std::uint32_t start_kind = interval.start_kind, end_kind = interval.end_kind;
-        if (start_kind == LA_END_PATH) start -= overshoot_;
-        if (end_kind == LA_END_PATH) end += overshoot_;
+        if (start_kind == LA_END_PATH) start -= interval.start_overshoot;
+        if (end_kind == LA_END_PATH) end += interval.end_overshoot;
+        const auto grow = [&](float overshoot, bool at_seam) {
+            const float by = overshoot - in_.undershoot;
+            return at_seam ? std::min(by, seam_room_) : by;
+        };
         if (start_kind == LA_END_HIDDEN) {
-            start -= interval.first_run == begin_ ? seam_grow_ : grow_;
+            start -= grow(interval.start_overshoot, interval.first_run == begin_);
         }
-        if (end_kind == LA_END_HIDDEN) end += interval.last_run + 1 == end_ ? seam_grow_ : grow_;
+        if (end_kind == LA_END_HIDDEN) {
+            end += grow(interval.end_overshoot, interval.last_run + 1 == end_);
+        }
 
         std::uint32_t i = in_.runs[interval.first_run].segment;
         while (i > first_ && span(i).start > start && frame_.goes_on(i - 1)) --i;
@@ -173,13 +246,19 @@ class PathFilter {
             end = span(last).end;
             end_kind = LA_END_CLIPPED;
         }
+        float least = shortest;
         for (const Span gap : gaps(interval)) {
             if (gap.end <= start || gap.start >= end) continue;
-            emit_piece(i, start, gap.start, start_kind, LA_END_HIDDEN);
+            least = std::max(in_.drop, shortest);
+            if (is_cut_off(start_kind) || gap.start - start >= least) {
+                emit_piece(i, start, gap.start, start_kind, LA_END_HIDDEN);
+            }
             start = gap.end;
             start_kind = LA_END_HIDDEN;
         }
-        emit_piece(i, start, end, start_kind, end_kind);
+        if (is_cut_off(end_kind) || end - start >= least) {
+            emit_piece(i, start, end, start_kind, end_kind);
+        }
     }
 
     /// In ascending order; they may overlap.
@@ -201,6 +280,9 @@ class PathFilter {
         if (end - start < shortest) return;
         const std::uint32_t kinds =
             start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
+        // A loop without an end: all of it is the middle of its stroke.
+        const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
+        const Span stroke = endless ? Span{-LA_ENDLESS, LA_ENDLESS} : Span{start, end};
         const float around = 2 * half_length_;
         const float to = end;
         float from = start;
@@ -228,7 +310,7 @@ class PathFilter {
                       end_kind, {start - around, end - around}, kinds);
             return;
         }
-        emit_part(forward(i, from), {from, to}, start_kind, end_kind, {start, end}, kinds);
+        emit_part(forward(i, from), {from, to}, start_kind, end_kind, stroke, kinds);
     }
 
     /// From segment i on the one that an arc length lies in.
@@ -276,7 +358,8 @@ class PathFilter {
     std::uint32_t first_, last_; ///< segments of the path
     float half_length_;
     bool seam_;
-    float overshoot_, grow_, seam_grow_ = 0;
+    bool joined_ = false; ///< visible at its seam
+    float overshoot_, seam_room_ = 0;
 };
 
 void show_samples(std::span<const Segment> segments, std::span<const Run> runs,

@@ -143,6 +143,9 @@ class Renderer {
         std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible
         std::vector<Run> runs;
+        /// What density control leaves of lines, 0 to 1: for each priority (LA_DENSITY_BINS) the
+        /// picture's cells of LA_DENSITY_CELL pixels row by row. Empty without it.
+        std::vector<float> density{};
     };
     Samples read_samples();
 
