@@ -76,7 +76,7 @@ bool is_finite(const Interval& interval) {
 double share_along(const ScreenSegment& segment, const float* window, double height) {
     if (!(segment.length > 0)) return 0;
     const glm::dvec2 way = segment.q.at - segment.p.at;
-    const glm::dvec2 offset = glm::dvec2{window[0], height - window[1]} - segment.p.at;
+    const glm::dvec2 offset = glm::dvec2{window[0], height - double{window[1]}} - segment.p.at;
     return std::clamp(glm::dot(offset, way) / glm::dot(way, way), 0.0, 1.0);
 }
 
@@ -150,7 +150,7 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
         piece.end = make_end(screen, interval.end, height,
                              interval.flags >> LA_INTERVAL_END_SHIFT & LA_END_MASK, 1);
         piece.end.t = std::max(piece.end.t, piece.start.t);
-        screen.p.arc = interval.start_arc - piece.start.t * screen.length;
+        screen.p.arc = double{interval.start_arc} - piece.start.t * screen.length;
         screen.q.arc = screen.p.arc + screen.length;
         pieces.list.push_back(piece);
     }
