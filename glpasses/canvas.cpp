@@ -9,8 +9,8 @@
 
 namespace lineatlas::gl {
 
-Canvas::Canvas(glm::ivec2 size)
-    : size_(size), texture_(Texture2D::create()), depth_(Renderbuffer::create()),
+Canvas::Canvas(glm::ivec2 size, int bits)
+    : size_(size), bits_(bits), texture_(Texture2D::create()), depth_(Renderbuffer::create()),
       framebuffer_(Framebuffer::create()) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -19,7 +19,7 @@ Canvas::Canvas(glm::ivec2 size)
                          " can't be drawn: each side must be 1 to " + std::to_string(largest) +
                          " pixels here");
     }
-    glTextureStorage2D(texture_.id(), 1, GL_RGBA8, size.x, size.y);
+    glTextureStorage2D(texture_.id(), 1, bits == 16 ? GL_RGBA16 : GL_RGBA8, size.x, size.y);
     glNamedRenderbufferStorage(depth_.id(), GL_DEPTH_COMPONENT32F, size.x, size.y);
     if (glGetError() == GL_OUT_OF_MEMORY) {
         throw DeviceError("GL has no memory for a picture of " + std::to_string(size.x) + "x" +
@@ -35,10 +35,11 @@ void Canvas::clear(glm::vec4 color) {
 }
 
 std::vector<std::uint8_t> Canvas::read() const {
-    const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
+    const std::size_t row =
+        static_cast<std::size_t>(size_.x) * 4 * static_cast<std::size_t>(bits_ / 8);
     std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(size_.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture_.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+    glGetTextureImage(texture_.id(), 0, GL_RGBA, bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
                       static_cast<GLsizei>(pixels.size()), pixels.data());
     // GL's rows run from the bottom up.
     for (int top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom) {

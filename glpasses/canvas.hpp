@@ -10,21 +10,23 @@
 
 namespace lineatlas::gl {
 
-/// A picture to draw into, off screen: RGBA, 8 bits per channel, premultiplied, with a depth
+/// A picture to draw into, off screen: RGBA, premultiplied, with a depth
 /// buffer.
 class Canvas {
   public:
-    /// Throws UsageError if the size exceeds what the device can draw.
-    explicit Canvas(glm::ivec2 size);
+    /// `bits` per channel: 8 or 16. Throws UsageError if the size exceeds what the device can draw.
+    explicit Canvas(glm::ivec2 size, int bits = 8);
 
     void clear(glm::vec4 color);
     GLuint framebuffer() const { return framebuffer_.id(); }
     glm::ivec2 size() const { return size_; }
-    /// Pixels from the top left, 4 bytes each.
+    int bits() const { return bits_; }
+    /// Pixels from the top left, 4 values each; with 16 bits in native order.
     std::vector<std::uint8_t> read() const;
 
   private:
     glm::ivec2 size_;
+    int bits_;
     Texture2D texture_;
     Renderbuffer depth_;
     Framebuffer framebuffer_;

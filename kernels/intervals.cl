@@ -13,7 +13,7 @@
 #if !defined(PROBE_LANES)
 #error "PROBE_LANES must be set"
 #endif
-#define PROBES 9 /* the majority decides */
+#define PROBES 9
 
 #include "atlas_address.h"
 #include "probe.h"
@@ -182,7 +182,7 @@ static bool shown_at(const Spine spine, const float sample, const float pixel, c
         const lanes_float u = (sample + along * pixel) * spine.inverse_l;
         visible += (uint)COUNT(sees_line(spine, u, side, probe < PROBES, depth));
     }
-    return 2u * visible > PROBES;
+    return 255u * visible >= LA_INTERVAL_SHOWN * PROBES;
 }
 
 /* Where visibility changes. shown: visible before the change; pixel: its length in samples. */

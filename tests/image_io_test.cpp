@@ -22,6 +22,7 @@ using lineatlas::check_image_path;
 using lineatlas::FileError;
 using lineatlas::Image;
 using lineatlas::ImageWriter;
+using lineatlas::Pixels;
 using lineatlas::read_image;
 using lineatlas::write_image;
 
@@ -73,6 +74,14 @@ Image gradient(int channels, glm::ivec2 size = {64, 48}) {
     return image;
 }
 
+Pixels pixels_of(const Image& image) {
+    return {.size = image.size,
+            .channels = image.channels,
+            .bits = 8,
+            .premultiplied = false,
+            .values = std::as_bytes(std::span{image.pixels})};
+}
+
 int largest_difference(const Image& a, const Image& b) {
     EXPECT_EQ(a.pixels.size(), b.pixels.size());
     int largest = 0;
@@ -88,16 +97,37 @@ TEST_F(ImageIo, AWriterIsLikeWriteImage) {
     for (const bool own_process : {true, false}) {
         if (!own_process) write_image(folder_ / "loads.png", gradient(1));
         const Image image = gradient(4, {300, 200}); // more than a socket holds
-        fs::create_directory(folder_ / "gone");
-        ImageWriter writer(folder_ / "gone" / "a.png");
-        fs::remove(folder_ / "gone");
-        EXPECT_TRUE(has(error_of([&] { writer.write(image); }), "its folder does not exist"));
-        { const ImageWriter unused(folder_ / "unused.png"); }
-        EXPECT_FALSE(fs::exists(folder_ / "unused.png"));
-        ImageWriter(folder_ / "a.png").write(image);
-        EXPECT_EQ(largest_difference(read_image(folder_ / "a.png"), image), 0);
+        const ImageWriter unused;
+        ImageWriter writer;
+        const auto write_gone = [&] {
+            writer.write(folder_ / "gone" / "a.png", pixels_of(image));
+            writer.finish();
+        };
+        EXPECT_TRUE(has(error_of(write_gone), "its folder does not exist"));
+        for (const char* name : {"a.png", "b.png"}) writer.write(folder_ / name, pixels_of(image));
+        EXPECT_TRUE(writer.is_whole(folder_ / "b.png", image.size));
+        EXPECT_FALSE(writer.is_whole(folder_ / "b.png", {300, 201}));
+        EXPECT_FALSE(writer.is_whole(folder_ / "none.png", image.size));
+        { ImageWriter().write(folder_ / "c.png", pixels_of(image)); }
+        for (const char* name : {"a.png", "b.png", "c.png"}) {
+            EXPECT_EQ(largest_difference(read_image(folder_ / name), image), 0) << name;
+            fs::remove(folder_ / name);
+        }
     }
-    EXPECT_TRUE(has(error_of([&] { ImageWriter(folder_ / "a.xyz"); }), "unknown picture type"));
+}
+
+TEST_F(ImageIo, APictureCutShortIsNotWhole) {
+    ImageWriter writer;
+    for (const char* name : {"a.png", "a.jpg", "a.tif", "a.exr", "a.bmp"}) {
+        const fs::path path = folder_ / name;
+        writer.write(path, pixels_of(gradient(3, {200, 150})));
+        EXPECT_TRUE(writer.is_whole(path, {200, 150})) << name;
+        const auto size = fs::file_size(path);
+        for (const auto part : {size - 40, size / 2, size / 10}) {
+            fs::resize_file(path, part);
+            EXPECT_FALSE(writer.is_whole(path, {200, 150})) << name << " " << part;
+        }
+    }
 }
 
 TEST_F(ImageIo, PngAndTiffKeepEveryValue) {

@@ -1,70 +1,16 @@
 // The tool as a user meets it: what bad input ends in. One clear line that names the thing, exit
 // code 1 or 2, and no file that was not there before.
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "lineatlas/io.hpp"
+#include "tool.hpp"
 
 namespace lineatlas::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Result {
-    int exit_code;
-    std::string output; ///< stdout and stderr together
-};
-
-class Tool : public testing::Test {
-  protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("lineatlas_tool_test_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    static Result run(const std::string& arguments) {
-        const std::string command = std::string{LINEATLAS_TOOL} + " " + arguments + " 2>&1";
-        FILE* pipe = ::popen(command.c_str(), "r");
-        Result result{-1, {}};
-        std::array<char, 512> part{};
-        while (std::fgets(part.data(), part.size(), pipe) != nullptr) result.output += part.data();
-        const int status = ::pclose(pipe);
-        if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
-        return result;
-    }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream{path(name), std::ios::binary} << text;
-    }
-
-    /// The command fails with `code`, says `words` in at most two lines and leaves no new file.
-    void expect_refused(const std::string& arguments, int code, const std::string& words) {
-        const auto files = [&] {
-            return std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{});
-        };
-        const auto before = files();
-        const Result result = run(arguments);
-        EXPECT_EQ(result.exit_code, code) << arguments << "\n" << result.output;
-        EXPECT_NE(result.output.find(words), std::string::npos) << arguments << "\n"
-                                                                << result.output;
-        EXPECT_LE(std::ranges::count(result.output, '\n'), 2) << result.output;
-        EXPECT_EQ(files(), before) << "a file was left behind by: " << arguments;
-    }
-
-    fs::path folder_;
-};
 
 TEST_F(Tool, DrawsAScene) {
     const Result result =
@@ -147,19 +93,18 @@ TEST_F(Tool, DrawsWithAStyle) {
     const auto draws = [&](const std::string& name, const std::string& options) {
         const Result result = run(scene + path(name) + " " + options);
         EXPECT_EQ(result.exit_code, 0) << options << "\n" << result.output;
-        std::ifstream file{path(name), std::ios::binary};
-        return std::string{std::istreambuf_iterator<char>{file}, {}};
+        return read_image(path(name)).pixels;
     };
-    const std::string plain = draws("plain.png", "");
-    const std::string blueprint = draws("blueprint.png", "--style blueprint");
-    EXPECT_NE(plain, blueprint);
-    const std::string thick = draws("thick.png", "--style " + path("thick.toml"));
-    EXPECT_NE(blueprint, thick);
-    EXPECT_EQ(thick, draws("set.png", "--style blueprint --set width=9"));
+    const auto plain = draws("plain.png", "");
+    const auto blueprint = draws("blueprint.png", "--style blueprint");
+    EXPECT_FALSE(plain == blueprint);
+    const auto thick = draws("thick.png", "--style " + path("thick.toml"));
+    EXPECT_FALSE(blueprint == thick);
+    EXPECT_TRUE(thick == draws("set.png", "--style blueprint --set width=9"));
     // The file, then --set in order, then options of their own.
-    EXPECT_EQ(thick,
-              draws("option.png", "--width 9 --set width=3 --set width=4 --style blueprint"));
-    EXPECT_EQ(thick, draws("last.png", "--style blueprint --set width=4 --set width=9"));
+    EXPECT_TRUE(thick ==
+                draws("option.png", "--width 9 --set width=3 --set width=4 --style blueprint"));
+    EXPECT_TRUE(thick == draws("last.png", "--style blueprint --set width=4 --set width=9"));
 }
 
 TEST_F(Tool, RefusesBadModels) {

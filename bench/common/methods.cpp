@@ -11,7 +11,7 @@
 namespace lineatlas::bench {
 namespace {
 
-constexpr std::array<MethodSpec, 7> specs{{
+constexpr std::array<MethodSpec, 8> specs{{
     {"OGL", Method::opengl, 1, 1, false},
     {"IBlo", Method::item_buffer, 1, 1, false},
     {"IBhi", Method::item_buffer, 9, 1, false}, // supersampled itself; 9 probes say how much
@@ -19,6 +19,7 @@ constexpr std::array<MethodSpec, 7> specs{{
     {"SThi", Method::spine, 9, 2, true},
     {"SAlo", Method::atlas, 1, 1, true},
     {"SAhi", Method::atlas, 9, 2, true},
+    {"SAhi+read", Method::atlas, 9, 2, true, true},
 }};
 
 } // namespace

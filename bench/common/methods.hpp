@@ -14,10 +14,11 @@ struct MethodSpec {
     Method method;
     std::uint32_t probes;
     int depth_scale;
-    bool silhouettes; ///< finds silhouettes itself; the others are left out of the "+s" rows
+    bool silhouettes;        ///< finds silhouettes itself; the others are left out of the "+s" rows
+    bool reads_back = false; ///< the visible intervals of every frame (§4.6)
 };
 
-/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi.
+/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi; and SAhi+read, SAhi with readback.
 std::span<const MethodSpec> method_specs();
 
 /// Throws UsageError for an unknown name.

@@ -49,10 +49,13 @@ Row::Row(const Subject& subject, std::span<const MethodSpec* const> specs,
         options.probes = spec->probes;
         options.depth_scale = spec->depth_scale;
         options.lines = subject.kinds;
+        if (spec->reads_back) options.intervals = KeptIntervals::visible;
         const auto draw = [&renderer, &canvas, options](const Camera& camera, bool stages) mutable {
             options.measure_stages = stages;
             canvas.clear(glm::vec4{1});
-            return renderer.draw(camera, options, canvas.framebuffer());
+            const FrameStats stats = renderer.draw(camera, options, canvas.framebuffer());
+            if (options.intervals != KeptIntervals::none) renderer.read_intervals();
+            return stats;
         };
         contestants_.push_back({std::string{spec->name}, draw});
     }

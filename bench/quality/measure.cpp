@@ -141,6 +141,28 @@ StudyReport Measurement::study() {
     return report;
 }
 
+IntervalReport Measurement::intervals() {
+    IntervalReport report{subject_.name, {}};
+    FrameOptions options;
+    options.intervals = KeptIntervals::all;
+    options.draw = false;
+    options.step = settings_.step;
+    for (std::size_t v = 0; v < subject_.views.size(); ++v) {
+        begin_view(v);
+        const Camera camera =
+            make_camera(subject_.views[v].view(), settings_.size, subject_.lines.bounds);
+        const ClippedLines fine = clip_lines(subject_.lines, camera, truth_step_pixels);
+        doing("ray casting");
+        const std::vector<float> truth =
+            oracle_.visibility(fine, camera, {.rays = 9, .neighbourhood = settings_.neighbourhood});
+        options.steady = false; // every view on its own
+        renderer_.draw(camera, options, canvas_.framebuffer());
+        report.figures.add(compare_intervals(subject_.lines, fine, settings_.size, truth,
+                                             renderer_.read_intervals()));
+    }
+    return report;
+}
+
 OracleReport Measurement::check_oracle() {
     OracleReport report{subject_.name};
     for (std::size_t v = 0; v < subject_.views.size(); ++v) {

@@ -36,6 +36,8 @@ class Measurement {
     SubjectReport run(const std::vector<Contestant>& methods, const ViewCallback& on_view);
     /// The same of the segment atlas with any number of probes and depth scale.
     StudyReport study();
+    /// How right the intervals are that come out of SAhi.
+    IntervalReport intervals();
     /// Whether the truth hangs on the number of rays.
     OracleReport check_oracle();
 

@@ -40,6 +40,7 @@ struct Arguments {
     bool no_cache = false;
     bool study = false;
     bool check_oracle = false;
+    bool intervals = false;
     bool kinds = false;
     std::size_t worst = 0;
     std::string picture;
@@ -119,6 +120,10 @@ void set_up(CLI::App& app, Arguments& a) {
                  "In place of the methods: whether twice the rays change the truth")
         ->excludes(study)
         ->excludes(methods);
+    app.add_flag("--intervals", a.intervals,
+                 "In place of the methods: how right the intervals are that come out of the device")
+        ->excludes(study)
+        ->excludes(methods);
     app.add_option("--json", a.json, "Figures to write");
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference")
         ->capture_default_str();
@@ -129,10 +134,13 @@ std::vector<Contestant> contestants(const Arguments& a) {
         if (method_spec(name).method == Method::opengl) {
             throw UsageError("--methods: OGL has no visibility samples to measure");
         }
+        if (method_spec(name).reads_back) {
+            throw UsageError("--methods: " + name + " has the samples of SAhi");
+        }
     }
     std::vector<Contestant> result;
     for (const MethodSpec& spec : method_specs()) {
-        if (spec.method == Method::opengl) continue;
+        if (spec.method == Method::opengl || spec.reads_back) continue;
         if (!a.methods.empty() && std::ranges::find(a.methods, spec.name) == a.methods.end()) {
             continue;
         }
@@ -228,6 +236,8 @@ class Bench {
                 report_.study.push_back(measurement.study());
             } else if (arguments_.check_oracle) {
                 report_.oracle.push_back(measurement.check_oracle());
+            } else if (arguments_.intervals) {
+                report_.intervals.push_back(measurement.intervals());
             } else {
                 measure(subject, measurement);
             }
@@ -289,6 +299,9 @@ class Bench {
                        std::abs(oracle.twice - oracle.once) < oracle_tolerance
                            ? ""
                            : ", more than may be");
+        } else if (arguments_.intervals) {
+            if (report_.intervals.size() == 1) print_intervals_header();
+            print_intervals(report_.intervals.back());
         } else {
             print_table(report_.subjects.back(), arguments_.kinds);
         }

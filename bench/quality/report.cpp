@@ -180,6 +180,22 @@ void print_study(const StudyReport& report) {
     fmt::print("\n");
 }
 
+void print_intervals_header() {
+    fmt::print("{:<16}{:>11}{:>11}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "intervals",
+               "truth px", "visible px", "diff %", "f.vis %", "f.hid %", "crumbs", "ends", "<.25 %",
+               "<.5 %", "<1 %");
+}
+
+void print_intervals(const IntervalReport& report) {
+    const IntervalFigures& f = report.figures;
+    const auto percent = [&](double pixels) { return 100 * pixels / f.truly_visible; };
+    fmt::print(
+        "{:<16}{:>11.0f}{:>11.0f}{:>8.3f}{:>8.3f}{:>8.3f}{:>8}{:>8}{:>8.1f}{:>8.1f}{:>8.1f}\n",
+        report.name, f.truly_visible, f.visible, percent(f.visible - f.truly_visible),
+        percent(f.falsely_visible), percent(f.falsely_hidden), f.crumbs, f.ends,
+        100 * f.ends_within(0.25), 100 * f.ends_within(0.5), 100 * f.ends_within(1));
+}
+
 void print_view_header() {
     print_columns("view", false);
 }
@@ -229,6 +245,19 @@ std::string json_text(const Report& report) {
     for (const OracleReport& oracle : report.oracle) {
         json_report["oracle"][oracle.name] = {{"mean_alpha", rounded(oracle.once)},
                                               {"mean_alpha_twice", rounded(oracle.twice)}};
+    }
+    for (const IntervalReport& one : report.intervals) {
+        const IntervalFigures& f = one.figures;
+        json_report["intervals"][one.name] = {{"length", rounded(f.length)},
+                                              {"visible", rounded(f.visible)},
+                                              {"truly_visible", rounded(f.truly_visible)},
+                                              {"falsely_visible", rounded(f.falsely_visible)},
+                                              {"falsely_hidden", rounded(f.falsely_hidden)},
+                                              {"missing", rounded(f.missing)},
+                                              {"crumbs", f.crumbs},
+                                              {"ends", f.ends},
+                                              {"ends_within_quarter", rounded(f.ends_within(0.25))},
+                                              {"ends_within_pixel", rounded(f.ends_within(1))}};
     }
     for (const StudyReport& study : report.study) json_report["study"][study.name] = json(study);
     // File names need not be UTF-8, JSON must be.

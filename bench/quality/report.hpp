@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare.hpp"
+#include "interval_errors.hpp"
 #include "motion.hpp"
 
 // What `lineatlas-bench-quality` says: tables for people, JSON for programs.
@@ -29,6 +30,11 @@ struct SubjectReport {
 struct OracleReport {
     std::string name;
     double once = 0, twice = 0;
+};
+
+struct IntervalReport {
+    std::string name;
+    IntervalFigures figures;
 };
 
 /// SA at some number of probes and depth scale (Fig. 6).
@@ -57,6 +63,7 @@ struct Report {
     Settings settings;
     std::vector<SubjectReport> subjects;
     std::vector<OracleReport> oracle;
+    std::vector<IntervalReport> intervals;
     std::vector<StudyReport> study;
 };
 
@@ -67,6 +74,8 @@ StudyReport total_of(const std::vector<StudyReport>& study);
 /// A row per method; with `kinds`, also one per line kind.
 void print_table(const SubjectReport& report, bool kinds);
 void print_study(const StudyReport& report);
+void print_intervals_header();
+void print_intervals(const IntervalReport& report);
 /// One view's figures of a method.
 void print_view_header();
 void print_view(const std::string& name, const KindFigures& figures);

@@ -4,17 +4,23 @@
 #include <numbers>
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
+#include "description.hpp"
 #include "draw_stats.hpp"
-#include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/image_writer.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "picture_options.hpp"
+#include "picture_output.hpp"
+#include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
+#include "vector_options.hpp"
+#include "vector_output.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -39,6 +45,9 @@ struct DrawArguments {
     std::string atlas_layout = "wrap";
     std::string stroke_shader = "geometry";
     StyleOptions style;
+    SequenceOptions sequence;
+    PictureOptions picture;
+    VectorOptionsGroup paths;
     DeviceOptions device;
     bool stats = false;
     int repeat = 1;
@@ -53,7 +62,6 @@ T choose(std::string_view option, const std::string& value, const std::map<std::
     throw UsageError(fmt::format("{} \"{}\" is unknown; there is {}", option, value, names));
 }
 
-/// Everything that can be wrong on the command line alone is found before any work starts.
 FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
     const Method method = choose<Method>("--method", arguments.method,
                                          {{"atlas", Method::atlas},
@@ -87,23 +95,35 @@ FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
 /// What is drawn, and the view on it unless the command line says another.
 struct Subject {
     std::string name;
+    Mesh mesh;
     LineSet lines;
     View view;
 };
+
+Axis vertical_axis(const Subject& subject, glm::vec3 up) {
+    return {.point = 0.5F * (subject.lines.bounds.min + subject.lines.bounds.max),
+            .direction = glm::normalize(up)};
+}
 
 Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
     const LineOptions line_options{.kinds = parse_lines("--lines", arguments.lines),
                                    .crease_angle = arguments.crease * radians_per_degree};
     const float fov = arguments.fov * radians_per_degree;
     if (!arguments.scene.empty()) {
-        const Scene scene = make_scene(arguments.scene);
-        return {scene.name, extract_lines(scene.mesh, line_options), scene.view(arguments.at)};
+        Scene scene = make_scene(arguments.scene);
+        LineSet lines = extract_lines(scene.mesh, line_options);
+        const View view = scene.view(arguments.at);
+        return {scene.name, std::move(scene.mesh), std::move(lines), view};
     }
-    const LoadedMesh loaded = load_mesh(arguments.model);
+    LoadedMesh loaded = load_mesh(arguments.model);
     for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
-    Subject subject{arguments.model, extract_lines(loaded.mesh, line_options), {}};
+    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}};
+    subject.lines = extract_lines(subject.mesh, line_options);
     const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
-    subject.view = frame_points(subject.lines.vertices, size, up, fov);
+    const std::vector<glm::vec3>& points = subject.lines.vertices;
+    subject.view = arguments.sequence.turns()
+                       ? frame_points(swept(points, vertical_axis(subject, up)), size, up, fov)
+                       : frame_points(points, size, up, fov);
     return subject;
 }
 
@@ -118,38 +138,118 @@ void apply_camera(const DrawArguments& arguments, const CLI::App& app, View& vie
     if (app.count("--fov") > 0) view.fov_y = arguments.fov * radians_per_degree;
 }
 
-void draw(const DrawArguments& arguments, const CLI::App& app) {
+/// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
+std::vector<SequenceFrame> sequence_frames(const DrawArguments& arguments, const Subject& subject,
+                                           glm::ivec2 size) {
+    if (!arguments.sequence.given(arguments.output)) return {};
+    Axis axis = vertical_axis(subject, subject.view.up);
+    if (!arguments.target.empty()) axis.point = subject.view.target;
+    return arguments.sequence.frames(arguments.output, subject.view, axis, size,
+                                     subject.lines.bounds);
+}
+
+/// Everything that can be wrong on the command line alone is found before any work starts.
+void check_arguments(const DrawArguments& arguments) {
     if (arguments.model.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
+    if (arguments.sequence.given(arguments.output) && arguments.stats) {
+        throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
+    }
+    arguments.paths.check(arguments.output);
+    if (is_vector_path(arguments.output)) return;
+    check_image_path(arguments.output);
+    arguments.picture.check(arguments.output);
+}
+
+/// All that `draw` draws.
+struct Drawing {
+    const DrawArguments& arguments;
+    std::string description;
+    const Subject& subject;
+    glm::ivec2 size;
+    const FrameOptions& options;
+    std::span<const SequenceFrame> frames; ///< empty: a single one
+};
+
+/// `draw`: how --stats draws a frame.
+void draw_frames(const Drawing& drawing, FrameOutput& output, const Renderer& renderer,
+                 const std::function<FrameStats(const Camera&, const FrameOptions&)>& draw) {
+    const DrawArguments& arguments = drawing.arguments;
+    if (!drawing.frames.empty()) {
+        return draw_sequence(drawing.frames, output, arguments.sequence.resume());
+    }
+    const Subject& subject = drawing.subject;
+    const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
+    output.draw(camera, arguments.output);
+    output.finish();
+    if (!arguments.stats) return;
+    measure_and_print({.name = subject.name,
+                       .options = drawing.options,
+                       .repeat = arguments.repeat,
+                       .draw = [&](const FrameOptions& wanted) { return draw(camera, wanted); }},
+                      renderer);
+}
+
+void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writer) {
+    const PictureOptions& picture = drawing.arguments.picture;
+    ImageSettings settings = picture.settings();
+    settings.description = drawing.description;
+    PictureOutput output{{.size = drawing.size,
+                          .options = drawing.options,
+                          .settings = settings,
+                          .transparent = picture.transparent()},
+                         renderer,
+                         writer};
+    draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
+        return output.draw(camera, wanted);
+    });
+}
+
+void draw_paths(const Drawing& drawing, Renderer& renderer) {
+    const VectorOptionsGroup& paths = drawing.arguments.paths;
+    const Subject& subject = drawing.subject;
+    SvgOptions svg = paths.svg();
+    svg.title = std::filesystem::path{subject.name}.stem().string();
+    svg.background = !drawing.arguments.picture.transparent();
+    VectorOutput output{
+        {.options = drawing.options,
+         .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
+         .svg = svg,
+         .json = {.tags = paths.tags(), .description = {}},
+         .description = drawing.description},
+        subject.lines,
+        renderer};
+    draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
+        return output.find(camera, wanted);
+    });
+}
+
+void draw(const DrawArguments& arguments, const CLI::App& app) {
+    check_arguments(arguments);
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const Style style = arguments.style.style();
-    const FrameOptions options = frame_options(arguments, style);
-    if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
-    ImageWriter writer{arguments.output}; // before anything starts a thread
+    FrameOptions options = frame_options(arguments, style);
+    ImageWriter writer; // before anything starts a thread
     const std::map<std::string, Image> pen_images = read_pen_images(style);
 
     Subject subject = load_subject(arguments, size);
     apply_camera(arguments, app, subject.view);
-    const Camera camera = make_camera(subject.view, size, subject.lines.bounds);
+    const std::vector<SequenceFrame> frames = sequence_frames(arguments, subject, size);
+    // A frame of a sequence is the same whatever was drawn before it.
+    if (!frames.empty()) options.steady = false;
 
     const gl::HeadlessContext context;
-    gl::Canvas canvas{size};
     Renderer renderer{arguments.device};
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);
-    const glm::vec4 paper{style.paper.color, 1};
-    canvas.clear(paper);
-    renderer.draw(camera, options, canvas.framebuffer());
-    writer.write({.size = size, .channels = 4, .pixels = canvas.read()});
-    if (arguments.stats) {
-        measure_and_print({.name = subject.name,
-                           .camera = camera,
-                           .options = options,
-                           .paper = paper,
-                           .repeat = arguments.repeat},
-                          renderer, canvas);
-    }
+    const Drawing drawing{arguments, describe_drawing(app, arguments.model), subject, size, options,
+                          frames};
+    if (is_vector_path(arguments.output))
+        draw_paths(drawing, renderer);
+    else
+        draw_pictures(drawing, renderer, writer);
 }
 
 } // namespace
@@ -158,7 +258,9 @@ Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
     app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file");
-    app.add_option("-o,--output", a.output, "Picture to write; PNG, JPEG, TIFF, ...")->required();
+    app.add_option("-o,--output", a.output,
+                   "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG or JSON")
+        ->required();
 
     const std::string model = "What to draw";
     app.add_option("--scene", a.scene,
@@ -215,6 +317,9 @@ Command setup_draw(CLI::App& app) {
         ->group(visibility);
 
     a.style.declare(app);
+    a.sequence.declare(app);
+    a.picture.declare(app);
+    a.paths.declare(app);
 
     const std::string device = "Device";
     app.add_option("--compute", a.device.compute, "Backend: opencl or reference (plain C++)")
@@ -238,6 +343,8 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw chair.obj -o chair.png\n"
                "  lineatlas draw part.stl -o part.png --up z --style pencil --width 3\n"
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
+               "  lineatlas draw chair.obj -o chair.svg --page a4 --margin 10mm --plotter\n"
+               "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20");
     return [arguments, &app] { draw(*arguments, app); };
 }

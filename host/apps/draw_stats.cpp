@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <epoxy/gl.h>
 #include <fmt/core.h>
 
 namespace lineatlas::apps {
@@ -19,8 +20,8 @@ double median(std::vector<double> values) {
 
 } // namespace
 
-void measure_and_print(MeasuredFrame frame, Renderer& renderer, gl::Canvas& canvas) {
-    auto& [name, camera, options, paper, repeat] = frame;
+void measure_and_print(MeasuredFrame frame, const Renderer& renderer) {
+    auto& [name, options, repeat, draw] = frame;
     std::vector<double> frame_times;
     std::vector<std::string> stage_order;
     std::map<std::string, std::vector<double>> stage_times;
@@ -29,16 +30,14 @@ void measure_and_print(MeasuredFrame frame, Renderer& renderer, gl::Canvas& canv
     for (int i = 0; i < repeat; ++i) {
         options.measure_stages = false;
         const auto start = std::chrono::steady_clock::now();
-        canvas.clear(paper);
-        renderer.draw(camera, options, canvas.framebuffer());
+        draw(options);
         glFinish();
         const std::chrono::duration<double, std::milli> elapsed =
             std::chrono::steady_clock::now() - start;
         frame_times.push_back(elapsed.count());
 
         options.measure_stages = true;
-        canvas.clear(paper);
-        stats = renderer.draw(camera, options, canvas.framebuffer());
+        stats = draw(options);
         for (const StageTime& stage : stats.stages) {
             if (!stage_times.contains(stage.name)) stage_order.push_back(stage.name);
             stage_times[stage.name].push_back(stage.milliseconds);

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include <glm/vec4.hpp>
-
-#include "glpasses/canvas.hpp"
 #include "lineatlas/renderer.hpp"
 
 namespace lineatlas::apps {
@@ -12,13 +10,12 @@ namespace lineatlas::apps {
 /// The frame that `--stats` measures.
 struct MeasuredFrame {
     std::string name; ///< of the model
-    Camera camera;
     FrameOptions options;
-    glm::vec4 paper;
     int repeat;
+    std::function<FrameStats(const FrameOptions&)> draw;
 };
 
 /// Draws `repeat` frames and prints counts, memory and median times.
-void measure_and_print(MeasuredFrame frame, Renderer& renderer, gl::Canvas& canvas);
+void measure_and_print(MeasuredFrame frame, const Renderer& renderer);
 
 } // namespace lineatlas::apps

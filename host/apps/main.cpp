@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "lineatlas/error.hpp"
+#include "stop_signal.hpp"
 
 namespace {
 
@@ -26,6 +27,7 @@ int run(int argc, char** argv) {
                "  lineatlas draw part.stl -o part.png --up z --lines crease,silhouette --width 3\n"
                "  lineatlas draw --scene ship -o ship.png --stats\n"
                "  lineatlas draw model.obj -o sketch.png --style pencil\n"
+               "  lineatlas draw model.obj -o turn.%04d.png --turntable 120\n"
                "  lineatlas styles\n"
                "  lineatlas devices\n"
                "  lineatlas bench frames --scenes clevis\n"
@@ -68,6 +70,9 @@ int main(int argc, char** argv) {
     } catch (const lineatlas::UsageError& error) {
         fmt::print(stderr, "lineatlas: {}\n", error.what());
         return exit_usage;
+    } catch (const lineatlas::apps::Stopped& stopped) {
+        fmt::print(stderr, "lineatlas: {}\n", stopped.what());
+        return stopped.exit_code();
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "lineatlas: the host has not enough memory for this model or picture\n");
         return exit_failed;

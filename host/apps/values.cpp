@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,26 @@ std::optional<T> parse_number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return value;
+}
+
+struct FrameRange {
+    int first, last, step;
+};
+
+/// "7", "0-99" or "0-99x5"; nothing if it is none of them.
+std::optional<FrameRange> parse_frame_range(const std::string& text) {
+    const std::size_t dash = text.find('-');
+    const std::size_t cross = text.find('x');
+    const auto number = [&](std::size_t begin, std::size_t end) {
+        return parse_number<int>(std::string_view{text}.substr(begin, end - begin));
+    };
+    const std::optional<int> first = number(0, dash);
+    if (!first || *first < 0) return std::nullopt;
+    if (dash == std::string::npos) return FrameRange{*first, *first, 1};
+    const std::optional<int> last = number(dash + 1, cross);
+    const std::optional<int> step = cross == std::string::npos ? 1 : number(cross + 1, text.size());
+    if (!last || !step || *last < *first || *step < 1) return std::nullopt;
+    return FrameRange{*first, *last, *step};
 }
 
 } // namespace
@@ -79,6 +100,29 @@ LineKindMask parse_lines(std::string_view option, const std::string& text) {
         mask |= 1U << (found - line_kind_names.begin());
     }
     return mask;
+}
+
+std::vector<int> parse_frames(std::string_view option, const std::string& text, int first,
+                              int last) {
+    std::vector<int> numbers;
+    std::set<int> known;
+    for (const std::string& part : split(text, ',')) {
+        const std::optional<FrameRange> range = parse_frame_range(part);
+        if (!range) {
+            throw UsageError(fmt::format("{} \"{}\" names no frames; write 7, 0-99, 0-99x5 or a "
+                                         "list of these with commas",
+                                         option, part));
+        }
+        if (range->first < first || range->last > last) {
+            throw UsageError(fmt::format("{} \"{}\": the sequence has the frames {} to {}", option,
+                                         part, first, last));
+        }
+        for (int number = range->first; number <= range->last; number += range->step) {
+            if (known.insert(number).second) numbers.push_back(number);
+            if (range->last - number < range->step) break; // it must not overflow
+        }
+    }
+    return numbers;
 }
 
 } // namespace lineatlas::apps

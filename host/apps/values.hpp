@@ -18,6 +18,10 @@ glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "
 glm::vec3 parse_vector(std::string_view option, const std::string& text); ///< "1,-2.5,3"
 glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", "y", "z" or a vector
 LineKindMask parse_lines(std::string_view option, const std::string& text); ///< "crease,silhouette"
+/// Numbers of frames from `first` to `last`: "7", "0-99", "0-99x5", or several of these separated
+/// by commas. Each once, in the order written.
+std::vector<int> parse_frames(std::string_view option, const std::string& text, int first,
+                              int last);
 
 /// The parts of `text` between separators.
 std::vector<std::string> split(const std::string& text, char separator);

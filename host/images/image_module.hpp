@@ -15,12 +15,13 @@ struct Module {
     bool (*can_write)(const std::string& extension); ///< with its dot
     Image (*read)(const std::filesystem::path& path);
     /// What the file `path` should hold; nothing is written.
-    std::vector<unsigned char> (*encode)(const std::filesystem::path& path, const Image& image);
+    std::vector<unsigned char> (*encode)(const std::filesystem::path& path, const Pixels& pixels,
+                                         const ImageSettings& settings);
 };
 
 /// The module's one symbol. Its number changes with `Module`.
-inline constexpr const char* module_symbol = "lineatlas_images_1";
+inline constexpr const char* module_symbol = "lineatlas_images_2";
 
 } // namespace lineatlas::images
 
-extern "C" const lineatlas::images::Module lineatlas_images_1;
+extern "C" const lineatlas::images::Module lineatlas_images_2;

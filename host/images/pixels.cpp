@@ -1,17 +1,13 @@
 #include "pixels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace lineatlas {
 
 namespace {
-
-bool has_alpha(int channels) {
-    return channels == 2 || channels == 4;
-}
 
 /// IEC 61966-2-1.
 float decode_srgb(float coded) {
@@ -27,33 +23,84 @@ std::uint8_t to_byte(float value) {
     return static_cast<std::uint8_t>(std::min(value, 1.0F) * 255.0F + 0.5F);
 }
 
-const std::array<float, 256>& decoded_bytes() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
+/// Linear light of every value that `T` has.
+template <class T>
+const std::vector<float>& decoded_values() {
+    static const std::vector<float> table = [] {
+        constexpr std::size_t largest = std::numeric_limits<T>::max();
+        std::vector<float> values(largest + 1);
         for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = decode_srgb(static_cast<float>(i) / 255.0F);
+            values[i] = decode_srgb(static_cast<float>(i) / largest);
         return values;
     }();
     return table;
 }
 
-} // namespace
+template <class T>
+std::span<const T> values_of(const Pixels& pixels) {
+    return {reinterpret_cast<const T*>(pixels.values.data()), pixels.values.size() / sizeof(T)};
+}
 
-std::vector<float> to_linear(const Image& image) {
-    const std::array<float, 256>& decoded = decoded_bytes();
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const std::size_t colors = has_alpha(image.channels) ? channels - 1 : channels;
-    std::vector<float> linear(image.pixels.size());
+template <class T>
+std::vector<float> to_linear(std::span<const T> values, std::size_t channels, std::size_t colors) {
+    const std::vector<float>& decoded = decoded_values<T>();
+    std::vector<float> linear(values.size());
     for (std::size_t pixel = 0; pixel < linear.size(); pixel += channels) {
         float alpha = 1.0F;
         if (colors < channels) {
-            alpha = static_cast<float>(image.pixels[pixel + colors]) / 255.0F;
+            alpha = static_cast<float>(values[pixel + colors]) / std::numeric_limits<T>::max();
             linear[pixel + colors] = alpha;
         }
         for (std::size_t c = 0; c < colors; ++c)
-            linear[pixel + c] = decoded[image.pixels[pixel + c]] * alpha;
+            linear[pixel + c] = decoded[values[pixel + c]] * alpha;
     }
     return linear;
+}
+
+template <class T>
+bool is_opaque(std::span<const T> values, std::size_t channels) {
+    for (std::size_t alpha = channels - 1; alpha < values.size(); alpha += channels)
+        if (values[alpha] != std::numeric_limits<T>::max()) return false;
+    return true;
+}
+
+template <class T>
+void divide_by_alpha(std::span<T> values, std::size_t channels) {
+    constexpr std::uint64_t largest = std::numeric_limits<T>::max();
+    for (std::size_t pixel = 0; pixel < values.size(); pixel += channels) {
+        const std::uint64_t alpha = values[pixel + channels - 1];
+        if (alpha == 0 || alpha == largest) continue;
+        for (std::size_t c = 0; c + 1 < channels; ++c)
+            values[pixel + c] = static_cast<T>(
+                std::min(largest, (values[pixel + c] * largest + alpha / 2) / alpha));
+    }
+}
+
+template <class T>
+std::vector<std::byte> over_white(std::span<const T> values, std::size_t channels) {
+    constexpr std::uint64_t largest = std::numeric_limits<T>::max();
+    std::vector<std::byte> paper(values.size_bytes() / channels * (channels - 1));
+    auto* next = reinterpret_cast<T*>(paper.data());
+    for (std::size_t pixel = 0; pixel < values.size(); pixel += channels) {
+        const std::uint64_t alpha = values[pixel + channels - 1];
+        for (std::size_t c = 0; c + 1 < channels; ++c)
+            *next++ = static_cast<T>(
+                (values[pixel + c] * alpha + largest * (largest - alpha) + largest / 2) / largest);
+    }
+    return paper;
+}
+
+} // namespace
+
+bool has_alpha(int channels) {
+    return channels == 2 || channels == 4;
+}
+
+std::vector<float> to_linear(const Pixels& pixels) {
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    const std::size_t colors = has_alpha(pixels.channels) ? channels - 1 : channels;
+    return pixels.bits == 16 ? to_linear(values_of<std::uint16_t>(pixels), channels, colors)
+                             : to_linear(values_of<std::uint8_t>(pixels), channels, colors);
 }
 
 std::vector<std::uint8_t> from_linear(std::span<const float> pixels, int channels,
@@ -76,28 +123,33 @@ std::vector<std::uint8_t> from_linear(std::span<const float> pixels, int channel
 
 void divide_by_alpha(std::span<std::uint8_t> pixels, int channels) {
     if (!has_alpha(channels)) return;
-    const auto stride = static_cast<std::size_t>(channels);
-    for (std::size_t pixel = 0; pixel < pixels.size(); pixel += stride) {
-        const unsigned alpha = pixels[pixel + stride - 1];
-        if (alpha == 0) continue;
-        for (std::size_t c = 0; c + 1 < stride; ++c)
-            pixels[pixel + c] = static_cast<std::uint8_t>(
-                std::min(255U, (pixels[pixel + c] * 255U + alpha / 2) / alpha));
-    }
+    divide_by_alpha<std::uint8_t>(pixels, static_cast<std::size_t>(channels));
 }
 
-Image over_white(const Image& image) {
-    if (!has_alpha(image.channels)) return image;
-    const auto channels = static_cast<std::size_t>(image.channels);
-    Image paper{.size = image.size, .channels = image.channels - 1, .pixels = {}};
-    paper.pixels.reserve(image.pixels.size() / channels * (channels - 1));
-    for (std::size_t pixel = 0; pixel < image.pixels.size(); pixel += channels) {
-        const unsigned alpha = image.pixels[pixel + channels - 1];
-        for (std::size_t c = 0; c + 1 < channels; ++c)
-            paper.pixels.push_back(static_cast<std::uint8_t>(
-                (image.pixels[pixel + c] * alpha + 255U * (255U - alpha) + 127U) / 255U));
-    }
-    return paper;
+bool is_opaque(const Pixels& pixels) {
+    if (!has_alpha(pixels.channels)) return true;
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    return pixels.bits == 16 ? is_opaque(values_of<std::uint16_t>(pixels), channels)
+                             : is_opaque(values_of<std::uint8_t>(pixels), channels);
+}
+
+std::vector<std::byte> straight(const Pixels& pixels) {
+    std::vector<std::byte> values(pixels.values.begin(), pixels.values.end());
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    if (pixels.bits == 16)
+        divide_by_alpha<std::uint16_t>({reinterpret_cast<std::uint16_t*>(values.data()),
+                                        values.size() / sizeof(std::uint16_t)},
+                                       channels);
+    else
+        divide_by_alpha<std::uint8_t>(
+            {reinterpret_cast<std::uint8_t*>(values.data()), values.size()}, channels);
+    return values;
+}
+
+std::vector<std::byte> over_white(const Pixels& pixels) {
+    const auto channels = static_cast<std::size_t>(pixels.channels);
+    return pixels.bits == 16 ? over_white(values_of<std::uint16_t>(pixels), channels)
+                             : over_white(values_of<std::uint8_t>(pixels), channels);
 }
 
 } // namespace lineatlas

@@ -15,32 +15,48 @@ namespace lineatlas {
 
 namespace {
 
-/// Every OpenImageIO writes them: no need to load it to know.
-constexpr std::array common_types{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr"};
+/// A type that every OpenImageIO writes: no need to load it to know.
+struct Format {
+    std::string_view extension;
+    std::array<int, 3> bits; ///< what a channel may have, the usual first; 0: no more
+    bool alpha;
+};
+constexpr std::array formats{
+    Format{".png", {8, 16}, true}, Format{".jpg", {8}, false},     Format{".jpeg", {8}, false},
+    Format{".tif", {8, 16}, true}, Format{".tiff", {8, 16}, true}, Format{".exr", {16, 32}, true},
+};
+
+/// Null if the type is another one.
+const Format* common_format(const std::filesystem::path& path) {
+    std::string lower = path.extension().string();
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto found = std::ranges::find(formats, lower, &Format::extension);
+    return found == formats.end() ? nullptr : &*found;
+}
 
 void check_type(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     if (extension.empty())
         throw write_error(path, "its name has no extension; try .png, .jpg, .tif or .exr");
-    std::string lower = extension;
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (std::ranges::find(common_types, lower) != common_types.end()) return;
+    if (common_format(path) != nullptr) return;
     if (!image_module().can_write(extension))
         throw write_error(path, "unknown picture type \"" + printable(extension) +
                                     "\"; try .png, .jpg, .tif or .exr");
 }
 
-void check_image(const std::filesystem::path& path, const Image& image) {
-    const bool sizes =
-        image.size.x > 0 && image.size.y > 0 && image.channels >= 1 && image.channels <= 4;
-    if (!sizes || image.pixels.size() != static_cast<std::size_t>(image.size.x) *
-                                             static_cast<std::size_t>(image.size.y) *
-                                             static_cast<std::size_t>(image.channels))
-        throw write_error(path, "a picture of " + std::to_string(image.size.x) + " x " +
-                                    std::to_string(image.size.y) + " pixels with " +
-                                    std::to_string(image.channels) + " channels and " +
-                                    std::to_string(image.pixels.size()) + " values makes no sense");
+void check_pixels(const std::filesystem::path& path, const Pixels& pixels) {
+    const glm::ivec2 size = pixels.size;
+    const bool possible = size.x > 0 && size.y > 0 && pixels.channels >= 1 &&
+                          pixels.channels <= 4 && (pixels.bits == 8 || pixels.bits == 16);
+    if (!possible || pixels.values.size() != static_cast<std::size_t>(size.x) *
+                                                 static_cast<std::size_t>(size.y) *
+                                                 static_cast<std::size_t>(pixels.channels) *
+                                                 static_cast<std::size_t>(pixels.bits / 8))
+        throw write_error(path, "a picture of " + std::to_string(size.x) + " x " +
+                                    std::to_string(size.y) + " pixels with " +
+                                    std::to_string(pixels.channels) + " channels and " +
+                                    std::to_string(pixels.values.size()) + " bytes makes no sense");
 }
 
 /// Calls into the module; what it refuses becomes `error`.
@@ -64,12 +80,38 @@ Image read_image(const std::filesystem::path& path) {
     return guarded(read_error, path, [&] { return module.read(path); });
 }
 
-void write_image(const std::filesystem::path& path, const Image& image) {
-    check_image(path, image);
+void write_image(const std::filesystem::path& path, const Pixels& pixels,
+                 const ImageSettings& settings) {
+    check_pixels(path, pixels);
     check_type(path);
+    check_image_settings(path, settings, false);
     AtomicFile file(path); // before the work of encoding
     const images::Module& module = image_module();
-    file.commit(guarded(write_error, path, [&] { return module.encode(path, image); }));
+    file.commit(guarded(write_error, path, [&] { return module.encode(path, pixels, settings); }));
+}
+
+void write_image(const std::filesystem::path& path, const Image& image) {
+    write_image(path, {.size = image.size,
+                       .channels = image.channels,
+                       .bits = 8,
+                       .premultiplied = false,
+                       .values = std::as_bytes(std::span{image.pixels})});
+}
+
+void check_image_settings(const std::filesystem::path& path, const ImageSettings& settings,
+                          bool transparent) {
+    const Format* format = common_format(path);
+    const std::string type = printable(path.extension().string());
+    if (transparent && (format == nullptr || !format->alpha))
+        throw write_error(path, "transparency in " + type +
+                                    " files is not supported; use .png, .tif or .exr");
+    const auto has = [&](int bits) {
+        return std::ranges::find(format->bits, bits) != format->bits.end();
+    };
+    if (settings.bits == 0 || (format == nullptr ? settings.bits == 8 : has(settings.bits))) return;
+    throw write_error(path, type + " files with " + std::to_string(settings.bits) +
+                                " bits per channel are not supported; .png and .tif have 8 or "
+                                "16, .exr has 16 or 32, others 8");
 }
 
 void check_image_path(const std::filesystem::path& path) {

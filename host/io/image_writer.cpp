@@ -3,57 +3,44 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "image_loader.hpp"
 #include "lineatlas/error.hpp"
+#include "message_socket.hpp"
+#include "source_file.hpp"
 
 namespace lineatlas {
 
 namespace {
 
-/// Goes before the pixels.
-struct Header {
-    std::int32_t width, height;
-    std::uint64_t channels, pixels; ///< pixels: values, as in Image
+enum class Task : std::int32_t { write, check };
+
+/// What is asked of the process. The path and the description follow, then the values.
+struct Request {
+    Task task;
+    std::int32_t width, height, channels, bits, premultiplied, file_bits;
+    float dpi;
+    std::uint64_t bytes; ///< of the values
 };
 
-constexpr char done = '+'; ///< the answer; else it is a message
-
-bool send_all(int socket, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(sent));
-    }
-    return true;
-}
-
-bool receive_all(int socket, std::span<std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t got = ::recv(socket, bytes.data(), bytes.size(), 0);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(got));
-    }
-    return true;
-}
-
-/// All that comes until the other side closes.
-std::string receive_answer(int socket) {
-    std::string answer;
-    for (std::byte next{}; receive_all(socket, {&next, 1});) answer += static_cast<char>(next);
-    return answer;
+bool send_request(int socket, const Request& request, const std::filesystem::path& path,
+                  const std::string& description, std::span<const std::byte> values) {
+    return send_all(socket, std::as_bytes(std::span{&request, 1})) &&
+           send_text(socket, path.string()) && send_text(socket, description) &&
+           send_all(socket, values);
 }
 
 bool has_one_thread() {
@@ -62,35 +49,73 @@ bool has_one_thread() {
     return !error && std::distance(begin(threads), end(threads)) == 1;
 }
 
-/// What the process does: load, wait for the picture, write it.
-std::string write_received(int socket, const std::filesystem::path& path) {
+/// JPEG files end with a mark; what is cut off before it, readers fill up with grey.
+bool is_cut_jpeg(const std::filesystem::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    std::array<char, 2> bytes{};
+    if (!file.read(bytes.data(), 2) || bytes != std::array{'\xFF', '\xD8'}) return false;
+    file.seekg(-2, std::ios::end);
+    return !file.read(bytes.data(), 2) || bytes != std::array{'\xFF', '\xD9'};
+}
+
+bool holds_whole_picture(const std::filesystem::path& path, glm::ivec2 size) {
     try {
-        image_module();
-        Header header{};
-        if (!receive_all(socket, std::as_writable_bytes(std::span{&header, 1}))) return {};
-        Image image{.size = {header.width, header.height},
-                    .channels = static_cast<int>(header.channels),
-                    .pixels = {}};
-        image.pixels.resize(header.pixels);
-        if (!receive_all(socket, std::as_writable_bytes(std::span{image.pixels}))) return {};
-        write_image(path, image);
-        return {done};
+        return read_image(path).size == size && !is_cut_jpeg(path);
+    } catch (const FileError&) {
+        return false;
+    }
+}
+
+/// The answer to one request: empty if all is well, else a message. None when no more will come.
+std::optional<std::string> answer_next(int socket) {
+    Request request{};
+    if (!receive_all(socket, std::as_writable_bytes(std::span{&request, 1}))) return std::nullopt;
+    const std::optional<std::string> path = receive_text(socket);
+    const std::optional<std::string> description = receive_text(socket);
+    if (!path || !description) return std::nullopt;
+    const glm::ivec2 size{request.width, request.height};
+    if (request.task == Task::check) return holds_whole_picture(*path, size) ? "" : "damaged";
+    try {
+        std::vector<std::byte> values(request.bytes);
+        if (!receive_all(socket, values)) return std::nullopt;
+        write_image(*path,
+                    {.size = size,
+                     .channels = request.channels,
+                     .bits = request.bits,
+                     .premultiplied = request.premultiplied != 0,
+                     .values = values},
+                    {.bits = request.file_bits, .dpi = request.dpi, .description = *description});
+        return "";
     } catch (const FileError& error) {
         return error.what();
-    } catch (const std::exception&) {
-        return {}; // no answer: the picture is written on the other side
+    }
+}
+
+/// What the process does until the other side is gone.
+void serve(int socket) {
+    for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_IGN);
+    // Libraries print what they find wrong with a damaged picture; errors go out as answers.
+    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+        ::dup2(nowhere, STDERR_FILENO);
+    }
+    try {
+        image_module();
+    } catch (const FileError&) {
+        // Said when a picture comes: writing it tries again.
+    }
+    while (const std::optional<std::string> answer = answer_next(socket)) {
+        if (!send_text(socket, *answer)) return;
     }
 }
 
 } // namespace
 
-ImageWriter::ImageWriter(const std::filesystem::path& path) : path_(path) {
-    check_image_path(path);
+ImageWriter::ImageWriter() {
     if (has_one_thread()) start(); // a copy of a process with several may find locks held for ever
 }
 
 ImageWriter::~ImageWriter() {
-    if (process_ > 0) ::kill(process_, SIGKILL);
+    if (process_ > 0 && !writing_) ::kill(process_, SIGKILL); // it may still be loading
     end();
 }
 
@@ -100,8 +125,11 @@ void ImageWriter::start() {
     process_ = ::fork();
     if (process_ == 0) {
         ::close(sockets[0]);
-        const std::string answer = write_received(sockets[1], path_);
-        send_all(sockets[1], std::as_bytes(std::span{answer}));
+        try {
+            serve(sockets[1]);
+        } catch (const std::exception&) {
+            // No answer is one, too.
+        }
         ::_exit(0); // what the program still has to say or to do is not for this copy
     }
     ::close(sockets[1]);
@@ -114,21 +142,43 @@ void ImageWriter::end() {
     socket_ = process_ = -1;
 }
 
-void ImageWriter::write(const Image& image) {
-    std::string answer;
-    if (process_ > 0) {
-        const Header header{.width = image.size.x,
-                            .height = image.size.y,
-                            .channels = static_cast<std::uint64_t>(image.channels),
-                            .pixels = image.pixels.size()};
-        if (send_all(socket_, std::as_bytes(std::span{&header, 1})))
-            send_all(socket_, std::as_bytes(std::span{image.pixels}));
-        ::shutdown(socket_, SHUT_WR);
-        answer = receive_answer(socket_);
+void ImageWriter::write(const std::filesystem::path& path, const Pixels& pixels,
+                        const ImageSettings& settings) {
+    finish();
+    if (process_ <= 0) return write_image(path, pixels, settings);
+    const Request request{.task = Task::write,
+                          .width = pixels.size.x,
+                          .height = pixels.size.y,
+                          .channels = pixels.channels,
+                          .bits = pixels.bits,
+                          .premultiplied = pixels.premultiplied ? 1 : 0,
+                          .file_bits = settings.bits,
+                          .dpi = settings.dpi,
+                          .bytes = pixels.values.size()};
+    writing_ = send_request(socket_, request, path, settings.description, pixels.values);
+    if (!writing_) write_image(path, pixels, settings);
+}
+
+void ImageWriter::finish() {
+    if (!writing_) return;
+    writing_ = false;
+    const std::optional<std::string> answer = receive_text(socket_);
+    if (!answer) throw FileError("the process that writes pictures has ended; is there memory?");
+    if (!answer->empty()) throw FileError(*answer);
+}
+
+bool ImageWriter::is_whole(const std::filesystem::path& path, glm::ivec2 size) {
+    finish();
+    Request request{};
+    request.task = Task::check;
+    request.width = size.x;
+    request.height = size.y;
+    if (process_ > 0 && send_request(socket_, request, path, {}, {})) {
+        if (const std::optional<std::string> answer = receive_text(socket_)) {
+            return answer->empty();
+        }
     }
-    end();
-    if (answer.empty()) return write_image(path_, image);
-    if (answer[0] != done) throw FileError(answer);
+    return holds_whole_picture(path, size);
 }
 
 } // namespace lineatlas

@@ -6,31 +6,38 @@
 
 namespace lineatlas {
 
-/// Writes one picture from a process of its own, which loads the module for pictures while this one
-/// draws. A thread would not do: the dynamic linker holds up everyone who looks up a function, as
-/// GL does all the time, until the last library is loaded.
+/// Writes pictures from a process of its own, which loads the module for pictures while this one
+/// draws, and encodes one picture while this one draws the next. A thread would not do: the dynamic
+/// linker holds up everyone who looks up a function, as GL does all the time, until the last
+/// library is loaded.
 ///
 /// To be made early: in a program that has several threads already, or where no process can be
-/// started, the picture is written here, as write_image() does.
+/// started, pictures are written here, as write_image() does. SIGINT and SIGTERM do not reach the
+/// process, so that what it was given is whole however this one ends.
 class ImageWriter {
   public:
-    /// Checks the path as check_image_path() does. Throws FileError.
-    explicit ImageWriter(const std::filesystem::path& path);
-    /// Ends the process if nothing was written.
+    ImageWriter();
+    /// Waits for the last picture, and is silent about it.
     ~ImageWriter();
     ImageWriter(const ImageWriter&) = delete;
     ImageWriter& operator=(const ImageWriter&) = delete;
 
-    /// As write_image(). Call once. Throws FileError.
-    void write(const Image& image);
+    /// As write_image(), but may return before the file is there. Throws FileError, of this picture
+    /// or the one before.
+    void write(const std::filesystem::path& path, const Pixels& pixels,
+               const ImageSettings& settings = {});
+    /// Waits for the last picture. Throws FileError.
+    void finish();
+    /// Whether `path` holds a whole picture of that size. Throws FileError, of the picture before.
+    bool is_whole(const std::filesystem::path& path, glm::ivec2 size);
 
   private:
     void start();
     void end();
 
-    std::filesystem::path path_;
-    int process_ = -1;
+    int process_ = -1; ///< none: everything is done here
     int socket_ = -1;
+    bool writing_ = false; ///< a picture is on its way
 };
 
 } // namespace lineatlas

@@ -9,7 +9,7 @@
 namespace lineatlas::compute::reference {
 namespace {
 
-constexpr int probes = 9; // the majority decides
+constexpr int probes = 9;
 
 bool is_shown(std::uint8_t alpha) {
     return alpha >= LA_INTERVAL_SHOWN;
@@ -164,7 +164,7 @@ class Finder {
             const float u = (sample + along * pixel) * (1.0F / static_cast<float>(l));
             visible += sees_line(spine, u, side, depth_) ? 1 : 0;
         }
-        return 2 * visible > probes;
+        return 255 * visible >= LA_INTERVAL_SHOWN * probes;
     }
 
     /// Where visibility changes. shown: visible before the change.

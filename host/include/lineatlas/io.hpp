@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -39,6 +40,22 @@ struct Image {
     std::vector<std::uint8_t> pixels; ///< size.x * size.y * channels values
 };
 
+/// The pixels of a picture to be written, as Image holds them, with 8 or 16 bits per value.
+struct Pixels {
+    glm::ivec2 size{0, 0};
+    int channels = 4;
+    int bits = 8;
+    bool premultiplied = false;        ///< colour is multiplied by alpha, as GL draws it
+    std::span<const std::byte> values; ///< size.x * size.y * channels numbers in native order
+};
+
+/// What a picture file holds besides its pixels.
+struct ImageSettings {
+    int bits = 0;              ///< per channel; 0: what its type usually has (EXR 16, others 8)
+    float dpi = 0;             ///< pixels per inch on paper; 0: not said
+    std::string description{}; ///< what made the picture, in one line; empty: not said
+};
+
 /// Reads any image OpenImageIO can, converted to 8 bits per channel; of more than 4 channels the
 /// first 4. Files of floats (EXR, HDR) hold linear light, which is sRGB-coded on the way. Throws
 /// FileError, also for more than 2^28 pixels.
@@ -48,10 +65,16 @@ Image read_image(const std::filesystem::path& path);
 /// it is written beside its place under another name and renamed. Formats without alpha (JPEG) get
 /// the picture over white; EXR and HDR get linear light with colour multiplied by alpha, as they
 /// expect. Throws FileError.
+void write_image(const std::filesystem::path& path, const Pixels& pixels,
+                 const ImageSettings& settings = {});
 void write_image(const std::filesystem::path& path, const Image& image);
 
 /// Throws FileError unless a picture could be written at `path`: known extension, folder exists and
 /// is writable. Called before long work, so that it is not lost.
 void check_image_path(const std::filesystem::path& path);
+
+/// Throws FileError unless pictures of this extension can have such settings, and transparency.
+void check_image_settings(const std::filesystem::path& path, const ImageSettings& settings,
+                          bool transparent);
 
 } // namespace lineatlas

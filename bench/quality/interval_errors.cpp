@@ -1,0 +1,162 @@
+#include "interval_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace lineatlas::bench {
+namespace {
+
+/// What is known of one path, from its start: a value per place of the truth.
+class Path {
+  public:
+    /// A segment of `pixels` in pieces of equal length.
+    void add_segment(double pixels, std::span<const float> truth) {
+        begin_ = end_;
+        end_ += pixels;
+        const double each = pixels / static_cast<double>(truth.size());
+        for (std::size_t j = 0; j < truth.size(); ++j) {
+            places_.push_back({.at = begin_ + (static_cast<double>(j) + 0.5) * each,
+                               .length = each,
+                               .truly_visible = truth[j] * 255 >= LA_INTERVAL_SHOWN});
+        }
+    }
+
+    /// Between two shares of the segment added last.
+    void add_interval(double from, double to, bool visible) {
+        const double pixels = end_ - begin_;
+        const double start = begin_ + from * pixels;
+        const double end = begin_ + to * pixels;
+        if (!stretches_.empty() && stretches_.back().visible == visible &&
+            std::abs(stretches_.back().end - start) < 1e-3) {
+            stretches_.back().end = end;
+        } else {
+            stretches_.push_back({start, end, visible});
+        }
+    }
+
+    IntervalFigures figures() const {
+        IntervalFigures result;
+        std::size_t k = 0;
+        for (const Place& place : places_) {
+            result.length += place.length;
+            if (place.truly_visible) result.truly_visible += place.length;
+            while (k < stretches_.size() && stretches_[k].end < place.at) ++k;
+            const bool known = k < stretches_.size() && stretches_[k].start <= place.at;
+            if (!known) {
+                result.missing += place.length;
+                continue;
+            }
+            if (stretches_[k].visible && !place.truly_visible)
+                result.falsely_visible += place.length;
+            if (!stretches_[k].visible && place.truly_visible)
+                result.falsely_hidden += place.length;
+        }
+        const std::vector<double> changes = true_changes();
+        for (std::size_t i = 0; i < stretches_.size(); ++i) {
+            const Stretch& stretch = stretches_[i];
+            if (stretch.visible) {
+                result.visible += stretch.end - stretch.start;
+                if (stretch.end - stretch.start < 1 && !truly_visible_in(stretch)) ++result.crumbs;
+            }
+            if (i == 0 || std::abs(stretches_[i - 1].end - stretch.start) > 1e-3) continue;
+            ++result.ends;
+            const double error = distance_to(changes, stretch.start);
+            if (error <= end_reach_pixels) result.errors.push_back(error);
+        }
+        return result;
+    }
+
+  private:
+    struct Place {
+        double at, length;
+        bool truly_visible;
+    };
+    struct Stretch {
+        double start, end;
+        bool visible;
+    };
+
+    std::vector<double> true_changes() const {
+        std::vector<double> result;
+        for (std::size_t j = 1; j < places_.size(); ++j) {
+            if (places_[j].truly_visible == places_[j - 1].truly_visible) continue;
+            result.push_back(places_[j].at - 0.5 * places_[j].length);
+        }
+        return result;
+    }
+
+    static double distance_to(const std::vector<double>& sorted, double value) {
+        const auto above = std::ranges::lower_bound(sorted, value);
+        double nearest = std::numeric_limits<double>::infinity();
+        if (above != sorted.end()) nearest = *above - value;
+        if (above != sorted.begin()) nearest = std::min(nearest, value - *std::prev(above));
+        return nearest;
+    }
+
+    /// Or within a place of it.
+    bool truly_visible_in(const Stretch& stretch) const {
+        const auto first = std::ranges::lower_bound(
+            places_, stretch.start - double{truth_step_pixels}, {}, &Place::at);
+        return std::any_of(first, places_.end(), [&](const Place& place) {
+            return place.at <= stretch.end + double{truth_step_pixels} && place.truly_visible;
+        });
+    }
+
+    double begin_ = 0, end_ = 0; ///< of the segment added last
+    std::vector<Place> places_;
+    std::vector<Stretch> stretches_;
+};
+
+} // namespace
+
+double IntervalFigures::ends_within(double pixels) const {
+    if (ends == 0) return 1;
+    const auto near = std::ranges::count_if(errors, [&](double error) { return error <= pixels; });
+    return static_cast<double>(near) / static_cast<double>(ends);
+}
+
+void IntervalFigures::add(const IntervalFigures& other) {
+    length += other.length;
+    visible += other.visible;
+    truly_visible += other.truly_visible;
+    falsely_visible += other.falsely_visible;
+    falsely_hidden += other.falsely_hidden;
+    crumbs += other.crumbs;
+    ends += other.ends;
+    errors.insert(errors.end(), other.errors.begin(), other.errors.end());
+    missing += other.missing;
+}
+
+IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine,
+                                  glm::ivec2 viewport, std::span<const float> truth,
+                                  std::span<const Interval> intervals) {
+    IntervalFigures result;
+    std::size_t next = 0;
+    for (std::uint32_t i = 0; i < lines.segments.size();) {
+        Path path;
+        const std::uint32_t path_end = i + lines.segments[i].to_end + 1;
+        for (; i < path_end; ++i) {
+            const std::uint32_t places = fine.samples(i);
+            if (places == 0) continue;
+            const WindowSegment window = window_segment(fine.clipped[i], viewport);
+            path.add_segment(glm::distance(window.p, window.q),
+                             truth.subspan(fine.offsets[i], places));
+            while (next < intervals.size() && intervals[next].segment < i) ++next;
+            const std::size_t first = next;
+            while (next < intervals.size() && intervals[next].segment == i) ++next;
+            if (first == next) continue; // is found missing
+            const double samples = intervals[next - 1].end_sample;
+            for (const Interval& interval : intervals.subspan(first, next - first)) {
+                path.add_interval(interval.start_sample / samples, interval.end_sample / samples,
+                                  (interval.flags & LA_INTERVAL_VISIBLE) != 0);
+            }
+        }
+        result.add(path.figures());
+    }
+    return result;
+}
+
+} // namespace lineatlas::bench

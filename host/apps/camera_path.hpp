@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+
+namespace lineatlas::apps {
+
+/// A camera that moves through keyframes of a JSON file (docs/output.md), smoothly.
+class CameraPath {
+  public:
+    /// What the first key leaves out is taken from `defaults`, what others leave out from the key
+    /// before. Throws FileError that names the file, the key and the way out.
+    CameraPath(const std::filesystem::path& file, const View& defaults);
+
+    int first_frame() const;
+    int last_frame() const;
+    View view(double frame) const;
+
+  private:
+    struct Key {
+        double frame = 0;
+        View view;
+    };
+
+    std::vector<Key> keys_; ///< by rising frame; at least one
+};
+
+} // namespace lineatlas::apps

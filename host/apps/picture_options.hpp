@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include <CLI/App.hpp>
+
+#include "lineatlas/io.hpp"
+
+namespace lineatlas::apps {
+
+/// --bits, --dpi and --transparent.
+class PictureOptions {
+  public:
+    void declare(CLI::App& app);
+
+    /// Throws UsageError, or FileError if the picture's type cannot have them.
+    void check(const std::filesystem::path& output) const;
+    bool transparent() const { return transparent_; }
+    ImageSettings settings() const { return {.bits = bits_, .dpi = dpi_, .description = {}}; }
+
+  private:
+    int bits_ = 0;
+    float dpi_ = 0;
+    bool transparent_ = false;
+};
+
+} // namespace lineatlas::apps

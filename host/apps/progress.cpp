@@ -1,0 +1,44 @@
+#include "progress.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace lineatlas::apps {
+namespace {
+
+constexpr std::chrono::seconds between_lines{10}; // where every line stays, in a log
+
+std::string duration(double seconds) {
+    const auto whole = static_cast<long>(seconds + 0.5);
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+} // namespace
+
+Progress::Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+double Progress::seconds() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Progress::show(std::size_t done) {
+    const Clock::time_point now = Clock::now();
+    if (done == total_ || (!terminal_ && now - said_ < between_lines)) return;
+    said_ = now;
+    const double each = seconds() / static_cast<double>(done);
+    const std::string text =
+        fmt::format("lineatlas: {} of {} frames drawn, {:.2g} s each, {} left", done, total_, each,
+                    duration(each * static_cast<double>(total_ - done)));
+    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
+    std::fflush(stderr);
+}
+
+void Progress::clear() {
+    if (terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace lineatlas::apps {
+
+/// How far a sequence is, on standard error: one line on a terminal, rewritten with every frame;
+/// elsewhere a line now and then.
+class Progress {
+  public:
+    /// `total`: frames to draw.
+    explicit Progress(std::size_t total);
+    ~Progress() { clear(); }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// After each frame: `done` of them are drawn.
+    void show(std::size_t done);
+    double seconds() const; ///< so far
+    /// Removes the line from a terminal, so that something else can be printed.
+    void clear();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::size_t total_;
+    bool terminal_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point said_ = start_;
+};
+
+} // namespace lineatlas::apps

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "frame_output.hpp"
+
+namespace lineatlas::apps {
+
+struct SequenceFrame {
+    int number;
+    std::filesystem::path path;
+    Camera camera;
+};
+
+/// Draws the frames in their order, with progress on standard error. `resume`: those whose files
+/// are there already, whole, are left as they are. Throws Stopped after SIGINT or SIGTERM, between
+/// two frames, with every file that was begun whole; and Error.
+void draw_sequence(std::span<const SequenceFrame> frames, FrameOutput& output, bool resume);
+
+} // namespace lineatlas::apps

@@ -1,0 +1,77 @@
+#include "vector_options.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+constexpr const char* own_options[] = {"--units", "--page", "--margin", "--plotter", "--no-tags"};
+constexpr const char* only_for_svg[] = {"--units", "--page", "--margin"};
+constexpr const char* only_for_pixels[] = {"--bits", "--dpi"};
+
+std::string extension_of(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+} // namespace
+
+bool is_vector_path(const std::filesystem::path& path) {
+    const std::string extension = extension_of(path);
+    return extension == ".svg" || extension == ".json";
+}
+
+void VectorOptionsGroup::declare(CLI::App& app) {
+    app_ = &app;
+    const std::string group = "Paths (output .svg or .json)";
+    app.add_option("--units", units_, "Units of the SVG: px, mm or in")
+        ->capture_default_str()
+        ->group(group);
+    app.add_option("--page", page_,
+                   "Paper of the SVG: a0 to a6, letter, legal, tabloid or e.g. 300x200mm; the "
+                   "picture fills it")
+        ->group(group);
+    app.add_option("--margin", margin_, "Space around the picture in the SVG, e.g. 10mm")
+        ->capture_default_str()
+        ->group(group);
+    app.add_flag("--plotter", plotter_, "Order and join paths for the least travel of a pen")
+        ->group(group);
+    app.add_flag("--no-tags", no_tags_, "Leave out which edges of the model each path shows")
+        ->group(group);
+}
+
+void VectorOptionsGroup::check(const std::filesystem::path& output) const {
+    const auto refuse = [&](std::span<const char* const> options, const std::string& why) {
+        for (const char* option : options) {
+            if (app_->count(option) > 0) throw UsageError(fmt::format("{} {}", option, why));
+        }
+    };
+    if (!is_vector_path(output)) {
+        return refuse(own_options, "is for paths; the output must end in .svg or .json");
+    }
+    refuse(only_for_pixels, "is for pictures of pixels; see --units and --page");
+    if (extension_of(output) == ".json") refuse(only_for_svg, "is for SVG; JSON is in pixels");
+    if (app_->get_option("--method")->as<std::string>() != "atlas") {
+        throw UsageError("--method: paths come from the atlas alone");
+    }
+    svg();
+}
+
+SvgOptions VectorOptionsGroup::svg() const {
+    SvgOptions options;
+    options.units = parse_unit(units_);
+    if (!page_.empty()) options.page = parse_page(page_);
+    options.margin = parse_length(margin_, options.units);
+    options.tags = tags();
+    return options;
+}
+
+} // namespace lineatlas::apps

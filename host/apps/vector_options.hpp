@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "lineatlas/vector.hpp"
+
+namespace lineatlas::apps {
+
+/// Whether a drawing is written as paths: .svg or .json.
+bool is_vector_path(const std::filesystem::path& path);
+
+/// --units, --page, --margin, --plotter and --no-tags.
+class VectorOptionsGroup {
+  public:
+    void declare(CLI::App& app);
+
+    /// Throws UsageError when they are wrong, or given for a picture of pixels; FileError when the
+    /// file cannot be written.
+    void check(const std::filesystem::path& output) const;
+
+    bool plotter() const { return plotter_; }
+    bool tags() const { return !no_tags_; }
+    SvgOptions svg() const;
+
+  private:
+    CLI::App* app_ = nullptr;
+    std::string units_ = "px", page_, margin_ = "0";
+    bool plotter_ = false, no_tags_ = false;
+};
+
+} // namespace lineatlas::apps

@@ -1,0 +1,73 @@
+#include "vector_output.hpp"
+
+#include <fstream>
+#include <span>
+#include <utility>
+
+#include "description.hpp"
+#include "io/atomic_file.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+bool is_json(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    return extension == ".json" || extension == ".JSON";
+}
+
+/// What the style does needs to know what is hidden.
+bool needs_hidden(const Style& style) {
+    const StrokeFilter& f = style.filter;
+    return style.hidden || f.fill > 0 || f.drop > 0 || f.overshoot > 0 || f.undershoot > 0 ||
+           f.halo > 0;
+}
+
+} // namespace
+
+VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, Renderer& renderer)
+    : frame_(std::move(frame)), lines_(lines), renderer_(renderer) {
+    frame_.options.intervals =
+        needs_hidden(frame_.options.style) ? KeptIntervals::all : KeptIntervals::visible;
+    frame_.options.draw = false;
+}
+
+FrameStats VectorOutput::find(const Camera& camera, const FrameOptions& options) {
+    FrameOptions own = frame_.options;
+    own.measure_stages = options.measure_stages;
+    const FrameStats stats = renderer_.draw(camera, own, 0);
+    intervals_ = renderer_.read_intervals();
+    return stats;
+}
+
+void VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
+    const AtomicFile writable{path}; // said before the work, not after
+    find(camera, frame_.options);
+    const VectorDrawing drawing =
+        make_vector_drawing(lines_, camera, intervals_, frame_.options.style, frame_.paths);
+    const std::string description = frame_.description + " " + describe_camera(camera);
+    std::string text;
+    if (is_json(path)) {
+        JsonOptions options = frame_.json;
+        options.description = description;
+        text = to_json(drawing, options);
+    } else {
+        SvgOptions options = frame_.svg;
+        options.description = description;
+        text = to_svg(drawing, options);
+    }
+    AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+bool VectorOutput::is_whole(const std::filesystem::path& path, glm::ivec2) {
+    // Files appear whole or not at all; this tells ours from what others left there.
+    std::ifstream file{path, std::ios::binary | std::ios::ate};
+    const std::string end = is_json(path) ? "}\n" : "</svg>\n";
+    const auto size = static_cast<std::streamoff>(end.size());
+    if (!file || file.tellg() < size) return false;
+    file.seekg(-size, std::ios::end);
+    std::string last(end.size(), ' ');
+    file.read(last.data(), size);
+    return last == end;
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,44 @@
+#include "message_socket.hpp"
+
+#include <cerrno>
+#include <cstdint>
+
+#include <sys/socket.h>
+
+namespace lineatlas {
+
+bool send_all(int socket, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    }
+    return true;
+}
+
+bool receive_all(int socket, std::span<std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t got = ::recv(socket, bytes.data(), bytes.size(), 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(got));
+    }
+    return true;
+}
+
+bool send_text(int socket, const std::string& text) {
+    const std::uint64_t size = text.size();
+    return send_all(socket, std::as_bytes(std::span{&size, 1})) &&
+           send_all(socket, std::as_bytes(std::span{text}));
+}
+
+std::optional<std::string> receive_text(int socket) {
+    std::uint64_t size = 0;
+    if (!receive_all(socket, std::as_writable_bytes(std::span{&size, 1}))) return std::nullopt;
+    std::string text(size, '\0');
+    if (!receive_all(socket, std::as_writable_bytes(std::span{text}))) return std::nullopt;
+    return text;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,171 @@
+// Drawings as SVG as other programs show them: rasterised by librsvg and by Chromium beside our own
+// picture of pixels; and what the tool says to wrong options of theirs.
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "lineatlas/io.hpp"
+#include "tool.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// Where a picture is dark, over white.
+struct Ink {
+    glm::ivec2 size;
+    std::vector<bool> dark;
+
+    explicit Ink(const fs::path& path) {
+        const Image image = read_image(path);
+        size = image.size;
+        const auto channels = static_cast<std::size_t>(image.channels);
+        const bool has_alpha = channels == 2 || channels == 4;
+        for (std::size_t i = 0; i < image.pixels.size(); i += channels) {
+            const int alpha = has_alpha ? image.pixels[i + channels - 1] : 255;
+            dark.push_back((image.pixels[i] * alpha + 255 * (255 - alpha)) / 255 < 128);
+        }
+    }
+
+    bool near(int x, int y) const {
+        for (int v = std::max(0, y - 1); v <= std::min(size.y - 1, y + 1); ++v) {
+            for (int u = std::max(0, x - 1); u <= std::min(size.x - 1, x + 1); ++u) {
+                if (dark[static_cast<std::size_t>(v * size.x + u)]) return true;
+            }
+        }
+        return false;
+    }
+
+    /// Share of the dark pixels that are within one of dark ones there.
+    double share_near(const Ink& other) const {
+        std::size_t count = 0, found = 0;
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                if (!dark[static_cast<std::size_t>(y * size.x + x)]) continue;
+                ++count;
+                if (other.near(x, y)) ++found;
+            }
+        }
+        return count == 0 ? 0 : static_cast<double>(found) / static_cast<double>(count);
+    }
+};
+
+bool is_installed(const std::string& program) {
+    return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+class DrawingTest : public Tool {
+  protected:
+    void draw(const std::string& what) {
+        for (const char* extension : {".png", ".svg"}) {
+            const Result result = run("draw " + what + " -o " + path(std::string{"a"} + extension));
+            ASSERT_EQ(result.exit_code, 0) << result.output;
+        }
+    }
+
+    void expect_same(const std::string& raster, double least) {
+        const Ink ours{path("a.png")};
+        const Ink theirs{path(raster)};
+        ASSERT_EQ(ours.size, theirs.size);
+        EXPECT_GT(std::ranges::count(ours.dark, true), 1000);
+        EXPECT_GE(ours.share_near(theirs), least);
+        EXPECT_GE(theirs.share_near(ours), least);
+    }
+
+    void rasterise() {
+        const std::string command = "rsvg-convert -o " + path("r.png") + " " + path("a.svg");
+        ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    }
+
+    std::string text_of(const std::string& name) {
+        std::ostringstream text;
+        text << std::ifstream{path(name)}.rdbuf();
+        return text.str();
+    }
+};
+
+TEST_F(DrawingTest, LibrsvgShowsWhatWeDraw) {
+    if (!is_installed("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not installed";
+    for (const char* scene : {"clevis", "house", "ship", "office"}) {
+        SCOPED_TRACE(scene);
+        draw(std::string{"--scene "} + scene);
+        rasterise();
+        expect_same("r.png", 0.995);
+    }
+}
+
+TEST_F(DrawingTest, SeesALineThatIsMissing) {
+    if (!is_installed("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not installed";
+    draw("--scene clevis");
+    std::string text = text_of("a.svg");
+    const std::size_t first = text.find("  <path");
+    text.erase(first, text.find("</path>", first) + 7 - first);
+    std::ofstream{path("a.svg")} << text;
+    rasterise();
+    EXPECT_LT(Ink{path("a.png")}.share_near(Ink{path("r.png")}), 0.995);
+}
+
+TEST_F(DrawingTest, ChromiumShowsWhatWeDraw) {
+    if (!is_installed("chromium")) GTEST_SKIP() << "chromium is not installed";
+    draw("--scene house --size 800x600");
+    const std::string command = "chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
+                                "--window-size=800,600 --user-data-dir=" +
+                                path("profile") + " --screenshot=" + path("c.png") + " file://" +
+                                path("a.svg") + " >/dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    expect_same("c.png", 0.995);
+}
+
+TEST_F(DrawingTest, HiddenLinesHaveLayersOfTheirOwn) {
+    draw("--scene clevis --size 300x200 --hidden");
+    const std::string text = text_of("a.svg");
+    for (const char* part : {"id=\"crease\"", "id=\"crease-hidden\"", "stroke-dasharray"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    }
+}
+
+TEST_F(DrawingTest, PaperAndPlotter) {
+    const Result result =
+        run("draw --scene clevis --size 300x200 --page a4 --margin 10mm --units mm --plotter -o " +
+            path("p.svg"));
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    const std::string text = text_of("p.svg");
+    EXPECT_NE(text.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""),
+              std::string::npos)
+        << text.substr(0, 400);
+    EXPECT_EQ(text.find("edges"), std::string::npos);
+}
+
+TEST_F(DrawingTest, JsonToo) {
+    const Result result = run("draw --scene clevis --size 300x200 -o " + path("c.json"));
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    EXPECT_NE(text_of("c.json").find("\"kind\""), std::string::npos);
+}
+
+TEST_F(DrawingTest, SequencesAreResumed) {
+    const std::string command =
+        "draw --scene clevis --size 120x90 --turntable 3 -o " + path("f%d.svg");
+    EXPECT_EQ(run(command).exit_code, 0);
+    const std::string first = text_of("f0.svg");
+    std::ofstream{path("f1.svg")} << first.substr(0, first.size() / 2);
+    const Result again = run(command + " --resume");
+    EXPECT_EQ(again.exit_code, 0);
+    EXPECT_NE(again.output.find("1 frames drawn"), std::string::npos) << again.output;
+    EXPECT_NE(again.output.find("2 were there already"), std::string::npos) << again.output;
+}
+
+TEST_F(DrawingTest, WrongOptions) {
+    expect_refused("draw --scene clevis --plotter -o " + path("x.png"), 2, "--plotter");
+    expect_refused("draw --scene clevis --dpi 300 -o " + path("x.svg"), 2, "--page");
+    expect_refused("draw --scene clevis --page a9 -o " + path("x.svg"), 2, "a9");
+    expect_refused("draw --scene clevis --margin -3mm -o " + path("x.svg"), 2, "-3mm");
+    expect_refused("draw --scene clevis --units furlong -o " + path("x.svg"), 2, "furlong");
+    expect_refused("draw --scene clevis --units mm -o " + path("x.json"), 2, "--units");
+    expect_refused("draw --scene clevis --method spine -o " + path("x.svg"), 2, "atlas");
+    expect_refused("draw --scene clevis -o " + path("missing/x.svg"), 1, "missing");
+}
+
+} // namespace
+} // namespace lineatlas::test
