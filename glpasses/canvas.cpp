@@ -34,15 +34,16 @@ void Canvas::clear(glm::vec4 color) {
     glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, glm::value_ptr(color));
 }
 
-std::vector<std::uint8_t> Canvas::read() const {
+std::vector<std::uint8_t> Canvas::read(glm::ivec2 part) const {
     const std::size_t row =
-        static_cast<std::size_t>(size_.x) * 4 * static_cast<std::size_t>(bits_ / 8);
-    std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(size_.y));
+        static_cast<std::size_t>(part.x) * 4 * static_cast<std::size_t>(bits_ / 8);
+    std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(part.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture_.id(), 0, GL_RGBA, bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
-                      static_cast<GLsizei>(pixels.size()), pixels.data());
+    glGetTextureSubImage(texture_.id(), 0, 0, 0, 0, part.x, part.y, 1, GL_RGBA,
+                         bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
+                         static_cast<GLsizei>(pixels.size()), pixels.data());
     // GL's rows run from the bottom up.
-    for (int top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom) {
+    for (int top = 0, bottom = part.y - 1; top < bottom; ++top, --bottom) {
         std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(top * row),
                          pixels.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
                          pixels.begin() + static_cast<std::ptrdiff_t>(bottom * row));

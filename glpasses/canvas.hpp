@@ -22,7 +22,9 @@ class Canvas {
     glm::ivec2 size() const { return size_; }
     int bits() const { return bits_; }
     /// Pixels from the top left, 4 values each; with 16 bits in native order.
-    std::vector<std::uint8_t> read() const;
+    std::vector<std::uint8_t> read() const { return read(size_); }
+    /// The same of a part in the lower left corner.
+    std::vector<std::uint8_t> read(glm::ivec2 part) const;
 
   private:
     glm::ivec2 size_;

@@ -27,7 +27,8 @@ void DepthPass::begin(glm::ivec2 viewport, int scale) {
     glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far);
 }
 
-void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world) {
+void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
+                     glm::vec4 tile) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, size_.x, size_.y);
     glEnable(GL_DEPTH_TEST);
@@ -41,20 +42,21 @@ void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_fro
     glBindVertexArray(vertex_array_.id());
     program_.use();
     program_.set("clip_from_world", clip_from_world);
+    program_.set("tile", tile);
 }
 
 void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world) {
     if (triangles.triangle_count == 0) return;
-    bind(triangles, clip_from_world);
+    bind(triangles, clip_from_world, whole_picture);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.triangle_count * 3),
                    GL_UNSIGNED_INT, nullptr);
     glDisable(GL_DEPTH_TEST);
 }
 
 void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
-                            std::span<const TriangleRange> ranges) {
+                            std::span<const TriangleRange> ranges, glm::vec4 tile) {
     if (ranges.empty()) return;
-    bind(triangles, clip_from_world);
+    bind(triangles, clip_from_world, tile);
     counts_.clear();
     first_bytes_.clear();
     for (const TriangleRange& range : ranges) {

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/screen_bounds.hpp"
+#include "core/tiles.hpp"
 #include "objects.hpp"
 #include "program.hpp"
 
@@ -35,9 +36,9 @@ class DepthPass {
     /// Clears the depth and makes it the target of what follows.
     void begin(glm::ivec2 viewport, int scale);
     void draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world);
-    /// Draws only these pieces of the list of triangles.
+    /// Draws only these pieces of the list of triangles; `tile`: tile_transform().
     void draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
-                     std::span<const TriangleRange> ranges);
+                     std::span<const TriangleRange> ranges, glm::vec4 tile = whole_picture);
 
     /// Copies a rectangle of the depth of the last draw to its place in a buffer for all of it:
     /// floats, rows from the lower left.
@@ -48,7 +49,7 @@ class DepthPass {
 
   private:
     void resize(glm::ivec2 size);
-    void bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world);
+    void bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world, glm::vec4 tile);
 
     Program program_;
     VertexArray vertex_array_;

@@ -87,6 +87,7 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
     program.set("has_colors", colors.indices != 0);
     program.set("plain_color", glm::vec4{fill.color, 1});
     program.set("clip_from_world", view.clip_from_world);
+    program.set("tile", view.tile);
     if (lit) set_light(view, fill);
 
     glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));

@@ -13,9 +13,9 @@ PaperPass::PaperPass(const PaperTile& tile)
     glTextureParameteri(tile_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void PaperPass::draw(glm::ivec2 viewport, float grain, GLuint framebuffer) {
+void PaperPass::draw(const PictureTile& tile, float grain, GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, viewport.x, viewport.y);
+    glViewport(0, 0, tile.size.x, tile.size.y);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
@@ -23,6 +23,7 @@ void PaperPass::draw(glm::ivec2 viewport, float grain, GLuint framebuffer) {
     program_.use();
     program_.set("depth", 0);
     program_.set("grain", grain);
+    program_.set("corner", glm::vec2{tile.low});
     glBindVertexArray(vertex_array_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-
 #include "core/paper.hpp"
+#include "core/tiles.hpp"
 #include "objects.hpp"
 #include "program.hpp"
 
@@ -13,8 +12,8 @@ class PaperPass {
   public:
     explicit PaperPass(const PaperTile& tile);
 
-    /// `grain`: how strongly, 0 to 1. Alpha stays as it is.
-    void draw(glm::ivec2 viewport, float grain, GLuint framebuffer);
+    /// Over `tile` of the picture. `grain`: how strongly, 0 to 1. Alpha stays as it is.
+    void draw(const PictureTile& tile, float grain, GLuint framebuffer);
 
   private:
     Program program_;

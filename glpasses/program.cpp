@@ -55,7 +55,7 @@ Shader compile(std::string_view file, std::string_view defines) {
 
 } // namespace
 
-Program::Program(std::initializer_list<std::string_view> files, std::string_view defines)
+Program::Program(const std::vector<std::string_view>& files, std::string_view defines)
     : program_(glCreateProgram()) {
     std::vector<Shader> shaders;
     for (const std::string_view file : files) {
@@ -70,9 +70,15 @@ Program::Program(std::initializer_list<std::string_view> files, std::string_view
         glGetProgramiv(program_.id(), GL_INFO_LOG_LENGTH, &length);
         std::string log(static_cast<std::size_t>(length), ' ');
         glGetProgramInfoLog(program_.id(), length, nullptr, log.data());
-        throw DeviceError("shaders of " + std::string{*files.begin()} + " do not link:\n" + log);
+        throw DeviceError("shaders of " + std::string{files.front()} + " do not link:\n" + log);
     }
     for (const Shader& shader : shaders) glDetachShader(program_.id(), shader.id());
+}
+
+const Program& ProgramVariants::with(const std::string& defines) {
+    const auto found = programs_.find(defines);
+    if (found != programs_.end()) return found->second;
+    return programs_.emplace(defines, Program{files_, defines}).first->second;
 }
 
 void Program::set(const char* name, int value) const {

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <initializer_list>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <epoxy/gl.h>
 #include <glm/mat4x4.hpp>
@@ -19,7 +21,7 @@ class Program {
     /// Builds a program from shader files; the extension tells the stage: .vert, .geom or .frag.
     /// Throws DeviceError with the compiler's log.
     /// `defines`: names separated by spaces, defined in all of them.
-    explicit Program(std::initializer_list<std::string_view> files, std::string_view defines = {});
+    explicit Program(const std::vector<std::string_view>& files, std::string_view defines = {});
 
     void use() const { glUseProgram(program_.id()); }
     void set(const char* name, bool value) const { set(name, value ? 1 : 0); }
@@ -39,6 +41,17 @@ class Program {
     GLint location(const char* name) const { return glGetUniformLocation(program_.id(), name); }
 
     Object<Traits> program_;
+};
+
+/// Programs of the same files with different defines, each built when it is first used.
+class ProgramVariants {
+  public:
+    explicit ProgramVariants(std::vector<std::string_view> files) : files_(std::move(files)) {}
+    const Program& with(const std::string& defines);
+
+  private:
+    std::vector<std::string_view> files_;
+    std::map<std::string, Program> programs_;
 };
 
 } // namespace lineatlas::gl

@@ -23,8 +23,8 @@ VertexArray segment_array(GLuint divisor) {
 } // namespace
 
 SpinePass::SpinePass()
-    : geometry_program_({"spine.vert", "spine.geom", "spine.frag"}),
-      vertex_program_({"spine_quad.vert", "spine.frag"}), point_array_(segment_array(0)),
+    : point_programs_({"spine.vert", "spine.geom", "spine.frag"}),
+      quad_programs_({"spine_quad.vert", "spine.frag"}), point_array_(segment_array(0)),
       quad_array_(segment_array(1)) {}
 
 void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
@@ -41,7 +41,8 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     }
 
     const bool geometry = stroke.form == StrokeForm::geometry_shader;
-    const Program& program = geometry ? geometry_program_ : vertex_program_;
+    ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
+    const Program& program = programs.with(stroke.pen.texture != 0 ? "PEN_TEXTURE" : "");
     const VertexArray& array = geometry ? point_array_ : quad_array_;
     probes.bind(program, 0);
     stroke.bind(program, 1);

@@ -40,8 +40,8 @@ class SpinePass {
               const StrokeParams& stroke);
 
   private:
-    Program geometry_program_;
-    Program vertex_program_;
+    ProgramVariants point_programs_;
+    ProgramVariants quad_programs_;
     VertexArray point_array_;
     VertexArray quad_array_;
 };

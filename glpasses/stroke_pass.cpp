@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <utility>
 
 #include "segment_table.h"
 
@@ -25,13 +27,42 @@ VertexArray run_array(GLuint divisor) {
 }
 
 // No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
-constexpr float plain_mitre_limit = 4;
+constexpr float longest_mitre = 4;
 
 // As in stroke_style.glsl.
 constexpr std::size_t most_profile_values = 16;
 
 float largest(const Profile& profile) {
     return *std::ranges::max_element(profile);
+}
+
+/// Names of all that the shader has to do for a style (strokes.frag): it is as cheap as they are
+/// few.
+std::string features(const StrokeParams& params, const StrokeStyle& style, bool density) {
+    const auto has_cap = [&](Cap cap) { return style.cap == cap || style.path_cap == cap; };
+    const bool fades = style.cap == Cap::butt && style.path_cap == Cap::round;
+    const bool other_far = style.focus && style.focus->far_pen.texture != params.pen.texture;
+    const bool far_texture = other_far && style.focus->far_pen.texture != 0;
+    const std::pair<const char*, bool> all[] = {
+        {"EXACT_ENDS", style.exact_ends || style.hidden || !fades},
+        {"BEVELS", style.join == Join::bevel ||
+                       (style.join == Join::mitre && style.mitre_limit < longest_mitre)},
+        {"TAPERS", has_cap(Cap::taper)},
+        {"DRY_CAPS", has_cap(Cap::texture)},
+        {"WIDTH_PROFILE", style.width_profile != Profile{1}},
+        {"OPACITY_PROFILE", style.opacity_profile != Profile{1}},
+        {"DENSITY", density},
+        {"FOCUS", style.focus.has_value()},
+        {"FAR_TEXTURE", far_texture},
+        {"FAR_SOLID", other_far && !far_texture},
+        {"HIDDEN", style.hidden},
+        {"PEN_TEXTURE", params.pen.texture != 0},
+    };
+    std::string names;
+    for (const auto& [name, used] : all) {
+        if (used) names += std::string{name} + ' ';
+    }
+    return names;
 }
 
 void set_style(const Program& program, const StrokeParams& params, const StrokeStyle& style) {
@@ -41,6 +72,8 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
     program.set("pen_half_width", 0.5F * params.width);
     program.set("join_kind", static_cast<unsigned>(style.join));
     program.set("mitre_limit", style.mitre_limit);
+    program.set("cap_kinds", glm::uvec2{static_cast<unsigned>(style.cap),
+                                        static_cast<unsigned>(style.path_cap)});
     program.set("cap_length", std::max(style.cap_length, 1e-3F));
     program.set("width_profile", style.width_profile);
     program.set("opacity_profile", style.opacity_profile);
@@ -53,7 +86,7 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
     const FocusParams& focus = *style.focus;
     glBindTextureUnit(3, focus.far_pen.texture);
     program.set("far_pen", 3);
-    program.set("far_pen_repeat", focus.far_pen.texture != 0 ? focus.far_pen.repeat_length : 0.0F);
+    program.set("far_pen_repeat", focus.far_pen.repeat_length);
     program.set("focus_in_scene", focus.in_scene);
     program.set("focus_point", glm::vec4{focus.point, 1});
     program.set("focus_range", glm::vec2{focus.radius, focus.falloff});
@@ -67,11 +100,11 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
 void PenTexture::bind(const Program& program, GLuint unit) const {
     glBindTextureUnit(unit, texture);
     program.set("pen", static_cast<int>(unit));
-    program.set("pen_repeat", texture != 0 ? repeat_length : 0.0F);
+    program.set("pen_repeat", repeat_length);
 }
 
 void StrokeParams::bind(const Program& program, GLuint unit) const {
-    glViewport(0, 0, static_cast<GLsizei>(viewport.x), static_cast<GLsizei>(viewport.y));
+    glViewport(0, 0, tile.size.x, tile.size.y);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
@@ -79,28 +112,15 @@ void StrokeParams::bind(const Program& program, GLuint unit) const {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     pen.bind(program, unit);
     program.set("viewport", viewport);
+    program.set("tile", glm::vec4{tile.low, tile.size});
     program.set("half_width", 0.5F * width);
     program.set("color", color);
 }
 
-bool StrokeStyle::is_plain() const {
-    const Profile constant{1};
-    return join == Join::mitre && mitre_limit >= plain_mitre_limit && cap == Cap::butt &&
-           path_cap == Cap::round && width_profile == constant && opacity_profile == constant &&
-           !focus && !hidden && !exact_ends;
-}
-
-StrokePass::StrokePass() : point_array_(run_array(0)), quad_array_(run_array(1)) {}
-
-const Program& StrokePass::program(StrokeForm form, const std::string& defines) {
-    const auto key = std::pair{form, defines};
-    const auto found = programs_.find(key);
-    if (found != programs_.end()) return found->second;
-    const bool geometry = form == StrokeForm::geometry_shader;
-    Program program = geometry ? Program({"strokes.vert", "strokes.geom", "strokes.frag"}, defines)
-                               : Program({"strokes_quad.vert", "strokes.frag"}, defines);
-    return programs_.emplace(key, std::move(program)).first->second;
-}
+StrokePass::StrokePass()
+    : point_programs_({"strokes.vert", "strokes.geom", "strokes.frag"}),
+      quad_programs_({"strokes_quad.vert", "strokes.frag"}), point_array_(run_array(0)),
+      quad_array_(run_array(1)) {}
 
 void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style,
                       const DensityWeights& density) {
@@ -109,21 +129,15 @@ void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const 
     glTextureBuffer(alpha.id(), GL_R8, runs.alpha);
     TextureBuffer weights;
 
-    std::string defines;
-    if (!style.is_plain() || density.buffer != 0) defines += "STYLED ";
-    if (style.hidden) defines += "HIDDEN ";
-    if (style.focus) defines += "FOCUS ";
-    if (density.buffer != 0) defines += "DENSITY ";
     const bool geometry = params.form == StrokeForm::geometry_shader;
-    const Program& program = this->program(params.form, defines);
+    ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
+    const Program& program = programs.with(features(params, style, density.buffer != 0));
     const VertexArray& array = geometry ? point_array_ : quad_array_;
     glBindTextureUnit(0, alpha.id());
     program.use();
     program.set("alpha", 0);
     params.bind(program, 1);
-    program.set("cap_kinds", glm::uvec2{static_cast<unsigned>(style.cap),
-                                        static_cast<unsigned>(style.path_cap)});
-    if (!defines.empty()) set_style(program, params, style);
+    set_style(program, params, style);
     if (density.buffer != 0) {
         weights = TextureBuffer::create();
         glTextureBuffer(weights.id(), GL_R32F, density.buffer);

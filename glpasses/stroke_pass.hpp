@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <string>
-#include <utility>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/tiles.hpp"
 #include "lineatlas/style.hpp"
 #include "objects.hpp"
 #include "program.hpp"
@@ -29,6 +27,7 @@ struct PenTexture {
 
 struct StrokeParams {
     glm::vec2 viewport; ///< pixels
+    PictureTile tile;   ///< the part of it that is drawn
     float width;        ///< pixels
     glm::vec4 color;    ///< RGB and opacity
     PenTexture pen;
@@ -67,9 +66,6 @@ struct StrokeStyle {
     std::optional<FocusParams> focus;
     bool hidden = false;     ///< draw runs of hidden samples: opaque where nothing is visible
     bool exact_ends = false; ///< runs end where visibility does (`filter`), some without samples
-
-    /// Whether the plain shader would not do.
-    bool is_plain() const;
 };
 
 /// The visible runs on the GL side, as `compact` writes them.
@@ -88,9 +84,8 @@ class StrokePass {
               const DensityWeights& density = {});
 
   private:
-    const Program& program(StrokeForm form, const std::string& defines);
-
-    std::map<std::pair<StrokeForm, std::string>, Program> programs_; ///< built when first used
+    ProgramVariants point_programs_;
+    ProgramVariants quad_programs_;
     VertexArray point_array_;
     VertexArray quad_array_;
 };

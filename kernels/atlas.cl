@@ -3,6 +3,8 @@
  * One work-item per block of `block` neighbouring samples: it finds the segment of its first sample
  * by bisection and walks on from there.
  *
+ * TILED: `depth` holds only a part of the depth buffer, and only samples in its core are computed.
+ *
  * PROBES_PER_AXIS: 1, 2, 3 or 4. PROBE_LANES: 1 probes one after the other (GPUs), 4 or 16 all
  * probes of a sample in one vector (CPUs); at least the number of probes then. */
 
@@ -55,14 +57,25 @@ static uint count_visible(const Spine spine, const uint j, const Depth depth) {
     return visible;
 }
 
+#ifdef TILED
+/* Judged by the place in the whole picture, which is the same in every tile to the last bit: so
+ * each sample is in exactly one core. */
+static bool is_in_core(const float2 whole_p, const Spine spine, const uint j, const int4 core) {
+    const float2 place = whole_p + spine.d * (((float)j + 0.5f) * spine.inverse_l);
+    const int x = convert_int_sat_rtn(place.x), y = convert_int_sat_rtn(place.y);
+    return x >= core.x && y >= core.y && x < core.z && y < core.w;
+}
+#endif
+
 /* alpha: one byte per sample at its atlas address, 0 to 255. Samples at or beyond `capacity` are
- * left out: the host sees the total, enlarges the atlas and runs the kernel again. */
+ * left out: the host sees the total, enlarges the atlas and runs the kernel again. For TILED alone:
+ * origin is the first texel of `depth` in the whole, core the texels from xy up to zw, without. */
 __kernel void atlas(__global const ClippedSegment* restrict clipped,
                     __global const uint* restrict offsets, const uint count,
                     __global const float* restrict depth, const int2 depth_size,
                     const float2 viewport, const float depth_scale, const float tolerance,
                     const uint width, const uint pitch, const uint capacity, const uint block,
-                    __global uchar* restrict alpha) {
+                    const int2 origin, const int4 core, __global uchar* restrict alpha) {
     const uint total = min(offsets[count], capacity);
     const uint first = (uint)get_global_id(0) * block;
     if (first >= total) return;
@@ -77,10 +90,17 @@ __kernel void atlas(__global const ClippedSegment* restrict clipped,
             ++i;
             continue;
         }
-        const Spine spine = make_spine(clipped + i, viewport, depth_scale, end - begin);
+        Spine spine = make_spine(clipped + i, viewport, depth_scale, end - begin);
+#ifdef TILED
+        const float2 whole_p = spine.p;
+        spine.p -= convert_float2(origin);
+#endif
         const uint address = atlas_address(begin, width, pitch);
         const uint stop = min(end, last);
         for (; s < stop; ++s) {
+#ifdef TILED
+            if (!is_in_core(whole_p, spine, s - begin, core)) continue;
+#endif
             const uint visible = count_visible(spine, s - begin, buffer);
             alpha[address + s - begin] = (uchar)((visible * 255u + PROBES / 2u) / PROBES);
         }

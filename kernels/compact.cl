@@ -23,10 +23,20 @@ static uint run_end(__global const uchar* alpha, const uint a, const uint l, con
     return end;
 }
 
+/* Whether a segment is a path of its own and shorter than a pixel: the thickness of a board. Hidden
+ * ones are left out, of a large model they are many and add nothing to the lines that they touch.
+ * An edge of a silhouette is a part of a longer line though it has no path. */
+static bool is_dot(__global const Segment* segments, __global const uint* arcs, const uint i) {
+    return (segments[i].from_start | segments[i].to_end) == 0 &&
+           (segments[i].tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE &&
+           (float)(arcs[i + 1] - arcs[i]) < LA_ARC_UNITS_PER_PIXEL;
+}
+
 /* counts[b]: runs in block b of `block` segments, of visible samples or, with hidden 1, of hidden
  * ones; a segment that was dropped as hidden whole is one run then. A segment beyond the atlas has
  * none. */
-__kernel void compact_runs_count(__global const uint* restrict offsets,
+__kernel void compact_runs_count(__global const Segment* restrict segments,
+                                 __global const uint* restrict offsets,
                                  __global const uint* restrict arcs, const uint hidden,
                                  const uint count, __global const uchar* restrict alpha,
                                  const uint width, const uint pitch, const uint capacity,
@@ -39,6 +49,7 @@ __kernel void compact_runs_count(__global const uint* restrict offsets,
     for (uint i = first; i < last; ++i) {
         const uint s = offsets[i];
         const uint l = offsets[i + 1] - s;
+        if (hidden != 0 && is_dot(segments, arcs, i)) continue;
         if (l == 0 && hidden != 0 && arcs[i + 1] != arcs[i]) ++runs;
         if (l == 0 || l > capacity || s > capacity - l) continue;
         __global const uchar* own = alpha + atlas_address(s, width, pitch);
@@ -92,6 +103,7 @@ __kernel void compact_runs_write(
     for (uint i = first; i < last; ++i) {
         const uint s = offsets[i];
         const uint l = offsets[i + 1] - s;
+        if (hidden != 0 && is_dot(segments, arcs, i)) continue;
         if (l == 0 && hidden != 0 && arcs[i + 1] != arcs[i]) {
             write_run(frame, i, 0.0f, 1.0f, 0, 1, LA_RUN_SOLID, runs + next++);
         }

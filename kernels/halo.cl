@@ -14,6 +14,8 @@
 /* Tiles are found with this many pixels to spare, more than rounding can take away. */
 #define SLACK 0.125f
 #define BEYOND_PICTURE 1e9f
+/* Depths are compared roughly first, with more to spare than rounding can take away. */
+#define DEPTH_SLACK 2e-6f
 
 /* HALO_LANES: how many lines of a list are looked at in one go; 1 on GPUs. A comparison of vectors
  * gives -1 for true, of scalars 1. */
@@ -40,10 +42,10 @@ typedef int16 lanes_int;
 #define STORE_LANES(mask, to) vstore16(mask, 0, to)
 #endif
 
-/* What a tile's list holds of a run: its ends, lengthened, and its nearest depth in a table each,
- * and its index. Each table has room for HALO_LANES more: rows are read beyond a list's end. */
+/* What a tile's list holds of a run: its ends, lengthened, and their depths in a table each, and
+ * its index. Each table has room for HALO_LANES more: rows are read beyond a list's end. */
 typedef struct Lists {
-    __global float *x0, *y0, *x1, *y1, *nearest;
+    __global float *x0, *y0, *x1, *y1, *depth0, *depth1;
     __global uint* run;
 } Lists;
 
@@ -54,7 +56,8 @@ static Lists lists_in(__global float* memory, const uint total) {
                          memory + 2 * pitch,
                          memory + 3 * pitch,
                          memory + 4 * pitch,
-                         (__global uint*)(memory + 5 * pitch)};
+                         memory + 5 * pitch,
+                         (__global uint*)(memory + 6 * pitch)};
     return lists;
 }
 
@@ -123,6 +126,16 @@ __kernel void halo_count(__global const Run* restrict runs,
     }
 }
 
+/* Window depths at both ends of a run lengthened by LA_HALO_REACH_OVER; on the line between them it
+ * is nowhere farther away than it counts as, which is its end's depth beyond an end. */
+static float2 nearest_depths(__global const Run* run) {
+    const float2 own = (float2)(run->start_depth, run->end_depth);
+    const float length = length_of(run_way(run));
+    if (length < LA_HALO_REACH_OVER) return (float2)(fmin(own.x, own.y));
+    const float over = (own.y - own.x) / length * LA_HALO_REACH_OVER;
+    return (float2)(own.x - over, own.y + over) - fabs(over);
+}
+
 /* ends[t]: where the list of tile t starts; afterwards where it ends, which is where the next one
  * starts. */
 __kernel void halo_fill(__global const Run* restrict runs,
@@ -134,6 +147,7 @@ __kernel void halo_fill(__global const Run* restrict runs,
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         if (!has_length(runs + r)) continue;
         const float4 line = lengthened(runs + r, LA_HALO_REACH_OVER, LA_HALO_REACH_OVER);
+        const float2 depths = nearest_depths(runs + r);
         const int2 rows = rows_of(line, tiles);
         for (int y = rows.x; y <= rows.y; ++y) {
             const int2 columns = columns_of(line, y, tiles);
@@ -143,7 +157,8 @@ __kernel void halo_fill(__global const Run* restrict runs,
                 lists.y0[k] = line.y;
                 lists.x1[k] = line.z;
                 lists.y1[k] = line.w;
-                lists.nearest[k] = fmin(runs[r].start_depth, runs[r].end_depth);
+                lists.depth0[k] = depths.x;
+                lists.depth1[k] = depths.y;
                 lists.run[k] = r;
             }
         }
@@ -172,8 +187,18 @@ static bool find_crossing(const float4 r, const float length_r, const float4 c, 
     return true;
 }
 
-/* Which of the lines from k on in the lists cross r and may lie before its farthest depth. */
-static lanes_int may_cut(const float4 r, const float farthest, const Lists lists, const uint k) {
+/* A run with what is needed of it to test others against it. */
+typedef struct Subject {
+    __global const Run* run;
+    float4 line; /* lengthened by `before` at its start */
+    float before, length, own_length;
+    float2 farthest; /* depths at the line's two ends before which another may cut it */
+} Subject;
+
+/* Which of the lines from k on in the lists cross the subject and may lie far enough before it.
+ * Most that cross are its neighbours, at its own depth: they need not be looked at one by one. */
+static lanes_int may_cut(const Subject subject, const Lists lists, const uint k) {
+    const float4 r = subject.line;
     const float2 way_r = r.zw - r.xy;
     const lanes_float x0 = LOAD_LANES(lists.x0 + k), y0 = LOAD_LANES(lists.y0 + k);
     const lanes_float way_x = LOAD_LANES(lists.x1 + k) - x0, way_y = LOAD_LANES(lists.y1 + k) - y0;
@@ -182,8 +207,14 @@ static lanes_int may_cut(const float4 r, const float farthest, const Lists lists
     const lanes_float sign = copysign((lanes_float)(1.0f), area);
     const lanes_float along_r = (between_x * way_y - between_y * way_x) * sign;
     const lanes_float along_c = (between_x * way_r.y - between_y * way_r.x) * sign;
-    return fmin(along_r, along_c) >= 0.0f && fmax(along_r, along_c) <= area * sign &&
-           LOAD_LANES(lists.nearest + k) < farthest;
+    const lanes_float size = area * sign;
+    const lanes_float depth0 = LOAD_LANES(lists.depth0 + k);
+    const lanes_float deeper = LOAD_LANES(lists.depth1 + k) - depth0;
+    const float farther = subject.farthest.y - subject.farthest.x;
+    /* Depths at the crossing, both times `size`. */
+    const lanes_float other = depth0 * size + deeper * along_c;
+    const lanes_float own = subject.farthest.x * size + farther * along_r;
+    return fmin(along_r, along_c) >= 0.0f && fmax(along_r, along_c) <= size && other <= own;
 }
 
 /* Whether two segments meet in a vertex or follow one another in a path. */
@@ -227,14 +258,6 @@ static void add_cut(Cuts* cuts, float from, float to) {
     cuts->to[cuts->count] = to;
     ++cuts->count;
 }
-
-/* A run with what is needed of it to test others against it. */
-typedef struct Subject {
-    __global const Run* run;
-    float4 line; /* lengthened by `before` at its start */
-    float before, length, own_length;
-    float farthest; /* depth */
-} Subject;
 
 /* What all runs are tested with. */
 typedef struct Scene {
@@ -284,16 +307,20 @@ static void find_cuts(const Scene scene, __global const Run* run, const int2 til
     subject.line = lengthened(run, subject.before, after);
     subject.length = length_of(subject.line.zw - subject.line.xy);
     subject.own_length = length_of(run_way(run));
+    __global const ClippedSegment* clipped = scene.clipped + run->segment;
+    const float least_apart =
+        scene.tolerance * (1.0f / fmax(clipped->p[3], clipped->q[3])) + LA_DEPTH_ROUNDING;
     const float deeper = (run->end_depth - run->start_depth) / subject.own_length; /* per pixel */
     subject.farthest =
-        fmax(run->start_depth - deeper * subject.before, run->end_depth + deeper * after);
+        (float2)(run->start_depth - deeper * subject.before, run->end_depth + deeper * after) -
+        2.0f * least_apart + DEPTH_SLACK;
     const int2 rows = rows_of(subject.line, tiles);
     for (int y = rows.x; y <= rows.y; ++y) {
         const int2 columns = columns_of(subject.line, y, tiles);
         const int first = y * tiles.x + columns.x; /* lists of neighbours in a row adjoin */
         const uint end = ends[y * tiles.x + columns.y];
         for (uint k = first > 0 ? ends[first - 1] : 0; k < end; k += HALO_LANES) {
-            const lanes_int crosses = may_cut(subject.line, subject.farthest, lists, k);
+            const lanes_int crosses = may_cut(subject, lists, k);
             if (!ANY(crosses)) continue;
             int mask[HALO_LANES];
             STORE_LANES(crosses, mask);

@@ -1,8 +1,6 @@
 // What a pen leaves on the paper, shared by the stroke and spine passes.
 
 uniform vec4 color;        // RGB and opacity
-uniform sampler2D pen;     // coverage; u along the stroke, v across it
-uniform float pen_repeat;  // pixels along the stroke that one repeat covers; 0: a solid mark
 
 // A third of the probes make a full stroke. On a smooth silhouette half of every pixel is surface, so
 // half of the probes is all that can see the line.
@@ -15,11 +13,19 @@ float stroke_coverage(float distance_px, float half_width) {
     return clamp(half_width + 0.5 - distance_px, 0.0, min(1.0, 2.0 * half_width));
 }
 
-// The pen's texture at an arc length and a distance to the left, pixels.
+// A texture at an arc length and a distance to the left, pixels. repeat: pixels along the stroke that
+// one repeat covers.
 float mark_of(sampler2D mark, float repeat, float arc, float across, float half_width) {
-    if (repeat <= 0.0) return 1.0;
     return texture(mark, vec2(arc / repeat, across * 0.5 / max(half_width, 0.5) + 0.5)).r;
 }
+
+// PEN_TEXTURE: the pen's mark is not solid.
+#ifdef PEN_TEXTURE
+uniform sampler2D pen;     // coverage; u along the stroke, v across it
+uniform float pen_repeat;
 float pen_mark(float arc, float across, float half_width) {
     return mark_of(pen, pen_repeat, arc, across, half_width);
 }
+#else
+float pen_mark(float arc, float across, float half_width) { return 1.0; }
+#endif

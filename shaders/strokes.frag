@@ -1,55 +1,93 @@
 #version 450 core
-// strokes: the pen's mark times the visibility along the run (§4.4).
+// strokes: the pen's mark times the visibility along the run (§4.4). A style has a shader of just the
+// features it needs:
 //
-// STYLED: with joins, caps and profiles of a style; without it joins are mitred, paths end round and
-// visible runs fade out. HIDDEN: draws what is not visible. FOCUS, DENSITY: see stroke_style.glsl.
+// EXACT_ENDS                      ends are cut, with caps; else visibility fades out by itself
+// BEVELS                          joins have bevels; round ones and mitres need nothing of their own
+// TAPERS, DRY_CAPS                caps that are tapered, or textured
+// WIDTH_PROFILE, OPACITY_PROFILE  both change along the stroke
+// DENSITY, FOCUS                  see stroke_style.glsl
+// FAR_TEXTURE, FAR_SOLID          the mark is another one far from the focus
+// HIDDEN                          draws what is not visible
+// PEN_TEXTURE                     see mark.glsl
 
-#include "strokes.glsl"
+#define VARYING in
+#include "stroke_varyings.glsl"
 #include "mark.glsl"
+#include "stroke_style.glsl"
 
-uniform samplerBuffer alpha;     // the segment atlas
-
-noperspective in vec2 local;
-flat in vec4 run_ends;
-flat in vec4 run_params;
-flat in uvec4 run_indices;
-flat in vec4 run_corners;
-flat in vec4 run_stroke;
+uniform float pen_half_width; // before any factor, pixels
+uniform samplerBuffer alpha;  // the segment atlas
 
 layout(location = 0) out vec4 picture;
 
-// Visibility at a position counted in samples of the segment, linear between sample centres.
-float visibility_at(float position) {
-    float last = float(run_indices.y) - 1.0;
+// How much is drawn at so many pixels along the run: linear between sample centres.
+float visibility_at(float along) {
+    float last = float(run_samples.y);
+    float position = uintBitsToFloat(run_samples.z) + along * uintBitsToFloat(run_samples.w);
     float x = clamp(position - 0.5, 0.0, last);
     float before = floor(x);
-    int address = int(run_indices.x) + int(before);
+    int address = int(run_samples.x) + int(before);
     float a = texelFetch(alpha, address).r;
     float b = texelFetch(alpha, address + int(before < last)).r;
-    return mix(a, b, x - before);
+    float visible = stroke_visibility(mix(a, b, x - before));
+#ifdef HIDDEN
+    visible = 1.0 - visible;
+#endif
+    return visible;
 }
 
-#ifdef STYLED
-#include "stroke_style.glsl"
+void main() {
+    float arc = run_line.z + run_line.w * local.x;
+    float width = pen_half_width;
+    float opacity = color.a;
+    float along = local.x;
+#if defined(EXACT_ENDS) || defined(FOCUS) || defined(DENSITY)
+    along = clamp(along, 0.0, run_cuts.z);
+#endif
+#ifdef WIDTH_PROFILE
+    width *= profile_at(width_profile, profile_counts.x, stroke_share.x + stroke_share.y * local.x);
+#endif
+#ifdef OPACITY_PROFILE
+    opacity *= profile_at(opacity_profile, profile_counts.y, stroke_share.x + stroke_share.y * local.x);
+#endif
+#ifdef FOCUS
+    float away = focus_distance(along);
+    width *= mix(1.0, far_width, away);
+    opacity *= mix(1.0, far_opacity, away);
+#endif
+#ifdef DENSITY
+    opacity *= density_weight(run_window.xy + run_window.zw * along);
+#endif
+#ifdef TAPERS
+    width *= clamp(from_nearer(stroke_taper.xy, arc) * stroke_taper.z, 0.0, 1.0);
 #endif
 
-void main() {
-    float run_length = distance(run_ends.xy, run_ends.zw);
-    float t = run_length > 0.0 ? local.x / run_length : 0.5;
-    float arc = mix(run_params.x, run_params.y, t);
-    float position = mix(run_params.z, run_params.w, clamp(t, 0.0, 1.0));
-#ifdef STYLED
-    float opacity = styled_opacity(arc, position, run_length);
-#else
-    float beyond = 0.0;
-    uint start = run_end(run_indices.z, 0u), end = run_end(run_indices.z, 1u);
-    if (start == end_round || start == end_path) beyond = max(beyond, -local.x);
-    if (end == end_round || end == end_path) beyond = max(beyond, local.x - run_length);
+    float beyond = max(0.0, max(run_line.x - local.x, local.x - run_line.y));
     float distance_px = length(vec2(beyond, local.y));
-    float opacity = stroke_coverage(distance_px, half_width) *
-                    stroke_visibility(visibility_at(position)) * pen_mark(arc, local.y, half_width);
+#ifdef BEVELS
+    vec2 from_end = vec2(local.x - run_cuts.z, local.y);
+    distance_px = max(distance_px, dot(local, start_bevel.xy) + width * start_bevel.z);
+    distance_px = max(distance_px, dot(from_end, end_bevel.xy) + width * end_bevel.z);
 #endif
-    opacity *= color.a;
+    opacity *= stroke_coverage(distance_px, width);
+#ifdef EXACT_ENDS
+    opacity *= clamp(0.5 - max(run_cuts.x - local.x, local.x - run_cuts.y), 0.0, 1.0);
+    opacity *= max(visibility_at(along), run_cuts.w);
+#else
+    opacity *= visibility_at(along);
+#endif
+
+    float mark = pen_mark(arc, local.y, width);
+#ifdef FAR_TEXTURE
+    mark = mix(mark, mark_of(far_pen, far_pen_repeat, arc, local.y, width), away);
+#elif defined(FAR_SOLID)
+    mark = mix(mark, 1.0, away);
+#endif
+    opacity *= mark;
+#ifdef DRY_CAPS
+    opacity *= dry_mark(from_nearer(stroke_dry, arc), arc, width);
+#endif
     if (opacity <= 0.0) discard;
     picture = vec4(color.rgb * opacity, opacity);
 }

@@ -109,7 +109,18 @@ TEST_F(ImageIo, AWriterIsLikeWriteImage) {
         EXPECT_FALSE(writer.is_whole(folder_ / "b.png", {300, 201}));
         EXPECT_FALSE(writer.is_whole(folder_ / "none.png", image.size));
         { ImageWriter().write(folder_ / "c.png", pixels_of(image)); }
-        for (const char* name : {"a.png", "b.png", "c.png"}) {
+        { // never completed
+            ImageWriter broken;
+            broken.begin(folder_ / "d.png", pixels_of(image));
+            broken.append(pixels_of(image).values.first(1000));
+        }
+        EXPECT_FALSE(fs::exists(folder_ / "d.png"));
+        writer.begin(folder_ / "d.png", pixels_of(image));
+        for (std::size_t row = 0; row < 200; ++row) {
+            writer.append(pixels_of(image).values.subspan(row * 1200, 1200));
+        }
+        writer.finish();
+        for (const char* name : {"a.png", "b.png", "c.png", "d.png"}) {
             EXPECT_EQ(largest_difference(read_image(folder_ / name), image), 0) << name;
             fs::remove(folder_ / name);
         }

@@ -284,8 +284,8 @@ TEST_F(Planted, InTheSecondDrawIsSeenBesideTheGutter) {
 }
 
 TEST_F(Planted, InOneStrokeShaderIsSeenBesideTheOther) {
-    const PlantedError error{"strokes_quad.vert", "local = corner.local",
-                             "local = corner.local * 1.3"};
+    const PlantedError error{"strokes_quad.vert", "set_run(run, axes);",
+                             "set_run(run, axes); local *= 1.3;"};
     EXPECT_TRUE(pictures_differ(draw_clevis({.stroke_shader = StrokeShader::geometry}),
                                 draw_clevis({.stroke_shader = StrokeShader::vertex})));
 }

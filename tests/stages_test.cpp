@@ -8,6 +8,7 @@
 
 #include "compare.hpp"
 #include "core/clusters.hpp"
+#include "core/tiles.hpp"
 #include "devices.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/headless_context.hpp"
@@ -131,6 +132,52 @@ class Stages {
                          .layout = layout,
                          .capacity = total,
                          .alpha = *alpha});
+        state.alpha = read_back<std::uint8_t>(*backend_, *alpha, layout.texels(total) + 64);
+    }
+
+    /// The same with a depth buffer that is cut into tiles.
+    void tiled_atlas(const Camera& camera, const std::vector<float>& depth,
+                     const AtlasLayout& layout, FrameState& state) {
+        constexpr int tile_pixels = 130, reach = 6;
+        const std::uint32_t total = state.offsets.back();
+        const glm::ivec2 whole = camera.size * depth_scale;
+        set(clipped_, state.clipped);
+        set(offsets_, state.offsets);
+        const auto alpha =
+            to_device(*backend_, std::vector<std::uint8_t>(layout.texels(total) + 64));
+        for (const PictureTile& tile : make_tiles(camera.size, tile_pixels)) {
+            const glm::ivec2 low = glm::max(tile.low * depth_scale - reach, 0);
+            const glm::ivec2 high = glm::min((tile.low + tile.size) * depth_scale + reach, whole);
+            std::vector<float> part;
+            for (int y = low.y; y < high.y; ++y) {
+                const auto row = depth.begin() + static_cast<std::ptrdiff_t>(y) * whole.x;
+                part.insert(part.end(), row + low.x, row + high.x);
+            }
+            // Segments end at the borders of the picture.
+            const auto outer = [](int at, int border, int beyond) {
+                return at == border ? beyond : at;
+            };
+            const glm::ivec2 core = tile.low * depth_scale;
+            const glm::ivec2 core_end = (tile.low + tile.size) * depth_scale;
+            const compute::DepthTile place{.origin = low,
+                                           .core_low = {outer(core.x, 0, -9), outer(core.y, 0, -9)},
+                                           .core_high = {outer(core_end.x, whole.x, whole.x + 9),
+                                                         outer(core_end.y, whole.y, whole.y + 9)}};
+            const auto buffer = to_device(*backend_, part);
+            backend_->atlas({.clipped = {*clipped_, *offsets_, *arcs_},
+                             .segment_count = n_,
+                             .depth = *buffer,
+                             .depth_size = high - low,
+                             .viewport = glm::vec2{camera.size},
+                             .depth_scale = depth_scale,
+                             .probes = 3,
+                             .tolerance = depth_tolerance(camera),
+                             .layout = layout,
+                             .capacity = total,
+                             .alpha = *alpha,
+                             .tile = &place});
+            backend_->finish();
+        }
         state.alpha = read_back<std::uint8_t>(*backend_, *alpha, layout.texels(total) + 64);
     }
 
@@ -419,6 +466,12 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             device.atlas(camera, depth, layout, seen);
             const ByteDifference difference = compare_bytes(expected.alpha, seen.alpha);
             EXPECT_LE(difference.share(), 0.001) << "largest " << difference.largest;
+
+            reference.tiled_atlas(camera, depth, layout, seen);
+            EXPECT_LE(compare_bytes(expected.alpha, seen.alpha).share(), 0.001);
+            FrameState seen_tiles = expected;
+            device.tiled_atlas(camera, depth, layout, seen_tiles);
+            EXPECT_LE(compare_bytes(seen.alpha, seen_tiles.alpha).share(), 0.001);
 
             FrameState before, current = expected;
             const Camera aside = nudged(camera);

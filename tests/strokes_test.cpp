@@ -526,6 +526,24 @@ TEST_P(Strokes, HiddenLinesAreDrawnWithTheirPen) {
     }
 }
 
+TEST_P(Strokes, HiddenPathsShorterThanAPixelAreLeftOut) {
+    FrameOptions options;
+    options.style.hidden = true;
+    options.style.hidden_pen = {.mark = "solid", .width = 1, .path_cap = Cap::butt};
+    const auto with_spur = [&](float length, bool crowded) {
+        Scene scene;
+        scene.line({{160, 200.5F, 0}, {200, 200.5F, 0}, {240, 200.5F, 0}});
+        if (length > 0) scene.line({{200, 200.5F, 0}, {200, 200.5F + length, 0}});
+        scene.box({150.3F, 100}, {250.6F, 300});
+        if (crowded) scene.crowd();
+        return draw(scene, options).pixels;
+    };
+    for (const bool crowded : {false, true}) {
+        EXPECT_TRUE(equal(with_spur(0.9F, crowded), with_spur(0, crowded)));
+        EXPECT_FALSE(equal(with_spur(1.5F, crowded), with_spur(0, crowded)));
+    }
+}
+
 TEST_P(Strokes, TheFocusChangesWidthAndOpacity) {
     Scene scene;
     scene.line({{20, 200.5F, 0}, {380, 200.5F, 0}});
@@ -543,6 +561,30 @@ TEST_P(Strokes, TheFocusChangesWidthAndOpacity) {
         const double away = t * t * (3 - 2 * t);
         EXPECT_NEAR(drawing.darkness(x, 200), 1 - 0.6 * away, 0.02) << x;
         EXPECT_NEAR(drawing.column(x, 180, 221), 8 * (1 - 0.5 * away) * (1 - 0.6 * away), 0.4) << x;
+    }
+}
+
+TEST_P(Strokes, NoLineNearAFocusIsLostWithThoseFarAway) {
+    Scene scene;
+    scene.line({{20, 150.5F, 0}, {380, 150.5F, 0}});
+    for (int x = 20; x < 380; x += 12) {
+        const auto from = static_cast<float>(x);
+        scene.line({{from, 200.5F, 0}, {from + 8, 200.5F, 0}});
+    }
+    FrameOptions options;
+    options.style.focus = {.on = true, .radius = 0.1F, .falloff = 0.1F, .opacity = 0};
+    for (const bool in_scene : {false, true}) {
+        options.style.focus.in_scene = in_scene;
+        options.style.focus.point = in_scene ? glm::vec3{200, 200, 0} : glm::vec3{0.5F, 0.5F, 0};
+        for (const StrokeShader shader : {StrokeShader::geometry, StrokeShader::vertex}) {
+            options.stroke_shader = shader;
+            options.style.focus.opacity = 0; // lines may be left out
+            const Drawing without = draw(scene, options);
+            options.style.focus.opacity = 1e-9F; // all are drawn, though they cannot be seen
+            const Drawing with = draw(scene, options);
+            EXPECT_TRUE(equal(without.pixels, with.pixels));
+            EXPECT_GT(without.row(200, 0, side), 20);
+        }
     }
 }
 

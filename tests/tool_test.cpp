@@ -179,6 +179,33 @@ TEST_F(Tool, WritesOtherFormats) {
     }
 }
 
+TEST_F(Tool, DrawsBigPicturesByTiles) {
+    const std::string scene = "draw --scene clevis --quality low ";
+    const auto draws = [&](const std::string& name, const std::string& options) {
+        const Result result = run(scene + "-o " + path(name) + " " + options);
+        EXPECT_EQ(result.exit_code, 0) << options << "\n" << result.output;
+        return read_image(path(name));
+    };
+    const Image big = draws("big.png", "--size 20000x60");
+    EXPECT_EQ(big.size, glm::ivec2(20000, 60));
+    EXPECT_GT(std::ranges::count(big.pixels, std::uint8_t{0}), 1000);
+    for (const std::string options : {"", " --transparent", " --bits 16"}) {
+        const std::string size = "--size 150x100 --style blueprint --atlas compute" + options;
+        const Image tiled = draws("tiled.png", size + " --tile 40");
+        const Image whole = draws("whole.png", size);
+        ASSERT_EQ(tiled.pixels.size(), whole.pixels.size());
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+            if (std::abs(int{tiled.pixels[i]} - int{whole.pixels[i]}) > 1) ++different;
+        }
+        EXPECT_LE(different, whole.pixels.size() / 10'000) << options;
+    }
+    expect_refused(scene + "-o " + path("x.png") + " --size 20000x60 --method spine", 2,
+                   "only the method atlas");
+    expect_refused(scene + "-o " + path("x.png") + " --size 70000x60", 2, "65536");
+    expect_refused(scene + "-o " + path("x.png") + " --tile 5", 2, "--tile");
+}
+
 TEST_F(Tool, SaysWhichModuleIsMissing) {
     const std::string draw = "draw --scene clevis --size 64x48 -o " + path("x.png");
     ::setenv("LINEATLAS_MODULE_DIR", path("nowhere").c_str(), 1);

@@ -98,7 +98,7 @@ Drawing chart(const Report& report) {
     std::vector<const SceneResult*> panels;
     std::size_t most_bars = 0;
     for (const SceneResult& scene : report.scenes) {
-        if (scene.name.starts_with("hidden ") || scene.methods.empty()) continue;
+        if (!scene.is_of_table() || scene.methods.empty()) continue;
         panels.push_back(&scene);
         most_bars = std::max(most_bars, scene.methods.size());
     }

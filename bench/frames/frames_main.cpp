@@ -9,6 +9,7 @@
 
 #include "chart.hpp"
 #include "common/progress.hpp"
+#include "effects.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/atomic_file.hpp"
@@ -23,8 +24,8 @@ namespace lineatlas::bench {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> scenes{"clevis", "house",    "ship",  "office",
-                                    "ship+s", "office+s", "hidden"};
+    std::vector<std::string> scenes{"clevis", "house",    "ship",   "office",
+                                    "ship+s", "office+s", "hidden", "effects"};
     std::vector<std::string> methods;
     std::string model;
     std::string up = "y";
@@ -39,7 +40,7 @@ void set_up(CLI::App& app, Arguments& a) {
     auto* scenes =
         app.add_option("--scenes", a.scenes,
                        "Of clevis, house, ship, office, each also with silhouettes as in "
-                       "ship+s, and hidden: the cost of hidden segments")
+                       "ship+s; hidden: the cost of hidden segments; effects: of a style's effects")
             ->delimiter(',')
             ->capture_default_str();
     app.add_option("--methods", a.methods,
@@ -84,16 +85,20 @@ class Bench {
                 begin(arguments_.model + (silhouettes ? "+s" : ""));
                 measure_rows(
                     {model_subject(arguments_.model, up, silhouettes, size_, arguments_.frames)},
-                    specs(silhouettes));
+                    drawn(methods(silhouettes)));
             }
         } else {
             for (const std::string& name : arguments_.scenes) {
                 begin(name);
                 if (name == "hidden") {
-                    measure_rows(hidden_subjects(size_, arguments_.frames), {&method_spec("SAhi")});
+                    measure_rows(hidden_subjects(size_, arguments_.frames), drawn({"SAhi"}));
+                } else if (name == effects_row) {
+                    Subject ship = scene_subject("ship+s", size_, arguments_.frames);
+                    ship.name = effects_row;
+                    measure_rows({ship}, effect_drawings());
                 } else {
                     measure_rows({scene_subject(name, size_, arguments_.frames)},
-                                 specs(name.ends_with("+s")));
+                                 drawn(methods(name.ends_with("+s"))));
                 }
             }
         }
@@ -118,23 +123,30 @@ class Bench {
                              : fmt::format("{}: {} of {} frames, {}", scene_, done, total, method));
     }
 
-    std::vector<const MethodSpec*> specs(bool silhouettes) const {
+    std::vector<std::string_view> methods(bool silhouettes) const {
         const auto& names = arguments_.methods;
-        std::vector<const MethodSpec*> result;
+        std::vector<std::string_view> result;
         for (const MethodSpec& spec : method_specs()) {
             const bool chosen = names.empty() || std::ranges::find(names, spec.name) != names.end();
-            if (chosen && (spec.silhouettes || !silhouettes)) result.push_back(&spec);
+            if (chosen && (spec.silhouettes || !silhouettes)) result.push_back(spec.name);
+        }
+        return result;
+    }
+
+    static std::vector<Drawn> drawn(const std::vector<std::string_view>& methods) {
+        std::vector<Drawn> result;
+        for (const std::string_view name : methods) {
+            result.push_back({std::string{name}, method_options(method_spec(name))});
         }
         return result;
     }
 
     /// Measures subjects against each other, which have the same viewpoints.
-    void measure_rows(const std::vector<Subject>& subjects,
-                      const std::vector<const MethodSpec*>& methods) {
+    void measure_rows(const std::vector<Subject>& subjects, const std::vector<Drawn>& drawings) {
         std::vector<std::unique_ptr<Row>> rows;
         std::vector<Contestant> contestants;
         for (const Subject& subject : subjects) {
-            rows.push_back(std::make_unique<Row>(subject, methods, arguments_.device, canvas_));
+            rows.push_back(std::make_unique<Row>(subject, drawings, arguments_.device, canvas_));
             report_.device = rows.back()->description();
             const auto& more = rows.back()->contestants();
             contestants.insert(contestants.end(), more.begin(), more.end());
@@ -165,11 +177,12 @@ void check(const Arguments& a) {
     for (const std::string& name : a.methods) method_spec(name);
     for (const std::string& name : a.scenes) {
         const std::string plain = name.ends_with("+s") ? name.substr(0, name.size() - 2) : name;
-        if (name == "hidden" || std::ranges::find(scene_names(), plain) != scene_names().end()) {
+        if (name == "hidden" || name == effects_row ||
+            std::ranges::find(scene_names(), plain) != scene_names().end()) {
             continue;
         }
         throw UsageError(fmt::format("--scenes: there is no \"{}\"; there is {}, each also with "
-                                     "+s, and hidden",
+                                     "+s, hidden, and effects",
                                      name, fmt::join(scene_names(), ", ")));
     }
     for (const std::string& path : a.charts) check_drawing_path(path);

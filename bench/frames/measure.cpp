@@ -117,6 +117,15 @@ double time_ratio(const Measured& a, const Measured& b) {
     return median(std::move(a_ms)) / median(std::move(b_ms));
 }
 
+double paired_ratio(const Measured& a, const Measured& b) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < std::min(a.frame_ms.size(), b.frame_ms.size()); ++i) {
+        const double ratio = a.frame_ms[i] / b.frame_ms[i];
+        if (!std::isnan(ratio)) ratios.push_back(ratio);
+    }
+    return median(std::move(ratios));
+}
+
 std::vector<Measured> measure(std::span<const Contestant> contestants,
                               std::span<const Viewpoint> viewpoints,
                               const ProgressCallback& progress) {

@@ -47,6 +47,10 @@ double median(std::vector<double> values);
 /// The median time of `a` over that of `b`, both over the viewpoints that both were measured at.
 double time_ratio(const Measured& a, const Measured& b);
 
+/// The median over the viewpoints of how many times as long `a` took as `b`: nearer to the truth
+/// than time_ratio() where they differ by little, since both were drawn shortly after one another.
+double paired_ratio(const Measured& a, const Measured& b);
+
 /// Called before each round of frames: rounds done and in all, and who draws first.
 using ProgressCallback =
     std::function<void(std::size_t done, std::size_t total, std::string_view name)>;

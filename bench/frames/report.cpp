@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "effects.hpp"
+
 namespace lineatlas::bench {
 namespace {
 
@@ -55,6 +57,10 @@ std::optional<double> without_depth(const SceneResult* scene) {
 }
 
 } // namespace
+
+bool SceneResult::is_of_table() const {
+    return !name.starts_with("hidden ") && name != effects_row;
+}
 
 const Measured* SceneResult::method(std::string_view method_name) const {
     return find(methods, method_name);
@@ -126,6 +132,11 @@ std::vector<Goal> goals(const Report& report) {
     const auto thrice = without_depth(report.scene("hidden 3x"));
     if (once && thrice) hidden.ours = *thrice / *once;
     result.push_back(std::move(hidden));
+    for (const std::string_view name : stroke_effects()) {
+        const double most = name == "all" ? 1.4 : 1.12;
+        result.push_back(
+            {"with " + std::string{name}, "ship", {}, effect_cost(report, name), most, 1, true});
+    }
     return result;
 }
 

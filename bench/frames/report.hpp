@@ -20,6 +20,8 @@ struct SceneResult {
     std::vector<Measured> methods;
     std::vector<Measured> depth; ///< all triangles into a depth buffer, "1x" and "2x"
 
+    /// Whether it is one of Table 1, or a model measured likewise.
+    bool is_of_table() const;
     /// Nothing if it was not measured.
     const Measured* method(std::string_view method_name) const;
     const Measured* depth_at(int scale) const;

@@ -34,22 +34,27 @@ Contestant DepthOnly::contestant(int scale) {
         false};
 }
 
-Row::Row(const Subject& subject, std::span<const MethodSpec* const> specs,
-         const DeviceOptions& device, gl::Canvas& canvas)
+FrameOptions method_options(const MethodSpec& spec) {
+    FrameOptions options;
+    options.method = spec.method;
+    options.probes = spec.probes;
+    options.depth_scale = spec.depth_scale;
+    if (spec.reads_back) options.intervals = KeptIntervals::visible;
+    return options;
+}
+
+Row::Row(const Subject& subject, std::span<const Drawn> drawings, const DeviceOptions& device,
+         gl::Canvas& canvas)
     : depth_(subject.lines) {
     result_.name = subject.name;
     result_.triangles = static_cast<std::uint32_t>(subject.lines.triangles.size());
     result_.segments = static_cast<std::uint32_t>(subject.lines.segments.size());
-    for (const MethodSpec* spec : specs) {
+    for (const Drawn& drawn : drawings) {
         Renderer& renderer = *renderers_.emplace_back(std::make_unique<Renderer>(device));
         renderer.set_lines(subject.lines);
         description_ = renderer.description();
-        FrameOptions options;
-        options.method = spec->method;
-        options.probes = spec->probes;
-        options.depth_scale = spec->depth_scale;
+        FrameOptions options = drawn.options;
         options.lines = subject.kinds;
-        if (spec->reads_back) options.intervals = KeptIntervals::visible;
         const auto draw = [&renderer, &canvas, options](const Camera& camera, bool stages) mutable {
             options.measure_stages = stages;
             canvas.clear(glm::vec4{1});
@@ -57,7 +62,7 @@ Row::Row(const Subject& subject, std::span<const MethodSpec* const> specs,
             if (options.intervals != KeptIntervals::none) renderer.read_intervals();
             return stats;
         };
-        contestants_.push_back({std::string{spec->name}, draw});
+        contestants_.push_back({drawn.name, draw});
     }
     for (const int scale : {1, 2}) contestants_.push_back(depth_.contestant(scale));
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/methods.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "report.hpp"
@@ -26,13 +27,20 @@ class DepthOnly {
     gl::DepthPass passes_[2];
 };
 
-/// Everything that takes part in one row: the methods, then the depth pass at 1x and at 2x. Each
-/// method has a renderer of its own: a shared one would rebuild tables and textures whenever its
+/// What a row draws with: a renderer of its own and these options, but for the kinds of line.
+struct Drawn {
+    std::string name;
+    FrameOptions options;
+};
+FrameOptions method_options(const MethodSpec& spec);
+
+/// Everything that takes part in one row: what is drawn, then the depth pass at 1x and at 2x. Each
+/// has a renderer of its own: a shared one would rebuild tables and textures whenever its
 /// next frame is of another method or quality. The canvas must live as long.
 class Row {
   public:
-    Row(const Subject& subject, std::span<const MethodSpec* const> specs,
-        const DeviceOptions& device, gl::Canvas& canvas);
+    Row(const Subject& subject, std::span<const Drawn> drawings, const DeviceOptions& device,
+        gl::Canvas& canvas);
 
     const std::vector<Contestant>& contestants() const { return contestants_; }
     /// See Renderer::description(); empty without methods.

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "effects.hpp"
+
 namespace lineatlas::bench {
 namespace {
 
@@ -31,22 +33,18 @@ std::string count(std::uint32_t value) {
     return fmt::format("{:.0f}k", value / 1000.0);
 }
 
-bool is_hidden_cost(const SceneResult& scene) {
-    return scene.name.starts_with("hidden ");
-}
-
 template <class Cell>
 void print_row(const Report& report, std::string_view label, const Cell& cell) {
     std::string line = fmt::format("{:<{}}", label, label_width);
     for (const SceneResult& scene : report.scenes) {
-        if (!is_hidden_cost(scene)) line += fmt::format("{:>{}}", cell(scene), cell_width);
+        if (scene.is_of_table()) line += fmt::format("{:>{}}", cell(scene), cell_width);
     }
     fmt::print("{}\n", line);
 }
 
 bool measured_anywhere(const Report& report, std::string_view method) {
     return std::ranges::any_of(report.scenes, [&](const SceneResult& scene) {
-        return !is_hidden_cost(scene) && scene.method(method) != nullptr;
+        return scene.is_of_table() && scene.method(method) != nullptr;
     });
 }
 
@@ -139,6 +137,16 @@ void print_hidden(const Report& report) {
     }
 }
 
+void print_effects(const Report& report) {
+    const SceneResult* effects = report.scene(effects_row);
+    if (effects == nullptr) return;
+    fmt::print("\nEffects on the ship: milliseconds per frame, over the frame without any\n");
+    for (const Measured& measured : effects->methods) {
+        const auto cost = effect_cost(report, measured.name);
+        if (cost) fmt::print("{:<14}{:>8}{:>8.2f}\n", measured.name, number(measured.ms()), *cost);
+    }
+}
+
 void print_goals(const Report& report) {
     const std::vector<Goal> all = goals(report);
     if (std::ranges::none_of(all, [](const Goal& goal) { return goal.ours.has_value(); })) return;
@@ -166,6 +174,7 @@ void print_report(const Report& report) {
     print_times(report);
     print_stages(report);
     print_hidden(report);
+    print_effects(report);
     print_goals(report);
     for (const SceneResult& scene : report.scenes) {
         for (const Measured& measured : scene.methods) {

@@ -43,7 +43,7 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
                 .pens = pens_,
                 .backdrop = backdrop_,
                 .clock = {*connection_.backend, false}};
-    check_depth_size(frame);
+    check_depth_size(camera.size * options.depth_scale);
     depth_.draw_texture(frame);
 
     const std::uint32_t samples = lines.offsets.back();

@@ -14,6 +14,7 @@
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "output_pattern.hpp"
 #include "picture_options.hpp"
 #include "picture_output.hpp"
 #include "sequence_options.hpp"
@@ -154,12 +155,14 @@ void check_arguments(const DrawArguments& arguments) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
-    if (arguments.sequence.given(arguments.output) && arguments.stats) {
+    const bool sequence = arguments.sequence.given(arguments.output);
+    if (sequence && arguments.stats) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
     arguments.paths.check(arguments.output);
     if (is_vector_path(arguments.output)) return;
-    check_image_path(arguments.output);
+    check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
+                              : std::filesystem::path{arguments.output});
     arguments.picture.check(arguments.output);
 }
 
@@ -199,7 +202,8 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
     PictureOutput output{{.size = drawing.size,
                           .options = drawing.options,
                           .settings = settings,
-                          .transparent = picture.transparent()},
+                          .transparent = picture.transparent(),
+                          .tile_size = picture.tile_size()},
                          renderer,
                          writer};
     draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {

@@ -8,7 +8,7 @@
 
 namespace lineatlas::apps {
 
-/// --bits, --dpi and --transparent.
+/// --bits, --dpi, --transparent and --tile.
 class PictureOptions {
   public:
     void declare(CLI::App& app);
@@ -16,12 +16,14 @@ class PictureOptions {
     /// Throws UsageError, or FileError if the picture's type cannot have them.
     void check(const std::filesystem::path& output) const;
     bool transparent() const { return transparent_; }
+    int tile_size() const { return tile_; } ///< 0: not given
     ImageSettings settings() const { return {.bits = bits_, .dpi = dpi_, .description = {}}; }
 
   private:
     int bits_ = 0;
     float dpi_ = 0;
     bool transparent_ = false;
+    int tile_ = 0;
 };
 
 } // namespace lineatlas::apps

@@ -1,8 +1,13 @@
 #include "picture_output.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
 #include "description.hpp"
+#include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -12,29 +17,100 @@ int canvas_bits(const PictureFrame& frame) {
     return frame.settings.bits > 8 || frame.transparent ? 16 : 8;
 }
 
+/// Tile size of a frame; 0 if it is drawn in one piece.
+int tile_size(const PictureFrame& frame) {
+    constexpr int most_pixels = 65536; // a side; beyond that floats can't tell texels apart
+    if (frame.size.x > most_pixels || frame.size.y > most_pixels) {
+        throw UsageError(fmt::format("--size {}x{}: each side must be 1 to {} pixels", frame.size.x,
+                                     frame.size.y, most_pixels));
+    }
+    if (frame.tile_size != 0) return frame.tile_size;
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    const int scale = frame.options.method == Method::opengl ? 1 : frame.options.depth_scale;
+    if (std::max(frame.size.x, frame.size.y) * scale <= largest) return 0;
+    constexpr int depth_texels = 4096; // more take memory, fewer time
+    return depth_texels / frame.options.depth_scale;
+}
+
+glm::ivec2 canvas_size(const PictureFrame& frame) {
+    return frame.tile_size == 0 ? frame.size : glm::min(frame.size, frame.tile_size);
+}
+
+PictureFrame with_tiles(PictureFrame frame) {
+    frame.tile_size = tile_size(frame);
+    return frame;
+}
+
 } // namespace
 
 PictureOutput::PictureOutput(PictureFrame frame, Renderer& renderer, ImageWriter& writer)
-    : frame_(std::move(frame)), renderer_(renderer), writer_(writer),
-      canvas_(frame_.size, canvas_bits(frame_)) {}
+    : frame_(with_tiles(std::move(frame))), renderer_(renderer), writer_(writer),
+      canvas_(canvas_size(frame_), canvas_bits(frame_)) {}
+
+void PictureOutput::clear() {
+    canvas_.clear(frame_.transparent ? glm::vec4{0}
+                                     : glm::vec4{frame_.options.style.paper.color, 1});
+}
+
+Pixels PictureOutput::pixels(std::span<const std::uint8_t> values) const {
+    return {.size = frame_.size,
+            .channels = 4,
+            .bits = canvas_.bits(),
+            .premultiplied = true,
+            .values = std::as_bytes(values)};
+}
+
+TileTarget PictureOutput::target(std::function<void(const PictureTile&)> end) {
+    return {.framebuffer = canvas_.framebuffer(),
+            .tile_size = frame_.tile_size,
+            .begin = [this](const PictureTile&) { clear(); },
+            .end = std::move(end)};
+}
 
 FrameStats PictureOutput::draw(const Camera& camera, const FrameOptions& options) {
-    canvas_.clear(frame_.transparent ? glm::vec4{0} : glm::vec4{options.style.paper.color, 1});
+    if (frame_.tile_size != 0) {
+        return renderer_.draw_tiles(camera, options, target([](const PictureTile&) {}));
+    }
+    clear();
     return renderer_.draw(camera, options, canvas_.framebuffer());
 }
 
-void PictureOutput::draw(const Camera& camera, const std::filesystem::path& path) {
+void PictureOutput::take(const PictureTile& tile) {
+    const auto pixel = static_cast<std::size_t>(canvas_.bits() / 2); // bytes
+    const std::size_t row = static_cast<std::size_t>(frame_.size.x) * pixel;
+    const std::size_t part_row = static_cast<std::size_t>(tile.size.x) * pixel;
+    const std::vector<std::uint8_t> part = canvas_.read(tile.size);
+    band_.resize(row * static_cast<std::size_t>(tile.size.y));
+    std::size_t to = static_cast<std::size_t>(tile.low.x) * pixel;
+    for (std::size_t from = 0; from < part.size(); from += part_row, to += row) {
+        std::copy_n(part.data() + from, part_row, band_.data() + to);
+    }
+    if (tile.low.x + tile.size.x == frame_.size.x) {
+        writer_.append(std::as_bytes(std::span{band_}));
+    }
+}
+
+void PictureOutput::draw_tiles(const Camera& camera, const std::filesystem::path& path,
+                               const ImageSettings& settings) {
+    writer_.begin(path, pixels({}), settings);
+    renderer_.draw_tiles(camera, frame_.options,
+                         target([this](const PictureTile& tile) { take(tile); }));
+}
+
+void PictureOutput::draw_whole(const Camera& camera, const std::filesystem::path& path,
+                               const ImageSettings& settings) {
     draw(camera, frame_.options);
+    writer_.write(path, pixels(canvas_.read()), settings);
+}
+
+void PictureOutput::draw(const Camera& camera, const std::filesystem::path& path) {
     ImageSettings settings = frame_.settings;
-    settings.description += " " + describe_camera(camera);
-    const std::vector<std::uint8_t> pixels = canvas_.read();
-    writer_.write(path,
-                  {.size = frame_.size,
-                   .channels = 4,
-                   .bits = canvas_.bits(),
-                   .premultiplied = true,
-                   .values = std::as_bytes(std::span{pixels})},
-                  settings);
+    settings.description += fmt::format(" {}", describe_camera(camera));
+    if (frame_.tile_size != 0)
+        draw_tiles(camera, path, settings);
+    else
+        draw_whole(camera, path, settings);
 }
 
 } // namespace lineatlas::apps

@@ -17,6 +17,7 @@ struct PictureFrame {
     FrameOptions options;
     ImageSettings settings; ///< its description is completed by the camera's
     bool transparent = false;
+    int tile_size = 0; ///< 0: tiles only for what GL cannot draw in one piece
 };
 
 /// Frames as pictures of pixels.
@@ -30,14 +31,25 @@ class PictureOutput final : public FrameOutput {
         return writer_.is_whole(path, size);
     }
 
-    /// Draws the frame and leaves it on the canvas.
+    /// Draws the frame and leaves it on the canvas; of tiles, the last one.
     FrameStats draw(const Camera& camera, const FrameOptions& options);
 
   private:
+    void clear();
+    void draw_whole(const Camera& camera, const std::filesystem::path& path,
+                    const ImageSettings& settings);
+    void draw_tiles(const Camera& camera, const std::filesystem::path& path,
+                    const ImageSettings& settings);
+    /// Tiles come in rows from the top: a row that is complete is a band of the picture.
+    void take(const PictureTile& tile);
+    Pixels pixels(std::span<const std::uint8_t> values) const;
+    TileTarget target(std::function<void(const PictureTile&)> end);
+
     PictureFrame frame_;
     Renderer& renderer_;
     ImageWriter& writer_;
-    gl::Canvas canvas_;
+    gl::Canvas canvas_;              ///< for the picture, or for a tile
+    std::vector<std::uint8_t> band_; ///< a row of tiles
 };
 
 } // namespace lineatlas::apps

@@ -99,18 +99,27 @@ enum class ScanKind {
     wrap,     ///< the sum is taken modulo 2^32: arc lengths
 };
 
+/// A part of a depth buffer that is too large to be held whole.
+struct DepthTile {
+    glm::ivec2 origin{0, 0}; ///< its first texel in the whole
+    /// Samples in these texels of the whole, from `core_low` up to, without, `core_high`, are
+    /// computed.
+    glm::ivec2 core_low{0, 0}, core_high{0, 0};
+};
+
 struct AtlasArgs {
     ClippedTable clipped;
     std::uint32_t segment_count;
     Buffer& depth;         ///< floats in [0, 1], rows from the lower left
-    glm::ivec2 depth_size; ///< viewport times depth_scale
+    glm::ivec2 depth_size; ///< that it holds: viewport times depth_scale, or a tile's
     glm::vec2 viewport;    ///< pixels
     float depth_scale;     ///< depth texels per pixel
     std::uint32_t probes;  ///< per axis: 1, 2, 3 or 4
     float tolerance;       ///< window depth that may stand before a line, times w
     AtlasLayout layout;
-    std::uint32_t capacity; ///< samples that `alpha` has room for in this layout
-    Buffer& alpha;          ///< out: a byte per texel, 0 hidden to 255 visible
+    std::uint32_t capacity;          ///< samples that `alpha` has room for in this layout
+    Buffer& alpha;                   ///< out: a byte per texel, 0 hidden to 255 visible
+    const DepthTile* tile = nullptr; ///< null: `depth` is whole
 };
 
 struct CompactRunsArgs {

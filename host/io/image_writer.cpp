@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -37,10 +38,18 @@ struct Request {
 };
 
 bool send_request(int socket, const Request& request, const std::filesystem::path& path,
-                  const std::string& description, std::span<const std::byte> values) {
+                  const std::string& description) {
     return send_all(socket, std::as_bytes(std::span{&request, 1})) &&
-           send_text(socket, path.string()) && send_text(socket, description) &&
-           send_all(socket, values);
+           send_text(socket, path.string()) && send_text(socket, description);
+}
+
+std::size_t bytes_of(const Pixels& pixels) {
+    return static_cast<std::size_t>(pixels.size.x) * static_cast<std::size_t>(pixels.size.y) *
+           static_cast<std::size_t>(pixels.channels) * static_cast<std::size_t>(pixels.bits / 8);
+}
+
+FileError no_process() {
+    return FileError("the process that writes pictures has ended; is there enough memory?");
 }
 
 bool has_one_thread() {
@@ -144,8 +153,19 @@ void ImageWriter::end() {
 
 void ImageWriter::write(const std::filesystem::path& path, const Pixels& pixels,
                         const ImageSettings& settings) {
-    finish();
     if (process_ <= 0) return write_image(path, pixels, settings);
+    begin(path, pixels, settings);
+    append(pixels.values);
+}
+
+void ImageWriter::begin(const std::filesystem::path& path, const Pixels& pixels,
+                        const ImageSettings& settings) {
+    finish();
+    if (process_ <= 0) {
+        growing_ = {path, pixels, settings, {}};
+        growing_->values.reserve(bytes_of(pixels));
+        return;
+    }
     const Request request{.task = Task::write,
                           .width = pixels.size.x,
                           .height = pixels.size.y,
@@ -154,16 +174,31 @@ void ImageWriter::write(const std::filesystem::path& path, const Pixels& pixels,
                           .premultiplied = pixels.premultiplied ? 1 : 0,
                           .file_bits = settings.bits,
                           .dpi = settings.dpi,
-                          .bytes = pixels.values.size()};
-    writing_ = send_request(socket_, request, path, settings.description, pixels.values);
-    if (!writing_) write_image(path, pixels, settings);
+                          .bytes = bytes_of(pixels)};
+    if (!send_request(socket_, request, path, settings.description)) throw no_process();
+    writing_ = true;
+}
+
+void ImageWriter::append(std::span<const std::byte> values) {
+    if (writing_) {
+        if (!send_all(socket_, values)) throw no_process();
+        return;
+    }
+    if (!growing_) return;
+    growing_->values.insert(growing_->values.end(), values.begin(), values.end());
+    if (growing_->values.size() < bytes_of(growing_->pixels)) return;
+    const Growing whole = std::move(*growing_);
+    growing_.reset();
+    Pixels pixels = whole.pixels;
+    pixels.values = whole.values;
+    write_image(whole.path, pixels, whole.settings);
 }
 
 void ImageWriter::finish() {
     if (!writing_) return;
     writing_ = false;
     const std::optional<std::string> answer = receive_text(socket_);
-    if (!answer) throw FileError("the process that writes pictures has ended; is there memory?");
+    if (!answer) throw no_process();
     if (!answer->empty()) throw FileError(*answer);
 }
 
@@ -173,7 +208,7 @@ bool ImageWriter::is_whole(const std::filesystem::path& path, glm::ivec2 size) {
     request.task = Task::check;
     request.width = size.x;
     request.height = size.y;
-    if (process_ > 0 && send_request(socket_, request, path, {}, {})) {
+    if (process_ > 0 && send_request(socket_, request, path, {})) {
         if (const std::optional<std::string> answer = receive_text(socket_)) {
             return answer->empty();
         }

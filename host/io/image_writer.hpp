@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "lineatlas/io.hpp"
 
@@ -26,6 +29,11 @@ class ImageWriter {
     /// or the one before.
     void write(const std::filesystem::path& path, const Pixels& pixels,
                const ImageSettings& settings = {});
+    /// The same for a picture whose values come in pieces: `pixels` without them, then append()
+    /// until all are there. Nothing is written before that.
+    void begin(const std::filesystem::path& path, const Pixels& pixels,
+               const ImageSettings& settings = {});
+    void append(std::span<const std::byte> values);
     /// Waits for the last picture. Throws FileError.
     void finish();
     /// Whether `path` holds a whole picture of that size. Throws FileError, of the picture before.
@@ -38,6 +46,15 @@ class ImageWriter {
     int process_ = -1; ///< none: everything is done here
     int socket_ = -1;
     bool writing_ = false; ///< a picture is on its way
+
+    /// A picture that comes in pieces and is written here.
+    struct Growing {
+        std::filesystem::path path;
+        Pixels pixels;
+        ImageSettings settings;
+        std::vector<std::byte> values;
+    };
+    std::optional<Growing> growing_;
 };
 
 } // namespace lineatlas

@@ -44,14 +44,14 @@ void AtlasMethod::set_scene(const SceneBuffers& scene) {
     depth_.set_scene(scene);
 }
 
-void AtlasMethod::prepare_layout(const Frame& frame) {
+void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
     const float diagonal = glm::length(frame.viewport());
     const auto longest = static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
     const AtlasLayoutKind kind = frame.options.atlas_layout == AtlasLayoutChoice::wrap
                                      ? AtlasLayoutKind::wrap
                                      : AtlasLayoutKind::gutter;
     const AtlasLayout layout =
-        make_atlas_layout(kind, longest, static_cast<std::uint32_t>(largest_texture_));
+        make_atlas_layout(kind, longest, static_cast<std::uint32_t>(longest_row));
     if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
     layout_ = layout;
     past_ = {};
@@ -60,8 +60,8 @@ void AtlasMethod::prepare_layout(const Frame& frame) {
 }
 
 void AtlasMethod::prepare(const Frame& frame) {
-    check_depth_size(frame);
-    prepare_layout(frame);
+    check_depth_size(frame.camera.size * frame.options.depth_scale);
+    prepare_layout(frame, largest_texture_);
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.atlas == AtlasForm::raster ||
@@ -105,19 +105,21 @@ void AtlasMethod::project(Frame& frame) {
 void AtlasMethod::sample(Frame& frame) {
     if (frame.options.method == Method::item_buffer) return sample_item_buffer(frame);
     if (raster_) return sample_raster(frame);
-    frame.clock("atlas", [&] {
-        backend_.atlas({.clipped = clipped_table(),
-                        .segment_count = segment_count_,
-                        .depth = depth_.buffer(),
-                        .depth_size = depth_.pass().size(),
-                        .viewport = frame.viewport(),
-                        .depth_scale = static_cast<float>(frame.options.depth_scale),
-                        .probes = frame.probes_per_axis(),
-                        .tolerance = frame.depth_tolerance(),
-                        .layout = layout_,
-                        .capacity = sample_capacity_,
-                        .alpha = alpha_->compute()});
-    });
+    frame.clock("atlas", [&] { backend_.atlas(atlas_args(frame, depth_.pass().size())); });
+}
+
+compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth) {
+    return {.clipped = clipped_table(),
+            .segment_count = segment_count_,
+            .depth = depth_.buffer(),
+            .depth_size = depth,
+            .viewport = frame.viewport(),
+            .depth_scale = static_cast<float>(frame.options.depth_scale),
+            .probes = frame.probes_per_axis(),
+            .tolerance = frame.depth_tolerance(),
+            .layout = layout_,
+            .capacity = sample_capacity_,
+            .alpha = alpha_->compute()};
 }
 
 void AtlasMethod::sample_raster(Frame& frame) {
@@ -192,8 +194,7 @@ void AtlasMethod::steady(Frame& frame) {
     });
 }
 
-bool AtlasMethod::grow_atlas() {
-    const std::uint64_t needed = strokes_.sample_total();
+bool AtlasMethod::grow_atlas(std::uint64_t needed) {
     if (needed <= sample_capacity_) return false;
     const std::uint64_t limit =
         static_cast<std::uint64_t>(largest_texture_buffer_) / layout_.pitch * layout_.width;
@@ -211,7 +212,7 @@ bool AtlasMethod::grow_atlas() {
 }
 
 bool AtlasMethod::grow() {
-    const bool atlas_grown = grow_atlas();
+    const bool atlas_grown = grow_atlas(strokes_.sample_total());
     const bool intervals_grown = intervals_.grow();
     return strokes_.grow() || intervals_grown || atlas_grown;
 }
@@ -222,17 +223,16 @@ void AtlasMethod::draw_strokes(Frame& frame) {
         frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
     else
         frame.backdrop.draw_fill(frame, frame.options.style.fill);
-    hand_to_gl(frame, layout_.texels(strokes_.sample_total()));
+    pass_to_strokes(frame);
     strokes_.draw(frame, alpha_->gl());
 }
 
-void AtlasMethod::hand_to_gl(Frame& frame, std::size_t alpha_bytes) {
+void AtlasMethod::pass_to_strokes(Frame& frame) {
     frame.clock("handover", [&] {
         std::vector<interop::Passed> buffers{
-            {*clipped_, 0}, {*offsets_, 0}, {*alpha_, alpha_bytes}};
+            {*clipped_, 0}, {*offsets_, 0}, {*alpha_, layout_.texels(strokes_.sample_total())}};
         strokes_.add_to_handover(buffers);
         handover_.to_gl(buffers);
-        if (reads_depth()) depth_.take_back();
     });
 }
 
@@ -259,15 +259,17 @@ FrameStats AtlasMethod::draw(Frame& frame) {
                                 .layout = layout_,
                                 .capacity = sample_capacity_,
                                 .depth = depth_});
-        strokes_.make_runs(frame, {.clipped = clipped_table(),
-                                   .alpha = alpha_->compute(),
-                                   .layout = layout_,
-                                   .capacity = sample_capacity_});
+        strokes_.make_runs(frame, stroke_input());
     } while (grow());
     if (frame.options.draw)
         draw_strokes(frame);
     else
-        hand_to_gl(frame, 0);
+        pass_to_strokes(frame);
+    if (reads_depth()) frame.clock("handover", [&] { depth_.take_back(); });
+    return stats(frame);
+}
+
+FrameStats AtlasMethod::stats(Frame& frame) {
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),
             .segments = segment_count_,

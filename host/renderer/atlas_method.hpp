@@ -24,6 +24,8 @@ class AtlasMethod {
     /// Makes tables for another line set.
     void set_scene(const SceneBuffers& scene);
     FrameStats draw(Frame& frame);
+    /// See Renderer::draw_tiles().
+    FrameStats draw_tiles(Frame& frame, const TileTarget& target);
     Renderer::Samples read_samples();
     std::vector<Interval> read_intervals() { return intervals_.read(); }
 
@@ -31,18 +33,27 @@ class AtlasMethod {
     using SharedBuffer = interop::SharedBuffer;
 
     void prepare(const Frame& frame);
-    void prepare_layout(const Frame& frame);
+    /// `longest_row`: of the atlas, in texels.
+    void prepare_layout(const Frame& frame, GLint longest_row);
+    void prepare_tiles(const Frame& frame, const TileTarget& target);
     void project(Frame& frame);
     void sample(Frame& frame);
+    void sample_tiles(Frame& frame, const TileTarget& target);
+    /// `depth`: the texels of the buffer.
+    compute::AtlasArgs atlas_args(const Frame& frame, glm::ivec2 depth);
+    StrokeStage::Input stroke_input() {
+        return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
+    }
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
     void steady(Frame& frame);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
-    bool grow_atlas();
+    bool grow_atlas(std::uint64_t needed);
+    /// Hands what strokes are drawn from to GL.
+    void pass_to_strokes(Frame& frame);
     void draw_strokes(Frame& frame);
-    /// Ends the frame's computing. alpha_bytes: what GL reads of the atlas.
-    void hand_to_gl(Frame& frame, std::size_t alpha_bytes);
+    FrameStats stats(Frame& frame);
 
     std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
         return interop::make_shared_buffer(backend_, mode_, bytes);

@@ -22,7 +22,8 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
         fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(), seen,
                          {.clip_from_world = frame.camera.clip_from_world(),
                           .eye_from_world = frame.camera.view,
-                          .viewport = frame.camera.size},
+                          .viewport = frame.tile.size,
+                          .tile = tile_transform(frame.tile, frame.camera.size)},
                          fill, frame.framebuffer);
     });
 }
@@ -38,8 +39,7 @@ void Backdrop::draw_paper(Frame& frame, const Paper& paper) {
     }
     if (paper.grain == 0) return;
     if (!paper_pass_) paper_pass_.emplace(make_paper());
-    frame.clock("paper",
-                [&] { paper_pass_->draw(frame.camera.size, paper.grain, frame.framebuffer); });
+    frame.clock("paper", [&] { paper_pass_->draw(frame.tile, paper.grain, frame.framebuffer); });
 }
 
 } // namespace lineatlas

@@ -12,6 +12,26 @@ std::size_t area(glm::ivec2 size) {
 
 } // namespace
 
+std::vector<gl::TriangleRange> pieces_in_view(const SceneBuffers& scene,
+                                              const glm::mat4& clip_from_world) {
+    if (scene.clusters().empty()) return {{0, scene.triangle_count()}};
+    constexpr int steps = 1 << 12; // any grid will do
+    std::vector<gl::TriangleRange> ranges;
+    for (const Cluster& cluster : scene.clusters()) {
+        const Bounds box{{cluster.low[0], cluster.low[1], cluster.low[2]},
+                         {cluster.high[0], cluster.high[1], cluster.high[2]}};
+        const TexelRectangle covered = screen_bounds(box, clip_from_world, {steps, steps}, 1, 1);
+        if (covered.size().x == 0 || covered.size().y == 0) continue;
+        const bool follows =
+            !ranges.empty() && ranges.back().first + ranges.back().count == cluster.first;
+        if (follows)
+            ranges.back().count += cluster.count;
+        else
+            ranges.push_back({cluster.first, cluster.count});
+    }
+    return ranges;
+}
+
 DepthStage::DepthStage(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_) {}
 
@@ -23,14 +43,49 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
 
 void DepthStage::prepare(const Frame& frame) {
     const glm::ivec2 size = frame.camera.size * frame.options.depth_scale;
-    const std::size_t depth_bytes = area(size) * sizeof(float);
-    if (!depth_ || depth_->size() < depth_bytes) {
-        depth_ = interop::make_shared_buffer(backend_, mode_, depth_bytes);
-    }
+    prepare_depth(size);
     const std::size_t tile_bytes = area(compute::tiles_for(size)) * sizeof(float);
     if (!tiles_ || tiles_->size() < tile_bytes) {
         tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes);
     }
+}
+
+void DepthStage::prepare_depth(glm::ivec2 size) {
+    const std::size_t bytes = area(size) * sizeof(float);
+    if (!depth_ || depth_->size() < bytes) {
+        depth_ = interop::make_shared_buffer(backend_, mode_, bytes);
+    }
+}
+
+compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) {
+    const int scale = frame.options.depth_scale;
+    const glm::ivec2 whole = frame.camera.size * scale;
+    // Probes lie half a sample along the line and a pixel across it from the sample's middle.
+    const auto reach =
+        static_cast<int>(std::ceil((0.5F * frame.options.step + 1) * static_cast<float>(scale))) +
+        1;
+    const glm::ivec2 low = glm::max(tile.low * scale - reach, 0);
+    const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
+    check_depth_size(size);
+    prepare_depth(size);
+    frame.clock("depth", [&] {
+        const glm::mat4 clip = frame.camera.clip_from_world();
+        ranges_ = pieces_in_view(frame.scene, tile_projection(clip, {low, size}, whole));
+        pass_.begin(size, 1);
+        pass_.draw_ranges(frame.scene.gl_triangles(), clip, ranges_,
+                          tile_transform({low, size}, whole));
+        pass_.copy_to(depth_->gl(), {{0, 0}, size});
+    });
+    for (const gl::TriangleRange& range : ranges_) triangles_drawn_ += range.count;
+    frame.clock("handover", [&] { handover_.to_compute({{*depth_, area(size) * sizeof(float)}}); });
+    // Lines end at the picture's borders, perhaps a rounding beyond.
+    constexpr int far = 1 << 30;
+    const glm::ivec2 core = tile.low * scale;
+    const glm::ivec2 core_end = (tile.low + tile.size) * scale;
+    return {.origin = low,
+            .core_low = {core.x == 0 ? -far : core.x, core.y == 0 ? -far : core.y},
+            .core_high = {core_end.x == whole.x ? far : core_end.x,
+                          core_end.y == whole.y ? far : core_end.y}};
 }
 
 void DepthStage::draw_texture(Frame& frame) {

@@ -11,6 +11,11 @@
 
 namespace lineatlas {
 
+/// The pieces of the model that may be seen in a picture of this projection, as far as that can be
+/// told without looking at depth.
+std::vector<gl::TriangleRange> pieces_in_view(const SceneBuffers& scene,
+                                              const glm::mat4& clip_from_world);
+
 /// The depth of a frame: as a texture for GL passes, as a buffer for kernels, and as a pyramid.
 ///
 /// Of a large model only what may be seen is drawn, in two steps that leave exactly the depth that
@@ -26,6 +31,14 @@ class DepthStage {
     void draw_texture(Frame& frame);
     /// Draws the texture and hands depth and pyramid to compute.
     void draw_for_compute(Frame& frame);
+    /// Before the tiles of a frame.
+    void begin_tiles() { triangles_drawn_ = 0; }
+    /// Draws a part of a depth buffer that is too large to be held whole, and hands it to compute:
+    /// what is within reach of the samples of a tile of the picture. Of the pyramid nothing is
+    /// made.
+    compute::DepthTile draw_tile(Frame& frame, const PictureTile& tile);
+    /// Before the next tile, and after the last: takes the depth back from compute.
+    void take_tile_back() { handover_.to_gl({{*depth_, 0}}); }
     /// Takes depth and pyramid back from compute: at the end of the frame, or before GL reads the
     /// pyramid.
     void take_back();
@@ -41,6 +54,7 @@ class DepthStage {
 
   private:
     void prepare(const Frame& frame);
+    void prepare_depth(glm::ivec2 size);
     /// Copies what the model covers of the texture to the buffer, passes it on and builds the
     /// pyramid.
     void build_pyramid(Frame& frame);

@@ -29,6 +29,7 @@ bool Frame::culls_hidden() const {
 gl::StrokeParams Frame::stroke_params(const Pen& pen) const {
     const bool geometry = options.stroke_shader == StrokeShader::geometry;
     return {.viewport = viewport(),
+            .tile = tile,
             .width = pen.width,
             .color = glm::vec4{pen.color, pen.opacity},
             .pen = pens.get(pen.mark, pen.width),
@@ -51,10 +52,9 @@ bool has_depth_attachment(GLuint framebuffer) {
     return type != GL_NONE;
 }
 
-void check_depth_size(const Frame& frame) {
+void check_depth_size(glm::ivec2 size) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const glm::ivec2 size = frame.camera.size * frame.options.depth_scale;
     if (size.x <= largest && size.y <= largest) return;
     throw UsageError("a depth buffer of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
                      " is larger than this device's limit of " + std::to_string(largest) +

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <glm/vec2.hpp>
 
+#include "core/tiles.hpp"
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/stroke_pass.hpp"
 #include "lineatlas/camera.hpp"
@@ -24,8 +25,12 @@ struct Frame {
     PenTextures& pens;
     Backdrop& backdrop;
     StageClock clock;
+    PictureTile tile{{0, 0}, camera.size}; ///< the part of the picture that goes there
 
     glm::vec2 viewport() const { return glm::vec2{camera.size}; }
+    glm::mat4 clip_of_tile() const {
+        return tile_projection(camera.clip_from_world(), tile, camera.size);
+    }
     /// Probes per axis of the box of probes.
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).
@@ -37,8 +42,8 @@ struct Frame {
     gl::ProbeParams probe_params(GLuint depth) const;
 };
 
-/// Throws UsageError if the device has no textures as large as the frame's depth buffer.
-void check_depth_size(const Frame& frame);
+/// Throws UsageError if the device has no textures as large as a depth buffer of that size.
+void check_depth_size(glm::ivec2 size);
 
 /// Whether the depth test works there.
 bool has_depth_attachment(GLuint framebuffer);

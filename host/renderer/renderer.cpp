@@ -85,21 +85,20 @@ class Renderer::State {
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
-        if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
-        check(options);
-        Frame frame{.camera = camera,
-                    .options = options,
-                    .scene = *scene_,
-                    .framebuffer = framebuffer,
-                    .pens = pens_,
-                    .backdrop = backdrop_,
-                    .clock = {*connection_.backend, options.measure_stages}};
-        frame.stroke_params(options.style.pen); // refuses an unknown pen and
-        frame.probes_per_axis(); // refuses what is not a square before anything is drawn
+        Frame frame = begin(camera, options, framebuffer);
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
         FrameStats stats = draw_method(frame);
         if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
+        return stats;
+    }
+
+    FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
+                          const TileTarget& target) {
+        Frame frame = begin(camera, options, target.framebuffer);
+        samples_drawn_ = false;
+        FrameStats stats = atlas_.draw_tiles(frame, target);
+        samples_drawn_ = true;
         return stats;
     }
 
@@ -118,6 +117,21 @@ class Renderer::State {
     std::vector<Interval> read_intervals() { return atlas_.read_intervals(); }
 
   private:
+    Frame begin(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
+        if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
+        check(options);
+        Frame frame{.camera = camera,
+                    .options = options,
+                    .scene = *scene_,
+                    .framebuffer = framebuffer,
+                    .pens = pens_,
+                    .backdrop = backdrop_,
+                    .clock = {*connection_.backend, options.measure_stages}};
+        frame.stroke_params(options.style.pen); // refuses an unknown pen and
+        frame.probes_per_axis(); // refuses what is not a square before anything is drawn
+        return frame;
+    }
+
     FrameStats draw_method(Frame& frame) {
         switch (frame.options.method) {
         case Method::atlas:
@@ -164,6 +178,10 @@ FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
 }
 std::vector<Interval> Renderer::read_intervals() {
     return state_->read_intervals();
+}
+FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
+                                const TileTarget& target) {
+    return state_->draw_tiles(camera, options, target);
 }
 Renderer::Samples Renderer::read_samples() {
     return state_->read_samples();

@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 FrameStats SpineMethod::draw(Frame& frame) {
-    check_depth_size(frame);
+    check_depth_size(frame.camera.size * frame.options.depth_scale);
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     const gl::SegmentBuffers segments = frame.scene.gl_segments();
     const bool cull_hidden = frame.culls_hidden();

@@ -32,6 +32,8 @@ class StrokeStage {
     void add_unread(std::vector<interop::Passed>& buffers);
     /// Makes the runs, and waits for their totals.
     void make_runs(Frame& frame, const Input& input);
+    /// Whether make_runs() changed the visibility of samples.
+    bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
     bool grow();
     /// Adds what GL needs, to be passed on before draw().

@@ -50,10 +50,9 @@ class Implementation final : public OpenClBackend {
   public:
     Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
                    const Tuning& tuning)
-        : device_(device),
-          tuning_(tuning), atlas_{make_atlas_kernel(tuning, 1), make_atlas_kernel(tuning, 2),
-                                  make_atlas_kernel(tuning, 3), make_atlas_kernel(tuning, 4)},
-          scan_{ScanKernels{tuning, false}, ScanKernels{tuning, true}} {
+        : device_(device), tuning_(tuning), atlas_(make_atlas_kernels(tuning, "")),
+          tiled_atlas_(make_atlas_kernels(tuning, " -DTILED")), scan_{ScanKernels{tuning, false},
+                                                                      ScanKernels{tuning, true}} {
         guarded("creating a context", [&] {
             std::vector<cl_context_properties> all{
                 CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform())};
@@ -176,10 +175,14 @@ class Implementation final : public OpenClBackend {
 
     void atlas(const AtlasArgs& args) override {
         const std::uint32_t blocks = divide_up(args.capacity, tuning_.atlas_block);
-        launch(atlas_.at(args.probes - 1), blocks, tuning_.block_local_size, args.clipped.clipped,
+        const DepthTile tile = args.tile != nullptr ? *args.tile : DepthTile{};
+        const cl_int4 core{{tile.core_low.x, tile.core_low.y, tile.core_high.x, tile.core_high.y}};
+        auto& kernels = args.tile != nullptr ? tiled_atlas_ : atlas_;
+        launch(kernels.at(args.probes - 1), blocks, tuning_.block_local_size, args.clipped.clipped,
                args.clipped.offsets, args.segment_count, args.depth, to_cl(args.depth_size),
                to_cl(args.viewport), args.depth_scale, args.tolerance, args.layout.width,
-               args.layout.pitch, args.capacity, tuning_.atlas_block, args.alpha);
+               args.layout.pitch, args.capacity, tuning_.atlas_block, to_cl(tile.origin), core,
+               args.alpha);
     }
 
     void temporal(const TemporalArgs& args) override {
@@ -203,9 +206,9 @@ class Implementation final : public OpenClBackend {
         const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
         const cl_uint hidden = args.hidden ? 1 : 0;
         Buffer& counts = scratch(block_counts_, blocks + 1);
-        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.clipped.offsets,
-               args.clipped.arcs, hidden, n, args.alpha, args.layout.width, args.layout.pitch,
-               args.capacity, tuning_.segment_block, counts);
+        launch(compact_runs_count_, blocks, tuning_.block_local_size, args.table.segments,
+               args.clipped.offsets, args.clipped.arcs, hidden, n, args.alpha, args.layout.width,
+               args.layout.pitch, args.capacity, tuning_.segment_block, counts);
         scan(counts, blocks, ScanKind::saturate);
         launch(compact_runs_write_, std::max(blocks, 1U), tuning_.block_local_size,
                args.table.segments, args.clipped.clipped, args.clipped.offsets, args.clipped.arcs,
@@ -247,7 +250,7 @@ class Implementation final : public OpenClBackend {
             queue_.enqueueReadBuffer(memory_of(ends), CL_TRUE, tile_count * sizeof(cl_uint),
                                      sizeof(cl_uint), &total);
         });
-        constexpr std::size_t tables = 6; // of struct Lists
+        constexpr std::size_t tables = 7; // of struct Lists
         Buffer& lists = scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
         launch(halo_fill_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends,
                total, lists);
@@ -394,12 +397,19 @@ class Implementation final : public OpenClBackend {
         LazyKernel tiles_apply{"scan.cl", "scan_tiles_apply", defines};
     };
 
-    static LazyKernel make_atlas_kernel(const Tuning& tuning, std::uint32_t probes_per_axis) {
+    static std::array<LazyKernel, 4> make_atlas_kernels(const Tuning& tuning,
+                                                        const std::string& defines) {
+        return {make_atlas_kernel(tuning, 1, defines), make_atlas_kernel(tuning, 2, defines),
+                make_atlas_kernel(tuning, 3, defines), make_atlas_kernel(tuning, 4, defines)};
+    }
+
+    static LazyKernel make_atlas_kernel(const Tuning& tuning, std::uint32_t probes_per_axis,
+                                        const std::string& defines) {
         const std::uint32_t probes = probes_per_axis * probes_per_axis;
         const int lanes = !tuning.atlas_vectors || probes == 1 ? 1 : probes == 4 ? 4 : 16;
         return {"atlas.cl", "atlas",
                 "-DPROBES_PER_AXIS=" + std::to_string(probes_per_axis) +
-                    " -DPROBE_LANES=" + std::to_string(lanes)};
+                    " -DPROBE_LANES=" + std::to_string(lanes) + defines};
     }
 
     /// A buffer of the backend's own for at least `count` uint32, kept from call to call.
@@ -425,7 +435,7 @@ class Implementation final : public OpenClBackend {
     LazyKernel cull_{"cull.cl", "cull"};
     LazyKernel facing_{"facing.cl", "facing"};
     LazyKernel project_clip_{"project_clip.cl", "project_clip"};
-    std::array<LazyKernel, 4> atlas_; ///< by probes per axis, from 1
+    std::array<LazyKernel, 4> atlas_, tiled_atlas_; ///< by probes per axis, from 1
     LazyKernel temporal_{"temporal.cl", "temporal"};
     LazyKernel compact_runs_count_{"compact.cl", "compact_runs_count"};
     LazyKernel compact_runs_write_{"compact.cl", "compact_runs_write"};

@@ -29,6 +29,14 @@ std::uint32_t count_visible(const AtlasInput& in, const Spine& spine, std::uint3
     return visible;
 }
 
+/// Judged by the place in the whole picture, see atlas.cl.
+bool is_in_core(const DepthTile& tile, const Spine& spine, std::uint32_t j, float inverse_l) {
+    const glm::vec2 place = spine.p + spine.d * ((static_cast<float>(j) + 0.5F) * inverse_l);
+    const glm::ivec2 texel{std::floor(place.x), std::floor(place.y)};
+    return texel.x >= tile.core_low.x && texel.y >= tile.core_low.y && texel.x < tile.core_high.x &&
+           texel.y < tile.core_high.y;
+}
+
 } // namespace
 
 void atlas(const AtlasInput& in, std::span<std::uint8_t> alpha) {
@@ -38,11 +46,14 @@ void atlas(const AtlasInput& in, std::span<std::uint8_t> alpha) {
         const std::uint32_t l = in.offsets[i + 1] - begin;
         if (l == 0) continue;
         if (begin >= in.capacity) return;
-        const Spine spine = make_spine(in.clipped[i], in.viewport, in.depth_scale);
+        const Spine whole = make_spine(in.clipped[i], in.viewport, in.depth_scale);
+        Spine spine = whole;
+        if (in.tile != nullptr) spine.p -= glm::vec2{in.tile->origin};
         const float inverse_l = 1.0F / static_cast<float>(l);
         const std::uint32_t address = in.layout.address(begin);
         const std::uint32_t stop = std::min(l, in.capacity - begin);
         for (std::uint32_t j = 0; j < stop; ++j) {
+            if (in.tile != nullptr && !is_in_core(*in.tile, whole, j, inverse_l)) continue;
             const std::uint32_t visible = count_visible(in, spine, j, inverse_l);
             alpha[address + j] = static_cast<std::uint8_t>((visible * 255 + probes / 2) / probes);
         }

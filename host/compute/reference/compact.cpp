@@ -21,6 +21,14 @@ Run make_sampled_run(const FrameTables& frame, const AtlasLayout& layout, std::u
     return run;
 }
 
+/// Whether segment i is a path of its own and shorter than a pixel; see compact.cl.
+bool is_dot(const FrameTables& frame, std::uint32_t i) {
+    const Segment& segment = frame.segments[i];
+    return (segment.from_start | segment.to_end) == 0 &&
+           (segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE &&
+           static_cast<float>(frame.arcs[i + 1] - frame.arcs[i]) < LA_ARC_UNITS_PER_PIXEL;
+}
+
 } // namespace
 
 void compact_runs(const CompactRunsInput& in, std::span<Run> runs, FrameRecord& record) {
@@ -34,6 +42,7 @@ void compact_runs(const CompactRunsInput& in, std::span<Run> runs, FrameRecord& 
     for (std::uint32_t i = 0; i < in.segments.size(); ++i) {
         const std::uint32_t s = in.offsets[i];
         const std::uint32_t l = in.offsets[i + 1] - s;
+        if (in.hidden && is_dot(frame, i)) continue;
         if (in.hidden && l == 0 && frame.is_drawn(i)) { // dropped as hidden whole
             if (total < runs.size()) {
                 runs[total] = make_run(frame, i, 0, 1, 1, segment_end(frame, i, false),

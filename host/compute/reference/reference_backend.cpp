@@ -111,7 +111,8 @@ class ReferenceBackend final : public Backend {
                           .probes = args.probes,
                           .tolerance = args.tolerance,
                           .layout = args.layout,
-                          .capacity = args.capacity},
+                          .capacity = args.capacity,
+                          .tile = args.tile},
                          view_all<std::uint8_t>(args.alpha));
     }
 

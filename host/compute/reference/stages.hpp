@@ -57,6 +57,7 @@ struct AtlasInput {
     float tolerance; ///< window depth that may stand before a line, times w
     AtlasLayout layout;
     std::uint32_t capacity;
+    const DepthTile* tile; ///< null: `depth` is whole
 };
 
 void atlas(const AtlasInput& input, std::span<std::uint8_t> alpha);

@@ -33,6 +33,11 @@ struct Camera {
     glm::vec4 eye() const;
 };
 
+/// A part of a picture: pixels from its lower left corner.
+struct PictureTile {
+    glm::ivec2 low{0, 0}, size{0, 0};
+};
+
 /// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then.
 /// Throws UsageError when a number is not finite, the eye is the target, `up` is along the line of
 /// sight, the field of view is not in (0, pi) or the size is not positive.

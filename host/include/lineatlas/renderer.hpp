@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,16 @@ struct FrameOptions {
     bool measure_stages = false; ///< wait after every stage and report its time; slower
 };
 
+/// Where a picture is drawn part by part.
+struct TileTarget {
+    std::uint32_t framebuffer = 0;
+    int tile_size = 2048; ///< no tile is wider or higher; the framebuffer is at least as large
+    /// Before a tile is drawn, into the framebuffer's lower left corner: clear it.
+    std::function<void(const PictureTile&)> begin{};
+    /// After that: take the pixels.
+    std::function<void(const PictureTile&)> end{};
+};
+
 struct StageTime {
     std::string name; ///< depth, pyramid, facing, project_clip, scan, atlas, compact, strokes, ...
     double milliseconds;
@@ -117,6 +128,12 @@ class Renderer {
 
     /// Draws a frame over the content of `framebuffer`, premultiplied.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
+
+    /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that
+    /// of the whole picture, and strokes run on over the borders of tiles. Rows of tiles come from
+    /// top to bottom. Method atlas in its compute form only; `cull_hidden` and `steady` are off.
+    FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
+                          const TileTarget& target);
 
     /// The visibility of every sample of the last frame in order of the segment table, and the
     /// samples per segment: for tests and studies; waits for the device. With `cull_hidden`,

@@ -1,0 +1,68 @@
+// Pictures that no framebuffer or depth buffer can hold: segments, runs and styles are those of the
+// whole picture; only depth with the samples that need it, and strokes, are drawn tile by tile.
+#include "atlas_method.hpp"
+#include "backdrop.hpp"
+#include "core/tiles.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+
+void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
+    if (frame.options.method != Method::atlas || frame.options.atlas == AtlasForm::raster) {
+        throw UsageError("tiles: only the method atlas in its compute form draws pictures of " +
+                         std::to_string(frame.camera.size.x) + "x" +
+                         std::to_string(frame.camera.size.y) +
+                         " by tiles; choose it or a smaller --size");
+    }
+    if (target.tile_size < 1) throw UsageError("tiles: a tile must have at least one pixel a side");
+    raster_ = false;
+    cull_hidden_ = false;
+    past_.camera.reset();                 // there is nothing to average the next frame with
+    constexpr GLint no_texture = 1 << 24; // the atlas is a plain buffer here
+    prepare_layout(frame, no_texture);
+}
+
+void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
+    depth_.begin_tiles();
+    for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
+        const compute::DepthTile depth = depth_.draw_tile(frame, tile);
+        frame.clock("atlas", [&] {
+            compute::AtlasArgs args = atlas_args(frame, depth_.pass().size());
+            args.tile = &depth;
+            backend_.atlas(args);
+        });
+        frame.clock("handover", [&] { depth_.take_tile_back(); });
+    }
+}
+
+FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
+    prepare_tiles(frame, target);
+    std::vector<interop::Passed> unread{{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}};
+    strokes_.add_unread(unread);
+    handover_.to_compute(unread);
+    project(frame);
+    // Counted first: drawing all depth again because the atlas was too small would take long.
+    std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
+    backend_.download(offsets_->compute(), std::as_writable_bytes(std::span{offsets}));
+    grow_atlas(offsets.back());
+    bool sampled = false;
+    do {
+        if (!sampled) sample_tiles(frame, target);
+        strokes_.make_runs(frame, stroke_input());
+        sampled = !strokes_.changes_samples();
+    } while (grow());
+    pass_to_strokes(frame);
+    for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
+        frame.tile = tile;
+        target.begin(tile);
+        const std::vector<gl::TriangleRange> seen =
+            pieces_in_view(frame.scene, frame.clip_of_tile());
+        frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
+        strokes_.draw(frame, alpha_->gl());
+        frame.backdrop.draw_paper(frame, frame.options.style.paper);
+        target.end(tile);
+    }
+    return stats(frame);
+}
+
+} // namespace lineatlas
