@@ -41,6 +41,20 @@ TEST(VectorPieces, StandWhereTheCameraSeesThem) {
     }
 }
 
+TEST(VectorPieces, ASilhouetteThatHalfOfItsProbesSeeIsVisible) {
+    for (const LineKind kind : {LineKind::silhouette, LineKind::crease}) {
+        for (const float alpha : {0.2F, 0.4F}) {
+            Lines lines;
+            lines.add(kind, {{20, 50, 0.5F}, {120, 50, 0.5F}});
+            Cuts cuts{lines.set, flat_camera()};
+            cuts.add(0, 0, 1, false);
+            cuts.intervals[0].alpha = alpha;
+            const Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
+            EXPECT_EQ(pieces.list[0].visible, kind == LineKind::silhouette && alpha > 0.3F);
+        }
+    }
+}
+
 TEST(VectorPieces, LeaveOutWhatIsBehindTheEyeOrNoNumber) {
     Lines lines;
     lines.add(LineKind::crease, {{0, 0, 0}, {1, 0, 0}});
@@ -138,6 +152,35 @@ TEST(Junctions, WorldPointsFollowThePerspective) {
     EXPECT_NEAR((clip.x / clip.w + 1) * 200, met.at.x, 1e-4);
     EXPECT_NEAR(1 / clip.w, met.inverse_w, 1e-6);
     EXPECT_NEAR((met.world.x + 2) / 5, (2 - met.world.z) / 11, 1e-6);
+}
+
+/// A level line that is hidden from or up to 1 pixel before its right end, where another one ends.
+struct Corner {
+    explicit Corner(bool visible_at_vertex, bool corner = true) {
+        lines.add(LineKind::crease, {{20, 50, 0.5F}, {120, 50, 0.5F}});
+        lines.add(LineKind::silhouette, {{120, corner ? 50.0F : 53.0F, 0.5F}, {130, 90, 0.5F}});
+        Cuts cuts{lines.set, flat_camera()};
+        cuts.add(0, 0, 0.99F, !visible_at_vertex);
+        cuts.add(0, 0.99F, 1, visible_at_vertex);
+        cuts.add(1, 0, 1, true);
+        pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
+    }
+    Lines lines;
+    Pieces pieces;
+};
+
+TEST(Junctions, AnEndMeetsAVertexOfAnotherLine) {
+    Corner shown{false};
+    EXPECT_EQ(meet_junctions(shown.lines.set, picture, shown.pieces), 1U);
+    EXPECT_EQ(shown.pieces.list[0].end.t, 1);
+    EXPECT_EQ(shown.pieces.list[0].end.kind, LA_END_PATH);
+    EXPECT_EQ(shown.pieces.length(shown.pieces.list[1]), 0);
+    Corner hidden{true};
+    EXPECT_EQ(meet_junctions(hidden.lines.set, picture, hidden.pieces), 1U);
+    EXPECT_EQ(hidden.pieces.length(hidden.pieces.list[1]), 0);
+    EXPECT_EQ(hidden.pieces.list[0].end.t, 1);
+    Corner alone{false, false};
+    EXPECT_EQ(meet_junctions(alone.lines.set, picture, alone.pieces), 0U);
 }
 
 TEST(Junctions, PiecesNeverTurnRound) {

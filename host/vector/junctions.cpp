@@ -28,12 +28,15 @@ struct Range {
 class Junctions {
   public:
     Junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces, double reach)
-        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(picture), reach_(reach) {
+        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(picture), reach_(reach),
+          line_at_(lines.vertices.size(), no_line) {
         for (std::uint32_t i = 0; i < before_.size(); ++i) {
             const Piece& piece = before_[i];
-            if (piece.visible) {
-                grid_.insert(pieces.start(piece).at, pieces.end(piece).at, i);
-            }
+            if (!piece.visible) continue;
+            grid_.insert(pieces.start(piece).at, pieces.end(piece).at, i);
+            const Segment& segment = lines.segments[piece.segment];
+            if (at_vertex(piece.start.kind)) note_line_at(segment.p, piece.segment);
+            if (at_vertex(piece.end.kind)) note_line_at(segment.q, piece.segment);
         }
     }
 
@@ -74,10 +77,35 @@ class Junctions {
         if (beside) limit = end_of(*other, moves_along ? at_end : !at_end).t;
         const Range range = at_end ? Range{piece.start.t, limit} : Range{limit, piece.end.t};
         const std::optional<double> t = nearest_crossing(piece, end.t, range);
-        if (!t) return false;
+        if (!t) return meet_vertex(piece, at_end, range, moves_along ? other : nullptr);
         end.t = *t;
         if (moves_along) end_of(*other, !at_end).t = *t;
         return true;
+    }
+
+    /// Lines vanish behind their own surface at a vertex of an outline: an end near a vertex where
+    /// another visible line ends is there.
+    bool meet_vertex(Piece& piece, bool at_end, Range range, Piece* other) {
+        PieceEnd& end = end_of(piece, at_end);
+        const double t = end.t < 0.5 ? 0 : 1;
+        const Segment& segment = lines_.segments[piece.segment];
+        const std::uint32_t line = line_at_[t == 0 ? segment.p : segment.q];
+        if (line == no_line || line == piece.segment || end.t == t) return false;
+        if (t < range.low || t > range.high) return false;
+        if (std::abs(t - end.t) * pieces_.segment_of(piece).length > reach_) return false;
+        end.t = t;
+        if (other == nullptr) return true;
+        end_of(*other, !at_end).t = t;
+        // What was hidden up to the vertex is no more: the line goes on there, or ends.
+        const PieceEnd far = end_of(*other, at_end);
+        if (far.t == t) end.kind = far.kind;
+        return true;
+    }
+
+    /// No line meets itself.
+    void note_line_at(std::uint32_t vertex, std::uint32_t segment) {
+        std::uint32_t& line = line_at_[vertex];
+        line = line == no_line || line == segment ? segment : several_lines;
     }
 
     std::optional<double> nearest_crossing(const Piece& piece, double t, Range range) {
@@ -117,11 +145,15 @@ class Junctions {
         return t;
     }
 
+    static constexpr std::uint32_t no_line = 0xFFFFFFFF;
+    static constexpr std::uint32_t several_lines = 0xFFFFFFFE;
+
     const LineSet& lines_;
     Pieces& pieces_;
     const std::vector<Piece> before_; ///< lines cross where they were: in any order the same
     SegmentGrid grid_;
     double reach_;
+    std::vector<std::uint32_t> line_at_; ///< per vertex, the segment that is visible there
 };
 
 } // namespace

@@ -10,8 +10,9 @@
 namespace lineatlas {
 
 /// Lets lines that pass behind others end exactly at them: an end where visibility changes moves to
-/// where a nearer visible line crosses, if one does so within `reach` pixels. The hidden piece that
-/// starts there moves along. Returns how many ends met a line.
+/// where a nearer visible line crosses, if one does so within `reach` pixels, else to a vertex of
+/// its own segment within reach that another visible line ends at. The hidden piece that starts
+/// there moves along. Returns how many ends met a line.
 std::size_t meet_junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces,
                            double reach = 1.25);
 

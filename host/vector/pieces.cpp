@@ -76,7 +76,7 @@ bool is_finite(const Interval& interval) {
 double share_along(const ScreenSegment& segment, const float* window, double height) {
     if (!(segment.length > 0)) return 0;
     const glm::dvec2 way = segment.q.at - segment.p.at;
-    const glm::dvec2 offset = glm::dvec2{window[0], height - window[1]} - segment.p.at;
+    const glm::dvec2 offset = glm::dvec2{window[0], height - double{window[1]}} - segment.p.at;
     return std::clamp(glm::dot(offset, way) / glm::dot(way, way), 0.0, 1.0);
 }
 
@@ -85,6 +85,15 @@ PieceEnd make_end(const ScreenSegment& segment, const float* window, double heig
     // Exactly at the vertex, so that neighbours meet bit by bit.
     const bool at_it = at_vertex(kind);
     return {.t = at_it ? vertex : share_along(segment, window, height), .kind = kind};
+}
+
+/// Beside a smooth silhouette half of every pixel is the surface itself, so that half of the probes
+/// is all that can see it, and chance decides which of its samples the readback calls visible.
+bool is_shown(const Interval& interval, const Segment& segment) {
+    constexpr float half_of_a_fold = 0.25F;
+    if ((interval.flags & LA_INTERVAL_VISIBLE) != 0) return true;
+    const bool fold = (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
+    return fold && interval.alpha >= half_of_a_fold;
 }
 
 } // namespace
@@ -143,14 +152,14 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
         ScreenSegment& screen = pieces.screen.back();
         Piece piece{.segment = interval.segment,
                     .screen = static_cast<std::uint32_t>(pieces.screen.size() - 1),
-                    .visible = (interval.flags & LA_INTERVAL_VISIBLE) != 0,
+                    .visible = is_shown(interval, lines.segments[interval.segment]),
                     .alpha = interval.alpha};
         piece.start = make_end(screen, interval.start, height,
                                interval.flags >> LA_INTERVAL_START_SHIFT & LA_END_MASK, 0);
         piece.end = make_end(screen, interval.end, height,
                              interval.flags >> LA_INTERVAL_END_SHIFT & LA_END_MASK, 1);
         piece.end.t = std::max(piece.end.t, piece.start.t);
-        screen.p.arc = interval.start_arc - piece.start.t * screen.length;
+        screen.p.arc = double{interval.start_arc} - piece.start.t * screen.length;
         screen.q.arc = screen.p.arc + screen.length;
         pieces.list.push_back(piece);
     }

@@ -1,7 +1,6 @@
 #include "plotter.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 
 #include <glm/geometric.hpp>
@@ -66,26 +65,51 @@ struct Stop {
     bool reversed;
 };
 
+double squared(glm::dvec2 way) {
+    return glm::dot(way, way);
+}
+
+/// What turning the stretch from i to j round saves. `before`: where the pen comes from.
+double gain_of(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, std::size_t j) {
+    const glm::dvec2 start = tour[i].start;
+    const glm::dvec2 end = tour[j].end;
+    const double at_start = glm::distance(before, start) - glm::distance(before, end);
+    if (j + 1 == tour.size()) return at_start;
+    const glm::dvec2 after = tour[j + 1].start;
+    return at_start + glm::distance(end, after) - glm::distance(start, after);
+}
+
+/// Cheaply whether one of the two ways would become shorter: else nothing is saved.
+bool may_gain(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, std::size_t j) {
+    const glm::dvec2 start = tour[i].start;
+    const glm::dvec2 end = tour[j].end;
+    if (squared(end - before) < squared(start - before)) return true;
+    if (j + 1 == tour.size()) return false;
+    const glm::dvec2 after = tour[j + 1].start;
+    return squared(after - start) < squared(after - end);
+}
+
+void turn(std::vector<Stop>& tour, std::size_t i, std::size_t j) {
+    const std::span<Stop> stretch{tour.data() + i, j + 1 - i};
+    std::ranges::reverse(stretch);
+    for (Stop& stop : stretch) {
+        std::swap(stop.start, stop.end);
+        stop.reversed = !stop.reversed;
+    }
+}
+
 /// Turns stretches of the tour round where that shortens it (2-opt).
 bool turn_stretches(std::vector<Stop>& tour, glm::dvec2 at) {
+    constexpr double rounding = 1e-6; // pixels
     bool shorter = false;
     for (std::size_t i = 0; i < tour.size(); ++i) {
         const glm::dvec2 before = i > 0 ? tour[i - 1].end : at;
         const std::size_t last = std::min(tour.size(), i + longest_stretch);
         for (std::size_t j = i; j < last; ++j) {
-            double gain = glm::distance(before, tour[i].start) - glm::distance(before, tour[j].end);
-            if (j + 1 < tour.size()) {
-                const glm::dvec2 after = tour[j + 1].start;
-                gain += glm::distance(tour[j].end, after) - glm::distance(tour[i].start, after);
+            if (!may_gain(tour, before, i, j) || !(gain_of(tour, before, i, j) > rounding)) {
+                continue;
             }
-            if (!(gain > 1e-6)) continue;
-            const auto first = std::next(tour.begin(), static_cast<std::ptrdiff_t>(i));
-            const auto end = std::next(tour.begin(), static_cast<std::ptrdiff_t>(j + 1));
-            std::reverse(first, end);
-            for (auto stop = first; stop != end; ++stop) {
-                std::swap(stop->start, stop->end);
-                stop->reversed = !stop->reversed;
-            }
+            turn(tour, i, j);
             shorter = true;
         }
     }
