@@ -42,15 +42,20 @@ static __global const uchar* samples_of(const Frame frame, const Atlas atlas, co
     return atlas.alpha + atlas_address(s, atlas.width, atlas.pitch);
 }
 
+/* Visibility (of 255) from which on segment i counts as visible. */
+static uint least_shown(const Frame frame, const uint i) {
+    return LA_INTERVAL_SHOWN(frame.segments[i].tag & LA_TAG_KIND_MASK);
+}
+
 /* Whether the path is visible just beyond one end of segment i; `own` where it ends there. */
 static bool shown_beyond(const Frame frame, const Atlas atlas, const uint i, const uint at_end,
-                         const bool own) {
+                         const uint least, const bool own) {
     uint neighbour;
     if (path_end(frame, i, at_end, &neighbour) != LA_END_JOIN) return own;
     __global const uchar* samples = samples_of(frame, atlas, neighbour);
     if (samples == 0) return false;
     const uint last = frame.offsets[neighbour + 1] - frame.offsets[neighbour] - 1u;
-    return samples[at_end != 0 ? 0u : last] >= LA_INTERVAL_SHOWN;
+    return samples[at_end != 0 ? 0u : last] >= least;
 }
 
 /* Mean visibility of the samples whose middles lie in the piece. */
@@ -93,9 +98,10 @@ static uint put_segment(const Frame frame, const Atlas atlas, const uint i,
     Piece piece = {0.0f, 1.0f, LA_CHANGE_NONE, LA_CHANGE_NONE, false};
     if (samples == 0) return put(frame, atlas, i, samples, piece, 0, out);
     const uint l = frame.offsets[i + 1] - frame.offsets[i];
+    const uint least = least_shown(frame, i);
     uint count = 0;
-    bool shown = samples[0] >= LA_INTERVAL_SHOWN;
-    if (shown_beyond(frame, atlas, i, 0, shown) != shown) {
+    bool shown = samples[0] >= least;
+    if (shown_beyond(frame, atlas, i, 0, least, shown) != shown) {
         piece.end = 0.25f;
         piece.end_change = LA_CHANGE_HEAD;
         piece.visible = !shown;
@@ -104,7 +110,7 @@ static uint put_segment(const Frame frame, const Atlas atlas, const uint i,
         piece.start_change = piece.end_change;
     }
     for (uint j = 1; j < l; ++j) {
-        if ((samples[j] >= LA_INTERVAL_SHOWN) == shown) continue;
+        if ((samples[j] >= least) == shown) continue;
         piece.end = (float)j;
         piece.end_change = LA_CHANGE_WITHIN;
         piece.visible = shown;
@@ -114,7 +120,7 @@ static uint put_segment(const Frame frame, const Atlas atlas, const uint i,
         shown = !shown;
     }
     piece.visible = shown;
-    if (shown_beyond(frame, atlas, i, 1, shown) != shown) {
+    if (shown_beyond(frame, atlas, i, 1, least, shown) != shown) {
         piece.end = (float)l - 0.25f;
         piece.end_change = LA_CHANGE_TAIL;
         count = put(frame, atlas, i, samples, piece, count, out);
@@ -167,10 +173,18 @@ __kernel void intervals_write(
     for (uint i = first; i < last; ++i) next += put_segment(frame, atlas, i, intervals + next);
 }
 
-/* Whether the line is visible at a position counted in samples: by most of the probes in a box one
- * pixel wide and long, so that a slanted edge of depth texels counts as the straight one it stands
- * for. */
-static bool shown_at(const Spine spine, const float sample, const float pixel, const Depth depth) {
+/* A segment along which a change of visibility is looked for. */
+typedef struct Line {
+    Spine spine;
+    float l;     /* samples */
+    float pixel; /* length of a pixel in samples */
+    uint least;  /* visibility (of 255) from which on it counts as visible */
+} Line;
+
+/* Whether the line is visible at a position counted in samples: by the probes in a box one pixel
+ * wide and long, so that a slanted edge of depth texels counts as the straight one it stands for.
+ */
+static bool shown_at(const Line line, const float sample, const Depth depth) {
     uint visible = 0;
     for (int first = 0; first < PROBES; first += PROBE_LANES) {
         const lanes_int probe = LANE_INDEX + first;
@@ -179,29 +193,29 @@ static bool shown_at(const Spine spine, const float sample, const float pixel, c
         const lanes_float across = TO_FLOAT(column) - 1.0f, ahead = TO_FLOAT(row) - 1.0f;
         const lanes_float side = across * (1.0f / 3.0f) + ahead * (1.0f / 9.0f);
         const lanes_float along = ahead * (1.0f / 3.0f) + across * (1.0f / 9.0f);
-        const lanes_float u = (sample + along * pixel) * spine.inverse_l;
-        visible += (uint)COUNT(sees_line(spine, u, side, probe < PROBES, depth));
+        const lanes_float u = (sample + along * line.pixel) * line.spine.inverse_l;
+        visible += (uint)COUNT(sees_line(line.spine, u, side, probe < PROBES, depth));
     }
-    return 255u * visible >= LA_INTERVAL_SHOWN * PROBES;
+    return 255u * visible >= line.least * PROBES;
 }
 
-/* Where visibility changes. shown: visible before the change; pixel: its length in samples. */
-static float narrow(const Spine spine, const uint change, const float around, const float l,
-                    const float pixel, const bool shown, const Depth depth) {
+/* Where visibility changes. shown: visible before the change. */
+static float narrow(const Line line, const uint change, const float around, const bool shown,
+                    const Depth depth) {
     if (change == LA_CHANGE_NONE) return around;
     float low = around - 0.5f, high = around + 0.5f;
     if (change == LA_CHANGE_HEAD) {
-        if (shown_at(spine, 0.0f, pixel, depth) != shown) return 0.0f;
+        if (shown_at(line, 0.0f, depth) != shown) return 0.0f;
         low = 0.0f;
         high = 0.5f;
     } else if (change == LA_CHANGE_TAIL) {
-        if (shown_at(spine, l, pixel, depth) == shown) return l;
-        low = l - 0.5f;
-        high = l;
+        if (shown_at(line, line.l, depth) == shown) return line.l;
+        low = line.l - 0.5f;
+        high = line.l;
     }
     for (int step = 0; step < LA_INTERVAL_STEPS; ++step) {
         const float middle = 0.5f * (low + high);
-        if (shown_at(spine, middle, pixel, depth) == shown)
+        if (shown_at(line, middle, depth) == shown)
             low = middle;
         else
             high = middle;
@@ -238,15 +252,13 @@ __kernel void intervals_refine(__global const Segment* restrict segments,
     const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
     const Depth depth = {texels, depth_size, depth_scale, tolerance};
     const uint l = max(offsets[i + 1] - offsets[i], 1u);
-    const Spine spine = make_spine(clipped + i, viewport, depth_scale, l);
-    const float pixel = (float)l / arc_pixels(arcs[i + 1] - arcs[i]);
+    const Line line = {make_spine(clipped + i, viewport, depth_scale, l), (float)l,
+                       (float)l / arc_pixels(arcs[i + 1] - arcs[i]), least_shown(frame, i)};
     const bool visible = (interval->flags & LA_INTERVAL_VISIBLE) != 0;
     const uint start_change = interval->flags >> LA_INTERVAL_START_CHANGE_SHIFT & LA_CHANGE_MASK;
     const uint end_change = interval->flags >> LA_INTERVAL_END_CHANGE_SHIFT & LA_CHANGE_MASK;
-    const float start =
-        narrow(spine, start_change, interval->start_sample, (float)l, pixel, !visible, depth);
-    const float end =
-        narrow(spine, end_change, interval->end_sample, (float)l, pixel, visible, depth);
+    const float start = narrow(line, start_change, interval->start_sample, !visible, depth);
+    const float end = narrow(line, end_change, interval->end_sample, visible, depth);
 
     const Place from = place_at(frame, i, start, l);
     const Place to = place_at(frame, i, end, l);

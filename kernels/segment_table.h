@@ -123,8 +123,10 @@ typedef struct Interval {
 #define LA_CHANGE_HEAD 2u   /* the segment's start and the middle of its first sample */
 #define LA_CHANGE_TAIL 3u   /* the middle of its last sample and the segment's end */
 
-/* Visibility (of 255) from which on a sample belongs to a visible interval: half of its box. */
-#define LA_INTERVAL_SHOWN 128
+/* Visibility (of 255) from which on a sample belongs to a visible interval: half of its box. Beside
+ * a smooth silhouette half of the box is the surface itself, so half of it is all there is to see.
+ */
+#define LA_INTERVAL_SHOWN(kind) ((kind) == LA_KIND_SILHOUETTE ? 64u : 128u)
 /* Steps by which a change of visibility is narrowed down, from one sample's length. */
 #define LA_INTERVAL_STEPS 6
 

@@ -14,6 +14,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
+#include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -191,6 +192,20 @@ TEST_P(IntervalsTest, VisibleAndHiddenAreTheWholeOfEveryLine) {
             }
         }
     }
+}
+
+// Beside a smooth silhouette half of what a probe may see is the surface that folds away.
+TEST_P(IntervalsTest, TheOutlineOfABallIsVisibleAllAround) {
+    const Mesh ball = sphere(5);
+    const LineSet lines = extract_lines(ball);
+    const glm::ivec2 size{400, 300};
+    const Camera camera = make_camera(frame_points(lines.vertices, size), size, lines.bounds);
+    double visible = 0, hidden = 0;
+    for (const Interval& interval : find(lines, camera)) {
+        (is_visible(interval) ? visible : hidden) += length_of(interval);
+    }
+    EXPECT_GT(visible, 600);
+    EXPECT_LT(hidden, 0.01 * visible);
 }
 
 TEST_P(IntervalsTest, AFrameNeedNotBeDrawn) {

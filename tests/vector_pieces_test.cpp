@@ -41,20 +41,6 @@ TEST(VectorPieces, StandWhereTheCameraSeesThem) {
     }
 }
 
-TEST(VectorPieces, ASilhouetteThatHalfOfItsProbesSeeIsVisible) {
-    for (const LineKind kind : {LineKind::silhouette, LineKind::crease}) {
-        for (const float alpha : {0.2F, 0.4F}) {
-            Lines lines;
-            lines.add(kind, {{20, 50, 0.5F}, {120, 50, 0.5F}});
-            Cuts cuts{lines.set, flat_camera()};
-            cuts.add(0, 0, 1, false);
-            cuts.intervals[0].alpha = alpha;
-            const Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
-            EXPECT_EQ(pieces.list[0].visible, kind == LineKind::silhouette && alpha > 0.3F);
-        }
-    }
-}
-
 TEST(VectorPieces, LeaveOutWhatIsBehindTheEyeOrNoNumber) {
     Lines lines;
     lines.add(LineKind::crease, {{0, 0, 0}, {1, 0, 0}});

@@ -6,6 +6,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "vector/junctions.hpp"
+#include "vector/pieces.hpp"
+
 namespace lineatlas::bench {
 namespace {
 
@@ -13,14 +16,14 @@ namespace {
 class Path {
   public:
     /// A segment of `pixels` in pieces of equal length.
-    void add_segment(double pixels, std::span<const float> truth) {
+    void add_segment(double pixels, std::span<const float> truth, std::uint32_t kind) {
         begin_ = end_;
         end_ += pixels;
         const double each = pixels / static_cast<double>(truth.size());
         for (std::size_t j = 0; j < truth.size(); ++j) {
             places_.push_back({.at = begin_ + (static_cast<double>(j) + 0.5) * each,
                                .length = each,
-                               .truly_visible = truth[j] * 255 >= LA_INTERVAL_SHOWN});
+                               .truly_visible = truth[j] * 255 >= LA_INTERVAL_SHOWN(kind)});
         }
     }
 
@@ -130,6 +133,31 @@ void IntervalFigures::add(const IntervalFigures& other) {
     missing += other.missing;
 }
 
+std::vector<Interval> met_intervals(const LineSet& lines, const ClippedLines& clipped,
+                                    const Camera& camera, std::span<const Interval> intervals) {
+    Pieces pieces = make_pieces(lines, camera, intervals);
+    drop_flickers(pieces);
+    meet_junctions(lines, glm::dvec2{camera.size}, pieces);
+    std::vector<Interval> result;
+    for (const Piece& piece : pieces.list) {
+        const ClippedSegment& segment = clipped.clipped[piece.segment];
+        const WindowSegment window = window_segment(segment, camera.size);
+        const glm::dvec2 way = window.q - window.p;
+        const auto share = [&](glm::dvec2 at) {
+            const glm::dvec2 place{at.x, camera.size.y - at.y}; // y is down there
+            const double squared = glm::dot(way, way);
+            return squared > 0 ? glm::dot(place - window.p, way) / squared : 0;
+        };
+        Interval interval{};
+        interval.segment = piece.segment;
+        interval.start_sample = static_cast<float>(share(pieces.start(piece).at));
+        interval.end_sample = static_cast<float>(share(pieces.end(piece).at));
+        interval.flags = piece.visible ? LA_INTERVAL_VISIBLE : 0;
+        result.push_back(interval);
+    }
+    return result;
+}
+
 IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine,
                                   glm::ivec2 viewport, std::span<const float> truth,
                                   std::span<const Interval> intervals) {
@@ -143,7 +171,8 @@ IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine
             if (places == 0) continue;
             const WindowSegment window = window_segment(fine.clipped[i], viewport);
             path.add_segment(glm::distance(window.p, window.q),
-                             truth.subspan(fine.offsets[i], places));
+                             truth.subspan(fine.offsets[i], places),
+                             lines.segments[i].tag & LA_TAG_KIND_MASK);
             while (next < intervals.size() && intervals[next].segment < i) ++next;
             const std::size_t first = next;
             while (next < intervals.size() && intervals[next].segment == i) ++next;

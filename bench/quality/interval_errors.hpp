@@ -28,6 +28,10 @@ struct IntervalFigures {
 inline constexpr float truth_step_pixels = 0.25F;
 inline constexpr double end_reach_pixels = 2;
 
+/// The intervals as a drawing as paths has them, their ends at the lines that hide them.
+std::vector<Interval> met_intervals(const LineSet& lines, const ClippedLines& clipped,
+                                    const Camera& camera, std::span<const Interval> intervals);
+
 /// `truth` is of `fine`, whose step is `truth_step_pixels`; `intervals` are visible and hidden
 /// ones.
 IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine,

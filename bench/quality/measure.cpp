@@ -183,12 +183,13 @@ StudyReport Measurement::study() {
     return report;
 }
 
-IntervalReport Measurement::intervals() {
-    IntervalReport report{subject_.name, {}};
+std::vector<IntervalReport> Measurement::intervals() {
+    std::vector<IntervalReport> reports{{subject_.name, {}}, {subject_.name + ", met", {}}};
     FrameOptions options;
     options.intervals = KeptIntervals::all;
     options.draw = false;
     options.step = settings_.step;
+    options.steady = false; // every view on its own
     for (std::size_t v = 0; v < subject_.views.size(); ++v) {
         begin_view(v);
         const Camera camera =
@@ -197,12 +198,15 @@ IntervalReport Measurement::intervals() {
         doing("ray casting");
         const std::vector<float> truth =
             oracle_.visibility(fine, camera, {.rays = 9, .neighbourhood = settings_.neighbourhood});
-        options.steady = false; // every view on its own
         renderer_.draw(camera, options, canvas_.framebuffer());
-        report.figures.add(compare_intervals(subject_.lines, fine, settings_.size, truth,
-                                             renderer_.read_intervals()));
+        const std::vector<Interval> found = renderer_.read_intervals();
+        const auto compared = [&](std::span<const Interval> intervals) {
+            return compare_intervals(subject_.lines, fine, settings_.size, truth, intervals);
+        };
+        reports[0].figures.add(compared(found));
+        reports[1].figures.add(compared(met_intervals(subject_.lines, fine, camera, found)));
     }
-    return report;
+    return reports;
 }
 
 OracleReport Measurement::check_oracle() {

@@ -36,8 +36,9 @@ class Measurement {
     SubjectReport run(const std::vector<Contestant>& methods, const ViewCallback& on_view);
     /// The same of the segment atlas with any number of probes and depth scale.
     StudyReport study();
-    /// How right the intervals are that come out of SAhi.
-    IntervalReport intervals();
+    /// How right the intervals are that come out of SAhi, and those of a drawing as paths, whose
+    /// ends meet the lines that hide them.
+    std::vector<IntervalReport> intervals();
     /// Sparkle of what is drawn with each of some styles; each gets all of a view's frames in turn.
     SubjectReport styles(const std::vector<Contestant>& styles);
     /// Whether the truth hangs on the number of rays.

@@ -286,7 +286,7 @@ class Bench {
             } else if (arguments_.check_oracle) {
                 report_.oracle.push_back(measurement.check_oracle());
             } else if (arguments_.intervals) {
-                report_.intervals.push_back(measurement.intervals());
+                std::ranges::move(measurement.intervals(), std::back_inserter(report_.intervals));
             } else if (!arguments_.styles.empty()) {
                 report_.subjects.push_back(measurement.styles(style_contestants(arguments_)));
             } else {
@@ -351,8 +351,10 @@ class Bench {
                            ? ""
                            : ", more than may be");
         } else if (arguments_.intervals) {
-            if (report_.intervals.size() == 1) print_intervals_header();
-            print_intervals(report_.intervals.back());
+            if (report_.intervals.size() == 2) print_intervals_header();
+            for (const IntervalReport& one : std::span{report_.intervals}.last(2)) {
+                print_intervals(one);
+            }
         } else if (!arguments_.styles.empty()) {
             print_styles(report_.subjects.back());
         } else {

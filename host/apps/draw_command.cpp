@@ -63,7 +63,15 @@ T choose(std::string_view option, const std::string& value, const std::map<std::
     throw UsageError(fmt::format("{} \"{}\" is unknown; there is {}", option, value, names));
 }
 
-FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
+/// Depth texels per pixel that --quality stands for. Paths end where the depth buffer has it, so
+/// they get a finer one where no GL's limit is in its way.
+int usual_depth_scale(const DrawArguments& arguments, bool high, glm::ivec2 size) {
+    constexpr int largest = 4096;
+    const bool finer = is_vector_path(arguments.output) && size.x <= largest && size.y <= largest;
+    return !high ? 1 : finer ? 4 : 2;
+}
+
+FrameOptions frame_options(const DrawArguments& arguments, const Style& style, glm::ivec2 size) {
     const Method method = choose<Method>("--method", arguments.method,
                                          {{"atlas", Method::atlas},
                                           {"spine", Method::spine},
@@ -74,7 +82,7 @@ FrameOptions frame_options(const DrawArguments& arguments, const Style& style) {
     FrameOptions options;
     options.method = method;
     options.probes = high ? 9 : 1;
-    options.depth_scale = high ? 2 : 1;
+    options.depth_scale = usual_depth_scale(arguments, high, size);
     if (arguments.probes != 0) options.probes = arguments.probes;
     if (arguments.depth_scale != 0) options.depth_scale = arguments.depth_scale;
     options.step = arguments.step;
@@ -234,7 +242,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     check_arguments(arguments);
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const Style style = arguments.style.style();
-    FrameOptions options = frame_options(arguments, style);
+    FrameOptions options = frame_options(arguments, style, size);
     ImageWriter writer; // before anything starts a thread
     const std::map<std::string, Image> pen_images = read_pen_images(style);
 
@@ -298,7 +306,8 @@ Command setup_draw(CLI::App& app) {
                    "How visibility is computed: atlas, spine, itembuffer or opengl")
         ->capture_default_str()
         ->group(visibility);
-    app.add_option("--quality", a.quality, "low: 1 probe, 1x depth; high: 9 probes, 2x depth")
+    app.add_option("--quality", a.quality,
+                   "low: 1 probe, 1x depth; high: 9 probes, 2x depth (4x for paths)")
         ->capture_default_str()
         ->group(visibility);
     app.add_option("--probes", a.probes, "Depth probes per sample: 1, 4, 9 or 16")

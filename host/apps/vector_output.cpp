@@ -15,19 +15,11 @@ bool is_json(const std::filesystem::path& path) {
     return extension == ".json" || extension == ".JSON";
 }
 
-/// What the style does needs to know what is hidden.
-bool needs_hidden(const Style& style) {
-    const StrokeFilter& f = style.filter;
-    return style.hidden || f.fill > 0 || f.drop > 0 || f.overshoot > 0 || f.undershoot > 0 ||
-           f.halo > 0;
-}
-
 } // namespace
 
 VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, Renderer& renderer)
     : frame_(std::move(frame)), lines_(lines), renderer_(renderer) {
-    frame_.options.intervals =
-        needs_hidden(frame_.options.style) ? KeptIntervals::all : KeptIntervals::visible;
+    frame_.options.intervals = KeptIntervals::all; // what hides a line may bridge a gap in it
     frame_.options.draw = false;
 }
 

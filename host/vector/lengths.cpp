@@ -9,6 +9,9 @@ namespace {
 
 /// Nothing is shorter than this, in pixels: rounding of places.
 constexpr double shortest = 0.01;
+/// A stretch between two places where visibility changes is chance if it is shorter, in pixels: no
+/// sample of visibility is.
+constexpr double crumb = 1;
 /// Visibility from which on a stroke is drawn in full.
 constexpr float fully_shown = static_cast<float>(LA_FULLY_SHOWN) / 255;
 
@@ -81,7 +84,10 @@ class Lengths {
     std::vector<Stroke> long_enough(const std::vector<Stretch>& stretches) const {
         std::vector<Stroke> strokes;
         for (const Stretch& stretch : stretches) {
-            if (!is_cut_off(stretch) && stretch.length() < drop_) continue;
+            const bool between_changes =
+                stretch.start_kind == LA_END_HIDDEN && stretch.end_kind == LA_END_HIDDEN;
+            const double least = between_changes ? std::max(drop_, crumb) : drop_;
+            if (!is_cut_off(stretch) && stretch.length() < least) continue;
             strokes.push_back({.part = stretch,
                                .start_overshoot = overshoot_at(stretch.from, true),
                                .end_overshoot = overshoot_at(stretch.to, false)});

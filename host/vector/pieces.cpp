@@ -87,15 +87,6 @@ PieceEnd make_end(const ScreenSegment& segment, const float* window, double heig
     return {.t = at_it ? vertex : share_along(segment, window, height), .kind = kind};
 }
 
-/// Beside a smooth silhouette half of every pixel is the surface itself, so that half of the probes
-/// is all that can see it, and chance decides which of its samples the readback calls visible.
-bool is_shown(const Interval& interval, const Segment& segment) {
-    constexpr float half_of_a_fold = 0.25F;
-    if ((interval.flags & LA_INTERVAL_VISIBLE) != 0) return true;
-    const bool fold = (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
-    return fold && interval.alpha >= half_of_a_fold;
-}
-
 } // namespace
 
 VectorPoint between(const VectorPoint& a, const VectorPoint& b, double share) {
@@ -152,7 +143,7 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
         ScreenSegment& screen = pieces.screen.back();
         Piece piece{.segment = interval.segment,
                     .screen = static_cast<std::uint32_t>(pieces.screen.size() - 1),
-                    .visible = is_shown(interval, lines.segments[interval.segment]),
+                    .visible = (interval.flags & LA_INTERVAL_VISIBLE) != 0,
                     .alpha = interval.alpha};
         piece.start = make_end(screen, interval.start, height,
                                interval.flags >> LA_INTERVAL_START_SHIFT & LA_END_MASK, 0);

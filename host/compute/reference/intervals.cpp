@@ -9,11 +9,15 @@
 namespace lineatlas::compute::reference {
 namespace {
 
-constexpr int probes = 9;
+constexpr std::uint32_t probes = 9;
 
-bool is_shown(std::uint8_t alpha) {
-    return alpha >= LA_INTERVAL_SHOWN;
-}
+/// A segment along which a change of visibility is looked for.
+struct Line {
+    Spine spine;
+    std::uint32_t l;     ///< samples
+    float pixel;         ///< length of a pixel in samples
+    std::uint32_t least; ///< visibility (of 255) from which on it counts as visible
+};
 
 /// A part of a segment: from one change of visibility to the next, counted in samples.
 struct Piece {
@@ -44,16 +48,16 @@ class Finder {
     void refine(Interval& interval) const {
         const std::uint32_t i = interval.segment;
         const std::uint32_t l = std::max(frame_.samples(i), 1U);
-        const Spine spine = make_spine(in_.clipped[i], in_.viewport, in_.depth_scale);
-        const float pixel = static_cast<float>(l) / frame_.length(i);
+        const Line line{make_spine(in_.clipped[i], in_.viewport, in_.depth_scale), l,
+                        static_cast<float>(l) / frame_.length(i), least_shown(i)};
         const bool visible = (interval.flags & LA_INTERVAL_VISIBLE) != 0;
         const auto change = [&](std::uint32_t shift) {
             return interval.flags >> shift & LA_CHANGE_MASK;
         };
-        interval.start_sample = narrow(spine, change(LA_INTERVAL_START_CHANGE_SHIFT),
-                                       interval.start_sample, l, pixel, !visible);
-        interval.end_sample = narrow(spine, change(LA_INTERVAL_END_CHANGE_SHIFT),
-                                     interval.end_sample, l, pixel, visible);
+        interval.start_sample =
+            narrow(line, change(LA_INTERVAL_START_CHANGE_SHIFT), interval.start_sample, !visible);
+        interval.end_sample =
+            narrow(line, change(LA_INTERVAL_END_CHANGE_SHIFT), interval.end_sample, visible);
         const Place start = place_at(frame_, i, interval.start_sample, l);
         const Place end = place_at(frame_, i, interval.end_sample, l);
         const glm::vec3 start_world = world_point(i, interval.start_sample / static_cast<float>(l));
@@ -81,19 +85,25 @@ class Finder {
         return in_.alpha.subspan(in_.layout.address(s), l);
     }
 
+    std::uint32_t least_shown(std::uint32_t i) const {
+        return LA_INTERVAL_SHOWN(in_.segments[i].tag & LA_TAG_KIND_MASK);
+    }
+
     /// Whether the path is visible just beyond one end of a segment; `own` where it ends there.
     bool shown_beyond(std::uint32_t i, bool at_end, bool own) const {
         std::uint32_t neighbour = i;
         if (path_end(frame_, i, at_end, neighbour) != LA_END_JOIN) return own;
         const auto samples = samples_of(neighbour);
-        return !samples.empty() && is_shown(at_end ? samples.front() : samples.back());
+        return !samples.empty() &&
+               (at_end ? samples.front() : samples.back()) >= least_shown(neighbour);
     }
 
     void find_in(std::uint32_t i) {
         const auto samples = samples_of(i);
         Piece piece{0, 1, LA_CHANGE_NONE, LA_CHANGE_NONE, false};
         if (samples.empty()) return put(i, samples, piece);
-        bool shown = is_shown(samples.front());
+        const std::uint32_t least = least_shown(i);
+        bool shown = samples.front() >= least;
         const auto change_at = [&](float place, std::uint32_t change, bool visible) {
             piece.end = place;
             piece.end_change = change;
@@ -104,7 +114,7 @@ class Finder {
         };
         if (shown_beyond(i, false, shown) != shown) change_at(0.25F, LA_CHANGE_HEAD, !shown);
         for (std::size_t j = 1; j < samples.size(); ++j) {
-            if (is_shown(samples[j]) == shown) continue;
+            if ((samples[j] >= least) == shown) continue;
             change_at(static_cast<float>(j), LA_CHANGE_WITHIN, shown);
             shown = !shown;
         }
@@ -153,39 +163,38 @@ class Finder {
         return path_end(frame_, i, at_end, neighbour);
     }
 
-    /// By most of the probes in a box one pixel wide and long. pixel: its length in samples.
-    bool shown_at(const Spine& spine, float sample, std::uint32_t l, float pixel) const {
-        int visible = 0;
-        for (int probe = 0; probe < probes; ++probe) {
+    /// By the probes in a box one pixel wide and long.
+    bool shown_at(const Line& line, float sample) const {
+        std::uint32_t visible = 0;
+        for (std::uint32_t probe = 0; probe < probes; ++probe) {
             const float across = static_cast<float>(probe % 3) - 1.0F;
             const float ahead = static_cast<float>(probe / 3) - 1.0F;
             const float side = across * (1.0F / 3.0F) + ahead * (1.0F / 9.0F);
             const float along = ahead * (1.0F / 3.0F) + across * (1.0F / 9.0F);
-            const float u = (sample + along * pixel) * (1.0F / static_cast<float>(l));
-            visible += sees_line(spine, u, side, depth_) ? 1 : 0;
+            const float u = (sample + along * line.pixel) * (1.0F / static_cast<float>(line.l));
+            visible += sees_line(line.spine, u, side, depth_) ? 1 : 0;
         }
-        return 255 * visible >= LA_INTERVAL_SHOWN * probes;
+        return 255 * visible >= line.least * probes;
     }
 
     /// Where visibility changes. shown: visible before the change.
-    float narrow(const Spine& spine, std::uint32_t change, float around, std::uint32_t l,
-                 float pixel, bool shown) const {
+    float narrow(const Line& line, std::uint32_t change, float around, bool shown) const {
         if (change == LA_CHANGE_NONE) return around;
         float low = around - 0.5F;
         float high = around + 0.5F;
-        const auto end = static_cast<float>(l);
+        const auto end = static_cast<float>(line.l);
         if (change == LA_CHANGE_HEAD) {
-            if (shown_at(spine, 0, l, pixel) != shown) return 0;
+            if (shown_at(line, 0) != shown) return 0;
             low = 0;
             high = 0.5F;
         } else if (change == LA_CHANGE_TAIL) {
-            if (shown_at(spine, end, l, pixel) == shown) return end;
+            if (shown_at(line, end) == shown) return end;
             low = end - 0.5F;
             high = end;
         }
         for (int step = 0; step < LA_INTERVAL_STEPS; ++step) {
             const float middle = 0.5F * (low + high);
-            (shown_at(spine, middle, l, pixel) == shown ? low : high) = middle;
+            (shown_at(line, middle) == shown ? low : high) = middle;
         }
         return 0.5F * (low + high);
     }
