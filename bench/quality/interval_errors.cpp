@@ -23,13 +23,15 @@ class Path {
         for (std::size_t j = 0; j < truth.size(); ++j) {
             places_.push_back({.at = begin_ + (static_cast<double>(j) + 0.5) * each,
                                .length = each,
+                               .alpha = truth[j],
                                .truly_visible = truth[j] * 255 >= LA_INTERVAL_SHOWN(kind)});
         }
     }
 
     /// Between two shares of the segment added last.
-    void add_interval(double from, double to, bool visible) {
+    void add_interval(double from, double to, bool visible, float alpha) {
         const double pixels = end_ - begin_;
+        shares_ += (to - from) * pixels * double{alpha};
         const double start = begin_ + from * pixels;
         const double end = begin_ + to * pixels;
         if (!stretches_.empty() && stretches_.back().visible == visible &&
@@ -42,9 +44,11 @@ class Path {
 
     IntervalFigures figures() const {
         IntervalFigures result;
+        result.shares = shares_;
         std::size_t k = 0;
         for (const Place& place : places_) {
             result.length += place.length;
+            result.true_shares += place.length * double{place.alpha};
             if (place.truly_visible) result.truly_visible += place.length;
             while (k < stretches_.size() && stretches_[k].end < place.at) ++k;
             const bool known = k < stretches_.size() && stretches_[k].start <= place.at;
@@ -75,6 +79,7 @@ class Path {
   private:
     struct Place {
         double at, length;
+        float alpha;
         bool truly_visible;
     };
     struct Stretch {
@@ -108,6 +113,7 @@ class Path {
         });
     }
 
+    double shares_ = 0;
     double begin_ = 0, end_ = 0; ///< of the segment added last
     std::vector<Place> places_;
     std::vector<Stretch> stretches_;
@@ -125,6 +131,8 @@ void IntervalFigures::add(const IntervalFigures& other) {
     length += other.length;
     visible += other.visible;
     truly_visible += other.truly_visible;
+    shares += other.shares;
+    true_shares += other.true_shares;
     falsely_visible += other.falsely_visible;
     falsely_hidden += other.falsely_hidden;
     crumbs += other.crumbs;
@@ -152,6 +160,7 @@ std::vector<Interval> met_intervals(const LineSet& lines, const ClippedLines& cl
         interval.segment = piece.segment;
         interval.start_sample = static_cast<float>(share(pieces.start(piece).at));
         interval.end_sample = static_cast<float>(share(pieces.end(piece).at));
+        interval.alpha = piece.alpha;
         interval.flags = piece.visible ? LA_INTERVAL_VISIBLE : 0;
         result.push_back(interval);
     }
@@ -180,7 +189,7 @@ IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine
             const double samples = intervals[next - 1].end_sample;
             for (const Interval& interval : intervals.subspan(first, next - first)) {
                 path.add_interval(interval.start_sample / samples, interval.end_sample / samples,
-                                  (interval.flags & LA_INTERVAL_VISIBLE) != 0);
+                                  (interval.flags & LA_INTERVAL_VISIBLE) != 0, interval.alpha);
             }
         }
         result.add(path.figures());

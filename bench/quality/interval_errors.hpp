@@ -12,6 +12,8 @@ struct IntervalFigures {
     double length = 0;        ///< of all lines inside the picture, pixels
     double visible = 0;       ///< of it said to be visible
     double truly_visible = 0; ///< of it visible
+    /// The same with what is partly visible counted in part, by Interval::alpha and the truth.
+    double shares = 0, true_shares = 0;
     double falsely_visible = 0, falsely_hidden = 0;
     std::size_t crumbs = 0;     ///< visible stretches below a pixel of which nothing is visible
     std::size_t ends = 0;       ///< places where visibility is said to change

@@ -183,12 +183,10 @@ StudyReport Measurement::study() {
     return report;
 }
 
-std::vector<IntervalReport> Measurement::intervals() {
+std::vector<IntervalReport> Measurement::intervals(FrameOptions options) {
     std::vector<IntervalReport> reports{{subject_.name, {}}, {subject_.name + ", met", {}}};
-    FrameOptions options;
     options.intervals = KeptIntervals::all;
     options.draw = false;
-    options.step = settings_.step;
     options.steady = false; // every view on its own
     for (std::size_t v = 0; v < subject_.views.size(); ++v) {
         begin_view(v);

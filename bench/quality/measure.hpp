@@ -38,7 +38,7 @@ class Measurement {
     StudyReport study();
     /// How right the intervals are that come out of SAhi, and those of a drawing as paths, whose
     /// ends meet the lines that hide them.
-    std::vector<IntervalReport> intervals();
+    std::vector<IntervalReport> intervals(FrameOptions options);
     /// Sparkle of what is drawn with each of some styles; each gets all of a view's frames in turn.
     SubjectReport styles(const std::vector<Contestant>& styles);
     /// Whether the truth hangs on the number of rays.

@@ -286,7 +286,8 @@ class Bench {
             } else if (arguments_.check_oracle) {
                 report_.oracle.push_back(measurement.check_oracle());
             } else if (arguments_.intervals) {
-                std::ranges::move(measurement.intervals(), std::back_inserter(report_.intervals));
+                std::ranges::move(measurement.intervals(methods_.back().options),
+                                  std::back_inserter(report_.intervals));
             } else if (!arguments_.styles.empty()) {
                 report_.subjects.push_back(measurement.styles(style_contestants(arguments_)));
             } else {

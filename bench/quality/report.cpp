@@ -219,19 +219,20 @@ void print_study(const StudyReport& report) {
 }
 
 void print_intervals_header() {
-    fmt::print("{:<16}{:>11}{:>11}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "intervals",
-               "truth px", "visible px", "diff %", "f.vis %", "f.hid %", "crumbs", "ends", "<.25 %",
-               "<.5 %", "<1 %");
+    fmt::print("{:<16}{:>11}{:>11}{:>8}{:>9}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}\n", "intervals",
+               "truth px", "visible px", "diff %", "shares %", "f.vis %", "f.hid %", "crumbs",
+               "ends", "<.25 %", "<.5 %", "<1 %");
 }
 
 void print_intervals(const IntervalReport& report) {
     const IntervalFigures& f = report.figures;
     const auto percent = [&](double pixels) { return 100 * pixels / f.truly_visible; };
-    fmt::print(
-        "{:<16}{:>11.0f}{:>11.0f}{:>8.3f}{:>8.3f}{:>8.3f}{:>8}{:>8}{:>8.1f}{:>8.1f}{:>8.1f}\n",
-        report.name, f.truly_visible, f.visible, percent(f.visible - f.truly_visible),
-        percent(f.falsely_visible), percent(f.falsely_hidden), f.crumbs, f.ends,
-        100 * f.ends_within(0.25), 100 * f.ends_within(0.5), 100 * f.ends_within(1));
+    fmt::print("{:<16}{:>11.0f}{:>11.0f}{:>8.3f}{:>9.3f}{:>8.3f}{:>8.3f}{:>8}{:>8}{:>8.1f}{:>8.1f}{"
+               ":>8.1f}\n",
+               report.name, f.truly_visible, f.visible, percent(f.visible - f.truly_visible),
+               100 * (f.shares / f.true_shares - 1), percent(f.falsely_visible),
+               percent(f.falsely_hidden), f.crumbs, f.ends, 100 * f.ends_within(0.25),
+               100 * f.ends_within(0.5), 100 * f.ends_within(1));
 }
 
 void print_view_header() {
