@@ -33,6 +33,9 @@ double short_float(double value) {
 
 Json piece_json(const VectorPiece& piece) {
     Json json{{"point", piece.point}, {"from", piece.source.from}, {"to", piece.source.to}};
+    if (piece.from > 0 || piece.to < 1) {
+        json["part"] = {rounded(double{piece.from}, 1000), rounded(double{piece.to}, 1000)};
+    }
     if (piece.source.triangle != LineSource::none) json["triangle"] = piece.source.triangle;
     if (piece.group != VectorPiece::none) json["group"] = piece.group;
     return json;

@@ -1,6 +1,7 @@
 #include "paths.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pieces.hpp"
 
@@ -37,8 +38,17 @@ VectorPath part_of(const VectorPath& path, double from, double to) {
         }
         for (; piece != path.pieces.end() && piece->point == i; ++piece) {
             if (!inside) continue;
-            part.pieces.push_back(*piece);
-            part.pieces.back().point = static_cast<std::uint32_t>(part.points.size() - 2);
+            const auto share = [&](double of_whole) {
+                const double first = std::max(0.0, (from - passed) / length);
+                const double last = std::min(1.0, (to - passed) / length);
+                return static_cast<float>(
+                    std::clamp((of_whole - first) / (last - first), 0.0, 1.0));
+            };
+            VectorPiece own = *piece;
+            own.point = static_cast<std::uint32_t>(part.points.size() - 2);
+            own.from = share(piece->from);
+            own.to = share(piece->to);
+            if (own.to > own.from) part.pieces.push_back(own);
         }
         passed = end;
     }
@@ -51,6 +61,7 @@ void reverse(VectorPath& path) {
     for (VectorPiece& piece : path.pieces) {
         piece.point = static_cast<std::uint32_t>(path.points.size() - 2 - piece.point);
         std::swap(piece.source.from, piece.source.to);
+        piece.from = 1 - std::exchange(piece.to, 1 - piece.from);
     }
 }
 

@@ -137,6 +137,8 @@ void improve(std::span<VectorPath> paths, glm::dvec2 at) {
 void bridge(VectorPath& path, const VectorPoint& to) {
     VectorPiece piece = path.pieces.back();
     piece.point = static_cast<std::uint32_t>(path.points.size() - 1);
+    piece.from = 0;
+    piece.to = 1;
     path.pieces.push_back(piece);
     path.points.push_back(to);
 }

@@ -12,12 +12,15 @@ namespace {
 
 constexpr double shortest_path = 0.01;
 
-double distance_to(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+/// Where along the way from a to b a point is.
+double share_along(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
     const glm::dvec2 way = b - a;
     const double squared = glm::dot(way, way);
-    if (!(squared > 0)) return glm::distance(point, a);
-    const double share = std::clamp(glm::dot(point - a, way) / squared, 0.0, 1.0);
-    return glm::distance(point, a + way * share);
+    return squared > 0 ? std::clamp(glm::dot(point - a, way) / squared, 0.0, 1.0) : 0;
+}
+
+double distance_to(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    return glm::distance(point, a + (b - a) * share_along(point, a, b));
 }
 
 /// The point between two others that is farthest from the line between them.
@@ -59,6 +62,10 @@ void simplify(VectorPath& path, double tolerance) {
     std::size_t edge = 0;
     for (VectorPiece& piece : path.pieces) {
         while (edge + 2 < kept.size() && kept[edge + 1] <= piece.point) ++edge;
+        const glm::dvec2 a = path.points[kept[edge]].at;
+        const glm::dvec2 b = path.points[kept[edge + 1]].at;
+        piece.from = static_cast<float>(share_along(path.points[piece.point].at, a, b));
+        piece.to = static_cast<float>(share_along(path.points[piece.point + 1].at, a, b));
         piece.point = static_cast<std::uint32_t>(edge);
     }
     for (std::size_t i = 0; i < kept.size(); ++i) path.points[i] = path.points[kept[i]];

@@ -30,7 +30,8 @@ struct VectorPoint {
 /// Where a piece of a path comes from.
 struct VectorPiece {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
-    std::uint32_t point = 0;    ///< from this point of the path to the next one
+    std::uint32_t point = 0;    ///< it lies between this point of the path and the next one,
+    float from = 0, to = 1;     ///< from this share of the way between them to that one
     std::uint32_t segment = 0;  ///< index into LineSet::segments
     LineSource source{};        ///< in the mesh, in the direction of the path
     std::uint32_t group = none; ///< index into VectorDrawing::groups
@@ -43,7 +44,7 @@ struct VectorPath {
     bool closed = false; ///< the last point is where the first one is
     float alpha = 1;     ///< mean visibility
     std::vector<VectorPoint> points;
-    /// By point; several of one point where segments in a row lie on one straight line.
+    /// In order; several of one point where segments in a row lie on one straight line.
     std::vector<VectorPiece> pieces;
 };
 

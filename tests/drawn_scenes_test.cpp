@@ -1,0 +1,116 @@
+// Drawings as paths of the built-in scenes, from the model to the paths: no line twice, and every
+// tag leads back to an edge of the mesh.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/scenes.hpp"
+#include "vector_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+constexpr glm::ivec2 size{800, 600};
+
+class DrawnScene : public testing::TestWithParam<const char*> {
+  protected:
+    DrawnScene()
+        : scene_(make_scene(GetParam())), lines_(extract_lines(scene_.mesh)),
+          camera_(make_camera(scene_.view(0), size, lines_.bounds)) {
+        Renderer renderer;
+        renderer.set_lines(lines_);
+        FrameOptions options;
+        options.intervals = KeptIntervals::all;
+        options.draw = false;
+        renderer.draw(camera_, options, 0);
+        intervals_ = renderer.read_intervals();
+    }
+
+    VectorDrawing drawing(bool hidden) const {
+        Style style;
+        style.hidden = hidden;
+        return make_vector_drawing(lines_, camera_, intervals_, style, {.mesh = &scene_.mesh});
+    }
+
+    /// Pixels that a piece's part of its path is away from the edge of the mesh that it says it
+    /// shows; nothing for an edge that is partly behind the eye.
+    double distance_to_edge(const VectorPath& path, const VectorPiece& piece) const {
+        const glm::dmat4 clip_from_world{camera_.clip_from_world()};
+        std::array<glm::dvec2, 2> edge;
+        for (std::size_t end = 0; end < 2; ++end) {
+            const std::uint32_t position = end == 0 ? piece.source.from : piece.source.to;
+            const glm::dvec4 clip =
+                clip_from_world * glm::dvec4{glm::dvec3{scene_.mesh.positions[position]}, 1};
+            if (!(clip.w > 0)) return 0;
+            edge[end] = (glm::dvec2{clip.x, -clip.y} / clip.w + 1.0) * 0.5 * glm::dvec2{size};
+        }
+        const glm::dvec2 start = path.points[piece.point].at;
+        const glm::dvec2 way = path.points[piece.point + 1].at - start;
+        const std::array<glm::dvec2, 2> part{start + way * double{piece.from},
+                                             start + way * double{piece.to}};
+        return std::max(distance(part[0], edge), distance(part[1], edge));
+    }
+
+    static double distance(glm::dvec2 point, const std::array<glm::dvec2, 2>& line) {
+        const glm::dvec2 way = line[1] - line[0];
+        const double squared = glm::dot(way, way);
+        const double share =
+            squared > 0 ? std::clamp(glm::dot(point - line[0], way) / squared, 0.0, 1.0) : 0;
+        return glm::distance(point, line[0] + way * share);
+    }
+
+    gl::HeadlessContext context_;
+    Scene scene_;
+    LineSet lines_;
+    Camera camera_;
+    std::vector<Interval> intervals_;
+};
+
+TEST_P(DrawnScene, HasNoLineTwice) {
+    for (const bool hidden : {false, true}) {
+        const VectorDrawing drawing = this->drawing(hidden);
+        EXPECT_GT(drawing.paths.size(), 20U);
+        EXPECT_EQ(flaws_of(drawing), "");
+        EXPECT_LE(longest_overlap(drawing.paths), 0.5);
+    }
+}
+
+TEST_P(DrawnScene, TagsLeadBackToTheMesh) {
+    const Mesh& mesh = scene_.mesh;
+    const VectorDrawing drawing = this->drawing(true);
+    std::size_t pieces = 0;
+    for (const VectorPath& path : drawing.paths) {
+        for (const VectorPiece& piece : path.pieces) {
+            const LineSource& source = piece.source;
+            ASSERT_LT(source.from, mesh.positions.size());
+            ASSERT_LT(source.to, mesh.positions.size());
+            ASSERT_LT(source.triangle, mesh.triangles.size());
+            const glm::uvec3 corners = mesh.triangles[source.triangle];
+            const auto is_corner = [&](std::uint32_t position) {
+                return corners.x == position || corners.y == position || corners.z == position;
+            };
+            ASSERT_TRUE(is_corner(source.from) && is_corner(source.to) && source.from != source.to);
+            ASSERT_EQ(piece.group, mesh.triangle_group[source.triangle]);
+            const Segment& segment = lines_.segments[piece.segment];
+            const glm::vec3 p = mesh.positions[source.from], q = mesh.positions[source.to];
+            const glm::vec3 a = lines_.vertices[segment.p], b = lines_.vertices[segment.q];
+            ASSERT_TRUE((p == a && q == b) || (p == b && q == a));
+            ++pieces;
+            ASSERT_LT(piece.point + 1, path.points.size());
+            ASSERT_LE(distance_to_edge(path, piece), 0.1);
+        }
+    }
+    EXPECT_GT(pieces, 100U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, DrawnScene, testing::Values("clevis", "house", "ship", "office"),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
+} // namespace lineatlas::test
