@@ -532,8 +532,8 @@ class Planted {
 };
 
 TEST_F(Visibility, ABiasTwentyTimesAsLargeIsFound) {
-    const Planted kernels{"kernels", "LINEATLAS_KERNEL_DIR", "before =\n            tolerance *",
-                          "before =\n            20.0f * tolerance *"};
+    const Planted kernels{"kernels", "LINEATLAS_KERNEL_DIR", "before =\n        depth.tolerance *",
+                          "before =\n        20.0f * depth.tolerance *"};
     const Planted shaders{"shaders", "LINEATLAS_SHADER_DIR", "before = tolerance *",
                           "before = 20.0 * tolerance *"};
     Renderer renderer;
