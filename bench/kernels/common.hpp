@@ -46,6 +46,7 @@ Rows scan_rows(const Backends& backends);
 Rows atlas_rows(const Backends& backends);
 Rows compact_rows(const Backends& backends);
 Rows compact_runs_rows(const Backends& backends);
+Rows intervals_rows(const Backends& backends);
 Rows halo_rows(const Backends& backends);
 Rows density_rows(const Backends& backends);
 

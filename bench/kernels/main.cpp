@@ -73,7 +73,7 @@ Rows all_rows(const Backends& backends) {
     Rows result;
     for (const auto rows_of :
          {copy_rows, pyramid_rows, cull_rows, facing_rows, project_clip_rows, scan_rows, atlas_rows,
-          compact_rows, compact_runs_rows, halo_rows, density_rows}) {
+          compact_rows, compact_runs_rows, intervals_rows, halo_rows, density_rows}) {
         for (Row& row : rows_of(backends)) result.push_back(std::move(row));
     }
     return result;
