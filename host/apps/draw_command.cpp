@@ -15,12 +15,12 @@
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
 #include "output_pattern.hpp"
+#include "path_options.hpp"
 #include "picture_options.hpp"
 #include "picture_output.hpp"
 #include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
-#include "vector_options.hpp"
 #include "vector_output.hpp"
 
 namespace lineatlas::apps {
@@ -48,7 +48,7 @@ struct DrawArguments {
     StyleOptions style;
     SequenceOptions sequence;
     PictureOptions picture;
-    VectorOptionsGroup paths;
+    PathOptions paths;
     DeviceOptions device;
     bool stats = false;
     int repeat = 1;
@@ -67,7 +67,7 @@ T choose(std::string_view option, const std::string& value, const std::map<std::
 /// they get a finer one where no GL's limit is in its way.
 int usual_depth_scale(const DrawArguments& arguments, bool high, glm::ivec2 size) {
     constexpr int largest = 4096;
-    const bool finer = is_vector_path(arguments.output) && size.x <= largest && size.y <= largest;
+    const bool finer = is_path_file(arguments.output) && size.x <= largest && size.y <= largest;
     return !high ? 1 : finer ? 4 : 2;
 }
 
@@ -168,7 +168,7 @@ void check_arguments(const DrawArguments& arguments) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
     arguments.paths.check(arguments.output);
-    if (is_vector_path(arguments.output)) return;
+    if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
                               : std::filesystem::path{arguments.output});
     arguments.picture.check(arguments.output);
@@ -220,7 +220,7 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
 }
 
 void draw_paths(const Drawing& drawing, Renderer& renderer) {
-    const VectorOptionsGroup& paths = drawing.arguments.paths;
+    const PathOptions& paths = drawing.arguments.paths;
     const Subject& subject = drawing.subject;
     SvgOptions svg = paths.svg();
     svg.title = std::filesystem::path{subject.name}.stem().string();
@@ -258,7 +258,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     renderer.set_lines(subject.lines);
     const Drawing drawing{arguments, describe_drawing(app, arguments.model), subject, size, options,
                           frames};
-    if (is_vector_path(arguments.output))
+    if (is_path_file(arguments.output))
         draw_paths(drawing, renderer);
     else
         draw_pictures(drawing, renderer, writer);

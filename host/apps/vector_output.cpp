@@ -6,16 +6,9 @@
 
 #include "description.hpp"
 #include "io/atomic_file.hpp"
+#include "path_options.hpp"
 
 namespace lineatlas::apps {
-namespace {
-
-bool is_json(const std::filesystem::path& path) {
-    const std::string extension = path.extension().string();
-    return extension == ".json" || extension == ".JSON";
-}
-
-} // namespace
 
 VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, Renderer& renderer)
     : frame_(std::move(frame)), lines_(lines), renderer_(renderer) {
@@ -32,13 +25,13 @@ FrameStats VectorOutput::find(const Camera& camera, const FrameOptions& options)
 }
 
 void VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
-    const AtomicFile writable{path}; // said before the work, not after
+    AtomicFile file{path}; // what cannot be written is said before the work
     find(camera, frame_.options);
     const VectorDrawing drawing =
         make_vector_drawing(lines_, camera, intervals_, frame_.options.style, frame_.paths);
     const std::string description = frame_.description + " " + describe_camera(camera);
     std::string text;
-    if (is_json(path)) {
+    if (is_json_file(path)) {
         JsonOptions options = frame_.json;
         options.description = description;
         text = to_json(drawing, options);
@@ -47,13 +40,13 @@ void VectorOutput::draw(const Camera& camera, const std::filesystem::path& path)
         options.description = description;
         text = to_svg(drawing, options);
     }
-    AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    file.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
 bool VectorOutput::is_whole(const std::filesystem::path& path, glm::ivec2) {
     // Files appear whole or not at all; this tells ours from what others left there.
     std::ifstream file{path, std::ios::binary | std::ios::ate};
-    const std::string end = is_json(path) ? "}\n" : "</svg>\n";
+    const std::string end = is_json_file(path) ? "}\n" : "</svg>\n";
     const auto size = static_cast<std::streamoff>(end.size());
     if (!file || file.tellg() < size) return false;
     file.seekg(-size, std::ios::end);

@@ -10,10 +10,11 @@
 namespace lineatlas::apps {
 
 /// Whether a drawing is written as paths: .svg or .json.
-bool is_vector_path(const std::filesystem::path& path);
+bool is_path_file(const std::filesystem::path& path);
+bool is_json_file(const std::filesystem::path& path);
 
 /// --units, --page, --margin, --plotter and --no-tags.
-class VectorOptionsGroup {
+class PathOptions {
   public:
     void declare(CLI::App& app);
 

@@ -1,11 +1,10 @@
-#include "vector_options.hpp"
+#include "path_options.hpp"
 
 #include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
 
-#include "io/atomic_file.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -24,12 +23,14 @@ std::string extension_of(const std::filesystem::path& path) {
 
 } // namespace
 
-bool is_vector_path(const std::filesystem::path& path) {
-    const std::string extension = extension_of(path);
-    return extension == ".svg" || extension == ".json";
+bool is_json_file(const std::filesystem::path& path) {
+    return extension_of(path) == ".json";
+}
+bool is_path_file(const std::filesystem::path& path) {
+    return extension_of(path) == ".svg" || is_json_file(path);
 }
 
-void VectorOptionsGroup::declare(CLI::App& app) {
+void PathOptions::declare(CLI::App& app) {
     app_ = &app;
     const std::string group = "Paths (output .svg or .json)";
     app.add_option("--units", units_, "Units of the SVG: px, mm or in")
@@ -48,24 +49,24 @@ void VectorOptionsGroup::declare(CLI::App& app) {
         ->group(group);
 }
 
-void VectorOptionsGroup::check(const std::filesystem::path& output) const {
+void PathOptions::check(const std::filesystem::path& output) const {
     const auto refuse = [&](std::span<const char* const> options, const std::string& why) {
         for (const char* option : options) {
             if (app_->count(option) > 0) throw UsageError(fmt::format("{} {}", option, why));
         }
     };
-    if (!is_vector_path(output)) {
+    if (!is_path_file(output)) {
         return refuse(own_options, "is for paths; the output must end in .svg or .json");
     }
     refuse(only_for_pixels, "is for pictures of pixels; see --units and --page");
-    if (extension_of(output) == ".json") refuse(only_for_svg, "is for SVG; JSON is in pixels");
+    if (is_json_file(output)) refuse(only_for_svg, "is for SVG; JSON is in pixels");
     if (app_->get_option("--method")->as<std::string>() != "atlas") {
         throw UsageError("--method: paths come from the atlas alone");
     }
     svg();
 }
 
-SvgOptions VectorOptionsGroup::svg() const {
+SvgOptions PathOptions::svg() const {
     SvgOptions options;
     options.units = parse_unit(units_);
     if (!page_.empty()) options.page = parse_page(page_);
