@@ -159,10 +159,12 @@ class Implementation final : public OpenClBackend {
         if (n == 0) return clear(values, 1);
         ScanKernels& kernels = scan_[kind == ScanKind::saturate ? 1 : 0];
         if (!tuning_.scan_tiles) {
-            const std::uint32_t chunk = divide_up(n, tuning_.scan_chunks);
-            Buffer& sums = scratch(scan_sums_, tuning_.scan_chunks);
-            launch(kernels.chunks_reduce, tuning_.scan_chunks, 1, values, n, chunk, sums);
-            launch(kernels.chunks_apply, tuning_.scan_chunks, 1, values, n, chunk, sums);
+            const std::uint32_t chunks =
+                std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
+            const std::uint32_t chunk = divide_up(n, chunks);
+            Buffer& sums = scratch(scan_sums_, chunks);
+            launch(kernels.chunks_reduce, chunks, 1, values, n, chunk, sums);
+            launch(kernels.chunks_apply, chunks, 1, values, n, chunk, sums);
             return;
         }
         const std::uint32_t items = divide_up(n, tuning_.scan_per_item);

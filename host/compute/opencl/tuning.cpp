@@ -6,6 +6,7 @@ namespace {
 // A CPU runs a work-group as a loop on one core: long serial pieces, few work-items.
 constexpr Tuning cpu{.scan_tiles = false,
                      .scan_chunks = 16,
+                     .longest_chunk = 0xFFFFFFFF,
                      .scan_tile = 64,
                      .scan_per_item = 8,
                      .local_size = 64,
@@ -19,6 +20,7 @@ constexpr Tuning cpu{.scan_tiles = false,
 // A GPU needs tens of thousands of work-items in flight.
 constexpr Tuning gpu{.scan_tiles = true,
                      .scan_chunks = 16,
+                     .longest_chunk = 0xFFFFFFFF,
                      .scan_tile = 256,
                      .scan_per_item = 8,
                      .local_size = 64,
@@ -32,7 +34,11 @@ constexpr Tuning gpu{.scan_tiles = true,
 } // namespace
 
 Tuning tuning_for(const OpenClDevice& device) {
-    return device.is_cpu ? cpu : gpu;
+    Tuning tuning = device.is_cpu ? cpu : gpu;
+    // Mesa's llvmpipe, which rusticl runs on, leaves any loop after 65,535 rounds
+    // (LP_MAX_TGSI_LOOP_ITERATIONS in its gallivm); seen with 22.3.6.
+    if (device.platform_name == "rusticl") tuning.longest_chunk = 65'532;
+    return tuning;
 }
 
 } // namespace lineatlas::compute

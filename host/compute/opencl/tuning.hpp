@@ -9,7 +9,8 @@ namespace lineatlas::compute {
 /// How the kernels are launched on a device.
 struct Tuning {
     bool scan_tiles;                ///< tiles in local memory instead of serial chunks
-    std::uint32_t scan_chunks;      ///< serial chunks per scan
+    std::uint32_t scan_chunks;      ///< serial chunks per scan, or more so that none is longer
+    std::uint32_t longest_chunk;    ///< than this
     std::uint32_t scan_tile;        ///< work-group size of a tile; a power of two
     std::uint32_t scan_per_item;    ///< values per work-item of a tile
     std::uint32_t local_size;       ///< work-group size of kernels with a work-item per element
