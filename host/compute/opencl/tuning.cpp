@@ -1,5 +1,7 @@
 #include "tuning.hpp"
 
+#include <algorithm>
+
 namespace lineatlas::compute {
 namespace {
 
@@ -35,9 +37,12 @@ constexpr Tuning gpu{.scan_tiles = true,
 
 Tuning tuning_for(const OpenClDevice& device) {
     Tuning tuning = device.is_cpu ? cpu : gpu;
-    // Mesa's llvmpipe, which rusticl runs on, leaves any loop after 65,535 rounds
-    // (LP_MAX_TGSI_LOOP_ITERATIONS in its gallivm); seen with 22.3.6.
-    if (device.platform_name == "rusticl") tuning.longest_chunk = 65'532;
+    if (device.platform_name == "rusticl") {
+        // Mesa's llvmpipe, which rusticl runs on, leaves the loops of a work-item after 65,535
+        // rounds in all (LP_MAX_TGSI_LOOP_ITERATIONS in its gallivm); seen with 22.3.6.
+        tuning.longest_chunk = 60'000;
+        tuning.segment_block = std::min(tuning.segment_block, 16U);
+    }
     return tuning;
 }
 
