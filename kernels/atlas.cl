@@ -86,8 +86,8 @@ __kernel void atlas(__global const ClippedSegment* restrict clipped,
     while (s < last) {
         const uint begin = offsets[i];
         const uint end = offsets[i + 1];
-        if (end <= s) {
-            ++i;
+        if (end <= s) { /* the next one, unless many without samples come first */
+            if (offsets[++i + 1] <= s) i = segment_of_sample(offsets, count, s);
             continue;
         }
         Spine spine = make_spine(clipped + i, viewport, depth_scale, end - begin);
