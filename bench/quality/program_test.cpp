@@ -111,8 +111,8 @@ TEST_F(QualityProgram, ScenesAreWithinTheLimits) {
     EXPECT_EQ(good["scenes"].size(), 4U);
     EXPECT_EQ(misses(good), std::vector<std::string>{});
     // The same with a depth tolerance twenty times as large.
-    const fs::path kernels = with_planted("kernels", "before =\n            tolerance *",
-                                          "before =\n            20.0f * tolerance *");
+    const fs::path kernels = with_planted("kernels", "before =\n        depth.tolerance *",
+                                          "before =\n        20.0f * depth.tolerance *");
     const fs::path shaders =
         with_planted("shaders", "before = tolerance *", "before = 20.0 * tolerance *");
     const nlohmann::json bad = measure("LINEATLAS_KERNEL_DIR=" + kernels.string() +
