@@ -15,6 +15,8 @@
 
 /* Nothing is shorter than this, in pixels: rounding of arc lengths. */
 #define SHORTEST 0.01f
+/* Samples that may fade out before an end. */
+#define FADING_SAMPLES 8u
 
 typedef struct Filter {
     float fill, drop, overshoot, undershoot;
@@ -60,18 +62,25 @@ static uint stroke_end_kind(const uint kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
 }
 
+/* The outermost samples of a run. */
+static uint2 end_samples(__global const Run* run) {
+    const float start = run->start_sample, end = run->end_sample;
+    return (uint2)(start > 0.0f ? (uint)(start + 0.5f) : 0u,
+                   end < (float)run->samples ? (uint)(end - 0.5f) - 1u : run->samples - 1u);
+}
+
 /* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
  * where in it the end lies. */
 static Stretch run_interval(const Work* work, const uint r) {
     __global const Run* run = work->runs + r;
     const float2 span = segment_span(work->frame, run->segment);
     const float l = (float)run->samples;
-    float start = run->start_sample, end = run->end_sample;
+    float start = 0.0f, end = l;
     __global const uchar* own = work->alpha + run->address;
     const bool starts = !shown_across(work->frame.segments, work->runs, work->run_count, r, false);
     const bool ends = !shown_across(work->frame.segments, work->runs, work->run_count, r, true);
-    const uint a = start > 0.0f ? (uint)(start + 0.5f) : 0u;
-    const uint b = end < l ? (uint)(end - 0.5f) - 1u : run->samples - 1u;
+    const uint2 outermost = end_samples(run);
+    const uint a = outermost.x, b = outermost.y;
     const float share_a = (float)own[a] * (1.0f / 255.0f);
     const float share_b = (float)own[b] * (1.0f / 255.0f);
     if (starts && ends && a == b) {
@@ -153,15 +162,41 @@ static float overshoot_beside(const float ink, const float most) {
     return fmin(ink * ink / most, most);
 }
 
+/* Where the overshoot of run r's end starts. Samples that fade out there count by their opacity:
+ * an end at the last of them, however faint, would move with each that comes or goes. `end`: of the
+ * run, which is also that of one without a sample shown in full near its end. */
+static float overshoot_start(const Work* work, const uint r, const bool at_end, const float end) {
+    if (shown_across(work->frame.segments, work->runs, work->run_count, r, at_end)) return end;
+    __global const Run* run = work->runs + r;
+    const float2 span = segment_span(work->frame, run->segment);
+    const float per_sample = (span.y - span.x) / (float)run->samples;
+    __global const uchar* own = work->alpha + run->address;
+    const uint2 outermost = end_samples(run);
+    const uint count = min(outermost.y - outermost.x + 1u, FADING_SAMPLES);
+    float length = 0.0f, opacity_after = 0.0f;
+    for (uint k = 0; k < count; ++k) {
+        const uint j = at_end ? outermost.y - k : outermost.x + k;
+        const float share = (float)own[j] * (1.0f / 255.0f);
+        const float opacity = fmin((float)own[j] * (1.0f / LA_FULLY_SHOWN), 1.0f);
+        length = fmax(share, fmin(opacity, opacity_after)) + opacity * length;
+        if (own[j] >= LA_FULLY_SHOWN)
+            return span.x + (at_end ? (float)j + length : (float)(j + 1u) - length) * per_sample;
+        opacity_after = opacity;
+    }
+    return end;
+}
+
 /* How far either end of an interval overshoots: never across a gap beside a nearer line. */
 static void set_overshoot(const Work* work, Stretch* interval, const float most) {
     interval->start_overshoot = interval->end_overshoot = 0.0f;
     if (!(most > 0.0f)) return;
     const uint first = interval->first_run, last = interval->last_run;
-    interval->start_overshoot =
-        overshoot_beside(ink_near(work, first, interval->start, true, most), most);
-    interval->end_overshoot =
-        overshoot_beside(ink_near(work, last, interval->end, false, most), most);
+    const float start = overshoot_start(work, first, false, interval->start);
+    const float end = overshoot_start(work, last, true, interval->end);
+    const float before = overshoot_beside(ink_near(work, first, start, true, most), most);
+    const float after = overshoot_beside(ink_near(work, last, end, false, most), most);
+    interval->start_overshoot = fmax(before - (start - interval->start), 0.0f);
+    interval->end_overshoot = fmax(after - (interval->end - end), 0.0f);
     for (uint r = first; work->cuts != 0 && r <= last; ++r) {
         for (int k = 0; k < LA_MOST_CUTS; ++k) {
             const float2 cut = (float2)(work->cuts[r].from[k], work->cuts[r].to[k]);
@@ -523,15 +558,10 @@ __kernel void filter_show(__global const Segment* restrict segments,
     const uint run_count = record->points[0];
     if (r < run_count) {
         __global uchar* own = alpha + runs[r].address;
-        const float start = runs[r].start_sample, end = runs[r].end_sample;
-        if (!shown_across(segments, runs, run_count, r, false)) {
-            const uint a = start > 0.0f ? (uint)(start + 0.5f) : 0u;
-            own[a] = max(own[a], (uchar)LA_FULLY_SHOWN);
-        }
-        if (!shown_across(segments, runs, run_count, r, true)) {
-            const uint l = runs[r].samples;
-            const uint b = (end < (float)l ? (uint)(end - 0.5f) : l) - 1u;
-            own[b] = max(own[b], (uchar)LA_FULLY_SHOWN);
-        }
+        const uint2 outermost = end_samples(runs + r);
+        if (!shown_across(segments, runs, run_count, r, false))
+            own[outermost.x] = max(own[outermost.x], (uchar)LA_FULLY_SHOWN);
+        if (!shown_across(segments, runs, run_count, r, true))
+            own[outermost.y] = max(own[outermost.y], (uchar)LA_FULLY_SHOWN);
     }
 }

@@ -276,7 +276,9 @@ static void add_cut_of(const Scene scene, const Subject subject, const float4 li
     __global const Run* run = subject.run;
     const float at = crossing.on_r * subject.length - subject.before; /* from the run's start */
     const float centre = run->start_arc + at;
-    const float half_gap = fmin(scene.width / crossing.sine, LA_HALO_STRETCH * scene.width);
+    const float stretch =
+        fmin(1.0f / crossing.sine, LA_HALO_STRETCH * LA_HALO_STRETCH * crossing.sine);
+    const float half_gap = scene.width * stretch;
     /* Where lines are dense most of them come too late: their depth need not be looked at. */
     if (cuts->count == LA_MOST_CUTS && centre - half_gap > cuts->from[LA_MOST_CUTS - 1]) return;
     __global const Run* other = scene.runs + c;

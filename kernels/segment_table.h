@@ -152,8 +152,10 @@ typedef struct RunCuts {
 #define LA_HALO_REACH_OVER 1.0f
 /* Lines at less than this sine to each other run along each other and do not cross. */
 #define LA_HALO_LEAST_SINE 0.01f
-/* A gap is at most this much longer than that of a line that crosses at a right angle. */
-#define LA_HALO_STRETCH 4.0f
+/* A gap is at most this much longer than that of a line that crosses at a right angle. Where they
+ * cross at a smaller angle than that it is shorter again: one that came at its full length when two
+ * lines begin to cross would flash up. */
+#define LA_HALO_STRETCH 3.0f
 
 /* Priorities of lines that `density` tells apart, and pixels per axis of a cell of its grid. */
 #define LA_DENSITY_BINS 16u

@@ -220,8 +220,14 @@ TEST_P(EffectsTest, TheFartherOfTwoCrossingLinesGetsAGap) {
     }
 }
 
-TEST_P(EffectsTest, AGapDoesNotGrowWithoutEnd) {
-    expect_gap(make(cross_at(5, 0.6F, 0.4F)).cuts()[0], 0, 4 * (halo + half_width));
+TEST_P(EffectsTest, AGapGrowsFromNothingWithTheAngle) {
+    const auto gap_at = [](float sine) {
+        const float degrees = std::asin(sine) * 180 / std::numbers::pi_v<float>;
+        return make(cross_at(degrees, 0.6F, 0.4F)).cuts()[0];
+    };
+    expect_gap(gap_at(1.0F / 3), 0, 3 * (halo + half_width));
+    expect_gap(gap_at(0.1F), 0, 0.9F * (halo + half_width));
+    expect_gap(gap_at(0.02F), 0, 0.18F * (halo + half_width));
 }
 
 TEST_P(EffectsTest, EqualDepthLeavesNoGap) {

@@ -99,7 +99,8 @@ class Halos {
                 continue;
             }
             const double half =
-                std::min(options_.width / crossing->sine, most_stretch * options_.width);
+                options_.width *
+                std::min(1 / crossing->sine, most_stretch * most_stretch * crossing->sine);
             const double centre = part.from + crossing->on_line;
             cuts.push_back({centre - half, centre + half});
         }

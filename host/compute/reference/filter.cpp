@@ -11,6 +11,8 @@ namespace {
 
 /// Nothing is shorter than this, in pixels: rounding of arc lengths.
 constexpr float shortest = 0.01F;
+/// Samples that may fade out before an end.
+constexpr std::uint32_t fading_samples = 8;
 
 struct Span {
     float start, end;
@@ -199,6 +201,32 @@ class PathFilter {
         return sum;
     }
 
+    /// Where the overshoot of run r's end starts: samples that fade out count by their opacity.
+    float overshoot_start(std::size_t r, bool at_end, float end) const {
+        if (shown_across(in_.segments, in_.runs, r, at_end)) return end;
+        const Run& run = in_.runs[r];
+        const Span whole = span(run.segment);
+        const float per_sample = (whole.end - whole.start) / static_cast<float>(run.samples);
+        const std::uint32_t first = first_sample(run), last = last_sample(run);
+        const std::uint32_t count = std::min(last - first + 1, fading_samples);
+        float length = 0, opacity_after = 0;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t j = at_end ? last - k : first + k;
+            const std::uint8_t alpha = in_.alpha[run.address + j];
+            const float share = static_cast<float>(alpha) * (1.0F / 255.0F);
+            const float opacity =
+                std::min(static_cast<float>(alpha) * (1.0F / LA_FULLY_SHOWN), 1.0F);
+            length = std::max(share, std::min(opacity, opacity_after)) + opacity * length;
+            if (alpha >= LA_FULLY_SHOWN) {
+                const float position =
+                    at_end ? static_cast<float>(j) + length : static_cast<float>(j + 1) - length;
+                return whole.start + position * per_sample;
+            }
+            opacity_after = opacity;
+        }
+        return end;
+    }
+
     float overshoot_beside(float ink) const { return std::min(ink * ink / overshoot_, overshoot_); }
 
     /// Less beside little ink, and never across a gap.
@@ -206,8 +234,12 @@ class PathFilter {
         if (!(overshoot_ > 0)) return;
         float& at_start = interval.start_overshoot;
         float& at_end = interval.end_overshoot;
-        at_start = overshoot_beside(ink_near(interval.first_run, interval.start, true));
-        at_end = overshoot_beside(ink_near(interval.last_run, interval.end, false));
+        const float start = overshoot_start(interval.first_run, false, interval.start);
+        const float end = overshoot_start(interval.last_run, true, interval.end);
+        const float before = overshoot_beside(ink_near(interval.first_run, start, true));
+        const float after = overshoot_beside(ink_near(interval.last_run, end, false));
+        at_start = std::max(before - (start - interval.start), 0.0F);
+        at_end = std::max(after - (interval.end - end), 0.0F);
         for (const Span gap : gaps(interval)) {
             if (gap.start < interval.start) {
                 at_start = std::clamp(interval.start - gap.end, 0.0F, at_start);

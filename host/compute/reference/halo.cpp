@@ -102,7 +102,9 @@ std::optional<Cut> find_cut(const HaloInput& in, const Run& r, const Lines& line
     const float apart =
         in.tolerance * inverse_w(r, in.clipped[r.segment], share) + LA_DEPTH_ROUNDING;
     if (!(depth_at(c, share_c) < depth_at(r, share) - 2 * apart)) return std::nullopt;
-    const float half_gap = std::min(in.width / crossing->sine, LA_HALO_STRETCH * in.width);
+    const float stretch =
+        std::min(1 / crossing->sine, LA_HALO_STRETCH * LA_HALO_STRETCH * crossing->sine);
+    const float half_gap = in.width * stretch;
     const float centre = r.start_arc + at;
     return Cut{centre - half_gap, centre + half_gap};
 }
