@@ -15,6 +15,7 @@ constexpr float footer = 54;
 constexpr float label_column = 42;
 constexpr float bar_column = 210;
 constexpr float value_column = 56;
+constexpr std::size_t longest_label = 5; // a longer one is written smaller
 constexpr float gap = 28;
 constexpr float panel_width = label_column + bar_column + value_column;
 constexpr float title_height = 42;
@@ -27,7 +28,7 @@ constexpr Rgb mark_color{0, 0, 0};
 
 /// One hue per method, dark for its better quality.
 Rgb bar_color(std::string_view method) {
-    const bool high = method.ends_with("hi");
+    const bool high = method.find("hi") != method.npos;
     if (method.starts_with("IB")) return high ? Rgb{194, 110, 20} : Rgb{236, 178, 108};
     if (method.starts_with("ST")) return high ? Rgb{40, 110, 175} : Rgb{135, 184, 222};
     if (method.starts_with("SA")) return high ? Rgb{22, 128, 84} : Rgb{122, 196, 160};
@@ -73,7 +74,8 @@ void add_panel(const Report& report, const SceneResult& scene, glm::vec2 corner,
     glm::vec2 at = origin;
     for (const Measured& measured : scene.methods) {
         const float baseline = at.y + bar_height - 3;
-        drawing.labels.push_back({{at.x - 6, baseline}, measured.name, 11, Anchor::end});
+        const float size = measured.name.size() > longest_label ? 8 : 11;
+        drawing.labels.push_back({{at.x - 6, baseline}, measured.name, size, Anchor::end});
         const double fps = measured.valid() ? measured.fps() : 0;
         const double mark = measured.valid() ? paper_mark(report, scene, measured) : 0;
         if (fps > 0) {
