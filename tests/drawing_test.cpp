@@ -127,9 +127,8 @@ TEST_F(DrawingTest, HiddenLinesHaveLayersOfTheirOwn) {
 }
 
 TEST_F(DrawingTest, PaperAndPlotter) {
-    const Result result =
-        run("draw --scene clevis --size 300x200 --page a4 --margin 10mm --units mm --plotter -o " +
-            path("p.svg"));
+    const Result result = run(
+        "draw --scene clevis --size 300x200 --page a4 --margin 10mm --plotter -o " + path("p.svg"));
     EXPECT_EQ(result.exit_code, 0) << result.output;
     const std::string text = text_of("p.svg");
     EXPECT_NE(text.find("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 297 210\""),

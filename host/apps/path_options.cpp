@@ -33,8 +33,8 @@ bool is_path_file(const std::filesystem::path& path) {
 void PathOptions::declare(CLI::App& app) {
     app_ = &app;
     const std::string group = "Paths (output .svg or .json)";
-    app.add_option("--units", units_, "Units of the SVG: px, mm or in")
-        ->capture_default_str()
+    app.add_option("--units", units_,
+                   "Units of the SVG: px, mm or in; default mm with --page, else px")
         ->group(group);
     app.add_option("--page", page_,
                    "Paper of the SVG: a0 to a6, letter, legal, tabloid or e.g. 300x200mm; the "
@@ -68,8 +68,11 @@ void PathOptions::check(const std::filesystem::path& output) const {
 
 SvgOptions PathOptions::svg() const {
     SvgOptions options;
-    options.units = parse_unit(units_);
-    if (!page_.empty()) options.page = parse_page(page_);
+    if (!page_.empty()) {
+        options.page = parse_page(page_);
+        options.units = Unit::mm;
+    }
+    if (!units_.empty()) options.units = parse_unit(units_);
     options.margin = parse_length(margin_, options.units);
     options.tags = tags();
     return options;

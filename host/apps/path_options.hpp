@@ -28,7 +28,7 @@ class PathOptions {
 
   private:
     CLI::App* app_ = nullptr;
-    std::string units_ = "px", page_, margin_ = "0";
+    std::string units_, page_, margin_ = "0";
     bool plotter_ = false, no_tags_ = false;
 };
 
