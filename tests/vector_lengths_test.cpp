@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/path_share.hpp"
 #include "core/sources.hpp"
 #include "vector/halos.hpp"
 #include "vector/lengths.hpp"

@@ -1,10 +1,10 @@
 #include "path_options.hpp"
 
-#include <algorithm>
-#include <cctype>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "io/extension.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -14,20 +14,13 @@ constexpr const char* own_options[] = {"--units", "--page", "--margin", "--plott
 constexpr const char* only_for_svg[] = {"--units", "--page", "--margin"};
 constexpr const char* only_for_pixels[] = {"--bits", "--dpi"};
 
-std::string extension_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 } // namespace
 
 bool is_json_file(const std::filesystem::path& path) {
-    return extension_of(path) == ".json";
+    return lower_extension(path) == ".json";
 }
 bool is_path_file(const std::filesystem::path& path) {
-    return extension_of(path) == ".svg" || is_json_file(path);
+    return lower_extension(path) == ".svg" || is_json_file(path);
 }
 
 void PathOptions::declare(CLI::App& app) {

@@ -18,8 +18,7 @@ class PathOptions {
   public:
     void declare(CLI::App& app);
 
-    /// Throws UsageError when they are wrong, or given for a picture of pixels; FileError when the
-    /// file cannot be written.
+    /// Throws UsageError when they are wrong, or given for a picture of pixels.
     void check(const std::filesystem::path& output) const;
 
     bool plotter() const { return plotter_; }

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <new>
 #include <stdexcept>
 #include <string>
 
 #include "atomic_file.hpp"
+#include "extension.hpp"
 #include "image_loader.hpp"
 #include "lineatlas/io.hpp"
 #include "source_file.hpp"
@@ -28,10 +28,7 @@ constexpr std::array formats{
 
 /// Null if the type is another one.
 const Format* common_format(const std::filesystem::path& path) {
-    std::string lower = path.extension().string();
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto found = std::ranges::find(formats, lower, &Format::extension);
+    const auto found = std::ranges::find(formats, lower_extension(path), &Format::extension);
     return found == formats.end() ? nullptr : &*found;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <iterator>
 #include <new>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "checked.hpp"
+#include "extension.hpp"
 #include "lineatlas/io.hpp"
 #include "obj.hpp"
 #include "openmesh_import.hpp"
@@ -17,13 +17,6 @@
 namespace lineatlas {
 
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 Soup read_soup(SourceFile source, const std::string& extension) {
     if (extension == ".stl") return import_by_openmesh(check_stl(source), extension, source.path);

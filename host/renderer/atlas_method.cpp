@@ -254,12 +254,8 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     do {
         sample(frame);
         steady(frame);
-        intervals_.find(frame, {.clipped = clipped_table(),
-                                .alpha = alpha_->compute(),
-                                .layout = layout_,
-                                .capacity = sample_capacity_,
-                                .depth = depth_});
-        strokes_.make_runs(frame, stroke_input());
+        intervals_.find(frame, segment_atlas(), depth_);
+        strokes_.make_runs(frame, segment_atlas());
     } while (grow());
     if (frame.options.draw)
         draw_strokes(frame);

@@ -41,7 +41,7 @@ class AtlasMethod {
     void sample_tiles(Frame& frame, const TileTarget& target);
     /// `depth`: the texels of the buffer.
     compute::AtlasArgs atlas_args(const Frame& frame, glm::ivec2 depth);
-    StrokeStage::Input stroke_input() {
+    SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
     }
     void sample_raster(Frame& frame);

@@ -48,7 +48,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     bool sampled = false;
     do {
         if (!sampled) sample_tiles(frame, target);
-        strokes_.make_runs(frame, stroke_input());
+        strokes_.make_runs(frame, segment_atlas());
         sampled = !strokes_.changes_samples();
     } while (grow());
     pass_to_strokes(frame);

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <glm/vec2.hpp>
 
+#include "core/atlas_layout.hpp"
 #include "core/tiles.hpp"
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/stroke_pass.hpp"
@@ -15,6 +16,14 @@
 namespace lineatlas {
 
 class Backdrop;
+
+/// The segments of a frame and the visibility of their samples.
+struct SegmentAtlas {
+    compute::ClippedTable clipped;
+    compute::Buffer& alpha;
+    AtlasLayout layout;
+    std::uint32_t capacity; ///< samples that `alpha` has room for
+};
 
 /// What a method needs to draw one frame.
 struct Frame {

@@ -7,7 +7,7 @@ namespace lineatlas {
 // A first guess; a frame that needs more makes the table grow.
 IntervalStage::IntervalStage(compute::Backend& backend) : backend_(backend), capacity_(1U << 13U) {}
 
-void IntervalStage::find(Frame& frame, const Input& input) {
+void IntervalStage::find(Frame& frame, const SegmentAtlas& input, const DepthStage& depth) {
     kept_ = wanted(frame);
     total_ = 0;
     if (!kept_) return;
@@ -21,8 +21,8 @@ void IntervalStage::find(Frame& frame, const Input& input) {
                             .layout = input.layout,
                             .capacity = input.capacity,
                             .viewport = frame.viewport(),
-                            .depth = input.depth.buffer(),
-                            .depth_size = input.depth.pass().size(),
+                            .depth = depth.buffer(),
+                            .depth_size = depth.pass().size(),
                             .depth_scale = static_cast<float>(frame.options.depth_scale),
                             .tolerance = frame.depth_tolerance(),
                             .hidden_too = wants_hidden(frame),

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
 #include "frame.hpp"
 
@@ -15,15 +14,6 @@ class IntervalStage {
   public:
     explicit IntervalStage(compute::Backend& backend);
 
-    /// What it reads: the tables of the frame, before a style changes the atlas, and its depth.
-    struct Input {
-        compute::ClippedTable clipped;
-        compute::Buffer& alpha;
-        AtlasLayout layout;
-        std::uint32_t capacity; ///< samples that `alpha` has room for
-        const DepthStage& depth;
-    };
-
     /// Whether the frame keeps intervals.
     static bool wanted(const Frame& frame) {
         return frame.options.intervals != KeptIntervals::none;
@@ -33,8 +23,9 @@ class IntervalStage {
         return frame.options.intervals == KeptIntervals::all;
     }
 
-    /// Finds the frame's intervals, if it keeps any, and waits for their number.
-    void find(Frame& frame, const Input& input);
+    /// Finds the frame's intervals, if it keeps any, and waits for their number. `input`: before a
+    /// style changes it.
+    void find(Frame& frame, const SegmentAtlas& input, const DepthStage& depth);
     /// Enlarges the table if they exceed it; true if they must be found again.
     bool grow();
     /// Of the last frame; throws UsageError if it kept none.

@@ -70,7 +70,7 @@ void StrokeStage::add_unread(std::vector<interop::Passed>& buffers) {
 void StrokeStage::prepare(const Frame& frame) {
     const Style& style = frame.options.style;
     has_hidden_ = draws_hidden(frame);
-    filters_ = needs_filter(style);
+    filters_ = frame.options.draw && needs_filter(style);
     if (has_hidden_ && !hidden_.runs) {
         make_table(hidden_);
         handover_.to_compute({{*hidden_.runs, 0}, {*hidden_.record, 0}});
@@ -83,7 +83,7 @@ void StrokeStage::prepare(const Frame& frame) {
         const bool cuts = style.filter.halo > 0;
         if (cuts && (!cuts_ || cuts_->size() < cut_bytes)) cuts_ = backend_.allocate(cut_bytes);
     }
-    limits_density_ = style.density.limit > 0;
+    limits_density_ = frame.options.draw && style.density.limit > 0;
     if (limits_density_) {
         cells_ = compute::density_cells(frame.viewport());
         const std::size_t bytes = std::size_t{LA_DENSITY_BINS} *
@@ -95,8 +95,8 @@ void StrokeStage::prepare(const Frame& frame) {
     }
 }
 
-void StrokeStage::compact(Frame& frame, const Input& input, bool hidden, compute::Buffer& runs,
-                          std::uint32_t capacity, compute::Buffer& record) {
+void StrokeStage::compact(Frame& frame, const SegmentAtlas& input, bool hidden,
+                          compute::Buffer& runs, std::uint32_t capacity, compute::Buffer& record) {
     const Style& style = frame.options.style;
     backend_.compact_runs({.table = frame.scene.table(),
                            .clipped = input.clipped,
@@ -111,7 +111,7 @@ void StrokeStage::compact(Frame& frame, const Input& input, bool hidden, compute
                            .record = record});
 }
 
-void StrokeStage::make_runs(Frame& frame, const Input& input) {
+void StrokeStage::make_runs(Frame& frame, const SegmentAtlas& input) {
     prepare(frame);
     frame.clock("compact", [&] {
         if (filters_)
@@ -131,12 +131,12 @@ void StrokeStage::make_runs(Frame& frame, const Input& input) {
         if (frame.options.style.filter.halo > 0) halo(frame, input);
         filter(frame, input);
     }
-    if (frame.options.style.density.limit > 0) density(frame, input);
+    if (limits_density_) density(frame, input);
     frame.clock("compact",
                 [&] { backend_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
 }
 
-void StrokeStage::halo(Frame& frame, const Input& input) {
+void StrokeStage::halo(Frame& frame, const SegmentAtlas& input) {
     frame.clock("halo", [&] {
         const Style& style = frame.options.style;
         backend_.halo({.table = frame.scene.table(),
@@ -152,7 +152,7 @@ void StrokeStage::halo(Frame& frame, const Input& input) {
     });
 }
 
-void StrokeStage::filter(Frame& frame, const Input& input) {
+void StrokeStage::filter(Frame& frame, const SegmentAtlas& input) {
     frame.clock("filter", [&] {
         const StrokeFilter& lengths = frame.options.style.filter;
         backend_.filter({.table = frame.scene.table(),
@@ -176,7 +176,7 @@ void StrokeStage::filter(Frame& frame, const Input& input) {
     });
 }
 
-void StrokeStage::density(Frame& frame, const Input& input) {
+void StrokeStage::density(Frame& frame, const SegmentAtlas& input) {
     frame.clock("density", [&] {
         const Style& style = frame.options.style;
         compute::DensityArgs args{.table = frame.scene.table(),
@@ -276,9 +276,8 @@ void StrokeStage::draw(Frame& frame, GLuint alpha) {
     }
     frame.clock("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-        const gl::DensityWeights density = style.density.limit > 0
-                                               ? gl::DensityWeights{weights_->gl(), cells_}
-                                               : gl::DensityWeights{};
+        const gl::DensityWeights density =
+            limits_density_ ? gl::DensityWeights{weights_->gl(), cells_} : gl::DensityWeights{};
         pass_.draw({.runs = visible_.runs->gl(), .record = visible_.record->gl(), .alpha = alpha},
                    frame.stroke_params(style.pen), stroke_style(frame, style.pen, false), density);
     });

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/atlas_layout.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
@@ -17,21 +16,15 @@ class StrokeStage {
   public:
     explicit StrokeStage(const interop::Connection& connection);
 
-    /// What it reads: the tables of the frame. May change the visibility of samples (`filter`).
-    struct Input {
-        compute::ClippedTable clipped;
-        compute::Buffer& alpha;
-        AtlasLayout layout;
-        std::uint32_t capacity; ///< samples that `alpha` has room for
-    };
-
-    /// Whether the frame's style needs runs of hidden samples.
-    static bool draws_hidden(const Frame& frame) { return frame.options.style.hidden; }
+    /// Whether runs of hidden samples are drawn.
+    static bool draws_hidden(const Frame& frame) {
+        return frame.options.draw && frame.options.style.hidden;
+    }
 
     /// Adds its tables, to be passed to compute at the start of a frame.
     void add_unread(std::vector<interop::Passed>& buffers);
-    /// Makes the runs, and waits for their totals.
-    void make_runs(Frame& frame, const Input& input);
+    /// Makes the runs, and waits for their totals. May change the visibility of samples (`filter`).
+    void make_runs(Frame& frame, const SegmentAtlas& input);
     /// Whether make_runs() changed the visibility of samples.
     bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
@@ -59,11 +52,11 @@ class StrokeStage {
     void prepare(const Frame& frame);
     void make_table(RunTable& table);
     bool grow(RunTable& table);
-    void compact(Frame& frame, const Input& input, bool hidden, compute::Buffer& runs,
+    void compact(Frame& frame, const SegmentAtlas& input, bool hidden, compute::Buffer& runs,
                  std::uint32_t capacity, compute::Buffer& record);
-    void halo(Frame& frame, const Input& input);
-    void filter(Frame& frame, const Input& input);
-    void density(Frame& frame, const Input& input);
+    void halo(Frame& frame, const SegmentAtlas& input);
+    void filter(Frame& frame, const SegmentAtlas& input);
+    void density(Frame& frame, const SegmentAtlas& input);
     gl::StrokeStyle stroke_style(Frame& frame, const Pen& pen, bool hidden) const;
 
     compute::Backend& backend_;

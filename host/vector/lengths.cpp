@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/path_share.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -203,14 +205,6 @@ class Lengths {
 };
 
 } // namespace
-
-float path_share(std::uint32_t path) {
-    std::uint32_t h = path * 0x9E3779B1U;
-    h ^= h >> 16U;
-    h *= 0x85EBCA6BU;
-    h ^= h >> 13U;
-    return static_cast<float>(h >> 8U) * (1.0F / 16777216.0F);
-}
 
 void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts) {
     Lengths{strip, filter, cuts}.apply();

@@ -12,7 +12,4 @@ namespace lineatlas {
 /// strokes, lets them overshoot or fall short of their ends, and cuts `cuts` (sorted) into them.
 void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts);
 
-/// A share from 0 to 1 that looks random but belongs to the path; that of the kernel.
-float path_share(std::uint32_t path);
-
 } // namespace lineatlas

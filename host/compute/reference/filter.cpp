@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/path_share.hpp"
 #include "runs.hpp"
 #include "stages.hpp"
 
@@ -37,15 +38,6 @@ std::uint32_t first_sample(const Run& run) {
 std::uint32_t last_sample(const Run& run) {
     if (run.end_sample >= static_cast<float>(run.samples)) return run.samples - 1;
     return static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1;
-}
-
-/// A share from 0 to 1 that looks random but belongs to the path.
-float path_share(std::uint32_t path) {
-    std::uint32_t h = path * 0x9E3779B1U;
-    h ^= h >> 16U;
-    h *= 0x85EBCA6BU;
-    h ^= h >> 13U;
-    return static_cast<float>(h >> 8U) * (1.0F / 16777216.0F);
 }
 
 /// One path: first all its intervals, then strokes, then pieces of them, then runs.
