@@ -46,6 +46,10 @@ std::string OpenClDevice::name() const {
     return "opencl:" + platform_name + ":" + device_name;
 }
 
+std::string OpenClDevice::description() const {
+    return "opencl: " + device_name + " (" + platform_name + ")";
+}
+
 bool OpenClDevice::has_extension(std::string_view extension) const {
     std::istringstream words{extensions};
     for (std::string word; words >> word;) {

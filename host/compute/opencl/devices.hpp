@@ -21,6 +21,8 @@ struct OpenClDevice {
 
     /// How the user names it: "opencl:<platform>:<device>".
     std::string name() const;
+    /// How it is named to the user: "opencl: <device> (<platform>)".
+    std::string description() const;
     bool has_extension(std::string_view extension) const;
 };
 

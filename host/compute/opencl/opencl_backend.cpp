@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <map>
+#include <optional>
 
-#include "core/sources.hpp"
+#include "guarded.hpp"
 #include "lineatlas/error.hpp"
+#include "programs.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -60,12 +61,11 @@ class Implementation final : public OpenClBackend {
             all.push_back(0);
             context_ = cl::Context{device.device, all.data()};
             queue_ = cl::CommandQueue{context_, device.device};
+            programs_.emplace(device_, context_);
         });
     }
 
-    std::string description() const override {
-        return "opencl: " + device_.device_name + " (" + device_.platform_name + ")";
-    }
+    std::string description() const override { return device_.description(); }
     const OpenClDevice& device() const override { return device_; }
     const cl::Context& context() const override { return context_; }
     const cl::CommandQueue& queue() const override { return queue_; }
@@ -332,58 +332,14 @@ class Implementation final : public OpenClBackend {
   private:
     template <class Action>
     auto guarded(const std::string& doing, Action&& action) const -> decltype(action()) {
-        try {
-            return action();
-        } catch (const cl::Error& error) {
-            throw DeviceError(description() + ": " + doing + " failed: " + error.what() +
-                              " returned " + std::to_string(error.err()));
-        }
-    }
-
-    cl::Program build(const std::string& file, const std::string& defines = {}) const {
-        std::string options = "-cl-std=CL1.2 " + defines;
-        const auto float_config = device_.device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
-        if ((float_config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0) {
-            options += " -cl-fp32-correctly-rounded-divide-sqrt";
-        }
-        return guarded("creating a program", [&] {
-            cl::Program program{context_, kernel_source(file)};
-            try {
-                program.build({device_.device}, options.c_str());
-            } catch (const cl::Error&) {
-                throw DeviceError(description() + ": kernel " + file + " did not build with \"" +
-                                  options + "\":\n" +
-                                  program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_.device));
-            }
-            return program;
-        });
-    }
-
-    /// A kernel of a program that is built when one of its kernels is first used: looking at a
-    /// source takes some drivers 20 ms even if they know it, and few frames need all of them.
-    struct LazyKernel {
-        const char* file;
-        const char* name;
-        std::string defines{};
-        cl::Kernel kernel{};
-    };
-
-    cl::Kernel& ready(LazyKernel& lazy) {
-        if (lazy.kernel() != nullptr) return lazy.kernel;
-        const std::string key = std::string{lazy.file} + ' ' + lazy.defines;
-        auto program = programs_.find(key);
-        if (program == programs_.end()) {
-            program = programs_.emplace(key, build(lazy.file, lazy.defines)).first;
-        }
-        guarded("creating a kernel", [&] { lazy.kernel = cl::Kernel{program->second, lazy.name}; });
-        return lazy.kernel;
+        return compute::guarded(device_, doing, std::forward<Action>(action));
     }
 
     /// Launches `items` work-items, rounded up to whole work-groups.
     template <class... Args>
     void launch(LazyKernel& lazy, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
         if (items == 0) return;
-        cl::Kernel& kernel = ready(lazy);
+        cl::Kernel& kernel = programs_->ready(lazy);
         guarded(std::string{"launching "} + lazy.name, [&] {
             cl_uint index = 0;
             (kernel.setArg(index++, argument(args)), ...);
@@ -441,7 +397,7 @@ class Implementation final : public OpenClBackend {
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    std::map<std::string, cl::Program> programs_; ///< by file and defines
+    std::optional<Programs> programs_; ///< of context_
     LazyKernel pyramid_{"pyramid.cl", "pyramid"};
     LazyKernel cull_{"cull.cl", "cull"};
     LazyKernel facing_{"facing.cl", "facing"};
