@@ -1,0 +1,84 @@
+#include "cache_file.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace lineatlas::compute {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool is_open() const { return number_ >= 0; }
+    int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+bool write_all(int descriptor, std::span<const unsigned char> content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(descriptor, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        content = content.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+bool read_all(int descriptor, std::span<unsigned char> content) {
+    while (!content.empty()) {
+        const ssize_t count = ::read(descriptor, content.data(), content.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        content = content.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
+                                                          std::uintmax_t most_bytes) {
+    // Not to block on a pipe that someone put there.
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    struct stat status {};
+    if (!file.is_open() || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode) ||
+        static_cast<std::uintmax_t>(status.st_size) > most_bytes) {
+        return std::nullopt;
+    }
+    std::vector<unsigned char> content(static_cast<std::size_t>(status.st_size));
+    if (!read_all(file.number(), content)) return std::nullopt;
+    return content;
+}
+
+void write_cache_file(const fs::path& path, std::string_view part_extension,
+                      std::span<const unsigned char> content) {
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    std::string part = (path.parent_path() / "XXXXXX").string() + std::string{part_extension};
+    const Descriptor file{
+        ::mkostemps(part.data(), static_cast<int>(part_extension.size()), O_CLOEXEC)};
+    if (!file.is_open()) return;
+    if (write_all(file.number(), content))
+        fs::rename(part, path, error);
+    else
+        error = std::make_error_code(std::errc::io_error);
+    if (error) fs::remove(part, error);
+}
+
+} // namespace lineatlas::compute
