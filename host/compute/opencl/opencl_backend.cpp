@@ -61,7 +61,7 @@ class Implementation final : public OpenClBackend {
             all.push_back(0);
             context_ = cl::Context{device.device, all.data()};
             queue_ = cl::CommandQueue{context_, device.device};
-            programs_.emplace(device_, context_);
+            programs_.emplace(device_, context_, user_program_cache(tuning_.program_cache));
         });
     }
 

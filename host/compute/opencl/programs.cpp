@@ -1,5 +1,9 @@
 #include "programs.hpp"
 
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
 #include "core/sources.hpp"
 #include "guarded.hpp"
 
@@ -15,10 +19,85 @@ std::string common_options(const cl::Device& device) {
     return options;
 }
 
+cl::Program build_program(const OpenClDevice& device, const cl::Context& context,
+                          const ProgramRecipe& recipe) {
+    cl::Program program{context, recipe.source};
+    try {
+        program.build({device.device}, recipe.options.c_str());
+    } catch (const cl::Error&) {
+        throw DeviceError(device.description() + ": kernel " + recipe.name +
+                          " did not build with \"" + recipe.options + "\":\n" +
+                          program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device));
+    }
+    return program;
+}
+
+/// None if there is no such program or the driver doesn't take it.
+std::optional<cl::Program> cached_program(const OpenClDevice& device, const cl::Context& context,
+                                          const ProgramRecipe& recipe, const ProgramCache& cache) {
+    const std::optional<std::vector<unsigned char>> binary = cache.find(cache_key(device, recipe));
+    if (!binary) return std::nullopt;
+    try {
+        cl::Program program{context, {device.device}, {*binary}};
+        program.build({device.device}, recipe.options.c_str());
+        return program;
+    } catch (const cl::Error&) {
+        return std::nullopt;
+    }
+}
+
+void store_program(const OpenClDevice& device, const cl::Program& program,
+                   const ProgramRecipe& recipe, const ProgramCache& cache) {
+    try {
+        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+        if (binaries.size() == 1 && !binaries.front().empty()) {
+            cache.store(cache_key(device, recipe), binaries.front());
+        }
+    } catch (const cl::Error&) {
+        return; // a driver that doesn't hand out its programs
+    }
+}
+
 } // namespace
 
-Programs::Programs(const OpenClDevice& device, cl::Context context)
-    : device_(device), context_(std::move(context)),
+std::string cache_key(const OpenClDevice& device, const ProgramRecipe& recipe) {
+    const cl::Device& own = device.device;
+    std::string key;
+    // The versions name the compiler too, where the driver's own version doesn't change with it.
+    for (const std::string& part :
+         {device.platform_name, device.platform.getInfo<CL_PLATFORM_VERSION>(), device.device_name,
+          own.getInfo<CL_DEVICE_VENDOR>(), own.getInfo<CL_DEVICE_VERSION>(), device.driver_version,
+          recipe.options, recipe.source}) {
+        key += std::to_string(part.size()) + ' ' + part + '\n';
+    }
+    return key;
+}
+
+cl::Program make_program(const OpenClDevice& device, const cl::Context& context,
+                         const ProgramRecipe& recipe, const ProgramCache* cache) {
+    return guarded(device, "creating a program", [&] {
+        if (cache == nullptr) return build_program(device, context, recipe);
+        if (const auto cached = cached_program(device, context, recipe, *cache)) return *cached;
+        cl::Program program = build_program(device, context, recipe);
+        store_program(device, program, recipe, *cache);
+        return program;
+    });
+}
+
+std::optional<ProgramCache> user_program_cache(bool by_default) {
+    const char* variable = std::getenv("LINEATLAS_CACHE");
+    const std::string_view wish = variable != nullptr ? variable : by_default ? "on" : "off";
+    if (wish == "off") return std::nullopt;
+    if (wish != "on") {
+        throw UsageError("LINEATLAS_CACHE is \"" + std::string{wish} + "\"; it can be on or off");
+    }
+    const auto folder = ProgramCache::default_folder();
+    return folder ? std::optional{ProgramCache{*folder}} : std::nullopt;
+}
+
+Programs::Programs(const OpenClDevice& device, cl::Context context,
+                   std::optional<ProgramCache> cache)
+    : device_(device), context_(std::move(context)), cache_(std::move(cache)),
       common_options_(common_options(device.device)) {}
 
 cl::Kernel& Programs::ready(LazyKernel& lazy) {
@@ -26,27 +105,16 @@ cl::Kernel& Programs::ready(LazyKernel& lazy) {
     const std::string key = std::string{lazy.file} + ' ' + lazy.defines;
     auto program = programs_.find(key);
     if (program == programs_.end()) {
-        program = programs_.emplace(key, build(lazy.file, lazy.defines)).first;
+        const ProgramRecipe recipe{lazy.file, kernel_source(lazy.file),
+                                   common_options_ + lazy.defines};
+        program = programs_
+                      .emplace(key, make_program(device_, context_, recipe,
+                                                 cache_ ? &*cache_ : nullptr))
+                      .first;
     }
-    guarded(device_, "creating a kernel", [&] {
-        lazy.kernel = cl::Kernel{program->second, lazy.name};
-    });
+    guarded(device_, "creating a kernel",
+            [&] { lazy.kernel = cl::Kernel{program->second, lazy.name}; });
     return lazy.kernel;
-}
-
-cl::Program Programs::build(const std::string& file, const std::string& defines) const {
-    const std::string options = common_options_ + defines;
-    return guarded(device_, "creating a program", [&] {
-        cl::Program program{context_, kernel_source(file)};
-        try {
-            program.build({device_.device}, options.c_str());
-        } catch (const cl::Error&) {
-            throw DeviceError(device_.description() + ": kernel " + file +
-                              " did not build with \"" + options + "\":\n" +
-                              program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_.device));
-        }
-        return program;
-    });
 }
 
 } // namespace lineatlas::compute

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "devices.hpp"
+#include "program_cache.hpp"
 
 namespace lineatlas::compute {
 
@@ -16,20 +18,37 @@ struct LazyKernel {
     cl::Kernel kernel{};
 };
 
-/// The programs of one context, each built once.
+/// What a program is built from.
+struct ProgramRecipe {
+    std::string name; ///< for messages
+    std::string source;
+    std::string options;
+};
+
+/// Everything that a built program depends on: what it is cached under.
+std::string cache_key(const OpenClDevice& device, const ProgramRecipe& recipe);
+
+/// A program out of `cache`, else built and stored there; null: always built. Throws DeviceError,
+/// with the whole build log if it doesn't build.
+cl::Program make_program(const OpenClDevice& device, const cl::Context& context,
+                         const ProgramRecipe& recipe, const ProgramCache* cache);
+
+/// The user's cache, if the environment variable LINEATLAS_CACHE is "on", or unset and
+/// `by_default`. Throws UsageError if it is neither that nor "off".
+std::optional<ProgramCache> user_program_cache(bool by_default);
+
+/// The programs of one context, each made once.
 class Programs {
   public:
-    Programs(const OpenClDevice& device, cl::Context context);
+    Programs(const OpenClDevice& device, cl::Context context, std::optional<ProgramCache> cache);
 
-    /// The kernel, built if this is its first use. Throws DeviceError, with the whole build log if
-    /// it doesn't build.
+    /// The kernel, with its program if this is the first use. Throws as make_program does.
     cl::Kernel& ready(LazyKernel& lazy);
 
   private:
-    cl::Program build(const std::string& file, const std::string& defines) const;
-
     OpenClDevice device_;
     cl::Context context_;
+    std::optional<ProgramCache> cache_;
     std::string common_options_;
     std::map<std::string, cl::Program> programs_; ///< by file and defines
 };

@@ -20,6 +20,7 @@ struct Tuning {
     std::uint32_t halo_lanes;       ///< lines tested at a time: 1, 8 or 16
     std::uint32_t segment_block;    ///< segments per work-item of compact_runs
     std::uint32_t sample_block;     ///< samples per work-item of compact_samples
+    bool program_cache = false;     ///< built programs are kept in the user's cache
 };
 
 Tuning tuning_for(const OpenClDevice& device);
