@@ -41,9 +41,15 @@ std::string damage(const fs::path& file, const fs::path& other, std::minstd_rand
         write(file, content.substr(0, place));
         return "cut at " + std::to_string(place);
     }
-    case 2: write(file, ""); return "emptied";
-    case 3: write(file, content + garbage(random)); return "garbage appended";
-    case 4: write(file, garbage(random)); return "garbage in its place";
+    case 2:
+        write(file, "");
+        return "emptied";
+    case 3:
+        write(file, content + garbage(random));
+        return "garbage appended";
+    case 4:
+        write(file, garbage(random));
+        return "garbage in its place";
     default:
         write(file, read(other));
         write(other, content);

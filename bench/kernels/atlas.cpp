@@ -66,7 +66,9 @@ Job prepare(compute::Backend& backend, std::uint32_t n) {
         backend.finish();
     };
     run();
-    return {.run = run, .bytes = 37.0 * n + 52.0 * count};
+    return {.run = run, .bytes = 37.0 * n + 52.0 * count, .result = [=, &backend] {
+                return read_back<std::uint8_t>(backend, *alpha, n);
+            }};
 }
 
 } // namespace

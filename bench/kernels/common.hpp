@@ -26,6 +26,8 @@ struct Job {
     std::function<void()> run;     ///< all of the work; returns when it is done
     double bytes = 0;              ///< counted per run; every stage's file says what is counted
     std::function<void()> reset{}; ///< if set, restores what a run overwrites; not timed
+    /// What a run leaves, where `prepare` doesn't know what is right.
+    std::function<std::vector<std::uint8_t>()> result{};
 };
 
 /// A way of doing a stage.

@@ -38,7 +38,9 @@ Job prepare(compute::Backend& backend, std::uint32_t n) {
     for (const std::uint32_t count : read_back<std::uint32_t>(backend, *counts, n)) {
         if (count != 0) bytes += 48;
     }
-    return {.run = run, .bytes = bytes};
+    return {.run = run, .bytes = bytes, .result = [=, &backend] {
+                return read_back<std::uint8_t>(backend, *counts, n * sizeof(std::uint32_t));
+            }};
 }
 
 } // namespace

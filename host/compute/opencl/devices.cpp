@@ -16,10 +16,6 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-bool contains(std::string_view text, std::string_view part) {
-    return lower(text).find(lower(part)) != std::string::npos;
-}
-
 /// Some drivers pad their strings with blanks or zeros.
 std::string trimmed(std::string text) {
     const auto is_padding = [](char c) { return c == '\0' || c == ' '; };
@@ -41,6 +37,10 @@ OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
 }
 
 } // namespace
+
+bool contains_ignoring_case(std::string_view text, std::string_view part) {
+    return lower(text).find(lower(part)) != std::string::npos;
+}
 
 std::string OpenClDevice::name() const {
     return "opencl:" + platform_name + ":" + device_name;
@@ -95,8 +95,8 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
     if (all.empty()) throw DeviceError("no OpenCL device was found; " + opencl_advice());
     std::vector<OpenClDevice> found;
     for (const OpenClDevice& candidate : all) {
-        if (contains(candidate.platform_name, platform) &&
-            contains(candidate.device_name, device)) {
+        if (contains_ignoring_case(candidate.platform_name, platform) &&
+            contains_ignoring_case(candidate.device_name, device)) {
             found.push_back(candidate);
         }
     }

@@ -26,6 +26,9 @@ struct OpenClDevice {
     bool has_extension(std::string_view extension) const;
 };
 
+/// Whether `part` stands in `text`, letters of either case.
+bool contains_ignoring_case(std::string_view text, std::string_view part);
+
 /// Every device of every platform, in the order the loader reports them. Empty without OpenCL.
 std::vector<OpenClDevice> list_opencl_devices();
 

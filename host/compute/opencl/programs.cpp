@@ -107,13 +107,14 @@ cl::Kernel& Programs::ready(LazyKernel& lazy) {
     if (program == programs_.end()) {
         const ProgramRecipe recipe{lazy.file, kernel_source(lazy.file),
                                    common_options_ + lazy.defines};
-        program = programs_
-                      .emplace(key, make_program(device_, context_, recipe,
-                                                 cache_ ? &*cache_ : nullptr))
-                      .first;
+        program =
+            programs_
+                .emplace(key, make_program(device_, context_, recipe, cache_ ? &*cache_ : nullptr))
+                .first;
     }
-    guarded(device_, "creating a kernel",
-            [&] { lazy.kernel = cl::Kernel{program->second, lazy.name}; });
+    guarded(device_, "creating a kernel", [&] {
+        lazy.kernel = cl::Kernel{program->second, lazy.name};
+    });
     return lazy.kernel;
 }
 

@@ -1,49 +1,38 @@
 #include "tuning.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "core/sources.hpp"
+#include "quirks.hpp"
+#include "tuning_table.hpp"
 
 namespace lineatlas::compute {
 namespace {
 
-// A CPU runs a work-group as a loop on one core: long serial pieces, few work-items.
-constexpr Tuning cpu{.scan_tiles = false,
-                     .scan_chunks = 16,
-                     .longest_chunk = 0xFFFFFFFF,
-                     .scan_tile = 64,
-                     .scan_per_item = 8,
-                     .local_size = 64,
-                     .block_local_size = 1,
-                     .atlas_block = 256,
-                     .atlas_vectors = true,
-                     .halo_lanes = 16,
-                     .segment_block = 4096,
-                     .sample_block = 16384};
+constexpr std::string_view file_name = "tuning.toml";
 
-// A GPU needs tens of thousands of work-items in flight.
-constexpr Tuning gpu{.scan_tiles = true,
-                     .scan_chunks = 16,
-                     .longest_chunk = 0xFFFFFFFF,
-                     .scan_tile = 256,
-                     .scan_per_item = 8,
-                     .local_size = 64,
-                     .block_local_size = 64,
-                     .atlas_block = 4,
-                     .atlas_vectors = false,
-                     .halo_lanes = 1,
-                     .segment_block = 4,
-                     .sample_block = 16};
+/// A folder of kernels need not have a table: then the built-in one holds.
+TuningTable user_table() {
+    const char* folder = std::getenv("LINEATLAS_KERNEL_DIR");
+    if (folder != nullptr) {
+        const std::filesystem::path path = std::filesystem::path{folder} / file_name;
+        std::error_code ignored;
+        if (std::filesystem::exists(path, ignored)) {
+            return TuningTable{kernel_source(file_name), path.string()};
+        }
+    }
+    const auto& sources = embedded_kernels();
+    const auto own = std::ranges::find(sources, file_name, &EmbeddedSource::name);
+    return TuningTable{own->text, "the built-in " + std::string{file_name}};
+}
 
 } // namespace
 
 Tuning tuning_for(const OpenClDevice& device) {
-    Tuning tuning = device.is_cpu ? cpu : gpu;
-    if (device.platform_name == "rusticl") {
-        // Mesa's llvmpipe, which rusticl runs on, leaves the loops of a work-item after 65,535
-        // rounds in all (LP_MAX_TGSI_LOOP_ITERATIONS in its gallivm); seen with 22.3.6.
-        tuning.longest_chunk = 60'000;
-        tuning.segment_block = std::min(tuning.segment_block, 16U);
-    }
-    return tuning;
+    return within_quirks(user_table().values_for(device), device);
 }
 
 } // namespace lineatlas::compute

@@ -1,0 +1,163 @@
+// lineatlas-bench-tune: tries values of the tuning table on a device, one parameter after the
+// other, and prints a row for it.
+//
+// Candidates of a parameter run in turns; each must give the right result first. A value replaces
+// the table's only if its median is clearly better.
+
+#include <algorithm>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "compute/opencl/quirks.hpp"
+#include "lineatlas/error.hpp"
+#include "parameters.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+using compute::OpenClDevice;
+using compute::Tuning;
+using compute::TuningField;
+
+/// A median this much shorter than the table's value's is no accident.
+constexpr double clearly_better = 0.95;
+
+bool any_wrong = false;
+
+const TuningField& field_named(const std::string& name) {
+    const auto fields = compute::tuning_fields();
+    const auto found = std::ranges::find(fields, name, &TuningField::name);
+    if (found == fields.end()) throw Error("the tuning table has no " + name);
+    return *found;
+}
+
+/// One value of a parameter, ready to be timed.
+struct Candidate {
+    Tuning tuning;
+    std::string text; ///< of the value
+    Backends backends{};
+    Job job{};
+};
+
+std::vector<Candidate> candidates_of(const Parameter& parameter, const Tuning& current,
+                                     const OpenClDevice& device) {
+    const TuningField& field = field_named(parameter.field);
+    std::vector<Candidate> result;
+    result.push_back({current, text_of(field, current)});
+    for (const std::uint32_t value : parameter.values) {
+        Tuning tuning = current;
+        set_value(tuning, field, value);
+        tuning = within_quirks(tuning, device);
+        const std::string text = text_of(field, tuning);
+        if (std::ranges::find(result, text, &Candidate::text) == result.end()) {
+            result.push_back({tuning, text});
+        }
+    }
+    return result;
+}
+
+/// Makes the candidate's job and compares what a run leaves with `expected`, which the first sets.
+void prepare(Candidate& candidate, const Parameter& parameter, const OpenClDevice& device,
+             std::optional<std::vector<std::uint8_t>>& expected) {
+    candidate.backends = {compute::make_opencl_backend(device, {}, candidate.tuning),
+                          compute::make_reference_backend()};
+    const Rows rows = parameter.rows_of(candidate.backends);
+    candidate.job = std::ranges::find(rows, parameter.row, &Row::name)->prepare(parameter.n);
+    if (!candidate.job.result) return; // it has checked itself
+    std::vector<std::uint8_t> result = candidate.job.result();
+    if (!expected)
+        expected = std::move(result);
+    else
+        require(result == *expected, parameter.row);
+}
+
+/// Those that the device runs with the right result.
+std::vector<Candidate> prepared(std::vector<Candidate> candidates, const Parameter& parameter,
+                                const OpenClDevice& device) {
+    std::vector<Candidate> result;
+    std::optional<std::vector<std::uint8_t>> expected;
+    for (Candidate& candidate : candidates) {
+        try {
+            prepare(candidate, parameter, device, expected);
+            result.push_back(std::move(candidate));
+        } catch (const DeviceError& error) {
+            fmt::print("#   {:>6}  not possible: {}\n", candidate.text, error.what());
+        } catch (const Error& error) {
+            any_wrong = true;
+            fmt::print("#   {:>6}  WRONG: {}\n", candidate.text, error.what());
+        }
+    }
+    return result;
+}
+
+Tuning tuned(const Parameter& parameter, const Tuning& current, const OpenClDevice& device,
+             int rounds) {
+    fmt::print("# {} (ms, median of {} runs of {} with {})\n", parameter.field, rounds,
+               parameter.row, parameter.n);
+    const std::vector<Candidate> candidates =
+        prepared(candidates_of(parameter, current, device), parameter, device);
+    if (candidates.empty()) return current;
+    std::vector<Job> jobs;
+    for (const Candidate& candidate : candidates) jobs.push_back(candidate.job);
+    const std::vector<double> seconds = race(jobs, rounds);
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        fmt::print("#   {:>6}  {:8.3f}{}\n", candidates[i].text, seconds[i] * 1e3,
+                   i == 0 ? "  now" : "");
+    }
+    std::fflush(stdout);
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(seconds) - seconds.begin());
+    return candidates[seconds[best] < clearly_better * seconds[0] ? best : 0].tuning;
+}
+
+void print_row(const OpenClDevice& device, const Tuning& tuning) {
+    fmt::print("\n[[row]]\nmatch = {{ platform = \"{}\", device = \"{}\" }} # driver {}\n",
+               device.platform_name, device.device_name, device.driver_version);
+    for (const TuningField& field : compute::tuning_fields()) {
+        fmt::print("{} = {}\n", field.name, text_of(field, tuning));
+    }
+}
+
+void run(const std::string& name, const std::vector<std::string>& only, int rounds) {
+    const OpenClDevice device = open_backends(name).device->device();
+    fmt::print("# {}, driver {}\n", device.name(), device.driver_version);
+    Tuning tuning = compute::tuning_for(device);
+    for (const Parameter& parameter : parameters()) {
+        const bool is_wanted =
+            only.empty() || std::ranges::find(only, parameter.field) != only.end();
+        if (!is_wanted || (parameter.is_used != nullptr && !parameter.is_used(tuning))) continue;
+        tuning = tuned(parameter, tuning, device, rounds);
+    }
+    print_row(device, tuning);
+}
+
+int guarded_main(int argc, char** argv) {
+    CLI::App app{"Measures values of kernels/tuning.toml on a device and prints a row for it"};
+    std::string device;
+    std::vector<std::string> only;
+    int rounds = 21;
+    app.add_option("--device", device, "opencl:<platform>[:<device>]; else LINEATLAS_DEVICE");
+    app.add_option("--only", only, "Values to try, e.g. scan_tiles; else all");
+    app.add_option("--rounds", rounds, "Runs of each candidate")->check(CLI::Range(1, 1000));
+    CLI11_PARSE(app, argc, argv);
+    try {
+        run(device, only, rounds);
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "lineatlas-bench-tune: {}\n", error.what());
+        return 2;
+    }
+    return any_wrong ? 1 : 0;
+}
+
+} // namespace
+} // namespace lineatlas::bench
+
+int main(int argc, char** argv) {
+    try {
+        return lineatlas::bench::guarded_main(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lineatlas-bench-tune: {}\n", error.what());
+        return 1;
+    }
+}
