@@ -1,0 +1,90 @@
+#include "gl_watch.hpp"
+
+#include <type_traits>
+
+#include "state.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+int unwatched = 0;
+bool finished = false;
+bool fenced = false;
+
+void command() {
+    finished = fenced = false;
+    for (const auto& [object, opened] : state().opened) {
+        if (opened.in_flight) return violation("a GL command follows a release without clFinish");
+    }
+}
+void finish() {
+    finished = true;
+    ++state().counts.gl_waits;
+}
+void fence() {
+    fenced = true;
+}
+
+/// libepoxy calls GL through variables, which find the function on the first call and then replace
+/// themselves. A watcher takes their place, again after that first call.
+template <auto slot, void (*note)()>
+struct Watcher;
+
+template <class Result, class... Arguments, Result (**slot)(Arguments...), void (*note)()>
+struct Watcher<slot, note> {
+    static inline Result (*original)(Arguments...) = nullptr;
+
+    static Result watched(Arguments... arguments) {
+        if (unwatched == 0) note();
+        const Reinstall reinstall;
+        return original(arguments...);
+    }
+    static void install() {
+        original = *slot;
+        *slot = watched;
+    }
+
+  private:
+    struct Reinstall {
+        ~Reinstall() {
+            if (*slot != watched) install();
+        }
+    };
+};
+
+template <auto... slots>
+void watch_commands() {
+    (Watcher<slots, command>::install(), ...);
+}
+
+} // namespace
+
+void watch_gl() {
+    watch_commands<&epoxy_glDrawArrays, &epoxy_glDrawArraysIndirect, &epoxy_glDrawElements,
+                   &epoxy_glDrawArraysInstanced, &epoxy_glMultiDrawElementsIndirect,
+                   &epoxy_glMultiDrawElements, &epoxy_glClearBufferfv, &epoxy_glClearBufferuiv,
+                   &epoxy_glCopyImageSubData, &epoxy_glClearNamedBufferData, &epoxy_glClearNamedBufferSubData,
+                   &epoxy_glClearNamedFramebufferfv, &epoxy_glClearTexImage,
+                   &epoxy_glCopyNamedBufferSubData, &epoxy_glNamedBufferSubData,
+                   &epoxy_glGetNamedBufferSubData, &epoxy_glGetTextureImage,
+                   &epoxy_glGetTextureSubImage, &epoxy_glReadPixels,
+                   &epoxy_glBlitNamedFramebuffer, &epoxy_glTextureSubImage2D>();
+    Watcher<&epoxy_glFinish, finish>::install();
+    Watcher<&epoxy_glFenceSync, fence>::install();
+}
+
+bool gl_is_finished() {
+    return finished;
+}
+bool gl_is_fenced() {
+    return fenced;
+}
+
+Unwatched::Unwatched() {
+    ++unwatched;
+}
+Unwatched::~Unwatched() {
+    --unwatched;
+}
+
+} // namespace lineatlas::test
