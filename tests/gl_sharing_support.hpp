@@ -20,8 +20,7 @@ inline void use_gl_sharing_layer() {
 inline LayerCounts take_counts() {
     void* layer = dlopen(LINEATLAS_GL_SHARING_LAYER, RTLD_LAZY | RTLD_NOLOAD);
     if (layer == nullptr) throw std::runtime_error{"the OpenCL loader has not taken the layer"};
-    const auto take =
-        reinterpret_cast<TakeLayerCounts*>(dlsym(layer, take_layer_counts_symbol));
+    const auto take = reinterpret_cast<TakeLayerCounts*>(dlsym(layer, take_layer_counts_symbol));
     dlclose(layer);
     return take();
 }

@@ -194,8 +194,8 @@ class GlSharingPictures : public GlSharing, public testing::WithParamInterface<c
         for (const FrameOptions& options : all) {
             for (const NamedCamera& view : scene_cameras(scene, canvas_.size())) {
                 SCOPED_TRACE(std::string{scene} + ", " + view.name);
-                EXPECT_TRUE(equal(draw(shared, view.camera, options),
-                                  draw(copied, view.camera, options)));
+                EXPECT_TRUE(
+                    equal(draw(shared, view.camera, options), draw(copied, view.camera, options)));
             }
         }
         const LayerCounts counts = take_counts();
@@ -213,7 +213,7 @@ TEST_P(GlSharingPictures, EqualThoseOfCopies) {
     FrameOptions hidden;
     hidden.style.hidden = true;
     const std::vector<FrameOptions> all{
-        {.atlas = AtlasForm::raster}, {.atlas = AtlasForm::compute}, styled, hidden,
+        {.atlas = AtlasForm::raster}, {.atlas = AtlasForm::compute},    styled, hidden,
         {.method = Method::spine},    {.intervals = KeptIntervals::all}};
     for (const char* scene : {"clevis", "ship"}) expect_same(scene, all);
 }

@@ -40,9 +40,9 @@ ContextDevices devices_of(clGetGLContextInfoKHR_fn get_info,
          {CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, CL_DEVICES_FOR_GL_CONTEXT_KHR}) {
         std::vector<cl_device_id> devices(64, nullptr);
         std::size_t bytes = 0;
-        const cl_int status = get_info(properties.data(), static_cast<cl_gl_context_info>(which),
-                                       devices.size() * sizeof(cl_device_id), devices.data(),
-                                       &bytes);
+        const cl_int status =
+            get_info(properties.data(), static_cast<cl_gl_context_info>(which),
+                     devices.size() * sizeof(cl_device_id), devices.data(), &bytes);
         if (status != CL_SUCCESS) {
             result.status = status;
             continue;
@@ -81,9 +81,9 @@ std::string gl_sharing_obstacle(const compute::OpenClDevice& device) {
     const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(
         clGetExtensionFunctionAddressForPlatform(device.platform(), "clGetGLContextInfoKHR"));
     if (get_info == nullptr) return "the driver lacks clGetGLContextInfoKHR";
-    properties.insert(properties.end(),
-                      {CL_CONTEXT_PLATFORM,
-                       reinterpret_cast<cl_context_properties>(device.platform()), 0});
+    properties.insert(
+        properties.end(),
+        {CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform()), 0});
     const ContextDevices found = devices_of(get_info, properties);
     if (std::ranges::find(found.devices, device.device()) != found.devices.end()) return {};
     if (found.devices.empty() && found.status != CL_SUCCESS) {

@@ -43,8 +43,7 @@ nlohmann::ordered_json describe(const compute::OpenClDevice& device, bool is_def
 
 /// Prints a device and its modes while they are tried, and returns them.
 nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& devices,
-                                   std::size_t index, bool is_default,
-                                   std::chrono::seconds limit) {
+                                   std::size_t index, bool is_default, std::chrono::seconds limit) {
     const compute::OpenClDevice& device = devices[index];
     fmt::print("{} {}\n", is_default ? "*" : " ", device.name());
     fmt::print("    driver {}, {}\n", device.driver_version, kind_of(device));

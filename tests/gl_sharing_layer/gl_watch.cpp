@@ -1,7 +1,5 @@
 #include "gl_watch.hpp"
 
-#include <type_traits>
-
 #include "state.hpp"
 
 namespace lineatlas::test {
@@ -25,31 +23,32 @@ void fence() {
     fenced = true;
 }
 
-/// libepoxy calls GL through variables, which find the function on the first call and then replace
-/// themselves. A watcher takes their place, again after that first call.
+/// libepoxy calls GL through variables. Before its first call one holds a function that finds the
+/// real one, if it still holds that very function, and calls whatever it holds then. So during a
+/// call the variable has what it had without a watcher.
 template <auto slot, void (*note)()>
 struct Watcher;
 
 template <class Result, class... Arguments, Result (**slot)(Arguments...), void (*note)()>
 struct Watcher<slot, note> {
-    static inline Result (*original)(Arguments...) = nullptr;
-
-    static Result watched(Arguments... arguments) {
-        if (unwatched == 0) note();
-        const Reinstall reinstall;
-        return original(arguments...);
-    }
     static void install() {
         original = *slot;
         *slot = watched;
     }
 
   private:
-    struct Reinstall {
-        ~Reinstall() {
-            if (*slot != watched) install();
-        }
+    struct Uninstalled {
+        Uninstalled() { *slot = original; }
+        ~Uninstalled() { install(); }
     };
+
+    static Result watched(Arguments... arguments) {
+        if (unwatched == 0) note();
+        const Uninstalled now;
+        return (*slot)(arguments...);
+    }
+
+    static inline Result (*original)(Arguments...) = nullptr;
 };
 
 template <auto... slots>
@@ -63,11 +62,11 @@ void watch_gl() {
     watch_commands<&epoxy_glDrawArrays, &epoxy_glDrawArraysIndirect, &epoxy_glDrawElements,
                    &epoxy_glDrawArraysInstanced, &epoxy_glMultiDrawElementsIndirect,
                    &epoxy_glMultiDrawElements, &epoxy_glClearBufferfv, &epoxy_glClearBufferuiv,
-                   &epoxy_glCopyImageSubData, &epoxy_glClearNamedBufferData, &epoxy_glClearNamedBufferSubData,
-                   &epoxy_glClearNamedFramebufferfv, &epoxy_glClearTexImage,
-                   &epoxy_glCopyNamedBufferSubData, &epoxy_glNamedBufferSubData,
-                   &epoxy_glGetNamedBufferSubData, &epoxy_glGetTextureImage,
-                   &epoxy_glGetTextureSubImage, &epoxy_glReadPixels,
+                   &epoxy_glCopyImageSubData, &epoxy_glClearNamedBufferData,
+                   &epoxy_glClearNamedBufferSubData, &epoxy_glClearNamedFramebufferfv,
+                   &epoxy_glClearTexImage, &epoxy_glCopyNamedBufferSubData,
+                   &epoxy_glNamedBufferSubData, &epoxy_glGetNamedBufferSubData,
+                   &epoxy_glGetTextureImage, &epoxy_glGetTextureSubImage, &epoxy_glReadPixels,
                    &epoxy_glBlitNamedFramebuffer, &epoxy_glTextureSubImage2D>();
     Watcher<&epoxy_glFinish, finish>::install();
     Watcher<&epoxy_glFenceSync, fence>::install();

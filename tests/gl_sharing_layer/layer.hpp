@@ -4,8 +4,8 @@
 
 /// A layer between the OpenCL loader and a driver without cl_khr_gl_sharing (OPENCL_LAYERS): it
 /// implements that extension by copying, and counts what would be wrong on a driver that really
-/// shares. LINEATLAS_TEST_LAYER names how it behaves, see Behaviour in layer.cpp; it is read anew in
-/// every call.
+/// shares. LINEATLAS_TEST_LAYER names how it behaves, see Behaviour in layer.cpp; it is read anew
+/// in every call.
 namespace lineatlas::test {
 
 struct LayerCounts {

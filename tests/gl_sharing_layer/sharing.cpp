@@ -71,7 +71,10 @@ cl_context CL_API_CALL create_context(const cl_context_properties* properties, c
     if (!has_gl_property(properties)) {
         return state().driver->clCreateContext(properties, count, devices, notify, data, result);
     }
-    if (behaves("crash")) std::raise(SIGSEGV);
+    if (behaves("crash")) {
+        std::signal(SIGSEGV, SIG_DFL); // PoCL has a handler that goes on
+        std::raise(SIGSEGV);
+    }
     if (behaves("hang")) hang();
     if (behaves("refuse")) return fail(result, CL_INVALID_OPERATION);
     if (!names_current_context(properties)) {
@@ -86,9 +89,8 @@ cl_context CL_API_CALL create_context(const cl_context_properties* properties, c
     return state().driver->clCreateContext(others.data(), count, devices, notify, data, result);
 }
 
-cl_int CL_API_CALL get_gl_context_info(const cl_context_properties* properties,
-                                       cl_gl_context_info, size_t size, void* value,
-                                       size_t* size_needed) {
+cl_int CL_API_CALL get_gl_context_info(const cl_context_properties* properties, cl_gl_context_info,
+                                       size_t size, void* value, size_t* size_needed) {
     if (!names_current_context(properties)) return CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR;
     if (size_needed != nullptr) *size_needed = 0;
     if (behaves("other-device")) return CL_SUCCESS;
@@ -143,11 +145,10 @@ cl_mem CL_API_CALL create_from_texture(cl_context context, cl_mem_flags flags, c
     description.image_width = w;
     description.image_height = h;
     std::vector<std::byte> content = garbage(w * h * sizeof(float));
-    cl_mem memory =
-        state().driver->clCreateImage(context, flags | CL_MEM_COPY_HOST_PTR, &image_format,
-                                      &description, content.data(), result);
+    cl_mem memory = state().driver->clCreateImage(
+        context, flags | CL_MEM_COPY_HOST_PTR, &image_format, &description, content.data(), result);
     if (memory != nullptr) {
-        state().opened[memory] = {texture, w * h * sizeof(float), w,     h, GL_RED, GL_FLOAT, false,
+        state().opened[memory] = {texture, w * h * sizeof(float), w, h, GL_RED, GL_FLOAT, false,
                                   false,   std::move(content)};
     }
     return memory;
@@ -165,8 +166,8 @@ void copy_to_compute(cl_command_queue queue, cl_mem memory, Opened& object) {
                                     0, nullptr, nullptr);
         return;
     }
-    glGetTextureImage(object.gl, 0, object.format, object.type,
-                      static_cast<GLsizei>(object.bytes), object.content.data());
+    glGetTextureImage(object.gl, 0, object.format, object.type, static_cast<GLsizei>(object.bytes),
+                      object.content.data());
     const std::size_t region[3] = {object.width, object.height, 1};
     driver.clEnqueueWriteImage(queue, memory, CL_TRUE, origin, region, 0, 0, object.content.data(),
                                0, nullptr, nullptr);
