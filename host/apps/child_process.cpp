@@ -18,9 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Starts the program in a process group of its own, its stdout on `output`.
+/// Starts the program in a process group of its own, what is captured on `output`.
 pid_t start(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-            int output) {
+            int output, Captured captured) {
     const std::string path = program.string();
     std::vector<char*> words{const_cast<char*>(path.c_str())};
     for (const std::string& argument : arguments)
@@ -30,6 +30,8 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    if (captured == Captured::output_and_errors)
+        posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -69,12 +71,13 @@ bool wait_until(pid_t child, Clock::time_point end, int& status) {
 } // namespace
 
 ChildResult run_child(const std::filesystem::path& program,
-                      const std::vector<std::string>& arguments, std::chrono::seconds limit) {
+                      const std::vector<std::string>& arguments, std::chrono::seconds limit,
+                      Captured captured) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
         throw Error(std::string{"cannot make a pipe: "} + std::strerror(errno));
     const Clock::time_point begin = Clock::now();
-    const pid_t child = start(program, arguments, pipe[1]);
+    const pid_t child = start(program, arguments, pipe[1], captured);
     ::close(pipe[1]);
     ChildResult result;
     int status = 0;
