@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <dlfcn.h>
 #include <fmt/core.h>
 #include <stdlib.h>
 
@@ -40,8 +41,14 @@ class Scratch {
     fs::path folder;
 };
 
+/// Whether the libraries that GL is called through are there: libepoxy ends a program without.
+bool has_gl() {
+    const auto has = [](const char* name) { return ::dlopen(name, RTLD_LAZY) != nullptr; };
+    return has("libEGL.so.1") && (has("libOpenGL.so.0") || has("libGL.so.1"));
+}
+
 struct Options {
-    fs::path bundle, json = "check.json";
+    fs::path bundle = ".", json = "check.json";
     unsigned minutes = 8;
     std::vector<std::string> parts; ///< empty: all
 };
@@ -96,13 +103,17 @@ bool check(const Options& options) {
 int guarded_main(int argc, char** argv) {
     CLI::App app{"Runs all parts of a bundle on this machine and writes what they say to one file"};
     Options options;
-    app.add_option("--bundle", options.bundle, "The folder of the bundle")->required();
+    app.add_option("--bundle", options.bundle, "The folder of the bundle")->capture_default_str();
     app.add_option("--json", options.json, "File to write")->capture_default_str();
     app.add_option("--minutes", options.minutes, "What is not begun by then is left out")
         ->check(CLI::Range(1, 600))
         ->capture_default_str();
     app.add_option("--part", options.parts, "Only this one; may be given again");
+    bool gl_only = false;
+    app.add_flag("--has-gl", gl_only,
+                 "Only say, by exit code 0 or 1, whether libraries for GL are there");
     CLI11_PARSE(app, argc, argv);
+    if (gl_only) return has_gl() ? 0 : 1;
     return check(options) ? 0 : 1;
 }
 

@@ -15,8 +15,8 @@ std::vector<Part> all_parts(const std::filesystem::path& scratch) {
     };
     const auto figures = [](const std::string& name, const std::string& program,
                             std::vector<std::string> arguments, seconds limit) {
-        return Part{name, PartKind::figures, "bin/lineatlas-bench-" + program,
-                    std::move(arguments), limit};
+        return Part{name, PartKind::figures, "bin/lineatlas-bench-" + program, std::move(arguments),
+                    limit};
     };
     // A driver may crash in one mode of sharing: each has a process of its own.
     const auto interop = [&](const std::string& mode) {
@@ -40,8 +40,8 @@ std::vector<Part> all_parts(const std::filesystem::path& scratch) {
                  "SAhi", "STlo", "--frames", "10"},
                 seconds{120}),
         test("stages_test", seconds{120}),
-        figures("kernels", "kernels",
-                {"--benchmark_filter=/4194304/", "--benchmark_min_time=0.05"}, seconds{120}),
+        figures("kernels", "kernels", {"--benchmark_filter=/4194304/", "--benchmark_min_time=0.05"},
+                seconds{120}),
         test("compute_test", seconds{90}),
         test("pictures_test", seconds{90}, "*clevis*"),
     };

@@ -89,8 +89,8 @@ class Subject {
     std::uint32_t last_seen_by_gl() const {
         std::uint32_t last = 0;
         glGetNamedBufferSubData(buffer_->gl(),
-                                static_cast<GLintptr>(buffer_->size() - sizeof(last)),
-                                sizeof(last), &last);
+                                static_cast<GLintptr>(buffer_->size() - sizeof(last)), sizeof(last),
+                                &last);
         return last;
     }
 

@@ -11,11 +11,11 @@ namespace lineatlas::bench {
 struct HandoverCost {
     std::string device, mode;
     std::size_t bytes;
-    double to_compute;   ///< all of it, written by GL just before
-    double to_gl;        ///< all of it, written by a kernel just before
-    double order_only;   ///< there and back with nothing to read, as for buffers to be filled
-    double host_memcpy;  ///< as many bytes within the host's memory
-    bool right;          ///< whether the content arrived
+    double to_compute;  ///< all of it, written by GL just before
+    double to_gl;       ///< all of it, written by a kernel just before
+    double order_only;  ///< there and back with nothing to read, as for buffers to be filled
+    double host_memcpy; ///< as many bytes within the host's memory
+    bool right;         ///< whether the content arrived
 };
 
 /// A mode that is left out, and why.

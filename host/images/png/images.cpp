@@ -65,8 +65,8 @@ std::vector<unsigned char> encode(const std::filesystem::path& path, const Pixel
     picture.image.flags = PNG_IMAGE_FLAG_FAST;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(picture.image);
     std::vector<unsigned char> encoded(size);
-    picture.check(png_image_write_to_memory(&picture.image, encoded.data(), &size, 0,
-                                            values.data(), 0, nullptr));
+    picture.check(png_image_write_to_memory(&picture.image, encoded.data(), &size, 0, values.data(),
+                                            0, nullptr));
     encoded.resize(size);
     return encoded;
 }
