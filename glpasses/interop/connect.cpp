@@ -3,121 +3,68 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <numeric>
 
-#include <dlfcn.h>
 #include <epoxy/gl.h>
 
 #include "compute/opencl/opencl_backend.hpp"
-#include "glpasses/objects.hpp"
-#include "handover.hpp"
+#include "gl_context.hpp"
 #include "lineatlas/error.hpp"
+#include "round_trip.hpp"
 
 namespace lineatlas::interop {
 namespace {
 
-/// A function of a window-system library, if this process has that library loaded already. Loading
-/// it here would be wrong: a context can only be current through a library that is in use.
-template <class Function>
-Function* loaded_function(const char* library, const char* name) {
-    void* handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
-    if (handle == nullptr) return nullptr;
-    void* function = dlsym(handle, name);
-    dlclose(handle); // gives back this reference, not the library
-    return reinterpret_cast<Function*>(function);
-}
+/// A backend that shares by a mode, if that works, and why it does or not.
+struct Attempt {
+    std::unique_ptr<compute::OpenClBackend> backend;
+    std::string reason;
+};
 
-/// The object that a parameterless "get current" function returns, or null.
-void* current_object(const char* library, const char* name) {
-    auto* get_current = loaded_function<void*()>(library, name);
-    return get_current != nullptr ? get_current() : nullptr;
-}
-
-/// The GL context of this thread, as OpenCL context properties (cl_khr_gl_sharing).
-std::vector<cl_context_properties> current_gl_properties() {
-    const auto property = [](void* value) {
-        return reinterpret_cast<cl_context_properties>(value);
-    };
-    if (void* context = current_object("libEGL.so.1", "eglGetCurrentContext")) {
-        void* display = current_object("libEGL.so.1", "eglGetCurrentDisplay");
-        return {CL_GL_CONTEXT_KHR, property(context), CL_EGL_DISPLAY_KHR, property(display)};
-    }
-    for (const char* library : {"libGLX.so.0", "libGL.so.1"}) {
-        if (void* context = current_object(library, "glXGetCurrentContext")) {
-            void* display = current_object(library, "glXGetCurrentDisplay");
-            return {CL_GL_CONTEXT_KHR, property(context), CL_GLX_DISPLAY_KHR, property(display)};
-        }
+/// What can be said against a mode without building anything. Empty: worth trying.
+std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
+    if (mode == SharingMode::gl_sharing) return gl_sharing_obstacle(device);
+    if (mode == SharingMode::host_pointer) {
+        if (!device.is_cpu) return "the device is not a CPU";
+        if (!gl_is_software()) return "GL does not run on the CPU";
     }
     return {};
 }
 
-/// Writes through one API, reads through the other, both ways. Throws DeviceError if a call fails;
-/// false if the content does not arrive.
-bool round_trip(compute::Backend& backend, SharingMode mode) {
-    constexpr std::uint32_t n = 1023;
-    const std::unique_ptr<SharedBuffer> buffer =
-        make_shared_buffer(backend, mode, (n + 1) * sizeof(std::uint32_t));
-    const std::uint32_t one = 1;
-    glClearNamedBufferData(buffer->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
-    Handover handover{backend};
-    handover.to_compute({{*buffer, buffer->size()}});
-    backend.scan(buffer->compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
-    handover.to_gl({{*buffer, buffer->size()}});
-    // Copied on the GL side first, so that GL itself has read it.
-    const gl::Buffer copy = gl::Buffer::create();
-    glNamedBufferStorage(copy.id(), static_cast<GLsizeiptr>(buffer->size()), nullptr, 0);
-    glCopyNamedBufferSubData(buffer->gl(), copy.id(), 0, 0,
-                             static_cast<GLsizeiptr>(buffer->size()));
-    std::vector<std::uint32_t> seen(n + 1);
-    glGetNamedBufferSubData(copy.id(), 0, static_cast<GLsizeiptr>(buffer->size()), seen.data());
-    std::vector<std::uint32_t> expected(n + 1);
-    std::iota(expected.begin(), expected.end(), 0U);
-    return seen == expected;
-}
-
-ModeReport probe_gl_sharing(const compute::OpenClDevice& device) {
-    constexpr SharingMode mode = SharingMode::gl_sharing;
-    if (!device.has_extension("cl_khr_gl_sharing")) {
-        return {mode, false, "the device does not list cl_khr_gl_sharing"};
-    }
-    const std::vector<cl_context_properties> properties = current_gl_properties();
-    if (properties.empty()) return {mode, false, "no GL context is current"};
-    try {
-        const auto backend = compute::make_opencl_backend(device, properties);
-        if (!round_trip(*backend, mode)) return {mode, false, "a round trip returned other data"};
-    } catch (const Error& error) {
-        return {mode, false, error.what()};
-    }
-    return {mode, true, "the context was accepted and a round trip succeeded"};
-}
-
-ModeReport probe_host_pointer(const compute::OpenClDevice& device) {
-    constexpr SharingMode mode = SharingMode::host_pointer;
-    if (!device.is_cpu) return {mode, false, "the device is not a CPU"};
-    if (!gl_is_software()) return {mode, false, "GL does not run on the CPU"};
-    try {
-        const auto backend = compute::make_opencl_backend(device);
-        if (!round_trip(*backend, mode)) return {mode, false, "a round trip returned other data"};
-    } catch (const Error& error) {
-        return {mode, false, error.what()};
-    }
-    return {mode, true, "device and GL share memory; a round trip succeeded"};
-}
-
-ModeReport probe(const compute::OpenClDevice& device, SharingMode mode) {
+std::string_view success(SharingMode mode) {
     switch (mode) {
     case SharingMode::gl_sharing:
-        return probe_gl_sharing(device);
+        return "the context was accepted and a round trip succeeded";
     case SharingMode::host_pointer:
-        return probe_host_pointer(device);
+        return "device and GL share memory; a round trip succeeded";
     case SharingMode::copy:
         break;
     }
-    return {SharingMode::copy, true, "always works"};
+    return "a round trip succeeded";
 }
 
-constexpr std::array all_modes{SharingMode::gl_sharing, SharingMode::host_pointer,
-                               SharingMode::copy};
+Attempt attempt(const compute::OpenClDevice& device, SharingMode mode) {
+    std::string reason = obstacle(device, mode);
+    if (!reason.empty()) return {nullptr, std::move(reason)};
+    std::vector<cl_context_properties> properties;
+    if (mode == SharingMode::gl_sharing) properties = current_gl_properties();
+    try {
+        auto backend = compute::make_opencl_backend(device, properties);
+        if (round_trip(*backend, mode)) return {std::move(backend), std::string{success(mode)}};
+        return {nullptr, "a round trip returned other data"};
+    } catch (const DeviceError& error) {
+        return {nullptr, error.what()};
+    }
+}
+
+/// Whether textures can be opened too, which only gl-sharing could.
+std::string texture_remark(compute::OpenClBackend& backend) {
+    try {
+        if (texture_round_trip(backend)) return "; textures too";
+        return "; a round trip with a texture returned other data";
+    } catch (const DeviceError& error) {
+        return std::string{"; textures not: "} + error.what();
+    }
+}
 
 /// The cheap part of the probes: what the device could do, without building anything.
 int rank(const compute::OpenClDevice& device, bool software_gl) {
@@ -136,30 +83,16 @@ compute::OpenClDevice choose_device(const std::string& wanted) {
 }
 
 /// The backend for a mode if that mode works, with the reason if not. Building a backend compiles
-/// kernels, so the probe's own is kept.
+/// kernels, so the attempt's own is kept.
 Connection connect_device(const compute::OpenClDevice& device, std::optional<SharingMode> wanted) {
     std::string reason;
     for (const SharingMode mode : all_modes) {
         if (wanted && *wanted != mode) continue;
+        // Copying needs nothing that could be missing, so no time is spent on trying it.
         if (mode == SharingMode::copy) return {compute::make_opencl_backend(device), mode};
-        std::vector<cl_context_properties> properties;
-        if (mode == SharingMode::gl_sharing) {
-            properties = current_gl_properties();
-            if (!device.has_extension("cl_khr_gl_sharing") || properties.empty()) {
-                reason = "the device does not list cl_khr_gl_sharing";
-                continue;
-            }
-        } else if (!device.is_cpu || !gl_is_software()) {
-            reason = "device and GL do not share memory";
-            continue;
-        }
-        try {
-            Connection connection{compute::make_opencl_backend(device, properties), mode};
-            if (round_trip(*connection.backend, mode)) return connection;
-            reason = "a round trip returned other data";
-        } catch (const DeviceError& error) {
-            reason = error.what();
-        }
+        Attempt tried = attempt(device, mode);
+        if (tried.backend != nullptr) return {std::move(tried.backend), mode};
+        reason = tried.reason;
     }
     throw DeviceError(device.name() + " cannot share with GL by " + std::string{name_of(*wanted)} +
                       ": " + reason + "; `lineatlas devices` shows what works");
@@ -167,8 +100,11 @@ Connection connect_device(const compute::OpenClDevice& device, std::optional<Sha
 
 } // namespace
 
-std::array<ModeReport, 3> probe_modes(const compute::OpenClDevice& device) {
-    return {probe(device, all_modes[0]), probe(device, all_modes[1]), probe(device, all_modes[2])};
+ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode) {
+    Attempt tried = attempt(device, mode);
+    const bool works = tried.backend != nullptr;
+    if (works && mode == SharingMode::gl_sharing) tried.reason += texture_remark(*tried.backend);
+    return {mode, works, tried.reason};
 }
 
 bool gl_is_software() {

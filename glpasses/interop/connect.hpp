@@ -19,14 +19,19 @@ struct ModeReport {
     std::string reason; ///< why it does, or why not
 };
 
-/// All three modes, best first. Needs a current GL context.
-std::array<ModeReport, 3> probe_modes(const compute::OpenClDevice& device);
+/// All modes, best first.
+inline constexpr std::array all_modes{SharingMode::gl_sharing, SharingMode::host_pointer,
+                                      SharingMode::copy};
+
+/// Tries a mode with a round trip. Needs a current GL context. A driver that does not keep its
+/// word may crash or hang in here: `lineatlas devices` calls it in a child process.
+ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode);
 
 /// What the user chose; empty means: find the best.
 struct ConnectOptions {
     bool reference = false; ///< the plain C++ backend instead of OpenCL
-    std::string device;     ///< "opencl:<platform>[:<device>]"
-    std::optional<SharingMode> mode;
+    std::string device{};   ///< "opencl:<platform>[:<device>]"
+    std::optional<SharingMode> mode{};
 };
 
 /// A compute backend with the way in which it shares buffers with the current GL context.

@@ -14,14 +14,13 @@ namespace {
 /// One GL buffer opened by OpenCL.
 class GlSharingBuffer final : public SharedBuffer {
   public:
-    GlSharingBuffer(compute::OpenClBackend& backend, std::size_t bytes)
-        : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()) {
+    GlSharingBuffer(const compute::OpenClBackend& backend, std::size_t bytes)
+        : SharedBuffer(bytes), gl_(gl::Buffer::create()) {
         glNamedBufferStorage(gl_.id(), static_cast<GLsizeiptr>(bytes), nullptr,
                              GL_DYNAMIC_STORAGE_BIT);
         try {
             cl::BufferGL opened{backend.context(), CL_MEM_READ_WRITE, gl_.id()};
-            objects_.push_back(opened);
-            compute_ = std::make_unique<compute::OpenClBuffer>(opened, bytes);
+            compute_ = std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes);
         } catch (const cl::Error& error) {
             throw DeviceError(std::string{"sharing a GL buffer failed: "} + error.what() +
                               " returned " + std::to_string(error.err()) + "; use --interop copy");
@@ -32,22 +31,9 @@ class GlSharingBuffer final : public SharedBuffer {
     compute::Buffer& compute() override { return *compute_; }
 
   private:
-    void enter_compute(std::size_t) override {
-        check(backend_.queue().enqueueAcquireGLObjects(&objects_));
-    }
-    void leave_compute(std::size_t) override {
-        check(backend_.queue().enqueueReleaseGLObjects(&objects_));
-    }
-    void enter_gl(std::size_t) override {}
+    _cl_mem* opened() const override { return compute_->memory(); }
 
-    static void check(cl_int status) {
-        if (status == CL_SUCCESS) return;
-        throw DeviceError("handing a GL buffer over failed with " + std::to_string(status));
-    }
-
-    compute::OpenClBackend& backend_;
     gl::Buffer gl_;
-    std::vector<cl::Memory> objects_;
     std::unique_ptr<compute::OpenClBuffer> compute_;
 };
 
@@ -80,7 +66,6 @@ class HostPointerBuffer final : public SharedBuffer {
   private:
     void enter_compute(std::size_t) override { backend_.end_host_access(*compute_); }
     void leave_compute(std::size_t) override { backend_.begin_host_access(*compute_); }
-    void enter_gl(std::size_t) override {}
 
     compute::Backend& backend_;
     gl::Buffer gl_;
@@ -111,7 +96,6 @@ class CopyBuffer final : public SharedBuffer {
         glGetNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
         backend_.upload(*compute_, area);
     }
-    void leave_compute(std::size_t) override {}
     void enter_gl(std::size_t bytes) override {
         if (bytes == 0) return;
         const std::span<std::byte> area = staging(bytes);

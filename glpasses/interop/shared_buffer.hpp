@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <string_view>
 
 #include <epoxy/gl.h>
 
 #include "compute/backend.hpp"
+#include "shared.hpp"
 
 namespace lineatlas::interop {
 
@@ -21,14 +21,9 @@ enum class SharingMode {
 
 std::string_view name_of(SharingMode mode); ///< "gl-sharing", "host-pointer", "copy"
 
-/// A buffer that GL passes and compute stages use in turn. It belongs to GL when made; `Handover`
-/// (handover.hpp) passes it to and fro.
-class SharedBuffer {
+/// A buffer that GL passes and compute stages use in turn.
+class SharedBuffer : public Shared {
   public:
-    virtual ~SharedBuffer() = default;
-    SharedBuffer(const SharedBuffer&) = delete;
-    SharedBuffer& operator=(const SharedBuffer&) = delete;
-
     std::size_t size() const { return size_; } ///< bytes
     virtual GLuint gl() const = 0;             ///< for GL, while GL has it
     virtual compute::Buffer& compute() = 0;    ///< for stages, while compute has it
@@ -37,14 +32,6 @@ class SharedBuffer {
     explicit SharedBuffer(std::size_t size) : size_(size) {}
 
   private:
-    friend class Handover;
-    /// GL is done (glFinish was called); compute takes over the first `bytes` bytes.
-    virtual void enter_compute(std::size_t bytes) = 0;
-    /// Submits what must follow the kernels before GL may look; clFinish comes after.
-    virtual void leave_compute(std::size_t bytes) = 0;
-    /// Kernels are done; brings the content to GL where that takes a copy.
-    virtual void enter_gl(std::size_t bytes) = 0;
-
     std::size_t size_;
 };
 

@@ -1,50 +1,108 @@
 #include "commands.hpp"
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
+#include "device_probe.hpp"
 #include "glpasses/headless_context.hpp"
 #include "glpasses/interop/connect.hpp"
+#include "io/atomic_file.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
 namespace {
 
-void print_device(const compute::OpenClDevice& device, bool is_default) {
-    fmt::print("{} {}\n", is_default ? "*" : " ", device.name());
-    fmt::print("    driver {}, {}\n", device.driver_version,
-               device.is_cpu   ? "CPU"
-               : device.is_gpu ? "GPU"
-                               : "accelerator");
-    for (const interop::ModeReport& report : interop::probe_modes(device)) {
-        fmt::print("    {:<13} {:<3}  {}\n", interop::name_of(report.mode),
-                   report.works ? "yes" : "no", report.reason);
-    }
+struct DevicesOptions {
+    unsigned wait = 30;
+    std::filesystem::path json;
+    std::vector<std::size_t> probe; ///< device and mode, in a child process
+};
+
+std::string gl_string(GLenum name) {
+    return reinterpret_cast<const char*>(glGetString(name));
 }
 
-void list_devices() {
+std::string kind_of(const compute::OpenClDevice& device) {
+    if (device.is_cpu) return "CPU";
+    return device.is_gpu ? "GPU" : "accelerator";
+}
+
+nlohmann::ordered_json describe(const compute::OpenClDevice& device, bool is_default) {
+    return {{"name", device.name()},
+            {"driver", device.driver_version},
+            {"kind", kind_of(device)},
+            {"default", is_default},
+            {"gl_sharing_listed", device.has_extension("cl_khr_gl_sharing")},
+            {"gl_event_listed", device.has_extension("cl_khr_gl_event")},
+            {"extensions", device.extensions}};
+}
+
+/// Prints a device and its modes while they are tried, and returns them.
+nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& devices,
+                                   std::size_t index, bool is_default, std::chrono::seconds limit) {
+    const compute::OpenClDevice& device = devices[index];
+    fmt::print("{} {}\n", is_default ? "*" : " ", device.name());
+    fmt::print("    driver {}, {}\n", device.driver_version, kind_of(device));
+    nlohmann::ordered_json json = describe(device, is_default);
+    for (const interop::SharingMode mode : interop::all_modes) {
+        const interop::ModeReport report = probe_in_child(index, mode, limit);
+        fmt::print("    {:<13} {:<3}  {}\n", interop::name_of(mode), report.works ? "yes" : "no",
+                   report.reason);
+        json["modes"][std::string{interop::name_of(mode)}] = {{"works", report.works},
+                                                              {"reason", report.reason}};
+    }
+    return json;
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
+    // Drivers' strings may hold anything.
+    const std::string text =
+        json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+void list_devices(const DevicesOptions& options) {
     const gl::HeadlessContext context;
-    fmt::print("GL: {} ({})\n\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)),
-               reinterpret_cast<const char*>(glGetString(GL_VERSION)));
+    nlohmann::ordered_json json{
+        {"gl", {{"renderer", gl_string(GL_RENDERER)}, {"version", gl_string(GL_VERSION)}}},
+        {"devices", nlohmann::ordered_json::array()}};
+    fmt::print("GL: {} ({})\n\n", gl_string(GL_RENDERER), gl_string(GL_VERSION));
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
     if (devices.empty()) {
         fmt::print("No OpenCL device was found; {}.\n", compute::opencl_advice());
     } else {
         const std::size_t chosen = interop::default_device(devices);
-        for (std::size_t i = 0; i < devices.size(); ++i) print_device(devices[i], i == chosen);
+        for (std::size_t i = 0; i < devices.size(); ++i) {
+            json["devices"].push_back(
+                show_device(devices, i, i == chosen, std::chrono::seconds{options.wait}));
+        }
         fmt::print("\n* is used by default; choose another with --device or LINEATLAS_DEVICE, by "
                    "any part of its names:\n  opencl:<platform>[:<device>]\n");
     }
     fmt::print("\nreference: plain C++ on the CPU (--compute reference)\n");
+    if (!options.json.empty()) write_json(options.json, json);
 }
 
 } // namespace
 
 Command setup_devices(CLI::App& app) {
     app.footer("For every OpenCL device: whether it can share buffers with OpenGL in each of the "
-               "three modes,\nand why or why not. Each answer is tried, not guessed.");
-    return list_devices;
+               "three modes,\nand why or why not. Each answer is tried, not guessed, in a process "
+               "of its own, since some\ndrivers crash.");
+    const auto options = std::make_shared<DevicesOptions>();
+    app.add_option("--wait", options->wait, "Seconds to wait for a driver's answer")
+        ->check(CLI::Range(1, 600))
+        ->capture_default_str();
+    app.add_option("--json", options->json, "File to write the answers to");
+    app.add_option(probe_option, options->probe)->expected(2)->group(""); // not for people
+    return [options] {
+        if (options->probe.empty()) return list_devices(*options);
+        answer_probe(options->probe[0], options->probe[1]);
+    };
 }
 
 } // namespace lineatlas::apps

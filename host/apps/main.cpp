@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
     add("styles", "List styles and pens, or print a style", lineatlas::apps::setup_styles);
     add("devices", "List OpenCL devices and how they share buffers with GL",
         lineatlas::apps::setup_devices);
-    add("bench", "Measure frames, kernels or quality", lineatlas::apps::setup_bench);
+    add("bench", "Measure frames, kernels, hand-overs or quality", lineatlas::apps::setup_bench);
     const std::string first = argc > 1 ? argv[1] : "";
     const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {

@@ -1,0 +1,130 @@
+// What DIR/check of a bundle runs: every part in a process of its own and for a limited time, and
+// one JSON file with all that they say.
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <dlfcn.h>
+#include <fmt/core.h>
+#include <stdlib.h>
+
+#include "lineatlas/error.hpp"
+#include "machine.hpp"
+#include "report.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+/// A folder that is gone with this.
+class Scratch {
+  public:
+    Scratch() {
+        std::string name = (fs::temp_directory_path() / "lineatlas-check-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw Error("cannot make a folder " + name);
+        folder = name;
+    }
+    ~Scratch() {
+        std::error_code error;
+        fs::remove_all(folder, error);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    fs::path folder;
+};
+
+/// Whether the libraries that GL is called through are there: libepoxy ends a program without.
+bool has_gl() {
+    const auto has = [](const char* name) { return ::dlopen(name, RTLD_LAZY) != nullptr; };
+    return has("libEGL.so.1") && (has("libOpenGL.so.0") || has("libGL.so.1"));
+}
+
+struct Options {
+    fs::path bundle = ".", json = "check.json";
+    unsigned minutes = 8;
+    std::vector<std::string> parts; ///< empty: all
+};
+
+/// Runs one part and adds what came of it. False if it failed.
+bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& report) {
+    const auto left = std::chrono::floor<std::chrono::seconds>(end - Clock::now());
+    part.limit = std::min(part.limit, left);
+    fmt::print("{:<20}", part.name + " ...");
+    std::fflush(stdout);
+    if (part.limit.count() <= 0) {
+        fmt::print("left out, the time is over\n");
+        report["parts"].push_back({{"name", part.name}, {"outcome", "left out"}});
+        return false;
+    }
+    const fs::path json = scratch / "part.json";
+    fs::remove(json);
+    if (part.name != "draw") part.arguments.push_back(json_option(part.kind, json));
+    const apps::ChildResult result = apps::run_child(part.program, part.arguments, part.limit,
+                                                     apps::Captured::output_and_errors);
+    if (part.kind == PartKind::devices) {
+        std::ifstream input{json};
+        const Json devices = Json::parse(input, nullptr, false);
+        if (devices.is_object()) report.update(devices);
+        fmt::print("\n{}", result.output);
+    }
+    report["parts"].push_back(describe_part(part, result, json));
+    fmt::print("{}, {:.1f} s\n", outcome(part, result), result.took.count());
+    return outcome(part, result) == "ok";
+}
+
+bool check(const Options& options) {
+    const fs::path json = fs::absolute(options.json);
+    fs::current_path(options.bundle); // where tests look for files
+    const Scratch scratch;
+    const auto end = Clock::now() + std::chrono::minutes{options.minutes};
+    Json report{{"machine", describe_machine()}, {"parts", Json::array()}};
+    bool all = true;
+    for (const Part& part : all_parts(scratch.folder)) {
+        if (!options.parts.empty() &&
+            std::ranges::find(options.parts, part.name) == options.parts.end()) {
+            continue;
+        }
+        all = run_part(part, end, scratch.folder, report) && all;
+        write_report(json, report); // again after each, so that nothing is lost
+    }
+    fmt::print("\n{} All figures: {}\n", all ? "All parts passed." : "Some parts failed.",
+               json.string());
+    return all;
+}
+
+int guarded_main(int argc, char** argv) {
+    CLI::App app{"Runs all parts of a bundle on this machine and writes what they say to one file"};
+    Options options;
+    app.add_option("--bundle", options.bundle, "The folder of the bundle")->capture_default_str();
+    app.add_option("--json", options.json, "File to write")->capture_default_str();
+    app.add_option("--minutes", options.minutes, "What is not begun by then is left out")
+        ->check(CLI::Range(1, 600))
+        ->capture_default_str();
+    app.add_option("--part", options.parts, "Only this one; may be given again");
+    bool gl_only = false;
+    app.add_flag("--has-gl", gl_only,
+                 "Only say, by exit code 0 or 1, whether libraries for GL are there");
+    CLI11_PARSE(app, argc, argv);
+    if (gl_only) return has_gl() ? 0 : 1;
+    return check(options) ? 0 : 1;
+}
+
+} // namespace
+} // namespace lineatlas::bench
+
+int main(int argc, char** argv) {
+    try {
+        return lineatlas::bench::guarded_main(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lineatlas-check: {}\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace lineatlas::bench {
+
+/// Processor, memory, system and driver of this machine, as far as it says.
+nlohmann::ordered_json describe_machine();
+
+} // namespace lineatlas::bench

@@ -1,0 +1,50 @@
+#include "parts.hpp"
+
+namespace lineatlas::bench {
+
+using std::chrono::seconds;
+
+std::string json_option(PartKind kind, const std::filesystem::path& file) {
+    const std::string name = file.string();
+    return kind == PartKind::tests ? "--gtest_output=json:" + name : "--json=" + name;
+}
+
+std::vector<Part> all_parts(const std::filesystem::path& scratch) {
+    const auto test = [](const std::string& name, seconds limit, const std::string& filter = "*") {
+        return Part{name, PartKind::tests, "tests/" + name, {"--gtest_filter=" + filter}, limit};
+    };
+    const auto figures = [](const std::string& name, const std::string& program,
+                            std::vector<std::string> arguments, seconds limit) {
+        return Part{name, PartKind::figures, "bin/lineatlas-bench-" + program, std::move(arguments),
+                    limit};
+    };
+    // A driver may crash in one mode of sharing: each has a process of its own.
+    const auto interop = [&](const std::string& mode) {
+        return figures("interop " + mode, "interop", {"--modes", mode, "--rounds", "15"},
+                       seconds{40});
+    };
+    const std::string picture = (scratch / "ship.png").string();
+    return {
+        {"devices", PartKind::devices, "bin/lineatlas", {"devices", "--wait", "15"}, seconds{100}},
+        {"draw",
+         PartKind::figures,
+         "bin/lineatlas",
+         {"draw", "--scene", "ship", "-o", picture},
+         seconds{60}},
+        test("sharing_modes_test", seconds{60}),
+        interop("gl-sharing"),
+        interop("host-pointer"),
+        interop("copy"),
+        figures("frames", "frames",
+                {"--scenes", "clevis", "house", "ship", "office", "--methods", "OGL", "SAlo",
+                 "SAhi", "STlo", "--frames", "10"},
+                seconds{120}),
+        test("stages_test", seconds{120}),
+        figures("kernels", "kernels", {"--benchmark_filter=/4194304/", "--benchmark_min_time=0.05"},
+                seconds{120}),
+        test("compute_test", seconds{90}),
+        test("pictures_test", seconds{90}, "*clevis*"),
+    };
+}
+
+} // namespace lineatlas::bench

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lineatlas::bench {
+
+enum class PartKind { devices, figures, tests };
+
+/// One program that a check runs.
+struct Part {
+    std::string name;
+    PartKind kind;
+    std::string program; ///< seen from the bundle
+    std::vector<std::string> arguments;
+    std::chrono::seconds limit;
+};
+
+/// The option that makes the part write its figures or results as JSON.
+std::string json_option(PartKind kind, const std::filesystem::path& file);
+
+/// All parts, what is needed most first: the last ones are left out if time runs out.
+std::vector<Part> all_parts(const std::filesystem::path& scratch);
+
+} // namespace lineatlas::bench

@@ -1,0 +1,17 @@
+// In place of paint.cpp where OpenImageIO is left out.
+
+#include "lineatlas/error.hpp"
+#include "paint.hpp"
+
+namespace lineatlas::bench {
+
+Image paint(const Drawing&) {
+    check_painting();
+    return {};
+}
+
+void check_painting() {
+    throw DeviceError("this build has no OpenImageIO to draw a chart as .png; write it as .svg");
+}
+
+} // namespace lineatlas::bench

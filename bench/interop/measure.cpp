@@ -1,0 +1,150 @@
+#include "measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <memory>
+
+#include "glpasses/interop/handover.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+using interop::SharingMode;
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_of(const auto& work) {
+    const auto start = Clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// A device and a mode that works.
+struct Path {
+    std::string device;
+    SharingMode mode;
+    std::unique_ptr<compute::Backend> backend;
+};
+
+/// A path with a buffer of one size, and what was measured of it.
+class Subject {
+  public:
+    Subject(const Path& path, std::size_t bytes)
+        : path_(path), handover_(*path.backend),
+          buffer_(interop::make_shared_buffer(*path.backend, path.mode, bytes)), from_(bytes),
+          to_(bytes) {}
+
+    void run_round() {
+        write_by_gl();
+        to_compute_.push_back(milliseconds_of([&] {
+            handover_.to_compute({{*buffer_, buffer_->size()}});
+            path_.backend->finish();
+        }));
+        write_by_compute();
+        to_gl_.push_back(milliseconds_of([&] {
+            handover_.to_gl({{*buffer_, buffer_->size()}});
+            glFinish();
+        }));
+        right_ = right_ && last_seen_by_gl() == count() - 1;
+        order_only_.push_back(milliseconds_of([&] {
+            handover_.to_compute({{*buffer_, 0}});
+            handover_.to_gl({{*buffer_, 0}});
+        }));
+        memcpy_.push_back(
+            milliseconds_of([&] { std::memcpy(to_.data(), from_.data(), from_.size()); }));
+    }
+
+    HandoverCost cost() const {
+        return {.device = path_.device,
+                .mode = std::string{name_of(path_.mode)},
+                .bytes = buffer_->size(),
+                .to_compute = median(to_compute_),
+                .to_gl = median(to_gl_),
+                .order_only = median(order_only_),
+                .host_memcpy = median(memcpy_),
+                .right = right_};
+    }
+
+  private:
+    std::uint32_t count() const {
+        return static_cast<std::uint32_t>(buffer_->size() / sizeof(std::uint32_t));
+    }
+    void write_by_gl() {
+        const std::uint32_t one = 1;
+        glClearNamedBufferData(buffer_->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+        glFinish();
+    }
+    /// Ones become 0, 1, 2, ...
+    void write_by_compute() {
+        path_.backend->scan(buffer_->compute(), count() - 1, compute::ScanKind::saturate);
+        path_.backend->finish();
+    }
+    std::uint32_t last_seen_by_gl() const {
+        std::uint32_t last = 0;
+        glGetNamedBufferSubData(buffer_->gl(),
+                                static_cast<GLintptr>(buffer_->size() - sizeof(last)), sizeof(last),
+                                &last);
+        return last;
+    }
+
+    const Path& path_;
+    interop::Handover handover_;
+    std::unique_ptr<interop::SharedBuffer> buffer_;
+    std::vector<std::byte> from_, to_;
+    std::vector<double> to_compute_, to_gl_, order_only_, memcpy_;
+    bool right_ = true;
+};
+
+std::vector<Path> find_paths(const HandoverOptions& options, HandoverReport& report) {
+    std::vector<Path> paths;
+    const auto devices = options.device.empty() ? compute::list_opencl_devices()
+                                                : compute::find_opencl_devices(options.device);
+    for (const compute::OpenClDevice& device : devices) {
+        for (const SharingMode mode : interop::all_modes) {
+            const std::string name{name_of(mode)};
+            if (std::ranges::find(options.modes, name) == options.modes.end()) continue;
+            try {
+                interop::Connection connection =
+                    interop::connect({.device = device.name(), .mode = mode});
+                paths.push_back({device.name(), mode, std::move(connection.backend)});
+            } catch (const DeviceError& error) {
+                report.left_out.push_back({device.name(), name, error.what()});
+            }
+        }
+    }
+    return paths;
+}
+
+void measure_size(const std::vector<Path>& paths, std::size_t bytes, unsigned rounds,
+                  HandoverReport& report) {
+    std::vector<std::unique_ptr<Subject>> subjects;
+    for (const Path& path : paths) subjects.push_back(std::make_unique<Subject>(path, bytes));
+    for (unsigned round = 0; round < rounds; ++round) {
+        for (const auto& subject : subjects) subject->run_round();
+    }
+    for (const auto& subject : subjects) report.costs.push_back(subject->cost());
+}
+
+} // namespace
+
+HandoverReport measure_handovers(const HandoverOptions& options) {
+    HandoverReport report;
+    report.gl = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::vector<Path> paths = find_paths(options, report);
+    for (const std::size_t bytes : options.sizes) {
+        measure_size(paths, bytes, 1, report); // kernels are built for the size, pages touched
+        report.costs.resize(report.costs.size() - paths.size());
+        measure_size(paths, bytes, options.rounds, report);
+    }
+    std::ranges::stable_sort(report.costs, {}, &HandoverCost::device);
+    return report;
+}
+
+} // namespace lineatlas::bench

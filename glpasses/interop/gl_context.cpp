@@ -1,0 +1,96 @@
+#include "gl_context.hpp"
+
+#include <algorithm>
+
+#include <CL/cl_gl.h>
+#include <dlfcn.h>
+
+namespace lineatlas::interop {
+namespace {
+
+/// A function of a window-system library, if this process has that library loaded already. Loading
+/// it here would be wrong: a context can only be current through a library that is in use.
+template <class Function>
+Function* loaded_function(const char* library, const char* name) {
+    void* handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+    if (handle == nullptr) return nullptr;
+    void* function = dlsym(handle, name);
+    dlclose(handle); // gives back this reference, not the library
+    return reinterpret_cast<Function*>(function);
+}
+
+/// The object that a parameterless "get current" function returns, or null.
+void* current_object(const char* library, const char* name) {
+    auto* get_current = loaded_function<void*()>(library, name);
+    return get_current != nullptr ? get_current() : nullptr;
+}
+
+/// The devices that the driver names for the context; the status of the last query that failed.
+struct ContextDevices {
+    std::vector<cl_device_id> devices;
+    cl_int status = CL_SUCCESS;
+};
+
+/// Asks for the context's own device and for all that could be associated: drivers answer one, the
+/// other or both.
+ContextDevices devices_of(clGetGLContextInfoKHR_fn get_info,
+                          const std::vector<cl_context_properties>& properties) {
+    ContextDevices result;
+    for (const cl_gl_context_info which :
+         {CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, CL_DEVICES_FOR_GL_CONTEXT_KHR}) {
+        std::vector<cl_device_id> devices(64, nullptr);
+        std::size_t bytes = 0;
+        const cl_int status =
+            get_info(properties.data(), static_cast<cl_gl_context_info>(which),
+                     devices.size() * sizeof(cl_device_id), devices.data(), &bytes);
+        if (status != CL_SUCCESS) {
+            result.status = status;
+            continue;
+        }
+        devices.resize(std::min(devices.size(), bytes / sizeof(cl_device_id)));
+        result.devices.insert(result.devices.end(), devices.begin(), devices.end());
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<cl_context_properties> current_gl_properties() {
+    const auto property = [](void* value) {
+        return reinterpret_cast<cl_context_properties>(value);
+    };
+    if (void* context = current_object("libEGL.so.1", "eglGetCurrentContext")) {
+        void* display = current_object("libEGL.so.1", "eglGetCurrentDisplay");
+        return {CL_GL_CONTEXT_KHR, property(context), CL_EGL_DISPLAY_KHR, property(display)};
+    }
+    for (const char* library : {"libGLX.so.0", "libGL.so.1"}) {
+        if (void* context = current_object(library, "glXGetCurrentContext")) {
+            void* display = current_object(library, "glXGetCurrentDisplay");
+            return {CL_GL_CONTEXT_KHR, property(context), CL_GLX_DISPLAY_KHR, property(display)};
+        }
+    }
+    return {};
+}
+
+std::string gl_sharing_obstacle(const compute::OpenClDevice& device) {
+    if (!device.has_extension("cl_khr_gl_sharing")) {
+        return "the device does not list cl_khr_gl_sharing";
+    }
+    std::vector<cl_context_properties> properties = current_gl_properties();
+    if (properties.empty()) return "no GL context is current";
+    const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(
+        clGetExtensionFunctionAddressForPlatform(device.platform(), "clGetGLContextInfoKHR"));
+    if (get_info == nullptr) return "the driver lacks clGetGLContextInfoKHR";
+    properties.insert(
+        properties.end(),
+        {CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform()), 0});
+    const ContextDevices found = devices_of(get_info, properties);
+    if (std::ranges::find(found.devices, device.device()) != found.devices.end()) return {};
+    if (found.devices.empty() && found.status != CL_SUCCESS) {
+        return "the driver does not know this GL context (clGetGLContextInfoKHR returned " +
+               std::to_string(found.status) + ")";
+    }
+    return "GL does not run on this device";
+}
+
+} // namespace lineatlas::interop

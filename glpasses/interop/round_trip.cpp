@@ -1,0 +1,67 @@
+#include "round_trip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "glpasses/objects.hpp"
+#include "handover.hpp"
+#include "lineatlas/error.hpp"
+#include "shared_texture.hpp"
+
+namespace lineatlas::interop {
+
+bool round_trip(compute::Backend& backend, SharingMode mode) {
+    constexpr std::uint32_t n = 1023;
+    const std::unique_ptr<SharedBuffer> buffer =
+        make_shared_buffer(backend, mode, (n + 1) * sizeof(std::uint32_t));
+    const std::uint32_t one = 1;
+    glClearNamedBufferData(buffer->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+    Handover handover{backend};
+    handover.to_compute({{*buffer, buffer->size()}});
+    backend.scan(buffer->compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
+    handover.to_gl({{*buffer, buffer->size()}});
+    // Copied on the GL side first, so that GL itself has read it.
+    const gl::Buffer copy = gl::Buffer::create();
+    glNamedBufferStorage(copy.id(), static_cast<GLsizeiptr>(buffer->size()), nullptr, 0);
+    glCopyNamedBufferSubData(buffer->gl(), copy.id(), 0, 0,
+                             static_cast<GLsizeiptr>(buffer->size()));
+    std::vector<std::uint32_t> seen(n + 1);
+    glGetNamedBufferSubData(copy.id(), 0, static_cast<GLsizeiptr>(buffer->size()), seen.data());
+    std::vector<std::uint32_t> expected(n + 1);
+    std::iota(expected.begin(), expected.end(), 0U);
+    return seen == expected;
+}
+
+bool texture_round_trip(compute::OpenClBackend& backend) {
+    constexpr std::size_t side = 64;
+    constexpr std::array<std::size_t, 3> origin{0, 0, 0};
+    constexpr std::array<std::size_t, 3> region{side, side, 1};
+    const gl::Texture2D texture = gl::Texture2D::create();
+    glTextureStorage2D(texture.id(), 1, GL_R32F, side, side);
+    const float from_gl = 0.25F;
+    glClearTexImage(texture.id(), 0, GL_RED, GL_FLOAT, &from_gl);
+
+    SharedTexture shared{backend, texture.id()};
+    Handover handover{backend};
+    std::vector<float> seen(side * side);
+    handover.to_compute({{shared, 0}});
+    std::vector<float> from_compute(side * side);
+    std::iota(from_compute.begin(), from_compute.end(), 0.0F);
+    try {
+        backend.queue().enqueueReadImage(shared.image(), CL_TRUE, origin, region, 0, 0,
+                                         seen.data());
+        backend.queue().enqueueWriteImage(shared.image(), CL_TRUE, origin, region, 0, 0,
+                                          from_compute.data());
+    } catch (const cl::Error& error) {
+        throw DeviceError(std::string{error.what()} + " returned " + std::to_string(error.err()));
+    }
+    handover.to_gl({{shared, 0}});
+    if (std::ranges::count(seen, from_gl) != static_cast<std::ptrdiff_t>(seen.size())) return false;
+    glGetTextureImage(texture.id(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(seen.size() * sizeof(float)), seen.data());
+    return seen == from_compute;
+}
+
+} // namespace lineatlas::interop

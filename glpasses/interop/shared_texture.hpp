@@ -1,0 +1,26 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "compute/opencl/opencl_backend.hpp"
+#include "shared.hpp"
+
+namespace lineatlas::interop {
+
+/// A two-dimensional GL texture opened by OpenCL as an image: gl-sharing only. The renderer passes
+/// depth as a buffer, which every mode can; see docs/interop.md.
+class SharedTexture final : public Shared {
+  public:
+    /// Opens level 0 of `texture`, whose size and format must be final and which must outlive this.
+    /// Throws DeviceError if the driver refuses, as it does for formats that OpenCL lacks.
+    SharedTexture(const compute::OpenClBackend& backend, GLuint texture);
+
+    const cl::Image& image() const { return image_; } ///< for kernels, while compute has it
+
+  private:
+    _cl_mem* opened() const override { return image_(); }
+
+    cl::ImageGL image_;
+};
+
+} // namespace lineatlas::interop

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# Packs build/bundle with every library it needs into a folder: scripts/bundle.sh DIR
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+build=$root/build/bundle
+most_megabytes=60
+
+if [ $# -ne 1 ]; then
+    echo "usage: ./run bundle DIR" >&2
+    exit 2
+fi
+target=$1
+if [ -e "$target" ] && [ ! -f "$target/lib/environment.sh" ] && [ -n "$(ls -A "$target")" ]; then
+    echo "bundle: $target is there and no bundle; name a new folder" >&2
+    exit 1
+fi
+rm -rf "$target"
+mkdir -p "$target"/{bin,tests,lib/lineatlas,share/docs,share/licenses}
+target=$(cd "$target" && pwd)
+
+# From the machine that runs it: libc, whose loader comes with it, and drivers' libraries.
+is_of_the_machine() {
+    case $1 in
+    ld-linux* | linux-vdso* | libc.so* | libm.so* | libdl.so* | libpthread.so* | librt.so*) ;;
+    libGL.so* | libGLX.so* | libOpenGL.so* | libEGL.so* | libGLdispatch.so*) ;;
+    *) return 1 ;;
+    esac
+}
+
+# Taken only where the machine has none or too old ones (lib/environment.sh): its drivers need its own.
+fallback_for() {
+    case $1 in
+    libOpenCL.so*) echo opencl ;;
+    libstdc++.so* | libgcc_s.so*) echo stdc++ ;;
+    esac
+}
+
+add_license() { # LIBRARY
+    local package
+    # Packages may call /usr/lib /lib.
+    package=$(dpkg-query -S "*/x86_64-linux-gnu/$(basename "$1")" 2>/dev/null | head -n 1 | cut -d: -f1) || true
+    if [ -n "$package" ]; then
+        cp -f "/usr/share/doc/$package/copyright" "$target/share/licenses/$package"
+    fi
+}
+
+# ldd lists what the libraries need, too.
+add_libraries_of() { # PROGRAM
+    local name path folder
+    while read -r name path; do
+        if is_of_the_machine "$name"; then continue; fi
+        folder=$target/lib
+        if [ -n "$(fallback_for "$name")" ]; then
+            folder=$target/lib/fallback/$(fallback_for "$name")
+        fi
+        if [ -e "$folder/$name" ]; then continue; fi
+        mkdir -p "$folder"
+        cp -L "$path" "$folder/$name"
+        add_license "$(readlink -f "$path")"
+    done < <(ldd "$1" | awk '$2 == "=>" { print $1, $3 }')
+}
+
+cp "$build"/lineatlas "$build"/lineatlas-check "$build"/lineatlas-bench-{frames,kernels,interop} \
+    "$target/bin"
+cp "$build/lib/lineatlas/lineatlas-images.so" "$target/lib/lineatlas"
+cp "$build"/tests/*_test "$build/tests/gl_sharing_layer/libgl_sharing_layer.so" "$target/tests"
+rm "$target"/tests/{io_test,shared_meshes_test} # of files that are not in a bundle
+programs=("$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-images.so")
+for program in "${programs[@]}"; do add_libraries_of "$program"; done
+
+# The dispatchers in front of GL drivers, which come alone where a machine is made for computing.
+mkdir -p "$target/lib/fallback/gl"
+for name in libEGL.so.1 libOpenGL.so.0 libGLdispatch.so.0; do
+    cp -L "/usr/lib/x86_64-linux-gnu/$name" "$target/lib/fallback/gl"
+    add_license "$(readlink -f "/usr/lib/x86_64-linux-gnu/$name")"
+done
+
+find "$target"/{bin,tests,lib} -type f -exec chmod u+w {} + -exec strip --strip-unneeded {} +
+# shellcheck disable=SC2016 # $ORIGIN is the loader's
+{
+    patchelf --set-rpath '$ORIGIN/../lib' "$target"/bin/* "$target"/tests/*
+    patchelf --set-rpath '$ORIGIN/..' "$target/lib/lineatlas/lineatlas-images.so"
+    patchelf --set-rpath '$ORIGIN' "$target"/lib/*.so*
+}
+
+cp -r "$root"/{kernels,shaders,styles} "$target/share"
+cp "$root/docs/styles.md" "$target/share/docs"
+cp "$root/LICENSE" "$target"
+cp "$root/docs/bundle.md" "$target/README.md"
+cp "$root/scripts/bundle/environment.sh" "$target/lib"
+cp "$root"/scripts/bundle/{check,lineatlas} "$target"
+
+"$root/scripts/bundle/verify.sh" "$target"
+megabytes=$(($(du -s --apparent-size --block-size=1000 "$target" | cut -f1) / 1000 + 1))
+echo "$target: $megabytes MB"
+if ((megabytes > most_megabytes)); then
+    echo "bundle: more than $most_megabytes MB" >&2
+    exit 1
+fi

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace lineatlas::test {
+
+/// Puts watchers in front of the GL functions of this process (those of libepoxy).
+void watch_gl();
+
+/// Whether GL was waited for since the last command.
+bool gl_is_finished();
+/// Whether a fence follows the last command.
+bool gl_is_fenced();
+
+/// While one exists, GL commands are the layer's own and not watched.
+class Unwatched {
+  public:
+    Unwatched();
+    ~Unwatched();
+    Unwatched(const Unwatched&) = delete;
+    Unwatched& operator=(const Unwatched&) = delete;
+};
+
+} // namespace lineatlas::test

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+/// A layer between the OpenCL loader and a driver without cl_khr_gl_sharing (OPENCL_LAYERS): it
+/// implements that extension by copying, and counts what would be wrong on a driver that really
+/// shares. LINEATLAS_TEST_LAYER names how it behaves, see Behaviour in layer.cpp; it is read anew
+/// in every call.
+namespace lineatlas::test {
+
+struct LayerCounts {
+    std::uint32_t contexts;   ///< made with a GL context
+    std::uint32_t acquired;   ///< objects
+    std::uint32_t released;   ///< objects
+    std::uint32_t fences;     ///< events made of GL fences
+    std::uint32_t gl_waits;   ///< glFinish
+    std::uint32_t cl_waits;   ///< clFinish
+    std::uint32_t violations; ///< of the rules of who may use what when; each is printed
+};
+
+/// The layer exports this; counts since the last call.
+using TakeLayerCounts = LayerCounts();
+inline constexpr const char* take_layer_counts_symbol = "lineatlas_test_take_layer_counts";
+
+} // namespace lineatlas::test
+
+extern "C" lineatlas::test::LayerCounts lineatlas_test_take_layer_counts();
