@@ -84,8 +84,8 @@ std::string accuracy(std::span<const FrameProfile> frames, const char* name,
                      std::optional<std::int64_t> FrameProfile::*error) {
     std::int64_t worst = -1;
     for (const FrameProfile& frame : frames) worst = std::max(worst, (frame.*error).value_or(-1));
-    if (worst < 0) return fmt::format("{} keeps no times", name);
-    return fmt::format("{} within {:.1f} us", name, static_cast<double>(worst) * 1e-3);
+    if (worst < 0) return fmt::format("{} keeps no times of its own", name);
+    return fmt::format("{} within {:.2f} us", name, static_cast<double>(worst) * 1e-3);
 }
 
 } // namespace

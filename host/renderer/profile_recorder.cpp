@@ -64,19 +64,20 @@ void ProfileRecorder::begin_stage(ProfileTrack track, const char* stage) {
         // GL that works by tiles would mix the work of two passes on one framebuffer.
         if (is_pass) glFlush();
     }
-    if (is_pass && !goes_on) begin_pass(stage);
+    const std::int64_t now = host_nanoseconds();
+    if (is_pass && !goes_on) begin_pass(stage, now);
     const ProfileTrack thread =
         track == ProfileTrack::handover ? ProfileTrack::handover : ProfileTrack::host;
-    current_->profile.events.push_back({thread, stage, stage, host_nanoseconds(), 0});
+    current_->profile.events.push_back({thread, stage, stage, now, 0});
 }
 
 void ProfileRecorder::end_stage() {
     current_->profile.events.back().end = host_nanoseconds();
 }
 
-void ProfileRecorder::begin_pass(const char* stage) {
+void ProfileRecorder::begin_pass(const char* stage, std::int64_t now) {
     const GLuint start = gl_is_software_ ? 0 : queries_.stamp();
-    current_->passes.push_back({stage, host_nanoseconds(), start, 0});
+    current_->passes.push_back({stage, now, start, 0});
     in_pass_ = true;
 }
 

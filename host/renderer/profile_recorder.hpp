@@ -51,7 +51,7 @@ class ProfileRecorder {
         gl::ClockOffset gl_offset{};
     };
 
-    void begin_pass(const char* stage);
+    void begin_pass(const char* stage, std::int64_t now);
     void end_pass();
     void collect(bool wait);
     static bool is_complete(const Recording& recording);
