@@ -43,10 +43,7 @@ ProfileRecorder::Frame::~Frame() {
 
 void ProfileRecorder::Frame::finish(const FrameStats& stats) {
     Recording& recording = *recorder_.current_;
-    if (recorder_.in_pass_) {
-        recorder_.end_pass();
-        glFlush(); // else a stamp may lie in GL's queue until the next frame
-    }
+    if (recorder_.in_pass_) recorder_.end_pass();
     recorder_.backend_.end_log();
     recording.profile.end = host_nanoseconds();
     recording.profile.samples = stats.samples;
@@ -59,11 +56,7 @@ void ProfileRecorder::begin_stage(ProfileTrack track, const char* stage) {
     std::vector<Pass>& passes = current_->passes;
     const bool is_pass = track == ProfileTrack::gl;
     const bool goes_on = in_pass_ && is_pass && std::strcmp(passes.back().stage, stage) == 0;
-    if (in_pass_ && !goes_on) {
-        end_pass();
-        // GL that works by tiles would mix the work of two passes on one framebuffer.
-        if (is_pass) glFlush();
-    }
+    if (in_pass_ && !goes_on) end_pass();
     const std::int64_t now = host_nanoseconds();
     if (is_pass && !goes_on) begin_pass(stage, now);
     const ProfileTrack thread =
@@ -83,6 +76,7 @@ void ProfileRecorder::begin_pass(const char* stage, std::int64_t now) {
 
 void ProfileRecorder::end_pass() {
     current_->passes.back().end = queries_.stamp();
+    glFlush(); // GL that works by tiles would mix the work of two passes on one framebuffer
     in_pass_ = false;
 }
 
