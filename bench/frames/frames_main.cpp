@@ -16,6 +16,7 @@
 #include "json.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/scenes.hpp"
+#include "profiling.hpp"
 #include "row.hpp"
 #include "subjects.hpp"
 #include "table.hpp"
@@ -24,8 +25,8 @@ namespace lineatlas::bench {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> scenes{"clevis", "house",    "ship",   "office",
-                                    "ship+s", "office+s", "hidden", "effects"};
+    std::vector<std::string> scenes{"clevis",   "house",  "ship",    "office", "ship+s",
+                                    "office+s", "hidden", "effects", "profile"};
     std::vector<std::string> methods;
     std::string model;
     std::string up = "y";
@@ -40,7 +41,8 @@ void set_up(CLI::App& app, Arguments& a) {
     auto* scenes =
         app.add_option("--scenes", a.scenes,
                        "Of clevis, house, ship, office, each also with silhouettes as in "
-                       "ship+s; hidden: the cost of hidden segments; effects: of a style's effects")
+                       "ship+s; hidden: the cost of hidden segments; effects: of a style's "
+                       "effects; profile: of profiling")
             ->delimiter(',')
             ->capture_default_str();
     app.add_option("--methods", a.methods,
@@ -96,6 +98,10 @@ class Bench {
                     Subject ship = scene_subject("ship+s", size_, arguments_.frames);
                     ship.name = effects_row;
                     measure_rows({ship}, effect_drawings());
+                } else if (name == profile_row) {
+                    Subject ship = scene_subject("ship+s", size_, arguments_.frames);
+                    ship.name = profile_row;
+                    measure_rows({ship}, profile_drawings());
                 } else {
                     measure_rows({scene_subject(name, size_, arguments_.frames)},
                                  drawn(methods(name.ends_with("+s"))));
@@ -177,12 +183,12 @@ void check(const Arguments& a) {
     for (const std::string& name : a.methods) method_spec(name);
     for (const std::string& name : a.scenes) {
         const std::string plain = name.ends_with("+s") ? name.substr(0, name.size() - 2) : name;
-        if (name == "hidden" || name == effects_row ||
+        if (name == "hidden" || name == effects_row || name == profile_row ||
             std::ranges::find(scene_names(), plain) != scene_names().end()) {
             continue;
         }
         throw UsageError(fmt::format("--scenes: there is no \"{}\"; there is {}, each also with "
-                                     "+s, hidden, and effects",
+                                     "+s, hidden, effects, and profile",
                                      name, fmt::join(scene_names(), ", ")));
     }
     for (const std::string& path : a.charts) check_drawing_path(path);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <utility>
 
@@ -18,8 +19,13 @@ constexpr double slow_budget_ms = 30e3; // what a slow contestant may take in al
 constexpr std::size_t fewest_frames = 3;
 constexpr std::size_t warm_up_frames = 4;
 
-double timed(const Contestant& contestant, const Camera& camera, Measured& result) {
+struct FrameTime {
+    double ms, cpu_ms;
+};
+
+FrameTime timed(const Contestant& contestant, const Camera& camera, Measured& result) {
     glFinish();
+    const std::clock_t cpu = std::clock();
     const auto start = std::chrono::steady_clock::now();
     const FrameStats stats = contestant.draw(camera, false);
     glFinish();
@@ -27,7 +33,7 @@ double timed(const Contestant& contestant, const Camera& camera, Measured& resul
         std::chrono::steady_clock::now() - start;
     result.samples = stats.samples;
     result.runs = stats.runs;
-    return elapsed.count();
+    return {elapsed.count(), 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC};
 }
 
 /// What the measuring of one contestant needs beside its result.
@@ -50,7 +56,7 @@ Plan warm_up(const Contestant& contestant, std::span<const Viewpoint> viewpoints
         std::vector<double> times;
         for (std::size_t i = 0; i < warm_up_frames; ++i) {
             const std::size_t at = i * viewpoints.size() / warm_up_frames;
-            times.push_back(timed(contestant, viewpoints[at].camera, result));
+            times.push_back(timed(contestant, viewpoints[at].camera, result).ms);
             if (i > 0 && times.back() > slow_ms) break; // the first frame pays for compilers too
         }
         const double ms = times.size() > 1 ? median({times.begin() + 1, times.end()}) : times[0];
@@ -71,6 +77,15 @@ Plan warm_up(const Contestant& contestant, std::span<const Viewpoint> viewpoints
 /// through the caches, and the last view was far away. A frame of a second is past caring.
 void settle(const Contestant& contestant, const Viewpoint& viewpoint, const Plan& plan) {
     if (!plan.slow) contestant.draw(viewpoint.before, false);
+}
+
+double paired_ratio(std::span<const double> a, std::span<const double> b) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        const double ratio = a[i] / b[i];
+        if (!std::isnan(ratio)) ratios.push_back(ratio);
+    }
+    return median(std::move(ratios));
 }
 
 void add_stages(const Contestant& contestant, const Camera& camera, Plan& plan) {
@@ -118,12 +133,11 @@ double time_ratio(const Measured& a, const Measured& b) {
 }
 
 double paired_ratio(const Measured& a, const Measured& b) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < std::min(a.frame_ms.size(), b.frame_ms.size()); ++i) {
-        const double ratio = a.frame_ms[i] / b.frame_ms[i];
-        if (!std::isnan(ratio)) ratios.push_back(ratio);
-    }
-    return median(std::move(ratios));
+    return paired_ratio(a.frame_ms, b.frame_ms);
+}
+
+double paired_cpu_ratio(const Measured& a, const Measured& b) {
+    return paired_ratio(a.cpu_ms, b.cpu_ms);
 }
 
 std::vector<Measured> measure(std::span<const Contestant> contestants,
@@ -135,6 +149,7 @@ std::vector<Measured> measure(std::span<const Contestant> contestants,
     for (std::size_t i = 0; i < contestants.size(); ++i) {
         results[i].name = contestants[i].name;
         results[i].frame_ms.assign(count, std::numeric_limits<double>::quiet_NaN());
+        results[i].cpu_ms = results[i].frame_ms;
         progress(0, count, contestants[i].name);
         plans[i] = warm_up(contestants[i], viewpoints, results[i]);
     }
@@ -145,7 +160,9 @@ std::vector<Measured> measure(std::span<const Contestant> contestants,
             if (!takes_part(at, count, plans[i].frames)) continue;
             progress(at, count, contestants[i].name);
             settle(contestants[i], viewpoints[at], plans[i]);
-            results[i].frame_ms[at] = timed(contestants[i], viewpoints[at].camera, results[i]);
+            const FrameTime time = timed(contestants[i], viewpoints[at].camera, results[i]);
+            results[i].frame_ms[at] = time.ms;
+            results[i].cpu_ms[at] = time.cpu_ms;
         }
         // Every third view will do: stages tell where time goes, not how long a frame takes.
         for (std::size_t i = 0; i < contestants.size(); ++i) {

@@ -31,6 +31,7 @@ struct Contestant {
 struct Measured {
     std::string name;
     std::vector<double> frame_ms;  ///< per viewpoint; NaN where a slow contestant sat out
+    std::vector<double> cpu_ms;    ///< likewise, of all threads of the process
     std::vector<StageTime> stages; ///< medians, from frames of their own
     std::uint32_t samples = 0;     ///< of the last frame drawn
     std::uint32_t runs = 0;
@@ -50,6 +51,8 @@ double time_ratio(const Measured& a, const Measured& b);
 /// The median over the viewpoints of how many times as long `a` took as `b`: nearer to the truth
 /// than time_ratio() where they differ by little, since both were drawn shortly after one another.
 double paired_ratio(const Measured& a, const Measured& b);
+/// The same of the CPU time, which other work on the machine disturbs less.
+double paired_cpu_ratio(const Measured& a, const Measured& b);
 
 /// Called before each round of frames: rounds done and in all, and who draws first.
 using ProgressCallback =

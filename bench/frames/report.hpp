@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ struct SceneResult {
     std::uint32_t segments = 0;
     std::vector<Measured> methods;
     std::vector<Measured> depth; ///< all triangles into a depth buffer, "1x" and "2x"
+    /// What the stages of a profiled frame add up to, median; NaN without profiles.
+    double profiled_ms = std::numeric_limits<double>::quiet_NaN();
 
     /// Whether it is one of Table 1, or a model measured likewise.
     bool is_of_table() const;

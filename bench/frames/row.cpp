@@ -1,6 +1,7 @@
 #include "row.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/core.h>
 
@@ -14,6 +15,16 @@ gl::Buffer upload(const std::vector<T>& values) {
     glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(count * sizeof(T)),
                          values.empty() ? nullptr : values.data(), 0);
     return buffer;
+}
+
+double median_of_stages(std::span<const FrameProfile> profiles) {
+    std::vector<double> sums;
+    for (const FrameProfile& profile : profiles) {
+        double sum = 0;
+        for (const StageShare& share : stage_shares(profile)) sum += share.nanoseconds;
+        sums.push_back(sum * 1e-6);
+    }
+    return median(std::move(sums));
 }
 
 } // namespace
@@ -55,11 +66,16 @@ Row::Row(const Subject& subject, std::span<const Drawn> drawings, const DeviceOp
         description_ = renderer.description();
         FrameOptions options = drawn.options;
         options.lines = subject.kinds;
-        const auto draw = [&renderer, &canvas, options](const Camera& camera, bool stages) mutable {
+        const bool profiled = options.profile;
+        const auto draw = [this, &renderer, &canvas, options, profiled](const Camera& camera,
+                                                                        bool stages) mutable {
             options.measure_stages = stages;
+            options.profile = profiled && !stages;
             canvas.clear(glm::vec4{1});
             const FrameStats stats = renderer.draw(camera, options, canvas.framebuffer());
             if (options.intervals != KeptIntervals::none) renderer.read_intervals();
+            if (options.profile)
+                std::ranges::move(renderer.take_profiles(false), std::back_inserter(profiles_));
             return stats;
         };
         contestants_.push_back({drawn.name, draw});
@@ -73,6 +89,7 @@ SceneResult Row::result(std::span<const Measured> measured) const {
     const auto depth = measured.subspan(renderers_.size());
     result.methods.assign(methods.begin(), methods.end());
     result.depth.assign(depth.begin(), depth.end());
+    result.profiled_ms = median_of_stages(profiles_);
     return result;
 }
 

@@ -51,6 +51,7 @@ class Row {
 
   private:
     SceneResult result_;
+    std::vector<FrameProfile> profiles_;
     DepthOnly depth_;
     std::string description_;
     std::vector<std::unique_ptr<Renderer>> renderers_;

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "effects.hpp"
+#include "profiling.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -147,6 +148,17 @@ void print_effects(const Report& report) {
     }
 }
 
+void print_profiling(const Report& report) {
+    const auto cost = profiling_cost(report);
+    if (!cost) return;
+    fmt::print("\nProfiling the ship: a frame takes {:.3f} times as long and {:.3f} times the CPU "
+               "time;\nthe same of two without, which are equal: {:.3f} and {:.3f}\n",
+               cost->time, cost->cpu, cost->time_noise, cost->cpu_noise);
+    fmt::print("Stages of a profiled frame add up to {} ms of {} ms: {:.1f} %\n",
+               number(cost->stages_ms), number(cost->frame_ms),
+               100 * cost->stages_ms / cost->frame_ms);
+}
+
 void print_goals(const Report& report) {
     const std::vector<Goal> all = goals(report);
     if (std::ranges::none_of(all, [](const Goal& goal) { return goal.ours.has_value(); })) return;
@@ -175,6 +187,7 @@ void print_report(const Report& report) {
     print_stages(report);
     print_hidden(report);
     print_effects(report);
+    print_profiling(report);
     print_goals(report);
     for (const SceneResult& scene : report.scenes) {
         for (const Measured& measured : scene.methods) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <numbers>
 
+#include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -18,6 +19,7 @@
 #include "path_options.hpp"
 #include "picture_options.hpp"
 #include "picture_output.hpp"
+#include "profile_output.hpp"
 #include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
@@ -51,6 +53,7 @@ struct DrawArguments {
     PathOptions paths;
     DeviceOptions device;
     bool stats = false;
+    ProfileOptions profile;
     int repeat = 1;
 };
 
@@ -167,6 +170,7 @@ void check_arguments(const DrawArguments& arguments) {
     if (sequence && arguments.stats) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
+    arguments.profile.check();
     arguments.paths.check(arguments.output);
     if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
@@ -185,16 +189,28 @@ struct Drawing {
 };
 
 /// `draw`: how --stats draws a frame.
-void draw_frames(const Drawing& drawing, FrameOutput& output, const Renderer& renderer,
+void draw_frames(const Drawing& drawing, FrameOutput& output, Renderer& renderer,
                  const std::function<FrameStats(const Camera&, const FrameOptions&)>& draw) {
     const DrawArguments& arguments = drawing.arguments;
     if (!drawing.frames.empty()) {
-        return draw_sequence(drawing.frames, output, arguments.sequence.resume());
+        ProfiledOutput profiled{output, renderer};
+        draw_sequence(drawing.frames, profiled, arguments.sequence.resume());
+        return arguments.profile.write(profiled.take(), renderer.description());
     }
     const Subject& subject = drawing.subject;
     const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
     output.draw(camera, arguments.output);
     output.finish();
+    if (arguments.profile.given()) {
+        FrameOptions options = drawing.options;
+        options.profile = true;
+        // The picture's own frame has built kernels and made tables grow.
+        for (int i = 0; i < arguments.repeat; ++i) {
+            draw(camera, options);
+            glFinish(); // a frame does not begin with a wait for the strokes of the last one
+        }
+        arguments.profile.write(renderer.take_profiles(), renderer.description());
+    }
     if (!arguments.stats) return;
     measure_and_print({.name = subject.name,
                        .options = drawing.options,
@@ -250,7 +266,10 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     apply_camera(arguments, app, subject.view);
     const std::vector<SequenceFrame> frames = sequence_frames(arguments, subject, size);
     // A frame of a sequence is the same whatever was drawn before it.
-    if (!frames.empty()) options.steady = false;
+    if (!frames.empty()) {
+        options.steady = false;
+        options.profile = arguments.profile.given();
+    }
 
     const gl::HeadlessContext context;
     Renderer renderer{arguments.device};
@@ -348,7 +367,9 @@ Command setup_draw(CLI::App& app) {
 
     const std::string measuring = "Measuring";
     app.add_flag("--stats", a.stats, "Print counts, memory and a time per stage")->group(measuring);
-    app.add_option("--repeat", a.repeat, "Frames to measure for --stats; medians are printed")
+    a.profile.declare(app, measuring);
+    app.add_option("--repeat", a.repeat,
+                   "Frames to measure for --stats and --profile; medians are printed")
         ->capture_default_str()
         ->group(measuring);
 
@@ -358,7 +379,8 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
                "  lineatlas draw chair.obj -o chair.svg --page a4 --margin 10mm --plotter\n"
                "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
-               "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20");
+               "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20\n"
+               "  lineatlas draw --scene ship -o ship.png --profile trace.json --profile -");
     return [arguments, &app] { draw(*arguments, app); };
 }
 

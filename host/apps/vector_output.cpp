@@ -19,6 +19,7 @@ VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, Renderer& re
 FrameStats VectorOutput::find(const Camera& camera, const FrameOptions& options) {
     FrameOptions own = frame_.options;
     own.measure_stages = options.measure_stages;
+    own.profile = options.profile;
     const FrameStats stats = renderer_.draw(camera, own, 0);
     intervals_ = renderer_.read_intervals();
     return stats;

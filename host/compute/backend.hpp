@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "command_log.hpp"
 #include "core/atlas_layout.hpp"
 #include "segment_table.h"
 
@@ -273,6 +274,11 @@ class Backend {
 
     virtual void flush() = 0;  ///< starts what was submitted
     virtual void finish() = 0; ///< waits for all of it
+
+    /// Keeps the times of all commands from here to end_log(), for a profile. Null, and no log, if
+    /// the work of this backend is the host's.
+    virtual std::shared_ptr<CommandLog> begin_log() { return nullptr; }
+    virtual void end_log() {}
 };
 
 /// Plain C++ on the calling thread: the oracle that kernels are tested against.

@@ -123,22 +123,23 @@ compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth)
 }
 
 void AtlasMethod::sample_raster(Frame& frame) {
-    frame.clock("atlas", [&] {
-        // The total decides how many rows are drawn and read, so the host needs it here.
-        std::uint32_t total = 0;
+    frame.clock.handover([&] {
         handover_.to_gl(
             {{*clipped_, clipped_->size()}, {*offsets_, offsets_->size()}, {*alpha_, 0}});
+    });
+    // The total decides how many rows are drawn and read, so the host needs it here.
+    std::uint32_t total = 0;
+    frame.clock.gl("atlas", [&] {
         glGetNamedBufferSubData(offsets_->gl(),
                                 static_cast<GLintptr>(segment_count_ * sizeof(total)),
                                 sizeof(total), &total);
+        if (total > sample_capacity_) return; // grow() sees to it
+        atlas_pass_.draw(
+            {.clipped = clipped_->gl(), .offsets = offsets_->gl(), .segment_count = segment_count_},
+            frame.probe_params(depth_.pass().texture()), layout_, total, alpha_->gl());
+    });
+    frame.clock.handover([&] {
         const bool fits = total <= sample_capacity_;
-        if (fits) {
-            atlas_pass_.draw({.clipped = clipped_->gl(),
-                              .offsets = offsets_->gl(),
-                              .segment_count = segment_count_},
-                             frame.probe_params(depth_.pass().texture()), layout_, total,
-                             alpha_->gl());
-        }
         handover_.to_compute(
             {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, fits ? layout_.texels(total) : 0}});
     });
@@ -228,7 +229,7 @@ void AtlasMethod::draw_strokes(Frame& frame) {
 }
 
 void AtlasMethod::pass_to_strokes(Frame& frame) {
-    frame.clock("handover", [&] {
+    frame.clock.handover([&] {
         std::vector<interop::Passed> buffers{
             {*clipped_, 0}, {*offsets_, 0}, {*alpha_, layout_.texels(strokes_.sample_total())}};
         strokes_.add_to_handover(buffers);
@@ -240,7 +241,7 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     std::vector<interop::Passed> unread{{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}};
     strokes_.add_unread(unread);
-    handover_.to_compute(unread);
+    frame.clock.handover([&] { handover_.to_compute(unread); });
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
         project(frame);
@@ -261,7 +262,7 @@ FrameStats AtlasMethod::draw(Frame& frame) {
         draw_strokes(frame);
     else
         pass_to_strokes(frame);
-    if (reads_depth()) frame.clock("handover", [&] { depth_.take_back(); });
+    if (reads_depth()) frame.clock.handover([&] { depth_.take_back(); });
     return stats(frame);
 }
 

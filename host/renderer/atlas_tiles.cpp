@@ -31,7 +31,7 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
             args.tile = &depth;
             backend_.atlas(args);
         });
-        frame.clock("handover", [&] { depth_.take_tile_back(); });
+        frame.clock.handover([&] { depth_.take_tile_back(); });
     }
 }
 
@@ -39,7 +39,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame, target);
     std::vector<interop::Passed> unread{{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}};
     strokes_.add_unread(unread);
-    handover_.to_compute(unread);
+    frame.clock.handover([&] { handover_.to_compute(unread); });
     project(frame);
     // Counted first: drawing all depth again because the atlas was too small would take long.
     std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
@@ -60,7 +60,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
         strokes_.draw(frame, alpha_->gl());
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
-        target.end(tile);
+        frame.clock("output", [&] { target.end(tile); });
     }
     return stats(frame);
 }

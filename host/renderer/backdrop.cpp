@@ -18,7 +18,7 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
                          "a fill");
     }
     if (!fill_pass_) fill_pass_.emplace();
-    frame.clock("fill", [&] {
+    frame.clock.gl("fill", [&] {
         fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(), seen,
                          {.clip_from_world = frame.camera.clip_from_world(),
                           .eye_from_world = frame.camera.view,
@@ -39,7 +39,7 @@ void Backdrop::draw_paper(Frame& frame, const Paper& paper) {
     }
     if (paper.grain == 0) return;
     if (!paper_pass_) paper_pass_.emplace(make_paper());
-    frame.clock("paper", [&] { paper_pass_->draw(frame.tile, paper.grain, frame.framebuffer); });
+    frame.clock.gl("paper", [&] { paper_pass_->draw(frame.tile, paper.grain, frame.framebuffer); });
 }
 
 } // namespace lineatlas

@@ -68,7 +68,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
     const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
     check_depth_size(size);
     prepare_depth(size);
-    frame.clock("depth", [&] {
+    frame.clock.gl("depth", [&] {
         const glm::mat4 clip = frame.camera.clip_from_world();
         ranges_ = pieces_in_view(frame.scene, tile_projection(clip, {low, size}, whole));
         pass_.begin(size, 1);
@@ -77,7 +77,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
         pass_.copy_to(depth_->gl(), {{0, 0}, size});
     });
     for (const gl::TriangleRange& range : ranges_) triangles_drawn_ += range.count;
-    frame.clock("handover", [&] { handover_.to_compute({{*depth_, area(size) * sizeof(float)}}); });
+    frame.clock.handover([&] { handover_.to_compute({{*depth_, area(size) * sizeof(float)}}); });
     // Lines end at the picture's borders, perhaps a rounding beyond.
     constexpr int far = 1 << 30;
     const glm::ivec2 core = tile.low * scale;
@@ -89,7 +89,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
 }
 
 void DepthStage::draw_texture(Frame& frame) {
-    frame.clock("depth", [&] {
+    frame.clock.gl("depth", [&] {
         pass_.begin(frame.camera.size, frame.options.depth_scale);
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world());
         triangles_drawn_ = frame.scene.triangle_count();
@@ -105,7 +105,7 @@ void DepthStage::draw_for_compute(Frame& frame) {
     }
     triangles_drawn_ = 0;
     ranges_.clear();
-    frame.clock("depth", [&] { pass_.begin(frame.camera.size, frame.options.depth_scale); });
+    frame.clock.gl("depth", [&] { pass_.begin(frame.camera.size, frame.options.depth_scale); });
     draw_clusters(frame, seen_);
     build_pyramid(frame);
     const std::vector<std::uint8_t>& visible = appeared_;
@@ -118,7 +118,7 @@ void DepthStage::draw_for_compute(Frame& frame) {
         appeared_[i] = appears ? 1 : 0;
     }
     if (!any) return;
-    handover_.to_gl({{*depth_, 0}, {*tiles_, 0}});
+    frame.clock.handover([&] { handover_.to_gl({{*depth_, 0}, {*tiles_, 0}}); });
     draw_clusters(frame, appeared_);
     build_pyramid(frame);
 }
@@ -135,8 +135,8 @@ void DepthStage::build_pyramid(Frame& frame) {
         static_cast<int>(std::ceil(LA_PROBE_REACH(static_cast<float>(frame.options.depth_scale))));
     const TexelRectangle covered = screen_bounds(
         frame.scene.bounds(), frame.camera.clip_from_world(), pass_.size(), reach + 1, LA_TILE);
-    frame.clock("depth", [&] { pass_.copy_to(depth_->gl(), covered); });
-    frame.clock("handover", [&] {
+    frame.clock.gl("depth", [&] { pass_.copy_to(depth_->gl(), covered); });
+    frame.clock.handover([&] {
         handover_.to_compute({{*depth_, area(pass_.size()) * sizeof(float)}, {*tiles_, 0}});
     });
     if (!frame.culls_hidden()) return;
@@ -147,7 +147,7 @@ void DepthStage::build_pyramid(Frame& frame) {
 }
 
 void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& selected) {
-    frame.clock("depth", [&] {
+    frame.clock.gl("depth", [&] {
         const std::span<const Cluster> clusters = frame.scene.clusters();
         const std::size_t drawn_before = ranges_.size();
         for (std::size_t i = 0; i < clusters.size(); ++i) {

@@ -15,11 +15,11 @@ FrameStats OpenGlMethod::draw(Frame& frame) {
     const glm::vec4 color{pen.color, pen.opacity};
     frame.backdrop.draw_fill(frame, frame.options.style.fill);
     const gl::LineBuffers lines = frame.scene.gl_lines(frame.options.lines);
-    frame.clock("depth", [&] {
+    frame.clock.gl("depth", [&] {
         line_pass_.draw_depth(frame.scene.gl_triangles(), clip_from_world, frame.camera.size,
                               frame.framebuffer);
     });
-    frame.clock("lines", [&] {
+    frame.clock.gl("lines", [&] {
         line_pass_.draw_lines(lines, clip_from_world, frame.options.style.pen.width, color);
     });
     return {.triangles = frame.scene.triangle_count(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "atlas_method.hpp"
 #include "backdrop.hpp"
@@ -85,19 +86,23 @@ class Renderer::State {
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
+        std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, framebuffer);
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
         FrameStats stats = draw_method(frame);
         if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
+        if (profiled) profiled->finish(stats);
         return stats;
     }
 
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target) {
+        std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, target.framebuffer);
         samples_drawn_ = false;
         FrameStats stats = atlas_.draw_tiles(frame, target);
+        if (profiled) profiled->finish(stats);
         samples_drawn_ = true;
         return stats;
     }
@@ -116,7 +121,17 @@ class Renderer::State {
 
     std::vector<Interval> read_intervals() { return atlas_.read_intervals(); }
 
+    std::vector<FrameProfile> take_profiles(bool wait) {
+        return recorder_ ? recorder_->take(wait) : std::vector<FrameProfile>{};
+    }
+
   private:
+    std::optional<ProfileRecorder::Frame> begin_profile(const FrameOptions& options) {
+        if (!options.profile) return std::nullopt;
+        if (!recorder_) recorder_.emplace(*connection_.backend, interop::gl_is_software());
+        return std::optional<ProfileRecorder::Frame>{std::in_place, *recorder_};
+    }
+
     Frame begin(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
@@ -126,7 +141,8 @@ class Renderer::State {
                     .framebuffer = framebuffer,
                     .pens = pens_,
                     .backdrop = backdrop_,
-                    .clock = {*connection_.backend, options.measure_stages}};
+                    .clock = {*connection_.backend, options.measure_stages,
+                              options.profile ? &*recorder_ : nullptr}};
         frame.stroke_params(options.style.pen); // refuses an unknown pen and
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
         return frame;
@@ -149,6 +165,7 @@ class Renderer::State {
 
     interop::Connection connection_;
     std::optional<SceneBuffers> scene_;
+    std::optional<ProfileRecorder> recorder_; ///< from the first profiled frame on
     PenTextures pens_;
     Backdrop backdrop_;
     AtlasMethod atlas_;
@@ -178,6 +195,9 @@ FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
 }
 std::vector<Interval> Renderer::read_intervals() {
     return state_->read_intervals();
+}
+std::vector<FrameProfile> Renderer::take_profiles(bool wait) {
+    return state_->take_profiles(wait);
 }
 FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
                                 const TileTarget& target) {

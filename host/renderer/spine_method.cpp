@@ -12,12 +12,12 @@ FrameStats SpineMethod::draw(Frame& frame) {
     const bool cull_hidden = frame.culls_hidden();
     if (cull_hidden) {
         depth_.draw_for_compute(frame);
-        frame.clock("handover", [&] { depth_.take_back(); });
+        frame.clock.handover([&] { depth_.take_back(); });
     } else {
         depth_.draw_texture(frame);
     }
     frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
-    frame.clock("spine", [&] {
+    frame.clock.gl("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,
                          {.clip_from_world = clip_from_world,

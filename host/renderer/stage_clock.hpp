@@ -1,44 +1,70 @@
 #pragma once
 
-#include <chrono>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include <epoxy/gl.h>
-
-#include "compute/backend.hpp"
-#include "lineatlas/renderer.hpp"
+#include "core/host_clock.hpp"
+#include "profile_recorder.hpp"
 
 namespace lineatlas {
 
-/// Times stages by waiting for them, or just runs them.
+/// Runs the stages of a frame, and says when it does: to a profile, or to itself with a wait after
+/// each, so that none hides behind another.
 class StageClock {
   public:
-    StageClock(compute::Backend& backend, bool measure) : backend_(backend), measure_(measure) {}
+    /// `recorder`: of a profiled frame, else null.
+    StageClock(compute::Backend& backend, bool measure, ProfileRecorder* recorder)
+        : backend_(backend), measure_(measure), recorder_(recorder) {}
 
-    /// Runs `action` as (a part of) the stage `name`.
+    /// Runs `action` as (a part of) the stage `name` of the host or the compute backend.
     template <class Action>
     void operator()(const char* name, Action&& action) {
-        if (!measure_) return action();
-        const auto start = std::chrono::steady_clock::now();
-        action();
-        glFinish();
-        backend_.finish();
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
-        for (StageTime& stage : stages_) {
-            if (stage.name != name) continue;
-            stage.milliseconds += elapsed.count();
-            return;
-        }
-        stages_.push_back({name, elapsed.count()});
+        run(ProfileTrack::host, name, std::forward<Action>(action));
+    }
+    /// A stage of GL's.
+    template <class Action>
+    void gl(const char* name, Action&& action) {
+        run(ProfileTrack::gl, name, std::forward<Action>(action));
+    }
+    template <class Action>
+    void handover(Action&& action) {
+        run(ProfileTrack::handover, "handover", std::forward<Action>(action));
     }
 
     std::vector<StageTime> take() { return std::move(stages_); }
 
   private:
+    template <class Action>
+    void run(ProfileTrack track, const char* name, Action&& action) {
+        if (recorder_ != nullptr) recorder_->begin_stage(track, name);
+        if (measure_)
+            measure(name, action);
+        else
+            action();
+        if (recorder_ != nullptr) recorder_->end_stage();
+    }
+
+    template <class Action>
+    void measure(const char* name, Action& action) {
+        const std::int64_t start = host_nanoseconds();
+        action();
+        glFinish();
+        backend_.finish();
+        add(name, static_cast<double>(host_nanoseconds() - start) * 1e-6);
+    }
+
+    void add(const char* name, double milliseconds) {
+        const auto known = std::ranges::find(stages_, name, &StageTime::name);
+        if (known == stages_.end())
+            stages_.push_back({name, milliseconds});
+        else
+            known->milliseconds += milliseconds;
+    }
+
     compute::Backend& backend_;
     bool measure_;
+    ProfileRecorder* recorder_;
     std::vector<StageTime> stages_;
 };
 

@@ -267,14 +267,14 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
 void StrokeStage::draw(Frame& frame, GLuint alpha) {
     const Style& style = frame.options.style;
     if (has_hidden_) {
-        frame.clock("strokes hidden", [&] {
+        frame.clock.gl("strokes hidden", [&] {
             glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
             pass_.draw({.runs = hidden_.runs->gl(), .record = hidden_.record->gl(), .alpha = alpha},
                        frame.stroke_params(style.hidden_pen),
                        stroke_style(frame, style.hidden_pen, true));
         });
     }
-    frame.clock("strokes", [&] {
+    frame.clock.gl("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         const gl::DensityWeights density =
             limits_density_ ? gl::DensityWeights{weights_->gl(), cells_} : gl::DensityWeights{};

@@ -7,6 +7,7 @@
 
 #include "guarded.hpp"
 #include "lineatlas/error.hpp"
+#include "opencl_command_log.hpp"
 #include "programs.hpp"
 
 namespace lineatlas::compute {
@@ -97,7 +98,7 @@ class Implementation final : public OpenClBackend {
         auto& own = static_cast<OpenClBuffer&>(buffer);
         guarded("mapping a buffer", [&] {
             own.mapped = queue_.enqueueMapBuffer(own.memory, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE,
-                                                 0, own.size());
+                                                 0, own.size(), nullptr, logged("map"));
         });
     }
 
@@ -105,7 +106,7 @@ class Implementation final : public OpenClBackend {
         auto& own = static_cast<OpenClBuffer&>(buffer);
         if (own.mapped == nullptr) return;
         guarded("unmapping a buffer", [&] {
-            queue_.enqueueUnmapMemObject(own.memory, own.mapped);
+            queue_.enqueueUnmapMemObject(own.memory, own.mapped, nullptr, logged("unmap"));
             own.mapped = nullptr;
         });
     }
@@ -113,14 +114,16 @@ class Implementation final : public OpenClBackend {
     void upload(Buffer& buffer, std::span<const std::byte> data) override {
         if (data.empty()) return;
         guarded("writing a buffer", [&] {
-            queue_.enqueueWriteBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data());
+            queue_.enqueueWriteBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data(),
+                                      nullptr, logged("write"));
         });
     }
 
     void download(Buffer& buffer, std::span<std::byte> data) override {
         if (data.empty()) return finish();
         guarded("reading a buffer", [&] {
-            queue_.enqueueReadBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data());
+            queue_.enqueueReadBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data(),
+                                     nullptr, logged("read"));
         });
     }
 
@@ -195,11 +198,12 @@ class Implementation final : public OpenClBackend {
                args.layout.width, args.layout.pitch, args.capacity, tuning_.segment_block,
                use_history, args.history.alpha, args.history.ranges, args.alpha);
         guarded("copying a buffer", [&] {
-            queue_.enqueueCopyBuffer(memory_of(args.clipped.offsets),
-                                     memory_of(args.history.offsets), 0, 0,
-                                     (std::size_t{n} + 1) * sizeof(cl_uint));
+            queue_.enqueueCopyBuffer(
+                memory_of(args.clipped.offsets), memory_of(args.history.offsets), 0, 0,
+                (std::size_t{n} + 1) * sizeof(cl_uint), nullptr, logged("copy"));
             queue_.enqueueCopyBuffer(memory_of(args.alpha), memory_of(args.history.alpha), 0, 0,
-                                     std::min(args.alpha.size(), args.history.alpha.size()));
+                                     std::min(args.alpha.size(), args.history.alpha.size()),
+                                     nullptr, logged("copy"));
         });
     }
 
@@ -250,7 +254,7 @@ class Implementation final : public OpenClBackend {
         cl_uint total = 0;
         guarded("reading a buffer", [&] {
             queue_.enqueueReadBuffer(memory_of(ends), CL_TRUE, tile_count * sizeof(cl_uint),
-                                     sizeof(cl_uint), &total);
+                                     sizeof(cl_uint), &total, nullptr, logged("read"));
         });
         constexpr std::size_t tables = 7; // of struct Lists
         Buffer& lists = scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
@@ -318,7 +322,8 @@ class Implementation final : public OpenClBackend {
                tuning_.sample_block, counts, args.packed);
         guarded("copying a buffer", [&] {
             queue_.enqueueCopyBuffer(memory_of(counts), memory_of(args.packed_count),
-                                     blocks * sizeof(cl_uint), 0, sizeof(cl_uint));
+                                     blocks * sizeof(cl_uint), 0, sizeof(cl_uint), nullptr,
+                                     logged("copy"));
         });
     }
 
@@ -329,7 +334,25 @@ class Implementation final : public OpenClBackend {
         guarded("waiting for kernels", [&] { queue_.finish(); });
     }
 
+    std::shared_ptr<CommandLog> begin_log() override {
+        if (!log_) keep_times();
+        log_ = std::make_shared<OpenClCommandLog>();
+        return log_;
+    }
+    void end_log() override { log_.reset(); }
+
   private:
+    /// From the first profiled frame on.
+    void keep_times() {
+        guarded("creating a queue that keeps times", [&] {
+            if ((queue_.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE) != 0) return;
+            queue_.finish();
+            queue_ = cl::CommandQueue{context_, device_.device, CL_QUEUE_PROFILING_ENABLE};
+        });
+    }
+    /// The event that a command about to be enqueued has in the log, if one is kept.
+    OpenClCommandLog::Pending logged(const char* name) { return {log_.get(), name}; }
+
     template <class Action>
     auto guarded(const std::string& doing, Action&& action) const -> decltype(action()) {
         return compute::guarded(device_, doing, std::forward<Action>(action));
@@ -345,7 +368,7 @@ class Implementation final : public OpenClBackend {
             (kernel.setArg(index++, argument(args)), ...);
             const std::size_t global = std::size_t{divide_up(items, local_size)} * local_size;
             queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{global},
-                                        cl::NDRange{local_size});
+                                        cl::NDRange{local_size}, nullptr, logged(lazy.name));
         });
     }
 
@@ -389,7 +412,8 @@ class Implementation final : public OpenClBackend {
     /// Sets the first `count` uint32 to 0.
     void clear(Buffer& buffer, std::size_t count) {
         guarded("clearing a buffer", [&] {
-            queue_.enqueueFillBuffer(memory_of(buffer), cl_uint{0}, 0, count * sizeof(cl_uint));
+            queue_.enqueueFillBuffer(memory_of(buffer), cl_uint{0}, 0, count * sizeof(cl_uint),
+                                     nullptr, logged("fill"));
         });
     }
 
@@ -398,6 +422,7 @@ class Implementation final : public OpenClBackend {
     cl::Context context_;
     cl::CommandQueue queue_;
     std::optional<Programs> programs_; ///< of context_
+    std::shared_ptr<OpenClCommandLog> log_;       ///< while one is kept
     LazyKernel pyramid_{"pyramid.cl", "pyramid"};
     LazyKernel cull_{"cull.cl", "cull"};
     LazyKernel facing_{"facing.cl", "facing"};

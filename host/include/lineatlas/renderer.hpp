@@ -12,6 +12,7 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
+#include "lineatlas/profile.hpp"
 #include "lineatlas/style.hpp"
 
 namespace lineatlas {
@@ -74,6 +75,7 @@ struct FrameOptions {
     /// Draw the picture; without it a frame is only computed, for its intervals.
     bool draw = true;
     bool measure_stages = false; ///< wait after every stage and report its time; slower
+    bool profile = false;        ///< keep times for Renderer::take_profiles()
 };
 
 /// Where a picture is drawn part by part.
@@ -154,6 +156,11 @@ class Renderer {
     /// samples where the depth buffer has them. The same on every device up to rounding. Only these
     /// come out of the device; waits for it. Throws UsageError if the last frame kept none.
     std::vector<Interval> read_intervals();
+
+    /// The profiles of frames drawn with `FrameOptions::profile` that were not taken yet, in order.
+    /// GL and the device tell the times of a frame while later ones are drawn; with `wait` this
+    /// waits for the last. What is more than four frames behind is dropped, and counted.
+    std::vector<FrameProfile> take_profiles(bool wait = true);
 
   private:
     class State;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "compute/command_log.hpp"
+#include "opencl.hpp"
+
+namespace lineatlas::compute {
+
+/// Events of a queue that keeps times (CL_QUEUE_PROFILING_ENABLE). A device's clock counts from
+/// anywhere; but that of each command's QUEUED time was read between two readings of the host's,
+/// so all commands together say to a microsecond or so how the clocks lie to each other, anew in
+/// each log.
+class OpenClCommandLog final : public CommandLog {
+  public:
+    /// A command about to be enqueued: an argument to the enqueue call, which it must not outlive.
+    class Pending {
+      public:
+        Pending(OpenClCommandLog* log, const char* name);
+        ~Pending();
+        Pending(const Pending&) = delete;
+        Pending& operator=(const Pending&) = delete;
+        operator cl::Event*() { return log_ != nullptr ? &entry_.event : nullptr; } // NOLINT
+
+      private:
+        friend class OpenClCommandLog;
+        struct Entry {
+            const char* name;
+            std::int64_t before, after; ///< the host's clock about the call
+            cl::Event event;
+        };
+        OpenClCommandLog* log_;
+        Entry entry_{};
+    };
+
+    bool complete() const override;
+    std::vector<CommandTime> read() override;
+    std::optional<std::int64_t> error() const override { return error_; }
+
+  private:
+    std::vector<Pending::Entry> entries_;
+    std::optional<std::int64_t> error_;
+};
+
+} // namespace lineatlas::compute

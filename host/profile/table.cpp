@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "lineatlas/profile.hpp"
+
+namespace lineatlas {
+namespace {
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// What a kernel, a transfer or a GL pass took within one stage.
+struct Work {
+    ProfileTrack track;
+    std::string name;
+    std::vector<double> each{}; ///< nanoseconds
+    double sum = 0;
+};
+
+struct Stage {
+    std::string name;
+    std::vector<double> frames{}; ///< nanoseconds of each frame that has it
+    double sum = 0;
+    std::vector<Work> work{};
+};
+
+struct Summary {
+    std::vector<Stage> stages; ///< in the order in which they begin
+    std::vector<double> frames;
+    double sum = 0;
+    double covered = 0;
+
+    explicit Summary(std::span<const FrameProfile> profiles) {
+        for (const FrameProfile& frame : profiles) add(frame);
+    }
+
+  private:
+    Stage& stage(const std::string& name) {
+        const auto known = std::ranges::find(stages, name, &Stage::name);
+        return known != stages.end() ? *known : stages.emplace_back(Stage{name});
+    }
+
+    void add(const FrameProfile& frame) {
+        frames.push_back(static_cast<double>(frame.end - frame.start));
+        sum += frames.back();
+        for (const ProfileEvent& event : frame.events) add(event);
+        for (const StageShare& share : stage_shares(frame)) {
+            Stage& of = stage(share.stage);
+            of.frames.push_back(share.nanoseconds);
+            of.sum += share.nanoseconds;
+            covered += share.nanoseconds;
+        }
+    }
+
+    void add(const ProfileEvent& event) {
+        if (event.stage.empty()) return;
+        Stage& of = stage(event.stage);
+        if (event.track == ProfileTrack::host || event.track == ProfileTrack::handover) return;
+        auto known = std::ranges::find_if(of.work, [&](const Work& work) {
+            return work.track == event.track && work.name == event.name;
+        });
+        if (known == of.work.end()) {
+            known = of.work.insert(known, Work{event.track, event.name});
+        }
+        known->each.push_back(static_cast<double>(event.end - event.start));
+        known->sum += known->each.back();
+    }
+};
+
+std::string row(const std::string& name, const char* track, double count, double middle, double sum,
+                double share) {
+    return fmt::format("{:<24}{:<9}{:>7.1f}{:>12.3f}{:>12.2f}{:>9.1f}\n", name, track, count,
+                       middle * 1e-6, sum * 1e-6, 100 * share);
+}
+
+/// How exact the times of a queue are in the worst frame.
+std::string accuracy(std::span<const FrameProfile> frames, const char* name,
+                     std::optional<std::int64_t> FrameProfile::*error) {
+    std::int64_t worst = -1;
+    for (const FrameProfile& frame : frames) worst = std::max(worst, (frame.*error).value_or(-1));
+    if (worst < 0) return fmt::format("{} keeps no times of its own", name);
+    return fmt::format("{} within {:.2f} us", name, static_cast<double>(worst) * 1e-3);
+}
+
+} // namespace
+
+std::string profile_table(std::span<const FrameProfile> frames) {
+    if (frames.empty()) return "no frame was profiled\n";
+    const Summary summary{frames};
+    const auto count = static_cast<double>(frames.size());
+    std::string text = fmt::format("{:<24}{:<9}{:>7}{:>12}{:>12}{:>9}\n", "stage, kernel or pass",
+                                   "queue", "a frame", "median ms", "sum ms", "% of all");
+    for (const Stage& stage : summary.stages) {
+        text += row(stage.name, "", static_cast<double>(stage.frames.size()) / count,
+                    median(stage.frames), stage.sum, stage.sum / summary.sum);
+        for (const Work& work : stage.work) {
+            text += row("  " + work.name, name_of(work.track),
+                        static_cast<double>(work.each.size()) / count, median(work.each), work.sum,
+                        work.sum / summary.sum);
+        }
+    }
+    text += row("stages", "", 1, summary.covered / count, summary.covered,
+                summary.covered / summary.sum);
+    text += row("frame", "", 1, median(summary.frames), summary.sum, 1);
+    fmt::format_to(std::back_inserter(text), "covered: {:.1f} % of {} frames; {}; {}; {} dropped\n",
+                   100 * summary.covered / summary.sum, frames.size(),
+                   accuracy(frames, "GL", &FrameProfile::gl_error),
+                   accuracy(frames, "compute", &FrameProfile::compute_error),
+                   frames.back().dropped);
+    return text;
+}
+
+} // namespace lineatlas
