@@ -535,33 +535,48 @@ filter_write(__global const Segment* restrict segments,
     filter_path_of(&work, r, filter, variation);
 }
 
-/* A hidden sample that is drawn now becomes visible, and where visibility ended a partly visible
- * one is drawn in full: the end of the stroke is cut at its exact place instead. */
-__kernel void filter_show(__global const Segment* restrict segments,
-                          __global const Run* restrict runs,
-                          __global const FrameRecord* restrict record,
-                          __global const Run* restrict filtered,
+/* The first and last sample that a filtered run lies on; beyond an end of the segment its last
+ * sample counts. */
+static int2 samples_under(__global const Run* run) {
+    const int last = (int)run->samples - 1;
+    return (int2)(clamp((int)floor(run->start_sample - 0.5f), 0, last),
+                  clamp((int)floor(run->end_sample - 0.5f) + 1, 0, last));
+}
+
+static bool has_samples(__global const Run* run) {
+    return (run->flags & LA_RUN_SOLID) == 0;
+}
+
+/* A hidden sample that is drawn now becomes visible. A sample under two runs of a segment is the
+ * first one's. */
+__kernel void filter_show(__global const Run* restrict filtered,
                           __global const FrameRecord* restrict filtered_record, const uint n,
                           __global uchar* restrict alpha) {
     const uint r = (uint)get_global_id(0);
-    if (r >= n) return;
-    if (r < filtered_record->points[0] && (filtered[r].flags & LA_RUN_SOLID) == 0) {
-        __global uchar* own = alpha + filtered[r].address;
-        const int last_sample = (int)filtered[r].samples - 1;
-        /* Beyond an end of the segment its last sample counts. */
-        const int first = clamp((int)floor(filtered[r].start_sample - 0.5f), 0, last_sample);
-        const int last = clamp((int)floor(filtered[r].end_sample - 0.5f) + 1, 0, last_sample);
-        for (int j = first; j <= last; ++j) {
-            if (own[j] == 0) own[j] = 255;
-        }
+    if (r >= n || r >= filtered_record->points[0] || !has_samples(filtered + r)) return;
+    __global uchar* own = alpha + filtered[r].address;
+    const int2 range = samples_under(filtered + r);
+    int first = range.x;
+    if (r > 0 && filtered[r - 1].segment == filtered[r].segment && has_samples(filtered + r - 1))
+        first = max(first, samples_under(filtered + r - 1).y + 1);
+    for (int j = first; j <= range.y; ++j) {
+        if (own[j] == 0) own[j] = 255;
     }
+}
+
+/* Where visibility ended a partly visible sample is drawn in full: the end of the stroke is cut at
+ * its exact place instead. */
+__kernel void filter_show_ends(__global const Segment* restrict segments,
+                               __global const Run* restrict runs,
+                               __global const FrameRecord* restrict record, const uint n,
+                               __global uchar* restrict alpha) {
+    const uint r = (uint)get_global_id(0);
     const uint run_count = record->points[0];
-    if (r < run_count) {
-        __global uchar* own = alpha + runs[r].address;
-        const uint2 outermost = end_samples(runs + r);
-        if (!shown_across(segments, runs, run_count, r, false))
-            own[outermost.x] = max(own[outermost.x], (uchar)LA_FULLY_SHOWN);
-        if (!shown_across(segments, runs, run_count, r, true))
-            own[outermost.y] = max(own[outermost.y], (uchar)LA_FULLY_SHOWN);
-    }
+    if (r >= n || r >= run_count) return;
+    __global uchar* own = alpha + runs[r].address;
+    const uint2 outermost = end_samples(runs + r);
+    if (!shown_across(segments, runs, run_count, r, false))
+        own[outermost.x] = max(own[outermost.x], (uchar)LA_FULLY_SHOWN);
+    if (!shown_across(segments, runs, run_count, r, true))
+        own[outermost.y] = max(own[outermost.y], (uchar)LA_FULLY_SHOWN);
 }

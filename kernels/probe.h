@@ -142,8 +142,10 @@ static lanes_int sees_line(const Spine spine, const lanes_float u, const lanes_f
     const lanes_float x = spine.p.x + spine.d.x * u;
     const lanes_float y = spine.p.y + spine.d.y * u;
     const lanes_float side_texels = side * depth.scale;
-    const lanes_int column = min(max(FLOOR_TO_INT(x + left.x * side_texels), 0), depth.size.x - 1);
-    const lanes_int row = min(max(FLOOR_TO_INT(y + left.y * side_texels), 0), depth.size.y - 1);
+    /* Vectors on both sides: Oclgrind reads past a scalar beside a vector in min and max. */
+    const lanes_int none = 0, right = depth.size.x - 1, top = depth.size.y - 1;
+    const lanes_int column = min(max(FLOOR_TO_INT(x + left.x * side_texels), none), right);
+    const lanes_int row = min(max(FLOOR_TO_INT(y + left.y * side_texels), none), top);
     const lanes_float offset_x = (TO_FLOAT(column) + 0.5f - x) * inverse_scale;
     const lanes_float offset_y = (TO_FLOAT(row) + 0.5f - y) * inverse_scale;
     const lanes_float along = offset_x * spine.along.x + offset_y * spine.along.y;

@@ -18,8 +18,8 @@ struct TestDevice {
 };
 
 /// Every OpenCL device of this machine, each in its own tuning and in the other one (CPU form on
-/// GPU devices, GPU form on CPU devices). Without OpenCL the list is empty and the suites are
-/// skipped, which `Devices.AtLeastOne` reports as a failure.
+/// GPU devices, GPU form on CPU devices; not on rusticl, which is slow). Without OpenCL the list is
+/// empty and the suites are skipped, which `Devices.AtLeastOne` reports as a failure.
 std::vector<TestDevice> test_devices();
 
 /// Content of a device buffer.

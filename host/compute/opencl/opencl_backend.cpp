@@ -238,9 +238,10 @@ class Implementation final : public OpenClBackend {
         step(filter_count_, counts);
         scan(counts, n, ScanKind::saturate);
         step(filter_write_, counts, args.filtered_capacity, args.filtered, args.filtered_record);
-        const std::uint32_t most = std::max(n, args.filtered_capacity);
-        launch(filter_show_, most, tuning_.local_size, args.table.segments, args.runs, args.record,
-               args.filtered, args.filtered_record, most, args.alpha);
+        launch(filter_show_, args.filtered_capacity, tuning_.local_size, args.filtered,
+               args.filtered_record, args.filtered_capacity, args.alpha);
+        launch(filter_show_ends_, n, tuning_.local_size, args.table.segments, args.runs,
+               args.record, n, args.alpha);
     }
 
     void halo(const HaloArgs& args) override {
@@ -434,6 +435,7 @@ class Implementation final : public OpenClBackend {
     LazyKernel filter_count_{"filter.cl", "filter_count"};
     LazyKernel filter_write_{"filter.cl", "filter_write"};
     LazyKernel filter_show_{"filter.cl", "filter_show"};
+    LazyKernel filter_show_ends_{"filter.cl", "filter_show_ends"};
     std::string probe_lanes_ = tuning_.atlas_vectors ? "-DPROBE_LANES=16" : "-DPROBE_LANES=1";
     LazyKernel intervals_count_{"intervals.cl", "intervals_count", probe_lanes_};
     LazyKernel intervals_write_{"intervals.cl", "intervals_write", probe_lanes_};

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Runs every kernel under Oclgrind, an OpenCL device that watches each access:
+#   check_kernels.sh PROGRAM [ARGS]     PROGRAM is the built kernel_check
+# Fails on any report (access outside a buffer, race, wrong API call), on a result that depends on
+# memory which nobody has written, and if a kernel of kernels/ did not run.
+#
+# Oclgrind's own --uninitialized is of no use here: that of Debian 12 (21.10, LLVM 14) reads the
+# mask of every shuffle of a vector as an operand, which LLVM no longer has, and so reports what is
+# written (https://github.com/jrprice/Oclgrind/issues/126) or crashes. Kernels that read memory
+# which nobody has written are found by the program itself instead, see tests/kernel_check.cpp; a
+# variable of a kernel that is read before it is set is not.
+# Nor is --max-errors: with it 21.10 leaves the log empty.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+kernels=${LINEATLAS_KERNEL_DIR:-kernels}
+
+# Without optimisation, since it brings intrinsics that Oclgrind does not know.
+if ! oclgrind --check-api --data-races --inst-counts --build-options -cl-opt-disable \
+    --log "$work/reports" "$@" >"$work/output" 2>"$work/errors"; then
+    echo "The program failed under Oclgrind:"
+    grep -v '^[[:space:]]*[0-9]* - ' "$work/output" "$work/errors" "$work/reports" | tail -40
+    exit 1
+fi
+if [ -s "$work/reports" ]; then
+    echo "Oclgrind reports:"
+    head -60 "$work/reports"
+    exit 1
+fi
+
+sed -n "s/^Instructions executed for kernel '\(.*\)':/\1/p" "$work/output" | sort -u >"$work/ran"
+tr '\n' ' ' < <(cat "$kernels"/*.cl) | grep -oE '__kernel[^{]*' |
+    sed -E 's/.*void +([a-z_0-9]+).*/\1/' | sort -u >"$work/known"
+if [ -n "$(comm -13 "$work/ran" "$work/known")" ]; then
+    echo "Kernels that did not run: $(comm -13 "$work/ran" "$work/known" | xargs)"
+    exit 1
+fi
+grep '^checked' "$work/output"
+echo "No report on $(wc -l <"$work/ran") kernels: $(xargs <"$work/ran")"
