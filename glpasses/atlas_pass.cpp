@@ -5,6 +5,7 @@
 
 #include "lineatlas/error.hpp"
 #include "segment_table.h"
+#include "viewport.hpp"
 
 namespace lineatlas::gl {
 namespace {
@@ -64,9 +65,9 @@ void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
     resize({static_cast<int>(layout.pitch), rows});
 
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, size_.x, size_.y);
+    set_viewport({0, 0}, size_);
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
     glLineWidth(1.0F);
     probes.bind(program_, 0);
     program_.use();

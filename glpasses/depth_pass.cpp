@@ -1,6 +1,25 @@
 #include "depth_pass.hpp"
 
+#include "viewport.hpp"
+
 namespace lineatlas::gl {
+
+void copy_texels(GLuint texture, GLenum format, glm::ivec2 whole, const TexelRectangle& part,
+                 GLuint buffer) {
+    const glm::ivec2 size = part.size();
+    if (size.x <= 0 || size.y <= 0) return;
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_PACK_ROW_LENGTH, whole.x);
+    const std::size_t texels = std::size_t(whole.x) * whole.y;
+    const std::size_t first = std::size_t(part.low.y) * whole.x + part.low.x;
+    glGetTextureSubImage(texture, 0, part.low.x, part.low.y, 0, size.x, size.y, 1, format, GL_FLOAT,
+                         static_cast<GLsizei>((texels - first) * sizeof(float)),
+                         reinterpret_cast<void*>(first * sizeof(float)));
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
 DepthPass::DepthPass()
     : program_({"depth.vert", "depth.frag"}), vertex_array_(VertexArray::create()),
       framebuffer_(Framebuffer::create()) {
@@ -30,11 +49,11 @@ void DepthPass::begin(glm::ivec2 viewport, int scale) {
 void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
                      glm::vec4 tile) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, size_.x, size_.y);
+    set_viewport({0, 0}, size_);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
@@ -70,19 +89,7 @@ void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& c
 }
 
 void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
-    const glm::ivec2 size = part.size();
-    if (size.x <= 0 || size.y <= 0) return;
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glPixelStorei(GL_PACK_ROW_LENGTH, size_.x);
-    const std::size_t texels = std::size_t(size_.x) * size_.y;
-    const std::size_t first = std::size_t(part.low.y) * size_.x + part.low.x;
-    glGetTextureSubImage(texture_.id(), 0, part.low.x, part.low.y, 0, size.x, size.y, 1,
-                         GL_DEPTH_COMPONENT, GL_FLOAT,
-                         static_cast<GLsizei>((texels - first) * sizeof(float)),
-                         reinterpret_cast<void*>(first * sizeof(float)));
-    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    copy_texels(texture_.id(), GL_DEPTH_COMPONENT, size_, part, buffer);
 }
 
 } // namespace lineatlas::gl

@@ -26,6 +26,11 @@ struct TriangleRange {
     std::uint32_t first, count;
 };
 
+/// Copies a rectangle of a texture of `size` floats to its place in a buffer for all of it: rows
+/// from the lower left. `format`: GL_DEPTH_COMPONENT or GL_RED.
+void copy_texels(GLuint texture, GLenum format, glm::ivec2 size, const TexelRectangle& part,
+                 GLuint buffer);
+
 /// `depth`: draws triangles into a depth texture of its own, larger than the viewport by `scale`
 /// per axis (§3.2). Without a polygon offset: probes know the planes of a line's own faces
 /// (probe.glsl) and recognise them by their exact depth.

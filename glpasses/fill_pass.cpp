@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "lineatlas/error.hpp"
+#include "viewport.hpp"
 
 namespace lineatlas::gl {
 
@@ -40,15 +41,14 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
                     std::span<const TriangleRange> ranges, const FillView& view, const Fill& fill,
                     GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, view.viewport.x, view.viewport.y);
+    set_viewport(view.origin, view.viewport);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    const float far = 1.0F;
-    glClearBufferfv(GL_DEPTH, 0, &far);
+    clear_depth(view.origin, view.viewport);
 
     commands_.clear();
     for (const TriangleRange& range : ranges) {

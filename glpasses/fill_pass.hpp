@@ -25,6 +25,7 @@ struct FillView {
     glm::mat4 clip_from_world;
     glm::mat4 eye_from_world;
     glm::ivec2 viewport;
+    glm::ivec2 origin{0, 0};        ///< its lower left corner in the framebuffer
     glm::vec4 tile = whole_picture; ///< tile_transform(): `viewport` is a part of the picture
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lineatlas/error.hpp"
+#include "viewport.hpp"
 
 namespace lineatlas::gl {
 namespace {
@@ -160,11 +161,11 @@ ItemImages ItemBufferPass::draw(const TriangleBuffers& triangles, const glm::mat
     if (line_count_ > 0) glUnmapNamedBuffer(lines_.id());
     resize(shape);
     const glm::ivec2 size = shape.size();
-    glViewport(0, 0, size.x, size.y);
+    set_viewport({0, 0}, size);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
     glDisable(GL_CULL_FACE);
     draw_polygons(triangles, clip_from_world);
 

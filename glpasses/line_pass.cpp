@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "viewport.hpp"
+
 namespace lineatlas::gl {
 namespace {
 
@@ -22,18 +24,17 @@ LinePass::LinePass()
 }
 
 void LinePass::draw_depth(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
-                          glm::ivec2 viewport, GLuint framebuffer) {
+                          glm::ivec2 origin, glm::ivec2 viewport, GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, viewport.x, viewport.y);
+    set_viewport(origin, viewport);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
     glDisable(GL_CULL_FACE);
-    const float far = 1.0F;
-    glClearBufferfv(GL_DEPTH, 0, &far);
+    clear_depth(origin, viewport);
     if (triangles.triangle_count == 0) return;
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(slope_factor, constant_units);
     glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
@@ -44,7 +45,7 @@ void LinePass::draw_depth(const TriangleBuffers& triangles, const glm::mat4& cli
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.triangle_count * 3),
                    GL_UNSIGNED_INT, nullptr);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void LinePass::draw_lines(const LineBuffers& lines, const glm::mat4& clip_from_world, float width,
@@ -53,8 +54,9 @@ void LinePass::draw_lines(const LineBuffers& lines, const glm::mat4& clip_from_w
     glDepthMask(GL_FALSE);
     // Blending is for lines that are not opaque; others need not pay for it.
     if (color.w < 1) {
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glEnablei(GL_BLEND, 0);
+        glBlendEquationi(0, GL_FUNC_ADD);
+        glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     }
     if (lines.line_count > 0) {
         glLineWidth(std::clamp(width, 1.0F, widest_line_));
@@ -67,7 +69,7 @@ void LinePass::draw_lines(const LineBuffers& lines, const glm::mat4& clip_from_w
         glDrawElements(GL_LINES, static_cast<GLsizei>(lines.line_count * 2), GL_UNSIGNED_INT,
                        nullptr);
     }
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
 }

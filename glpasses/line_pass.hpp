@@ -25,9 +25,10 @@ class LinePass {
   public:
     LinePass();
 
-    /// Draws into `framebuffer`, which needs a depth attachment; its depth is cleared.
+    /// Draws into `framebuffer`, which needs a depth attachment; its depth is cleared
+    /// there.
     void draw_depth(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
-                    glm::ivec2 viewport, GLuint framebuffer);
+                    glm::ivec2 origin, glm::ivec2 viewport, GLuint framebuffer);
     /// Draws the lines over what draw_depth() left. `width` in pixels, within what GL allows.
     void draw_lines(const LineBuffers& lines, const glm::mat4& clip_from_world, float width,
                     glm::vec4 color);

@@ -6,6 +6,24 @@
 
 namespace lineatlas::gl {
 
+/// While one lives, GL objects that are destroyed on this thread are left to their context, which
+/// is not current: their names may be those of other objects in the one that is.
+class ForgetObjects {
+  public:
+    ForgetObjects() { ++depth(); }
+    ~ForgetObjects() { --depth(); }
+    ForgetObjects(const ForgetObjects&) = delete;
+    ForgetObjects& operator=(const ForgetObjects&) = delete;
+
+    static bool active() { return depth() > 0; }
+
+  private:
+    static int& depth() {
+        thread_local int value = 0;
+        return value;
+    }
+};
+
 /// Owns one GL object; moved, never copied. `Traits` creates and deletes it.
 template <class Traits>
 class Object {
@@ -30,7 +48,7 @@ class Object {
 
   private:
     void reset() {
-        if (id_ != 0) Traits::destroy(id_);
+        if (id_ != 0 && !ForgetObjects::active()) Traits::destroy(id_);
         id_ = 0;
     }
 
@@ -83,9 +101,19 @@ struct VertexArrayTraits {
     static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
 };
 
+struct SamplerTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glCreateSamplers(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteSamplers(1, &id); }
+};
+
 using Buffer = Object<BufferTraits>;
 using Texture2D = Object<TextureTraits<GL_TEXTURE_2D>>;
 using TextureBuffer = Object<TextureTraits<GL_TEXTURE_BUFFER>>;
+using Sampler = Object<SamplerTraits>;
 using Framebuffer = Object<FramebufferTraits>;
 using Renderbuffer = Object<RenderbufferTraits>;
 using VertexArray = Object<VertexArrayTraits>;

@@ -1,5 +1,7 @@
 #include "paper_pass.hpp"
 
+#include "viewport.hpp"
+
 namespace lineatlas::gl {
 
 PaperPass::PaperPass(const PaperTile& tile)
@@ -13,20 +15,21 @@ PaperPass::PaperPass(const PaperTile& tile)
     glTextureParameteri(tile_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void PaperPass::draw(const PictureTile& tile, float grain, GLuint framebuffer) {
+void PaperPass::draw(const PictureTile& tile, float grain, GLuint framebuffer, glm::ivec2 origin) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, tile.size.x, tile.size.y);
+    set_viewport(origin, tile.size);
     glDisable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glEnablei(GL_BLEND, 0);
+    glBlendEquationi(0, GL_FUNC_ADD);
+    glBlendFuncSeparatei(0, GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glBindTextureUnit(0, tile_.id());
     program_.use();
     program_.set("depth", 0);
     program_.set("grain", grain);
-    program_.set("corner", glm::vec2{tile.low});
+    program_.set("corner", glm::vec2{tile.low - origin});
     glBindVertexArray(vertex_array_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
 }
 
 } // namespace lineatlas::gl

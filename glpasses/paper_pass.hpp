@@ -13,7 +13,8 @@ class PaperPass {
     explicit PaperPass(const PaperTile& tile);
 
     /// Over `tile` of the picture. `grain`: how strongly, 0 to 1. Alpha stays as it is.
-    void draw(const PictureTile& tile, float grain, GLuint framebuffer);
+    /// `origin`: of the viewport in the framebuffer.
+    void draw(const PictureTile& tile, float grain, GLuint framebuffer, glm::ivec2 origin);
 
   private:
     Program program_;

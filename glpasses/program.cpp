@@ -96,6 +96,9 @@ void Program::set(const char* name, glm::vec2 value) const {
 void Program::set(const char* name, glm::vec4 value) const {
     glProgramUniform4f(program_.id(), location(name), value.x, value.y, value.z, value.w);
 }
+void Program::set(const char* name, glm::ivec2 value) const {
+    glProgramUniform2i(program_.id(), location(name), value.x, value.y);
+}
 void Program::set(const char* name, glm::uvec2 value) const {
     glProgramUniform2ui(program_.id(), location(name), value.x, value.y);
 }

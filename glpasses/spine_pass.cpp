@@ -48,7 +48,7 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     stroke.bind(program, 1);
     glBindTextureUnit(2, vertices.id());
     glBindTextureUnit(3, triangles.id());
-    glBindTextureUnit(4, tiles.id());
+    if (tiles) glBindTextureUnit(4, tiles.id());
     program.use();
     program.set("tiles", 4);
     program.set("tile_count", glm::vec2{spine.tile_count});
@@ -67,7 +67,7 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
         glDrawArrays(GL_POINTS, 0, count);
     else
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
 }
 
 } // namespace lineatlas::gl

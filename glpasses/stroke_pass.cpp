@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "segment_table.h"
+#include "viewport.hpp"
 
 namespace lineatlas::gl {
 namespace {
@@ -79,12 +80,12 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
     program.set("opacity_profile", style.opacity_profile);
     program.set("profile_counts",
                 glm::uvec2{style.width_profile.size(), style.opacity_profile.size()});
-    glBindTextureUnit(2, style.cap_grain.texture);
+    if (style.cap_grain.texture != 0) glBindTextureUnit(2, style.cap_grain.texture);
     program.set("cap_grain", 2);
     program.set("cap_grain_repeat", style.cap_grain.repeat_length);
     if (!style.focus) return;
     const FocusParams& focus = *style.focus;
-    glBindTextureUnit(3, focus.far_pen.texture);
+    if (focus.far_pen.texture != 0) glBindTextureUnit(3, focus.far_pen.texture);
     program.set("far_pen", 3);
     program.set("far_pen_repeat", focus.far_pen.repeat_length);
     program.set("focus_in_scene", focus.in_scene);
@@ -98,18 +99,19 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
 } // namespace
 
 void PenTexture::bind(const Program& program, GLuint unit) const {
-    glBindTextureUnit(unit, texture);
+    // Binding none would unbind whatever the program around has on the unit, of every kind.
+    if (texture != 0) glBindTextureUnit(unit, texture);
     program.set("pen", static_cast<int>(unit));
     program.set("pen_repeat", repeat_length);
 }
 
 void StrokeParams::bind(const Program& program, GLuint unit) const {
-    glViewport(0, 0, tile.size.x, tile.size.y);
+    set_viewport(origin, tile.size);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glEnablei(GL_BLEND, 0);
+    glBlendEquationi(0, GL_FUNC_ADD);
+    glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     pen.bind(program, unit);
     program.set("viewport", viewport);
     program.set("tile", glm::vec4{tile.low, tile.size});
@@ -156,7 +158,7 @@ void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const 
                              reinterpret_cast<const void*>(offsetof(FrameRecord, quads)));
     }
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-    glDisable(GL_BLEND);
+    glDisablei(GL_BLEND, 0);
 }
 
 } // namespace lineatlas::gl

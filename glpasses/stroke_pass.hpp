@@ -28,6 +28,7 @@ struct PenTexture {
 struct StrokeParams {
     glm::vec2 viewport; ///< pixels
     PictureTile tile;   ///< the part of it that is drawn
+    glm::ivec2 origin;  ///< where in the framebuffer that part begins
     float width;        ///< pixels
     glm::vec4 color;    ///< RGB and opacity
     PenTexture pen;

@@ -3,27 +3,11 @@
 #include <algorithm>
 
 #include <CL/cl_gl.h>
-#include <dlfcn.h>
+
+#include "glpasses/current_context.hpp"
 
 namespace lineatlas::interop {
 namespace {
-
-/// A function of a window-system library, if this process has that library loaded already. Loading
-/// it here would be wrong: a context can only be current through a library that is in use.
-template <class Function>
-Function* loaded_function(const char* library, const char* name) {
-    void* handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
-    if (handle == nullptr) return nullptr;
-    void* function = dlsym(handle, name);
-    dlclose(handle); // gives back this reference, not the library
-    return reinterpret_cast<Function*>(function);
-}
-
-/// The object that a parameterless "get current" function returns, or null.
-void* current_object(const char* library, const char* name) {
-    auto* get_current = loaded_function<void*()>(library, name);
-    return get_current != nullptr ? get_current() : nullptr;
-}
 
 /// The devices that the driver names for the context; the status of the last query that failed.
 struct ContextDevices {
@@ -56,20 +40,12 @@ ContextDevices devices_of(clGetGLContextInfoKHR_fn get_info,
 } // namespace
 
 std::vector<cl_context_properties> current_gl_properties() {
-    const auto property = [](void* value) {
-        return reinterpret_cast<cl_context_properties>(value);
-    };
-    if (void* context = current_object("libEGL.so.1", "eglGetCurrentContext")) {
-        void* display = current_object("libEGL.so.1", "eglGetCurrentDisplay");
-        return {CL_GL_CONTEXT_KHR, property(context), CL_EGL_DISPLAY_KHR, property(display)};
-    }
-    for (const char* library : {"libGLX.so.0", "libGL.so.1"}) {
-        if (void* context = current_object(library, "glXGetCurrentContext")) {
-            void* display = current_object(library, "glXGetCurrentDisplay");
-            return {CL_GL_CONTEXT_KHR, property(context), CL_GLX_DISPLAY_KHR, property(display)};
-        }
-    }
-    return {};
+    const gl::CurrentContext current = gl::current_context();
+    if (current.context == nullptr) return {};
+    const bool egl = current.system == gl::CurrentContext::System::egl;
+    return {CL_GL_CONTEXT_KHR, reinterpret_cast<cl_context_properties>(current.context),
+            egl ? CL_EGL_DISPLAY_KHR : CL_GLX_DISPLAY_KHR,
+            reinterpret_cast<cl_context_properties>(current.display)};
 }
 
 std::string gl_sharing_obstacle(const compute::OpenClDevice& device) {

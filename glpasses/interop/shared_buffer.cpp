@@ -57,7 +57,7 @@ class HostPointerBuffer final : public SharedBuffer {
     ~HostPointerBuffer() override {
         // The wrapper must be gone before GL takes its memory away.
         compute_.reset();
-        glUnmapNamedBuffer(gl_.id());
+        if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
     }
 
     GLuint gl() const override { return gl_.id(); }

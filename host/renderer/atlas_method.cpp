@@ -60,7 +60,7 @@ void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
 }
 
 void AtlasMethod::prepare(const Frame& frame) {
-    check_depth_size(frame.camera.size * frame.options.depth_scale);
+    check_depth_size(frame.camera.size * frame.depth_scale());
     prepare_layout(frame, largest_texture_);
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
@@ -80,8 +80,8 @@ void AtlasMethod::project(Frame& frame) {
     }
     const compute::OcclusionTest occlusion{
         .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // any buffer where it isn't read
-        .tile_count = compute::tiles_for(depth_.pass().size()),
-        .depth_scale = static_cast<float>(frame.options.depth_scale),
+        .tile_count = compute::tiles_for(depth_.size()),
+        .depth_scale = static_cast<float>(frame.depth_scale()),
         .tolerance = frame.depth_tolerance(),
         .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
@@ -105,7 +105,7 @@ void AtlasMethod::project(Frame& frame) {
 void AtlasMethod::sample(Frame& frame) {
     if (frame.options.method == Method::item_buffer) return sample_item_buffer(frame);
     if (raster_) return sample_raster(frame);
-    frame.clock("atlas", [&] { backend_.atlas(atlas_args(frame, depth_.pass().size())); });
+    frame.clock("atlas", [&] { backend_.atlas(atlas_args(frame, depth_.size())); });
 }
 
 compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth) {
@@ -114,7 +114,7 @@ compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth)
             .depth = depth_.buffer(),
             .depth_size = depth,
             .viewport = frame.viewport(),
-            .depth_scale = static_cast<float>(frame.options.depth_scale),
+            .depth_scale = static_cast<float>(frame.depth_scale()),
             .probes = frame.probes_per_axis(),
             .tolerance = frame.depth_tolerance(),
             .layout = layout_,
@@ -136,7 +136,7 @@ void AtlasMethod::sample_raster(Frame& frame) {
         if (total > sample_capacity_) return; // grow() sees to it
         atlas_pass_.draw(
             {.clipped = clipped_->gl(), .offsets = offsets_->gl(), .segment_count = segment_count_},
-            frame.probe_params(depth_.pass().texture()), layout_, total, alpha_->gl());
+            frame.probe_params(depth_.texture()), layout_, total, alpha_->gl());
     });
     frame.clock.handover([&] {
         const bool fits = total <= sample_capacity_;
@@ -160,7 +160,7 @@ bool AtlasMethod::follows_past(const Frame& frame) const {
     // Faster motion doesn't sparkle: nobody follows a line through it.
     constexpr float slow_pixels = 4;
     return past_.camera && past_.probes == frame.options.probes &&
-           past_.depth_scale == frame.options.depth_scale && past_.step == frame.options.step &&
+           past_.depth_scale == frame.depth_scale() && past_.step == frame.options.step &&
            past_.camera->size == frame.camera.size &&
            frame.scene.typical_motion(*past_.camera, frame.camera) <= slow_pixels;
 }
@@ -190,7 +190,7 @@ void AtlasMethod::steady(Frame& frame) {
                            .use_history = follows_past(frame)});
         past_.camera = frame.camera;
         past_.probes = frame.options.probes;
-        past_.depth_scale = frame.options.depth_scale;
+        past_.depth_scale = frame.depth_scale();
         past_.step = frame.options.step;
     });
 }

@@ -27,7 +27,7 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
     for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
         const compute::DepthTile depth = depth_.draw_tile(frame, tile);
         frame.clock("atlas", [&] {
-            compute::AtlasArgs args = atlas_args(frame, depth_.pass().size());
+            compute::AtlasArgs args = atlas_args(frame, depth_.size());
             args.tile = &depth;
             backend_.atlas(args);
         });

@@ -23,6 +23,7 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
                          {.clip_from_world = frame.camera.clip_from_world(),
                           .eye_from_world = frame.camera.view,
                           .viewport = frame.tile.size,
+                          .origin = frame.camera.origin,
                           .tile = tile_transform(frame.tile, frame.camera.size)},
                          fill, frame.framebuffer);
     });
@@ -39,7 +40,9 @@ void Backdrop::draw_paper(Frame& frame, const Paper& paper) {
     }
     if (paper.grain == 0) return;
     if (!paper_pass_) paper_pass_.emplace(make_paper());
-    frame.clock.gl("paper", [&] { paper_pass_->draw(frame.tile, paper.grain, frame.framebuffer); });
+    frame.clock.gl("paper", [&] {
+        paper_pass_->draw(frame.tile, paper.grain, frame.framebuffer, frame.camera.origin);
+    });
 }
 
 } // namespace lineatlas

@@ -42,9 +42,9 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
 }
 
 void DepthStage::prepare(const Frame& frame) {
-    const glm::ivec2 size = frame.camera.size * frame.options.depth_scale;
-    prepare_depth(size);
-    const std::size_t tile_bytes = area(compute::tiles_for(size)) * sizeof(float);
+    const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
+    prepare_depth(texels);
+    const std::size_t tile_bytes = area(compute::tiles_for(texels)) * sizeof(float);
     if (!tiles_ || tiles_->size() < tile_bytes) {
         tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes);
     }
@@ -58,7 +58,7 @@ void DepthStage::prepare_depth(glm::ivec2 size) {
 }
 
 compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) {
-    const int scale = frame.options.depth_scale;
+    const int scale = frame.depth_scale();
     const glm::ivec2 whole = frame.camera.size * scale;
     // Probes lie half a sample along the line and a pixel across it from the sample's middle.
     const auto reach =
@@ -68,6 +68,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
     const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
     check_depth_size(size);
     prepare_depth(size);
+    imported_ = false;
     frame.clock.gl("depth", [&] {
         const glm::mat4 clip = frame.camera.clip_from_world();
         ranges_ = pieces_in_view(frame.scene, tile_projection(clip, {low, size}, whole));
@@ -88,9 +89,29 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
                           core_end.y == whole.y ? far : core_end.y}};
 }
 
-void DepthStage::draw_texture(Frame& frame) {
+TexelRectangle DepthStage::covered(const Frame& frame) const {
+    const int reach =
+        static_cast<int>(std::ceil(LA_PROBE_REACH(static_cast<float>(frame.depth_scale()))));
+    return screen_bounds(frame.scene.bounds(), frame.camera.clip_from_world(),
+                         frame.camera.size * frame.depth_scale(), reach + 1, LA_TILE);
+}
+
+void DepthStage::import_depth(Frame& frame) {
+    if (!import_) import_.emplace();
     frame.clock.gl("depth", [&] {
-        pass_.begin(frame.camera.size, frame.options.depth_scale);
+        const DepthTexture& own = *frame.options.depth;
+        import_->draw(own.texture, own.origin, frame.camera.size * own.scale, covered(frame),
+                      frame.depth_mapping);
+    });
+    triangles_drawn_ = 0;
+    ranges_.assign(1, {0, frame.scene.triangle_count()});
+}
+
+void DepthStage::draw_texture(Frame& frame) {
+    imported_ = frame.options.depth.has_value();
+    if (imported_) return import_depth(frame);
+    frame.clock.gl("depth", [&] {
+        pass_.begin(frame.camera.size, frame.depth_scale());
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world());
         triangles_drawn_ = frame.scene.triangle_count();
         ranges_.assign(1, {0, triangles_drawn_});
@@ -99,13 +120,14 @@ void DepthStage::draw_texture(Frame& frame) {
 
 void DepthStage::draw_for_compute(Frame& frame) {
     prepare(frame);
-    if (!frame.culls_hidden() || seen_.empty()) {
+    imported_ = frame.options.depth.has_value();
+    if (imported_ || !frame.culls_hidden() || seen_.empty()) {
         draw_texture(frame);
         return build_pyramid(frame);
     }
     triangles_drawn_ = 0;
     ranges_.clear();
-    frame.clock.gl("depth", [&] { pass_.begin(frame.camera.size, frame.options.depth_scale); });
+    frame.clock.gl("depth", [&] { pass_.begin(frame.camera.size, frame.depth_scale()); });
     draw_clusters(frame, seen_);
     build_pyramid(frame);
     const std::vector<std::uint8_t>& visible = appeared_;
@@ -124,25 +146,24 @@ void DepthStage::draw_for_compute(Frame& frame) {
 }
 
 void DepthStage::take_back() {
-    const std::size_t tile_bytes = area(compute::tiles_for(pass_.size())) * sizeof(float);
+    const std::size_t tile_bytes = area(compute::tiles_for(size())) * sizeof(float);
     handover_.to_gl({{*depth_, 0}, {*tiles_, tile_bytes}});
 }
 
 void DepthStage::build_pyramid(Frame& frame) {
-    // Whole tiles with all that a probe may reach: beside them, what the buffer holds is never
-    // read.
-    const int reach =
-        static_cast<int>(std::ceil(LA_PROBE_REACH(static_cast<float>(frame.options.depth_scale))));
-    const TexelRectangle covered = screen_bounds(
-        frame.scene.bounds(), frame.camera.clip_from_world(), pass_.size(), reach + 1, LA_TILE);
-    frame.clock.gl("depth", [&] { pass_.copy_to(depth_->gl(), covered); });
+    frame.clock.gl("depth", [&] {
+        if (imported_)
+            import_->copy_to(depth_->gl(), covered(frame));
+        else
+            pass_.copy_to(depth_->gl(), covered(frame));
+    });
     frame.clock.handover([&] {
-        handover_.to_compute({{*depth_, area(pass_.size()) * sizeof(float)}, {*tiles_, 0}});
+        handover_.to_compute({{*depth_, area(size()) * sizeof(float)}, {*tiles_, 0}});
     });
     if (!frame.culls_hidden()) return;
     frame.clock("pyramid", [&] {
         backend_.pyramid(
-            {.depth = depth_->compute(), .depth_size = pass_.size(), .tiles = tiles_->compute()});
+            {.depth = depth_->compute(), .depth_size = size(), .tiles = tiles_->compute()});
     });
 }
 
@@ -169,7 +190,7 @@ void DepthStage::cull(Frame& frame, std::vector<std::uint8_t>& visible) {
         backend_.cull({.clusters = frame.scene.cluster_buffer(),
                        .count = static_cast<std::uint32_t>(visible.size()),
                        .clip_from_world = frame.camera.clip_from_world(),
-                       .depth_size = pass_.size(),
+                       .depth_size = size(),
                        .tiles = tiles_->compute(),
                        .visible = *visible_});
         backend_.download(*visible_, std::as_writable_bytes(std::span{visible}));

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "frame.hpp"
 #include "glpasses/depth_pass.hpp"
+#include "glpasses/import_depth_pass.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
 
@@ -48,13 +50,18 @@ class DepthStage {
     /// Which those were, as pieces of SceneBuffers::gl_triangles(); no other triangle can be seen.
     /// Of a frame whose method draws no depth (an item buffer) they say nothing.
     std::span<const gl::TriangleRange> drawn() const { return ranges_; }
-    const gl::DepthPass& pass() const { return pass_; }
+    GLuint texture() const { return imported_ ? import_->texture() : pass_.texture(); }
+    glm::ivec2 size() const { return imported_ ? import_->size() : pass_.size(); }
     compute::Buffer& buffer() const { return depth_->compute(); }
     interop::SharedBuffer& tiles() const { return *tiles_; }
 
   private:
     void prepare(const Frame& frame);
     void prepare_depth(glm::ivec2 size);
+    /// The texels that probes may reach, as whole tiles: what lies beside them is never read.
+    TexelRectangle covered(const Frame& frame) const;
+    /// Converts the program's own depth in place of drawing.
+    void import_depth(Frame& frame);
     /// Copies what the model covers of the texture to the buffer, passes it on and builds the
     /// pyramid.
     void build_pyramid(Frame& frame);
@@ -67,6 +74,8 @@ class DepthStage {
     interop::SharingMode mode_;
     interop::Handover handover_;
     gl::DepthPass pass_;
+    std::optional<gl::ImportDepthPass> import_; ///< made when first used
+    bool imported_ = false;                     ///< the current frame's depth is the program's own
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_;
     std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame

@@ -30,6 +30,7 @@ gl::StrokeParams Frame::stroke_params(const Pen& pen) const {
     const bool geometry = options.stroke_shader == StrokeShader::geometry;
     return {.viewport = viewport(),
             .tile = tile,
+            .origin = camera.origin,
             .width = pen.width,
             .color = glm::vec4{pen.color, pen.opacity},
             .pen = pens.get(pen.mark, pen.width),
@@ -39,7 +40,7 @@ gl::StrokeParams Frame::stroke_params(const Pen& pen) const {
 gl::ProbeParams Frame::probe_params(GLuint depth) const {
     return {.depth = depth,
             .viewport = viewport(),
-            .depth_scale = static_cast<float>(options.depth_scale),
+            .depth_scale = static_cast<float>(depth_scale()),
             .probes = probes_per_axis(),
             .tolerance = depth_tolerance()};
 }

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/atlas_layout.hpp"
+#include "core/standard_camera.hpp"
 #include "core/tiles.hpp"
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/stroke_pass.hpp"
@@ -27,7 +28,8 @@ struct SegmentAtlas {
 
 /// What a method needs to draw one frame.
 struct Frame {
-    const Camera& camera;
+    const Camera& camera;       ///< a standard camera
+    DepthMapping depth_mapping; ///< of the program's own depth, if there is one
     const FrameOptions& options;
     SceneBuffers& scene;
     GLuint framebuffer;
@@ -40,6 +42,8 @@ struct Frame {
     glm::mat4 clip_of_tile() const {
         return tile_projection(camera.clip_from_world(), tile, camera.size);
     }
+    /// Depth texels per pixel and axis.
+    int depth_scale() const { return options.depth ? options.depth->scale : options.depth_scale; }
     /// Probes per axis of the box of probes.
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).

@@ -16,8 +16,8 @@ FrameStats OpenGlMethod::draw(Frame& frame) {
     frame.backdrop.draw_fill(frame, frame.options.style.fill);
     const gl::LineBuffers lines = frame.scene.gl_lines(frame.options.lines);
     frame.clock.gl("depth", [&] {
-        line_pass_.draw_depth(frame.scene.gl_triangles(), clip_from_world, frame.camera.size,
-                              frame.framebuffer);
+        line_pass_.draw_depth(frame.scene.gl_triangles(), clip_from_world, frame.camera.origin,
+                              frame.camera.size, frame.framebuffer);
     });
     frame.clock.gl("lines", [&] {
         line_pass_.draw_lines(lines, clip_from_world, frame.options.style.pen.width, color);

@@ -9,7 +9,10 @@
 #include "atlas_method.hpp"
 #include "backdrop.hpp"
 #include "frame.hpp"
+#include "glpasses/current_context.hpp"
 #include "glpasses/interop/connect.hpp"
+#include "glpasses/objects.hpp"
+#include "glpasses/state_guard.hpp"
 #include "lineatlas/error.hpp"
 #include "opengl_method.hpp"
 #include "pen_textures.hpp"
@@ -49,6 +52,18 @@ void check(const Pen& pen, const std::string& name) {
     }
 }
 
+void check(const DepthTexture& depth, Method method) {
+    if (method != Method::atlas && method != Method::spine) {
+        throw UsageError("depth: only the methods atlas and spine use a program's own depth");
+    }
+    if (depth.scale < 1 || depth.scale > 4) {
+        throw UsageError("depth: scale must be 1, 2, 3 or 4, not " + std::to_string(depth.scale));
+    }
+    if (depth.range.x == depth.range.y) {
+        throw UsageError("depth: range must hold two different numbers");
+    }
+}
+
 void check(const FrameOptions& options) {
     if (options.depth_scale < 1 || options.depth_scale > 4) {
         throw UsageError("depth-scale must be 1, 2, 3 or 4, not " +
@@ -61,8 +76,22 @@ void check(const FrameOptions& options) {
     if (only_atlas && options.method != Method::atlas) {
         throw UsageError("renderer: intervals, and frames that are not drawn, need method atlas");
     }
+    if (options.depth) check(*options.depth, options.method);
     check(options.style.pen, "pen");
     if (options.style.hidden) check(options.style.hidden_pen, "hidden pen");
+}
+
+GLuint framebuffer_name(GLuint framebuffer) {
+    if (framebuffer == bound_framebuffer) {
+        GLint bound = 0;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        return static_cast<GLuint>(bound);
+    }
+    if (framebuffer != 0 && glIsFramebuffer(framebuffer) == GL_FALSE) {
+        throw UsageError("renderer: there is no framebuffer " + std::to_string(framebuffer) +
+                         " in this context");
+    }
+    return framebuffer;
 }
 
 } // namespace
@@ -71,6 +100,18 @@ class Renderer::State {
   public:
     explicit State(const DeviceOptions& options)
         : connection_(interop::connect(connect_options(options))), atlas_(connection_) {}
+
+    bool context_is_current() const { return gl::current_context() == context_; }
+
+    /// At the start of a call that uses GL: refuses any context but the renderer's own. What comes
+    /// back keeps the program's state.
+    gl::StateGuard enter() const {
+        if (gl::require_context() != context_) {
+            throw UsageError("renderer: another OpenGL context is current than the one that this "
+                             "renderer was made in");
+        }
+        return gl::StateGuard{};
+    }
 
     std::string description() const {
         return connection_.backend->description() + ", sharing by " +
@@ -98,6 +139,10 @@ class Renderer::State {
 
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target) {
+        if (options.depth) {
+            throw UsageError("tiles: pictures in tiles draw their own depth; leave out "
+                             "FrameOptions::depth");
+        }
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, target.framebuffer);
         samples_drawn_ = false;
@@ -132,13 +177,27 @@ class Renderer::State {
         return std::optional<ProfileRecorder::Frame>{std::in_place, *recorder_};
     }
 
+    /// The camera as stages want it; refuses a depth texture that cannot be read.
+    StandardCamera standard_camera(const Camera& camera, const FrameOptions& options) const {
+        if (!options.depth) return lineatlas::standard_camera(camera, scene_->bounds());
+        DepthValues values = gl::check_depth_texture(options.depth->texture, options.depth->origin,
+                                                     camera.size * options.depth->scale);
+        values.range = options.depth->range;
+        return lineatlas::standard_camera(camera, scene_->bounds(), values);
+    }
+
     Frame begin(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
-        Frame frame{.camera = camera,
+        if (camera.size.x < 1 || camera.size.y < 1) {
+            throw UsageError("renderer: the camera's size must be positive");
+        }
+        camera_ = standard_camera(camera, options);
+        Frame frame{.camera = camera_.camera,
+                    .depth_mapping = camera_.depth,
                     .options = options,
                     .scene = *scene_,
-                    .framebuffer = framebuffer,
+                    .framebuffer = framebuffer_name(framebuffer),
                     .pens = pens_,
                     .backdrop = backdrop_,
                     .clock = {*connection_.backend, options.measure_stages,
@@ -163,7 +222,9 @@ class Renderer::State {
         throw UsageError("renderer: unknown method");
     }
 
+    gl::CurrentContext context_ = gl::current_context();
     interop::Connection connection_;
+    StandardCamera camera_; ///< of the current frame
     std::optional<SceneBuffers> scene_;
     std::optional<ProfileRecorder> recorder_; ///< from the first profiled frame on
     PenTextures pens_;
@@ -175,35 +236,67 @@ class Renderer::State {
     std::optional<OpenGlMethod> opengl_;
 };
 
-Renderer::Renderer(const DeviceOptions& options) : state_(std::make_unique<State>(options)) {}
-Renderer::~Renderer() = default;
+Renderer::Renderer(const DeviceOptions& options) {
+    gl::require_context();
+    const gl::StateGuard guard;
+    state_ = std::make_unique<State>(options);
+}
+Renderer::~Renderer() {
+    if (!state_) return;
+    std::optional<gl::ForgetObjects> forget;
+    if (!state_->context_is_current()) forget.emplace();
+    state_.reset();
+}
 Renderer::Renderer(Renderer&&) noexcept = default;
-Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&& other) noexcept {
+    const Renderer old{std::move(*this)};
+    state_ = std::move(other.state_);
+    return *this;
+}
 
 std::string Renderer::description() const {
     return state_->description();
 }
 void Renderer::set_pen_image(const std::string& mark, Image image) {
+    const gl::StateGuard guard = state_->enter();
     state_->set_pen_image(mark, std::move(image));
 }
 void Renderer::set_lines(const LineSet& lines) {
+    const gl::StateGuard guard = state_->enter();
     state_->set_lines(lines);
 }
 FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
                           std::uint32_t framebuffer) {
+    const gl::StateGuard guard = state_->enter();
     return state_->draw(camera, options, framebuffer);
 }
 std::vector<Interval> Renderer::read_intervals() {
+    const gl::StateGuard guard = state_->enter();
     return state_->read_intervals();
 }
 std::vector<FrameProfile> Renderer::take_profiles(bool wait) {
+    const gl::StateGuard guard = state_->enter();
     return state_->take_profiles(wait);
 }
 FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
                                 const TileTarget& target) {
-    return state_->draw_tiles(camera, options, target);
+    gl::StateGuard guard = state_->enter();
+    // What the program does between tiles it does in its own state.
+    const auto outside = [&guard](const auto& action) {
+        return [&guard, &action](const PictureTile& tile) {
+            guard.restore();
+            action(tile);
+            guard.take();
+        };
+    };
+    return state_->draw_tiles(camera, options,
+                              {.framebuffer = target.framebuffer,
+                               .tile_size = target.tile_size,
+                               .begin = outside(target.begin),
+                               .end = outside(target.end)});
 }
 Renderer::Samples Renderer::read_samples() {
+    const gl::StateGuard guard = state_->enter();
     return state_->read_samples();
 }
 

@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 FrameStats SpineMethod::draw(Frame& frame) {
-    check_depth_size(frame.camera.size * frame.options.depth_scale);
+    check_depth_size(frame.camera.size * frame.depth_scale());
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     const gl::SegmentBuffers segments = frame.scene.gl_segments();
     const bool cull_hidden = frame.culls_hidden();
@@ -26,8 +26,8 @@ FrameStats SpineMethod::draw(Frame& frame) {
                           .kind_mask = frame.options.lines,
                           .step = frame.options.step,
                           .tiles = cull_hidden ? depth_.tiles().gl() : 0,
-                          .tile_count = compute::tiles_for(depth_.pass().size())},
-                         frame.probe_params(depth_.pass().texture()),
+                          .tile_count = compute::tiles_for(depth_.size())},
+                         frame.probe_params(depth_.texture()),
                          frame.stroke_params(frame.options.style.pen));
     });
     return {.triangles = frame.scene.triangle_count(),

@@ -1,6 +1,7 @@
 #include "stroke_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -39,7 +40,8 @@ glm::vec4 focus_on_screen(const Frame& frame) {
     const glm::vec4 clip = frame.camera.clip_from_world() * glm::vec4{focus.point, 1};
     const float w = std::max(clip.w, 1e-6F);
     const glm::vec2 centre = (glm::vec2{clip} / w + 1.0F) * 0.5F * size;
-    const float scale = frame.scene.diagonal() * frame.camera.projection[1][1] / w * 0.5F * size.y;
+    const float unit_height = std::abs(frame.camera.projection[1][1]) / w * 0.5F * size.y;
+    const float scale = frame.scene.diagonal() * unit_height;
     return {centre, focus.radius * scale, focus.falloff * scale};
 }
 

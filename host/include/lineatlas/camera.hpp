@@ -21,15 +21,27 @@ struct View {
     float far = 0;            ///< distance of the far plane; 0: fitted to the bounds
 };
 
-/// What the pipeline sees of a camera: GL conventions, clip space z from -w to w.
+/// What glClipControl() was told where it was called; the default is GL's.
+struct ClipControl {
+    bool upper_left = false;  ///< GL_UPPER_LEFT: y of clip space points down in the framebuffer
+    bool zero_to_one = false; ///< GL_ZERO_TO_ONE: z of clip space goes from 0 to w, not from -w
+};
+
+/// What the pipeline sees of a camera: the matrices and the viewport that a program draws with.
+///
+/// Depth may be reversed, and the far plane infinitely far away: the projection says so itself. Eye
+/// space is GL's, looking along -z (for a perspective projection +z will do).
 struct Camera {
     glm::mat4 view{1};       ///< world to eye space
     glm::mat4 projection{1}; ///< eye to clip space
     glm::ivec2 size{1, 1};   ///< viewport in pixels
+    glm::ivec2 origin{0, 0}; ///< its lower left corner in the framebuffer
+    ClipControl clip{};
 
     glm::mat4 clip_from_world() const { return projection * view; }
 
     /// The centre of projection in homogeneous world coordinates; w is 0 for a parallel projection.
+    /// With GL's default clip control and depth that is not reversed.
     glm::vec4 eye() const;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "lineatlas/camera.hpp"
@@ -50,6 +51,18 @@ enum class KeptIntervals {
     all,     ///< hidden ones too: together the whole of every line inside the picture
 };
 
+/// A depth buffer that the program has drawn itself, with the camera of the frame.
+///
+/// A 2D texture with any format that has depth, fixed point or floating; not multisampled (resolve
+/// it first: glBlitFramebuffer). Without polygon offset, which would move what lines lie on. It is
+/// only read, and may be an attachment of the framebuffer that is drawn to.
+struct DepthTexture {
+    std::uint32_t texture = 0;
+    glm::ivec2 origin{0, 0}; ///< texel at the lower left corner of the viewport
+    int scale = 1;           ///< texels per pixel of the viewport and axis: 1 to 4
+    glm::vec2 range{0, 1};   ///< what glDepthRange() was when it was drawn
+};
+
 /// How a frame is drawn.
 struct FrameOptions {
     Method method = Method::atlas;
@@ -57,7 +70,10 @@ struct FrameOptions {
     /// number and has three layers if it is more than one.
     std::uint32_t probes = 9;
     int depth_scale = 2; ///< depth texels per pixel and axis: 1 to 4
-    float step = 2;      ///< k: pixels between samples, above 0 (§4.1)
+    /// What hides lines, in place of a depth buffer that the renderer draws of the triangles of the
+    /// line set; `depth_scale` does not count then. Methods atlas and spine only.
+    std::optional<DepthTexture> depth{};
+    float step = 2; ///< k: pixels between samples, above 0 (§4.1)
     LineKindMask lines = all_line_kinds;
     AtlasForm atlas = AtlasForm::automatic;
     AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap;
@@ -80,7 +96,7 @@ struct FrameOptions {
 
 /// Where a picture is drawn part by part.
 struct TileTarget {
-    std::uint32_t framebuffer = 0;
+    std::uint32_t framebuffer = 0; ///< or `bound_framebuffer`
     int tile_size = 2048; ///< no tile is wider or higher; the framebuffer is at least as large
     /// Before a tile is drawn, into the framebuffer's lower left corner: clear it.
     std::function<void(const PictureTile&)> begin{};
@@ -107,10 +123,19 @@ struct FrameStats {
     std::vector<StageTime> stages;     ///< when measured
 };
 
+/// The framebuffer that is bound for drawing when a call is made.
+inline constexpr std::uint32_t bound_framebuffer = 0xFFFFFFFF;
+
 /// Draws a line set through the segment atlas (§4).
 ///
-/// Needs a current GL 4.5 core context for its whole life, and is used on that context's thread.
-/// All calls throw Error. A call may change any GL state.
+/// Belongs to the GL 4.5 core context that is current when it is made: that context must be current
+/// in every call, on whatever thread, one at a time. Renderers of different contexts may work at
+/// the same time on different threads; there may be several in one context. UsageError says so
+/// where no context or another one is current, DeviceError where GL is too old. Destroy it with its
+/// context current; without, nothing breaks, but what it has in GL stays there until the context
+/// goes.
+///
+/// All calls throw Error.
 class Renderer {
   public:
     explicit Renderer(const DeviceOptions& options = {});
@@ -128,7 +153,8 @@ class Renderer {
     /// Uploads the lines and triangles to draw; they replace what was there.
     void set_lines(const LineSet& lines);
 
-    /// Draws a frame over the content of `framebuffer`, premultiplied.
+    /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
+    /// viewport, premultiplied. Fills and method opengl clear the depth there.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
     /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace lineatlas::gl {
+
+/// The GL context of this thread, as the library that manages it knows it.
+struct CurrentContext {
+    enum class System { none, egl, glx };
+    System system = System::none;
+    void* context = nullptr;
+    void* display = nullptr;
+
+    bool operator==(const CurrentContext&) const = default;
+};
+
+/// Asks the libraries that this process has loaded. No GL call is made: without a context those end
+/// the process.
+CurrentContext current_context();
+
+/// The current context, fit to be used: throws UsageError if there is none, DeviceError if its GL
+/// is too old.
+CurrentContext require_context();
+
+} // namespace lineatlas::gl

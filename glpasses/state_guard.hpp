@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+
+#include <epoxy/gl.h>
+
+namespace lineatlas::gl {
+
+/// Gives passes the GL state they expect, and the program around them its own back.
+///
+/// What is saved is what passes change or depend on; they use the first viewport, the first draw
+/// buffer and the first texture units alone, and reach objects by name. Everything else (indexed
+/// buffers, images, pipelines, queries, debug groups) they leave alone.
+class StateGuard {
+  public:
+    /// Saves the state of the current context and sets what passes expect: GL's initial state, but
+    /// for bindings. Throws UsageError if a transform feedback is active, which no pass can run in.
+    StateGuard();
+    ~StateGuard();
+    StateGuard(const StateGuard&) = delete;
+    StateGuard& operator=(const StateGuard&) = delete;
+
+    /// For calls back into the program: gives its state back, and takes it again.
+    void restore();
+    void take();
+
+  private:
+    static constexpr int texture_units = 5; ///< that passes use
+    static constexpr int most_draw_buffers = 8;
+    static constexpr int capability_count = 29;
+    static constexpr int pixel_store_count = 16;
+
+    struct TextureUnit {
+        GLint texture_2d, texture_buffer, sampler;
+    };
+
+    void save();
+    void set_initial();
+    void save_raster();
+    void restore_raster() const;
+    void save_blend();
+    void restore_blend() const;
+    void save_textures();
+    void restore_textures() const;
+
+    std::array<GLboolean, capability_count> enabled_{};
+    std::array<GLint, pixel_store_count> pixel_store_{};
+    GLint program_ = 0, vertex_array_ = 0, draw_framebuffer_ = 0, read_framebuffer_ = 0;
+    GLint pack_buffer_ = 0, unpack_buffer_ = 0, indirect_buffer_ = 0, query_buffer_ = 0;
+    // Raster
+    std::array<GLfloat, 4> viewport_{};
+    std::array<GLint, 4> scissor_{};
+    std::array<GLdouble, 2> depth_range_{};
+    GLboolean scissor_test_ = GL_FALSE, depth_mask_ = GL_TRUE;
+    GLint depth_func_ = 0, clip_origin_ = 0, clip_depth_ = 0, provoking_vertex_ = 0;
+    std::array<GLint, 2> polygon_mode_{};
+    GLfloat offset_factor_ = 0, offset_units_ = 0, offset_clamp_ = 0, line_width_ = 1;
+    // Blending, of the first draw buffer; the others are masked.
+    GLboolean blend_ = GL_FALSE;
+    GLint source_rgb_ = 0, source_alpha_ = 0, target_rgb_ = 0, target_alpha_ = 0;
+    GLint equation_rgb_ = 0, equation_alpha_ = 0;
+    GLint draw_buffers_ = 1;
+    std::array<std::array<GLboolean, 4>, most_draw_buffers> color_masks_{};
+
+    GLint active_texture_ = 0;
+    std::array<TextureUnit, texture_units> units_{};
+};
+
+} // namespace lineatlas::gl
