@@ -1,6 +1,7 @@
 #include "lineatlas/style_files.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -96,8 +97,11 @@ toml::table parse(const StyleText& file) {
     try {
         return toml::parse(file.text);
     } catch (const toml::parse_error& error) {
-        throw FileError(fmt::format("{} line {}: {}", file.place, error.source().begin.line,
-                                    error.description()));
+        std::string cause{error.description()}; // quotes the file, line ends and all
+        std::ranges::replace_if(
+            cause, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+        throw FileError(
+            fmt::format("{} line {}: {}", file.place, error.source().begin.line, cause));
     }
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::fuzz {
+
+/// A file of this process, in memory where the system has such a folder, written anew for every
+/// input: what is tried is what a user's file goes through, its way from the disk included.
+std::filesystem::path put_file(std::string_view extension, std::span<const std::uint8_t> bytes);
+
+/// Ends the program with a finding. Not assert(): findings count in every build.
+inline void expect(bool condition, std::string_view what) {
+    if (condition) return;
+    std::cerr << "FINDING: " << what << '\n';
+    std::abort();
+}
+
+/// A refusal is one line that names the file.
+inline void expect_good_refusal(const Error& error, const std::filesystem::path& path) {
+    const std::string message = error.what();
+    expect(message.find('\n') == std::string::npos, "a message of several lines: " + message);
+    expect(message.find(path.filename().string()) != std::string::npos,
+           "a message that does not name the file: " + message);
+}
+
+} // namespace lineatlas::fuzz
+
+/// What libFuzzer and tests/fuzz/replay_main.cpp call. Anything that leaves it as an exception is a
+/// finding.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
