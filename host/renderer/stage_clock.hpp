@@ -15,7 +15,9 @@ class StageClock {
   public:
     /// `recorder`: of a profiled frame, else null.
     StageClock(compute::Backend& backend, bool measure, ProfileRecorder* recorder)
-        : backend_(backend), measure_(measure), recorder_(recorder) {}
+        : backend_(backend), measure_(measure), recorder_(recorder) {
+        if (measure_) wait(); // else the first stage gets what was there before
+    }
 
     /// Runs `action` as (a part of) the stage `name` of the host or the compute backend.
     template <class Action>
@@ -49,9 +51,13 @@ class StageClock {
     void measure(const char* name, Action& action) {
         const std::int64_t start = host_nanoseconds();
         action();
+        wait();
+        add(name, static_cast<double>(host_nanoseconds() - start) * 1e-6);
+    }
+
+    void wait() {
         glFinish();
         backend_.finish();
-        add(name, static_cast<double>(host_nanoseconds() - start) * 1e-6);
     }
 
     void add(const char* name, double milliseconds) {
