@@ -57,7 +57,7 @@ struct Options {
 bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& report) {
     const auto left = std::chrono::floor<std::chrono::seconds>(end - Clock::now());
     part.limit = std::min(part.limit, left);
-    fmt::print("{:<20}", part.name + " ...");
+    fmt::print("{:<24}", part.name);
     std::fflush(stdout);
     if (part.limit.count() <= 0) {
         fmt::print("left out, the time is over\n");
