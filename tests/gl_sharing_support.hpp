@@ -36,6 +36,7 @@ class UsesLayer : public testing::Test {
     UsesLayer() {
         use_gl_sharing_layer();
         behave("");
+        device(); // the loader takes the layer in the first call
     }
     ~UsesLayer() override { behave(""); }
 

@@ -50,6 +50,7 @@ bool has_gl() {
 struct Options {
     fs::path bundle = ".", json = "check.json";
     unsigned minutes = 8;
+    unsigned limit = 240;           ///< seconds
     std::vector<std::string> parts; ///< empty: all
 };
 
@@ -57,7 +58,7 @@ struct Options {
 bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& report) {
     const auto left = std::chrono::floor<std::chrono::seconds>(end - Clock::now());
     part.limit = std::min(part.limit, left);
-    fmt::print("{:<20}", part.name + " ...");
+    fmt::print("{:<24}", part.name);
     std::fflush(stdout);
     if (part.limit.count() <= 0) {
         fmt::print("left out, the time is over\n");
@@ -67,8 +68,13 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
     const fs::path json = scratch / "part.json";
     fs::remove(json);
     if (part.name != "draw") part.arguments.push_back(json_option(part.kind, json));
-    const apps::ChildResult result = apps::run_child(part.program, part.arguments, part.limit,
-                                                     apps::Captured::output_and_errors);
+    apps::ChildResult result;
+    try {
+        result = apps::run_child(part.program, part.arguments, part.limit,
+                                 apps::Captured::output_and_errors);
+    } catch (const Error& error) {
+        result.output = error.what(); // a part that is missing must not end the others
+    }
     if (part.kind == PartKind::devices) {
         std::ifstream input{json};
         const Json devices = Json::parse(input, nullptr, false);
@@ -87,11 +93,12 @@ bool check(const Options& options) {
     const auto end = Clock::now() + std::chrono::minutes{options.minutes};
     Json report{{"machine", describe_machine()}, {"parts", Json::array()}};
     bool all = true;
-    for (const Part& part : all_parts(scratch.folder)) {
+    for (Part part : all_parts(scratch.folder)) {
         if (!options.parts.empty() &&
             std::ranges::find(options.parts, part.name) == options.parts.end()) {
             continue;
         }
+        part.limit = std::min(part.limit, std::chrono::seconds{options.limit});
         all = run_part(part, end, scratch.folder, report) && all;
         write_report(json, report); // again after each, so that nothing is lost
     }
@@ -106,6 +113,9 @@ int guarded_main(int argc, char** argv) {
     app.add_option("--bundle", options.bundle, "The folder of the bundle")->capture_default_str();
     app.add_option("--json", options.json, "File to write")->capture_default_str();
     app.add_option("--minutes", options.minutes, "What is not begun by then is left out")
+        ->check(CLI::Range(1, 600))
+        ->capture_default_str();
+    app.add_option("--limit", options.limit, "Seconds that no part may take longer than")
         ->check(CLI::Range(1, 600))
         ->capture_default_str();
     app.add_option("--part", options.parts, "Only this one; may be given again");

@@ -1,3 +1,4 @@
+# shellcheck shell=sh disable=SC2154 # $here is set by who reads this
 # Read by the scripts of a bundle, which set $here. Takes the bundle's own C++ library, OpenCL loader
 # or GL dispatchers only where programs do not work with those of the machine: drivers need theirs.
 export LINEATLAS_BUNDLE_FALLBACK=""

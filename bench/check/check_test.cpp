@@ -1,0 +1,88 @@
+// A bundle of scripts in place of its programs: whatever they do, the check ends and says so.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace lineatlas::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class Check : public testing::Test {
+  protected:
+    Check() { fs::create_directories(folder_ / "bin"), fs::create_directories(folder_ / "tests"); }
+    ~Check() override { fs::remove_all(folder_); }
+
+    void script(const std::string& name, const std::string& body) const {
+        std::ofstream{folder_ / name} << "#!/bin/sh\n" << body << "\n";
+        fs::permissions(folder_ / name, fs::perms::owner_all);
+    }
+    int run(const std::string& options) const {
+        const std::string command = std::string{LINEATLAS_CHECK} + " --bundle " + folder_.string() +
+                                    " --json " + json_.string() + " " + options + " >/dev/null";
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    Json result() const { return Json::parse(std::ifstream{json_}); }
+    Json part(const std::string& name) const {
+        const Json all = result();
+        for (const Json& part : all["parts"]) {
+            if (part["name"] == name) return part;
+        }
+        return nullptr;
+    }
+
+    fs::path folder_ =
+        fs::temp_directory_path() / ("lineatlas_check_" + std::to_string(::getpid()));
+    fs::path json_ = folder_ / "out.json";
+};
+
+/// The last argument names the file to write.
+const char* const write_figures = R"(for last; do :; done
+echo '{"gl": {"renderer": "none"}, "devices": [{"name": "one"}]}' > "${last#--json=}")";
+
+TEST_F(Check, SurvivesPartsThatFailCrashOrAreMissing) {
+    script("bin/lineatlas", write_figures);
+    script("bin/lineatlas-bench-interop", "kill -SEGV $$");
+    script("tests/sharing_modes_test", "echo boom >&2\nexit 3");
+    script("tests/stages_test", "exit 0");
+    EXPECT_EQ(run(""), 1);
+
+    EXPECT_EQ(result()["gl"]["renderer"], "none");
+    EXPECT_EQ(result()["devices"][0]["name"], "one");
+    EXPECT_FALSE(result()["machine"]["kernel"].empty());
+    EXPECT_EQ(part("devices")["outcome"], "ok");
+    EXPECT_EQ(part("stages_test")["outcome"], "ok");
+    EXPECT_EQ(part("sharing_modes_test")["exit_code"], 3);
+    EXPECT_EQ(part("sharing_modes_test")["output"], "boom\n");
+    EXPECT_EQ(part("interop copy")["outcome"], "crashed (Segmentation fault)");
+    EXPECT_NE(part("compute_test")["outcome"], "ok") << "it is not there";
+    EXPECT_EQ(result()["parts"].size(), 14U);
+}
+
+TEST_F(Check, PassesWhereAllPartsDo) {
+    script("bin/lineatlas", write_figures);
+    script("bin/lineatlas-bench-interop", write_figures);
+    EXPECT_EQ(run("--part devices --part 'interop copy'"), 0);
+    EXPECT_EQ(result()["parts"].size(), 2U);
+    EXPECT_EQ(part("interop copy")["figures"]["gl"]["renderer"], "none");
+}
+
+TEST_F(Check, EndsAPartThatHangs) {
+    script("bin/lineatlas", write_figures);
+    script("bin/lineatlas-bench-interop", "sleep 300 &\nwait");
+    EXPECT_EQ(run("--limit 2 --part devices --part 'interop copy'"), 1);
+    EXPECT_NE(std::string{part("interop copy")["outcome"]}.find("not done in 2 s"),
+              std::string::npos);
+    EXPECT_LT(part("interop copy")["seconds"], 20);
+}
+
+} // namespace
+} // namespace lineatlas::bench
