@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <string_view>
 
 #include "core/sources.hpp"
 #include "lineatlas/error.hpp"
@@ -330,13 +331,16 @@ class Implementation final : public OpenClBackend {
     }
 
   private:
+    /// Without an allocation where all goes well: some of it runs in every frame.
     template <class Action>
-    auto guarded(const std::string& doing, Action&& action) const -> decltype(action()) {
+    auto guarded(std::string_view doing, Action&& action, std::string_view what = {}) const
+        -> decltype(action()) {
         try {
             return action();
         } catch (const cl::Error& error) {
-            throw DeviceError(description() + ": " + doing + " failed: " + error.what() +
-                              " returned " + std::to_string(error.err()));
+            throw DeviceError(description() + ": " + std::string{doing} + std::string{what} +
+                              " failed: " + error.what() + " returned " +
+                              std::to_string(error.err()));
         }
     }
 
@@ -384,13 +388,14 @@ class Implementation final : public OpenClBackend {
     void launch(LazyKernel& lazy, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
         if (items == 0) return;
         cl::Kernel& kernel = ready(lazy);
-        guarded(std::string{"launching "} + lazy.name, [&] {
+        const auto enqueue = [&] {
             cl_uint index = 0;
             (kernel.setArg(index++, argument(args)), ...);
             const std::size_t global = std::size_t{divide_up(items, local_size)} * local_size;
             queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{global},
                                         cl::NDRange{local_size});
-        });
+        };
+        guarded("launching ", enqueue, lazy.name);
     }
 
     /// The kernels of one kind of sum.
