@@ -13,7 +13,8 @@ namespace lineatlas::gl {
 
 FillPass::FillPass()
     : flat_program_({"fill.vert", "fill.frag"}), lit_program_({"fill.vert", "fill.frag"}, "LIT"),
-      vertex_array_(VertexArray::create()), command_buffer_(Buffer::create()) {
+      vertex_array_(VertexArray::create()), command_buffer_(Buffer::create()),
+      indices_(TextureBuffer::create()), table_(TextureBuffer::create()) {
     const GLuint array = vertex_array_.id();
     glEnableVertexArrayAttrib(array, 0);
     glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
@@ -64,20 +65,16 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
                       static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)), commands_.data(),
                       GL_STREAM_DRAW);
 
-    TextureBuffer indices;
-    TextureBuffer table;
     if (colors.indices != 0) {
         if (triangles.triangle_count > static_cast<GLuint>(most_colors_)) {
             throw DeviceError("fills: this device reads the colours of up to " +
                               std::to_string(most_colors_) + " triangles, the model has " +
                               std::to_string(triangles.triangle_count));
         }
-        indices = TextureBuffer::create();
-        table = TextureBuffer::create();
-        glTextureBuffer(indices.id(), colors.index_format, colors.indices);
-        glTextureBuffer(table.id(), GL_RGBA8, colors.colors);
-        glBindTextureUnit(0, indices.id());
-        glBindTextureUnit(1, table.id());
+        glTextureBuffer(indices_.id(), colors.index_format, colors.indices);
+        glTextureBuffer(table_.id(), GL_RGBA8, colors.colors);
+        glBindTextureUnit(0, indices_.id());
+        glBindTextureUnit(1, table_.id());
     }
     const bool lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
     const Program& program = lit ? lit_program_ : flat_program_;

@@ -53,6 +53,7 @@ class FillPass {
     Program lit_program_;
     VertexArray vertex_array_;
     Buffer command_buffer_;
+    TextureBuffer indices_, table_; ///< views of the buffers of a draw
     std::vector<Command> commands_;
     GLint most_colors_ = 0; ///< triangles whose colours a shader can read
 };

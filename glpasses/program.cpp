@@ -75,10 +75,10 @@ Program::Program(const std::vector<std::string_view>& files, std::string_view de
     for (const Shader& shader : shaders) glDetachShader(program_.id(), shader.id());
 }
 
-const Program& ProgramVariants::with(const std::string& defines) {
+const Program& ProgramVariants::with(std::string_view defines) {
     const auto found = programs_.find(defines);
     if (found != programs_.end()) return found->second;
-    return programs_.emplace(defines, Program{files_, defines}).first->second;
+    return programs_.emplace(std::string{defines}, Program{files_, defines}).first->second;
 }
 
 void Program::set(const char* name, int value) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -48,11 +49,11 @@ class Program {
 class ProgramVariants {
   public:
     explicit ProgramVariants(std::vector<std::string_view> files) : files_(std::move(files)) {}
-    const Program& with(const std::string& defines);
+    const Program& with(std::string_view defines);
 
   private:
     std::vector<std::string_view> files_;
-    std::map<std::string, Program> programs_;
+    std::map<std::string, Program, std::less<>> programs_;
 };
 
 } // namespace lineatlas::gl

@@ -25,20 +25,14 @@ VertexArray segment_array(GLuint divisor) {
 SpinePass::SpinePass()
     : point_programs_({"spine.vert", "spine.geom", "spine.frag"}),
       quad_programs_({"spine_quad.vert", "spine.frag"}), point_array_(segment_array(0)),
-      quad_array_(segment_array(1)) {}
+      quad_array_(segment_array(1)), vertices_(TextureBuffer::create()),
+      triangles_(TextureBuffer::create()), tiles_(TextureBuffer::create()) {}
 
 void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
                      const ProbeParams& probes, const StrokeParams& stroke) {
-    const TextureBuffer vertices = TextureBuffer::create();
-    const TextureBuffer triangles = TextureBuffer::create();
-    glTextureBuffer(vertices.id(), GL_RGB32F, segments.vertices);
-    glTextureBuffer(triangles.id(), GL_RGB32UI, segments.triangles);
-
-    TextureBuffer tiles;
-    if (spine.tiles != 0) {
-        tiles = TextureBuffer::create();
-        glTextureBuffer(tiles.id(), GL_R32F, spine.tiles);
-    }
+    glTextureBuffer(vertices_.id(), GL_RGB32F, segments.vertices);
+    glTextureBuffer(triangles_.id(), GL_RGB32UI, segments.triangles);
+    if (spine.tiles != 0) glTextureBuffer(tiles_.id(), GL_R32F, spine.tiles);
 
     const bool geometry = stroke.form == StrokeForm::geometry_shader;
     ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
@@ -46,9 +40,9 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     const VertexArray& array = geometry ? point_array_ : quad_array_;
     probes.bind(program, 0);
     stroke.bind(program, 1);
-    glBindTextureUnit(2, vertices.id());
-    glBindTextureUnit(3, triangles.id());
-    if (tiles) glBindTextureUnit(4, tiles.id());
+    glBindTextureUnit(2, vertices_.id());
+    glBindTextureUnit(3, triangles_.id());
+    if (spine.tiles != 0) glBindTextureUnit(4, tiles_.id());
     program.use();
     program.set("tiles", 4);
     program.set("tile_count", glm::vec2{spine.tile_count});

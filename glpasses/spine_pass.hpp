@@ -44,6 +44,7 @@ class SpinePass {
     ProgramVariants quad_programs_;
     VertexArray point_array_;
     VertexArray quad_array_;
+    TextureBuffer vertices_, triangles_, tiles_; ///< views of the buffers of a draw
 };
 
 } // namespace lineatlas::gl

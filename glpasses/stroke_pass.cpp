@@ -33,13 +33,19 @@ constexpr float longest_mitre = 4;
 // As in stroke_style.glsl.
 constexpr std::size_t most_profile_values = 16;
 
-float largest(const Profile& profile) {
+float largest(std::span<const float> profile) {
     return *std::ranges::max_element(profile);
+}
+
+/// Whether factors have any effect.
+bool varies(std::span<const float> profile) {
+    return profile.size() != 1 || profile[0] != 1.0F;
 }
 
 /// Names of all that the shader has to do for a style (strokes.frag): it is as cheap as they are
 /// few.
-std::string features(const StrokeParams& params, const StrokeStyle& style, bool density) {
+void list_features(const StrokeParams& params, const StrokeStyle& style, bool density,
+                   std::string& names) {
     const auto has_cap = [&](Cap cap) { return style.cap == cap || style.path_cap == cap; };
     const bool fades = style.cap == Cap::butt && style.path_cap == Cap::round;
     const bool other_far = style.focus && style.focus->far_pen.texture != params.pen.texture;
@@ -50,8 +56,8 @@ std::string features(const StrokeParams& params, const StrokeStyle& style, bool 
                        (style.join == Join::mitre && style.mitre_limit < longest_mitre)},
         {"TAPERS", has_cap(Cap::taper)},
         {"DRY_CAPS", has_cap(Cap::texture)},
-        {"WIDTH_PROFILE", style.width_profile != Profile{1}},
-        {"OPACITY_PROFILE", style.opacity_profile != Profile{1}},
+        {"WIDTH_PROFILE", varies(style.width_profile)},
+        {"OPACITY_PROFILE", varies(style.opacity_profile)},
         {"DENSITY", density},
         {"FOCUS", style.focus.has_value()},
         {"FAR_TEXTURE", far_texture},
@@ -59,11 +65,10 @@ std::string features(const StrokeParams& params, const StrokeStyle& style, bool 
         {"HIDDEN", style.hidden},
         {"PEN_TEXTURE", params.pen.texture != 0},
     };
-    std::string names;
+    names.clear();
     for (const auto& [name, used] : all) {
-        if (used) names += std::string{name} + ' ';
+        if (used) names.append(name).append(" ");
     }
-    return names;
 }
 
 void set_style(const Program& program, const StrokeParams& params, const StrokeStyle& style) {
@@ -122,28 +127,27 @@ void StrokeParams::bind(const Program& program, GLuint unit) const {
 StrokePass::StrokePass()
     : point_programs_({"strokes.vert", "strokes.geom", "strokes.frag"}),
       quad_programs_({"strokes_quad.vert", "strokes.frag"}), point_array_(run_array(0)),
-      quad_array_(run_array(1)) {}
+      quad_array_(run_array(1)), alpha_(TextureBuffer::create()),
+      weights_(TextureBuffer::create()) {}
 
 void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style,
                       const DensityWeights& density) {
-    // Made anew: buffers may have grown into others since the last frame.
-    const TextureBuffer alpha = TextureBuffer::create();
-    glTextureBuffer(alpha.id(), GL_R8, runs.alpha);
-    TextureBuffer weights;
+    // In every draw: buffers may have grown into others since the last one.
+    glTextureBuffer(alpha_.id(), GL_R8, runs.alpha);
 
     const bool geometry = params.form == StrokeForm::geometry_shader;
     ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
-    const Program& program = programs.with(features(params, style, density.buffer != 0));
+    list_features(params, style, density.buffer != 0, features_);
+    const Program& program = programs.with(features_);
     const VertexArray& array = geometry ? point_array_ : quad_array_;
-    glBindTextureUnit(0, alpha.id());
+    glBindTextureUnit(0, alpha_.id());
     program.use();
     program.set("alpha", 0);
     params.bind(program, 1);
     set_style(program, params, style);
     if (density.buffer != 0) {
-        weights = TextureBuffer::create();
-        glTextureBuffer(weights.id(), GL_R32F, density.buffer);
-        glBindTextureUnit(4, weights.id());
+        glTextureBuffer(weights_.id(), GL_R32F, density.buffer);
+        glBindTextureUnit(4, weights_.id());
         program.set("weights", 4);
         program.set("cells", glm::vec2{density.cells});
     }

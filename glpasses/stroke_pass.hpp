@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -62,8 +64,8 @@ struct StrokeStyle {
     float mitre_limit = 4;
     Cap cap = Cap::butt, path_cap = Cap::round;
     float cap_length = 12;
-    Profile width_profile{1}, opacity_profile{1};
-    PenTexture cap_grain; ///< for textured caps
+    std::span<const float> width_profile, opacity_profile; ///< at least one value each
+    PenTexture cap_grain;                                  ///< for textured caps
     std::optional<FocusParams> focus;
     bool hidden = false;     ///< draw runs of hidden samples: opaque where nothing is visible
     bool exact_ends = false; ///< runs end where visibility does (`filter`), some without samples
@@ -81,7 +83,7 @@ struct RunBuffers {
 class StrokePass {
   public:
     StrokePass();
-    void draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style = {},
+    void draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style,
               const DensityWeights& density = {});
 
   private:
@@ -89,6 +91,8 @@ class StrokePass {
     ProgramVariants quad_programs_;
     VertexArray point_array_;
     VertexArray quad_array_;
+    TextureBuffer alpha_, weights_; ///< views of the buffers of a draw
+    std::string features_;          ///< kept for its memory
 };
 
 } // namespace lineatlas::gl

@@ -1,8 +1,11 @@
 // The renderer inside other people's programs: their depth, viewport, contexts and threads.
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <optional>
 #include <thread>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -13,7 +16,10 @@
 #include "core/standard_camera.hpp"
 #include "gl_scene.hpp"
 #include "glpasses/canvas.hpp"
+#include "glpasses/current_context.hpp"
 #include "glpasses/headless_context.hpp"
+#include "glpasses/import_depth_pass.hpp"
+#include "glpasses/state_guard.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
@@ -30,6 +36,37 @@ std::vector<std::uint8_t> picture(Renderer& renderer, const Camera& camera,
     renderer.draw(camera, options, canvas.framebuffer());
     return canvas.read();
 }
+
+// epoxy's functions are variables: those that make GL objects are counted here while one lives.
+std::size_t objects_made = 0;
+template <auto* function>
+class Counted {
+  public:
+    Counted() { std::swap(original_, *function); }
+    ~Counted() { std::swap(original_, *function); }
+    Counted(const Counted&) = delete;
+    Counted& operator=(const Counted&) = delete;
+
+  private:
+    using Function = std::remove_pointer_t<decltype(function)>;
+    template <class... Args>
+    static Function counting(void (*)(Args...)) {
+        return [](Args... args) {
+            ++objects_made;
+            original_(args...);
+        };
+    }
+    static inline Function original_ = counting(Function{});
+};
+
+struct ObjectCount {
+    ObjectCount() { objects_made = 0; }
+    Counted<&epoxy_glCreateTextures> textures;
+    Counted<&epoxy_glCreateBuffers> buffers;
+    Counted<&epoxy_glCreateFramebuffers> framebuffers;
+    Counted<&epoxy_glCreateVertexArrays> vertex_arrays;
+    Counted<&epoxy_glCreateSamplers> samplers;
+};
 
 /// The samples of those segments that have as many in both, and how many segments have not.
 struct Compared {
@@ -375,12 +412,44 @@ TEST_F(Embedding, AFrameAllocatesNothingAfterTheFirst) {
         for (int i = 0; i < 4; ++i) {
             renderer_.draw(cameras[i % 2].camera, options, canvas.framebuffer());
         }
+        const ObjectCount objects;
         AllocationCount count;
         for (int i = 0; i < 4; ++i) {
             renderer_.draw(cameras[i % 2].camera, options, canvas.framebuffer());
         }
         EXPECT_EQ(count.stop(), 0U);
+        EXPECT_EQ(objects_made, 0U);
     }
+    const ObjectCount objects;
+    AllocationCount count;
+    renderer_.set_lines(scene_lines("house"));
+    EXPECT_GT(count.stop(), 0U);
+    EXPECT_GT(objects_made, 0U);
+}
+
+/// All that a frame does beyond its passes.
+TEST_F(Embedding, CallsCostLittleBeyondTheirPasses) {
+    AppScene app{scene_lines("house")};
+    const Camera of_app = camera();
+    const Bounds bounds = scene_lines("house").bounds;
+    app.draw_depth(of_app, {.name = "plain"});
+    std::vector<double> milliseconds;
+    for (int i = 0; i < 999; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        {
+            gl::require_context();
+            const gl::StateGuard guard;
+            const DepthValues values = gl::check_depth_texture(app.depth(), {0, 0}, size);
+            EXPECT_GT(standard_camera(of_app, bounds, values).depth.scale, 0);
+        }
+        const std::chrono::duration<double, std::milli> passed =
+            std::chrono::steady_clock::now() - start;
+        milliseconds.push_back(passed.count());
+    }
+    const auto median = milliseconds.begin() + 499;
+    std::ranges::nth_element(milliseconds, median);
+    RecordProperty("milliseconds", std::to_string(*median));
+    EXPECT_LT(*median, 0.3);
 }
 
 } // namespace

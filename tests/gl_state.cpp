@@ -292,7 +292,7 @@ std::string differences(const std::vector<StateValue>& before,
     if (before.size() != after.size()) return "of different length";
     const auto text = [](const std::vector<double>& values) {
         std::string result;
-        for (const double value : values) result += " " + std::to_string(value);
+        for (const double value : values) result.append(" ").append(std::to_string(value));
         return result;
     };
     std::string result;

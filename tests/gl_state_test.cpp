@@ -104,7 +104,7 @@ struct Program {
 class GlState : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(GlState, StaysAndChangesNoPicture) {
-    const auto& [name, draw] = drawings()[GetParam()];
+    const auto [name, draw] = drawings()[GetParam()];
     std::vector<std::uint8_t> pictures[2];
     for (const bool odd : {false, true}) {
         Program program{odd};

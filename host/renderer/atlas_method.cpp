@@ -230,18 +230,27 @@ void AtlasMethod::draw_strokes(Frame& frame) {
 
 void AtlasMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
-        std::vector<interop::Passed> buffers{
-            {*clipped_, 0}, {*offsets_, 0}, {*alpha_, layout_.texels(strokes_.sample_total())}};
-        strokes_.add_to_handover(buffers);
-        handover_.to_gl(buffers);
+        passed_.clear();
+        passed_.push_back({*clipped_, 0});
+        passed_.push_back({*offsets_, 0});
+        passed_.push_back({*alpha_, layout_.texels(strokes_.sample_total())});
+        strokes_.add_to_handover(passed_);
+        handover_.to_gl(passed_);
     });
+}
+
+void AtlasMethod::take_unread() {
+    passed_.clear();
+    passed_.push_back({*clipped_, 0});
+    passed_.push_back({*offsets_, 0});
+    passed_.push_back({*alpha_, 0});
+    strokes_.add_unread(passed_);
+    handover_.to_compute(passed_);
 }
 
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
-    std::vector<interop::Passed> unread{{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}};
-    strokes_.add_unread(unread);
-    frame.clock.handover([&] { handover_.to_compute(unread); });
+    frame.clock.handover([&] { take_unread(); });
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
         project(frame);

@@ -50,6 +50,8 @@ class AtlasMethod {
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
+    /// Takes tables that kernels only write to from GL.
+    void take_unread();
     /// Hands what strokes are drawn from to GL.
     void pass_to_strokes(Frame& frame);
     void draw_strokes(Frame& frame);
@@ -90,6 +92,7 @@ class AtlasMethod {
     bool follows_past(const Frame& frame) const;
 
     Past past_;
+    std::vector<interop::Passed> passed_; ///< kept for its memory
     bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
 
     gl::AtlasPass atlas_pass_;

@@ -37,9 +37,7 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
 
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame, target);
-    std::vector<interop::Passed> unread{{*clipped_, 0}, {*offsets_, 0}, {*alpha_, 0}};
-    strokes_.add_unread(unread);
-    frame.clock.handover([&] { handover_.to_compute(unread); });
+    frame.clock.handover([&] { take_unread(); });
     project(frame);
     // Counted first: drawing all depth again because the atlas was too small would take long.
     std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);

@@ -32,14 +32,16 @@ void PenTextures::set_image(const std::string& name, Image image) {
     images_[name] = std::move(image);
 }
 
-gl::PenTexture PenTextures::get(const std::string& name, float width) {
-    const auto key = std::pair{name, width};
-    auto found = pens_.find(key);
+gl::PenTexture PenTextures::get(std::string_view name, float width) {
+    auto found = pens_.find(Less::Key{name, width});
     if (found == pens_.end()) {
         const auto image = images_.find(name);
-        const PenMark mark =
-            image != images_.end() ? pen_from_image(image->second, width) : make_pen(name, width);
-        found = pens_.emplace(key, Pen{upload(mark), mark.repeat_length}).first;
+        const PenMark mark = image != images_.end() ? pen_from_image(image->second, width)
+                                                    : make_pen(std::string{name}, width);
+        found =
+            pens_
+                .emplace(std::pair{std::string{name}, width}, Pen{upload(mark), mark.repeat_length})
+                .first;
     }
     return {.texture = found->second.texture.id(), .repeat_length = found->second.repeat_length};
 }

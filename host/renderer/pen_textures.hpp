@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "glpasses/objects.hpp"
@@ -14,7 +16,7 @@ namespace lineatlas {
 class PenTextures {
   public:
     /// Throws UsageError for an unknown pen.
-    gl::PenTexture get(const std::string& name, float width);
+    gl::PenTexture get(std::string_view name, float width);
     /// See Renderer::set_pen_image().
     void set_image(const std::string& name, Image image);
 
@@ -23,8 +25,14 @@ class PenTextures {
         gl::Texture2D texture; ///< none for a solid pen
         float repeat_length;
     };
-    std::map<std::string, Image> images_;
-    std::map<std::pair<std::string, float>, Pen> pens_;
+    /// Finds a pen without making a string of its name.
+    struct Less {
+        using is_transparent = void;
+        using Key = std::pair<std::string_view, float>;
+        bool operator()(const Key& a, const Key& b) const { return a < b; }
+    };
+    std::map<std::string, Image, std::less<>> images_;
+    std::map<std::pair<std::string, float>, Pen, Less> pens_;
 };
 
 } // namespace lineatlas

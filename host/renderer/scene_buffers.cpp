@@ -1,6 +1,7 @@
 #include "scene_buffers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -21,7 +22,7 @@ namespace {
 constexpr std::uint32_t fewest_triangles_culled = 50'000;
 constexpr std::uint32_t cluster_size = 64;
 
-// Points by which the motion of a picture is judged.
+// Points by which the motion of a picture is judged; up to twice as many.
 constexpr std::size_t most_landmarks = 256;
 
 /// In pixels; nothing for a point outside the picture.
@@ -85,15 +86,16 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
 float SceneBuffers::typical_motion(const Camera& from, const Camera& to) const {
     const glm::mat4 clip_from = from.clip_from_world(), clip_to = to.clip_from_world();
     if (clip_from == clip_to) return 0;
-    std::vector<float> shifts;
+    std::array<float, 2 * most_landmarks> shifts;
+    std::size_t count = 0;
     for (const glm::vec3 point : landmarks_) {
         const auto a = window_position(point, clip_from, glm::vec2{from.size});
         const auto b = window_position(point, clip_to, glm::vec2{to.size});
-        if (a && b) shifts.push_back(glm::distance(*a, *b));
+        if (a && b) shifts[count++] = glm::distance(*a, *b);
     }
-    if (shifts.empty()) return std::numeric_limits<float>::infinity();
-    const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
-    std::nth_element(shifts.begin(), middle, shifts.end());
+    if (count == 0) return std::numeric_limits<float>::infinity();
+    const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(shifts.begin(), middle, shifts.begin() + static_cast<std::ptrdiff_t>(count));
     return *middle;
 }
 

@@ -1,21 +1,23 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "devices.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::compute {
 
-/// Runs `action`; an OpenCL error becomes a DeviceError that says where it came from.
+/// Runs `action`; an OpenCL error becomes a DeviceError that says where it came from. Without an
+/// allocation where all goes well: some of it runs in every frame.
 template <class Action>
-auto guarded(const OpenClDevice& device, const std::string& doing, Action&& action)
-    -> decltype(action()) {
+auto guarded(const OpenClDevice& device, std::string_view doing, Action&& action,
+             std::string_view what = {}) -> decltype(action()) {
     try {
         return action();
     } catch (const cl::Error& error) {
-        throw DeviceError(device.description() + ": " + doing + " failed: " + error.what() +
-                          " returned " + std::to_string(error.err()));
+        throw DeviceError(device.description() + ": " + std::string{doing} + std::string{what} +
+                          " failed: " + error.what() + " returned " + std::to_string(error.err()));
     }
 }
 

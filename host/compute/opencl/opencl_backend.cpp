@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 #include "guarded.hpp"
 #include "lineatlas/error.hpp"
@@ -355,8 +356,9 @@ class Implementation final : public OpenClBackend {
     OpenClCommandLog::Pending logged(const char* name) { return {log_.get(), name}; }
 
     template <class Action>
-    auto guarded(const std::string& doing, Action&& action) const -> decltype(action()) {
-        return compute::guarded(device_, doing, std::forward<Action>(action));
+    auto guarded(std::string_view doing, Action&& action, std::string_view what = {}) const
+        -> decltype(action()) {
+        return compute::guarded(device_, doing, std::forward<Action>(action), what);
     }
 
     /// Launches `items` work-items, rounded up to whole work-groups.
@@ -364,13 +366,14 @@ class Implementation final : public OpenClBackend {
     void launch(LazyKernel& lazy, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
         if (items == 0) return;
         cl::Kernel& kernel = programs_->ready(lazy);
-        guarded(std::string{"launching "} + lazy.name, [&] {
+        const auto enqueue = [&] {
             cl_uint index = 0;
             (kernel.setArg(index++, argument(args)), ...);
             const std::size_t global = std::size_t{divide_up(items, local_size)} * local_size;
             queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{global},
                                         cl::NDRange{local_size}, nullptr, logged(lazy.name));
-        });
+        };
+        guarded("launching ", enqueue, lazy.name);
     }
 
     /// The kernels of one kind of sum.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,21 @@ struct Mesh {
 
     bool empty() const { return triangles.empty() && polylines.empty(); }
 };
+
+/// A program's own arrays, as it has them for GL. Normals are not among them: lines come from
+/// positions alone, and vertices that only differ in normals are one.
+struct MeshArrays {
+    std::span<const float> positions;           ///< x, y, z of each vertex
+    std::size_t stride = 3;                     ///< floats from one vertex to the next
+    std::span<const std::uint32_t> indices{};   ///< three per triangle; none: vertices as they come
+    std::span<const std::uint32_t> materials{}; ///< a number per triangle; none: all are one
+};
+
+/// Throws UsageError when the arrays do not fit each other.
+Mesh make_mesh(const MeshArrays& arrays);
+
+/// Adds a line of the program's own, drawn from point to point (LineKind::file).
+void add_polyline(Mesh& mesh, std::span<const glm::vec3> points);
 
 /// An axis-aligned box. A box that holds nothing has min > max.
 struct Bounds {

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "lineatlas/error.hpp"
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+namespace {
+
+void check(const MeshArrays& arrays) {
+    if (arrays.stride < 3) throw UsageError("mesh: the stride must be at least 3 floats");
+    const std::size_t corners = arrays.indices.empty()
+                                    ? (arrays.positions.size() + arrays.stride - 3) / arrays.stride
+                                    : arrays.indices.size();
+    if (corners % 3 != 0) {
+        throw UsageError("mesh: triangles have three corners, so " + std::to_string(corners) +
+                         " cannot be all");
+    }
+    if (!arrays.materials.empty() && arrays.materials.size() != corners / 3) {
+        throw UsageError("mesh: there are " + std::to_string(corners / 3) + " triangles and " +
+                         std::to_string(arrays.materials.size()) + " materials");
+    }
+}
+
+} // namespace
+
+Mesh make_mesh(const MeshArrays& arrays) {
+    check(arrays);
+    Mesh mesh;
+    // The last vertex may end before its stride does.
+    for (std::size_t i = 0; i + 3 <= arrays.positions.size(); i += arrays.stride) {
+        mesh.positions.emplace_back(arrays.positions[i], arrays.positions[i + 1],
+                                    arrays.positions[i + 2]);
+    }
+    std::vector<std::uint32_t> in_order;
+    std::span<const std::uint32_t> indices = arrays.indices;
+    if (indices.empty()) {
+        in_order.resize(mesh.positions.size());
+        std::iota(in_order.begin(), in_order.end(), 0U);
+        indices = in_order;
+    }
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        mesh.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+    }
+    // Materials are numbers of any size: groups are counted up.
+    std::vector<std::uint32_t> numbers{arrays.materials.begin(), arrays.materials.end()};
+    std::ranges::sort(numbers);
+    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    for (const std::uint32_t number : numbers) {
+        mesh.groups.push_back({.object = {}, .material = std::to_string(number)});
+    }
+    for (const std::uint32_t material : arrays.materials) {
+        const auto group = std::ranges::lower_bound(numbers, material) - numbers.begin();
+        mesh.triangle_group.push_back(static_cast<std::uint32_t>(group));
+    }
+    return mesh;
+}
+
+void add_polyline(Mesh& mesh, std::span<const glm::vec3> points) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), points.begin(), points.end());
+    std::vector<std::uint32_t>& line = mesh.polylines.emplace_back(points.size());
+    std::iota(line.begin(), line.end(), first);
+}
+
+} // namespace lineatlas
