@@ -36,8 +36,10 @@ constexpr Tuning gpu{.scan_tiles = true,
 } // namespace
 
 Tuning tuning_for(const OpenClDevice& device) {
-    Tuning tuning = device.is_cpu ? cpu : gpu;
-    if (device.platform_name == "rusticl") {
+    const bool is_rusticl = device.platform_name == "rusticl";
+    // Its compiler takes a minute for the vectors of a CPU's form.
+    Tuning tuning = device.is_cpu && !is_rusticl ? cpu : gpu;
+    if (is_rusticl) {
         // Mesa's llvmpipe, which rusticl runs on, leaves the loops of a work-item after 65,535
         // rounds in all (LP_MAX_TGSI_LOOP_ITERATIONS in its gallivm); seen with 22.3.6.
         tuning.longest_chunk = 60'000;
