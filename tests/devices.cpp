@@ -49,6 +49,12 @@ std::vector<TestDevice> test_devices() {
     return result;
 }
 
+std::vector<TestDevice> own_test_devices() {
+    std::vector<TestDevice> result = test_devices();
+    std::erase_if(result, [](const TestDevice& device) { return device.make != make_own; });
+    return result;
+}
+
 TEST(Devices, AtLeastOne) {
     EXPECT_FALSE(test_devices().empty()) << "no OpenCL device: the kernel tests did not run";
 }

@@ -22,6 +22,9 @@ struct TestDevice {
 /// empty and the suites are skipped, which `Devices.AtLeastOne` reports as a failure.
 std::vector<TestDevice> test_devices();
 
+/// Of these each device once, in its own tuning.
+std::vector<TestDevice> own_test_devices();
+
 /// Content of a device buffer.
 template <class T>
 std::vector<T> read_back(compute::Backend& backend, compute::Buffer& buffer, std::size_t count) {

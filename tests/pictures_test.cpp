@@ -1,24 +1,17 @@
 // Whole frames: every choice that must not change the picture, compared on the four scenes at
 // several cameras, one of them inside the model.
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
-#include <unistd.h>
-
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "planted_error.hpp"
 #include "scene_cameras.hpp"
 
 namespace lineatlas::test {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Drawn {
     std::vector<std::uint8_t> pixels;
@@ -215,37 +208,6 @@ TEST_P(SamePicture, MeasuringStagesChangesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, SamePicture, testing::Values("clevis", "house", "ship", "office"),
                          [](const auto& info) { return info.param; });
-
-/// A copy of the kernels and shaders in which one piece of text is replaced, used while it lives.
-class PlantedError {
-  public:
-    PlantedError(const std::string& file, const std::string& from, const std::string& to)
-        : folder_(fs::temp_directory_path() / ("lineatlas_planted_" + std::to_string(::getpid()))) {
-        fs::remove_all(folder_); // of one that threw
-        fs::create_directories(folder_);
-        for (const char* source : {"kernels", "shaders"}) {
-            fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_, fs::copy_options::recursive);
-        }
-        std::ostringstream content;
-        content << std::ifstream{folder_ / file}.rdbuf();
-        std::string text = content.str();
-        const std::size_t place = text.find(from);
-        if (place == std::string::npos) throw Error(file + " does not hold: " + from);
-        std::ofstream{folder_ / file} << text.replace(place, from.size(), to);
-        ::setenv("LINEATLAS_KERNEL_DIR", folder_.c_str(), 1);
-        ::setenv("LINEATLAS_SHADER_DIR", folder_.c_str(), 1);
-    }
-    ~PlantedError() {
-        ::unsetenv("LINEATLAS_KERNEL_DIR");
-        ::unsetenv("LINEATLAS_SHADER_DIR");
-        fs::remove_all(folder_);
-    }
-    PlantedError(const PlantedError&) = delete;
-    PlantedError& operator=(const PlantedError&) = delete;
-
-  private:
-    fs::path folder_;
-};
 
 /// The comparisons above, each against an error planted on one side.
 class Planted : public Pictures {

@@ -29,7 +29,7 @@ AtlasLayout layout_for(const ClippedLines& lines) {
 } // namespace
 
 SpineSampler::SpineSampler(const LineSet& lines)
-    : connection_(interop::connect({.reference = true, .device = {}, .mode = std::nullopt})),
+    : connection_(interop::connect({.backend = "reference", .device = {}, .mode = std::nullopt})),
       scene_(*connection_.backend, lines), depth_(connection_) {
     depth_.set_scene(scene_);
 }

@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 
+#include "compute/backends.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "gl_context.hpp"
 #include "lineatlas/error.hpp"
@@ -124,9 +125,9 @@ std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
 }
 
 Connection connect(const ConnectOptions& options) {
-    if (options.reference) {
-        // Its memory is the host's, which GL can map.
-        return {compute::make_reference_backend(), options.mode.value_or(SharingMode::copy)};
+    if (options.backend != "opencl") {
+        return {compute::make_backend(options.backend, options.device),
+                options.mode.value_or(SharingMode::copy)};
     }
     std::string wanted = options.device;
     if (wanted.empty()) {

@@ -29,8 +29,8 @@ ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode);
 
 /// What the user chose; empty means: find the best.
 struct ConnectOptions {
-    bool reference = false; ///< the plain C++ backend instead of OpenCL
-    std::string device{};   ///< "opencl:<platform>[:<device>]"
+    std::string backend = "opencl"; ///< one of compute::backend_kinds()
+    std::string device{};           ///< "opencl:<platform>[:<device>]"
     std::optional<SharingMode> mode{};
 };
 
@@ -47,7 +47,7 @@ bool gl_is_software();
 /// else one that shares memory with it, else a GPU, else any. `devices` must not be empty.
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);
 
-/// Chooses device and mode and makes the backend. Throws UsageError for an unknown device and
+/// Chooses device and mode and makes the backend. Throws UsageError for an unknown one and
 /// DeviceError when there is no OpenCL or the mode asked for doesn't work.
 Connection connect(const ConnectOptions& options);
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "compute/backends.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
 #include "glpasses/headless_context.hpp"
@@ -281,6 +282,11 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         draw_paths(drawing, renderer);
     else
         draw_pictures(drawing, renderer, writer);
+    if (!arguments.device.compare_with.empty()) {
+        const Renderer::Comparison equal = renderer.comparison();
+        fmt::print("{}: equal in {} stages, {} elements\n", renderer.description(), equal.stages,
+                   equal.elements);
+    }
 }
 
 } // namespace
@@ -354,7 +360,7 @@ Command setup_draw(CLI::App& app) {
     a.paths.declare(app);
 
     const std::string device = "Device";
-    app.add_option("--compute", a.device.compute, "Backend: opencl or reference (plain C++)")
+    app.add_option("--compute", a.device.compute, "Backend: " + compute::backend_names())
         ->capture_default_str()
         ->group(device);
     app.add_option("--device", a.device.device,
@@ -363,6 +369,15 @@ Command setup_draw(CLI::App& app) {
         ->group(device);
     app.add_option("--interop", a.device.interop,
                    "How buffers are shared with GL: gl-sharing, host-pointer or copy")
+        ->group(device);
+
+    app.add_option("--compare-with", a.device.compare_with,
+                   "Run every compute stage on this backend or device too (reference, "
+                   "opencl:...) and report the first that differs; slow")
+        ->group(device);
+    app.add_option("--compare-until", a.device.compare_until,
+                   "The last stage to compare: pyramid, cull, facing, project_clip, scan, atlas, "
+                   "temporal, intervals, compact, halo, filter or density; default all")
         ->group(device);
 
     const std::string measuring = "Measuring";

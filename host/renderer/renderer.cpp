@@ -8,6 +8,8 @@
 
 #include "atlas_method.hpp"
 #include "backdrop.hpp"
+#include "compute/backends.hpp"
+#include "compute/compare/comparing_backend.hpp"
 #include "frame.hpp"
 #include "glpasses/current_context.hpp"
 #include "glpasses/interop/connect.hpp"
@@ -22,13 +24,8 @@ namespace lineatlas {
 namespace {
 
 interop::ConnectOptions connect_options(const DeviceOptions& options) {
-    if (options.compute != "opencl" && options.compute != "reference") {
-        throw UsageError("unknown compute backend \"" + options.compute +
-                         "\"; there is opencl, reference");
-    }
-    interop::ConnectOptions result{.reference = options.compute == "reference",
-                                   .device = options.device,
-                                   .mode = std::nullopt};
+    interop::ConnectOptions result{
+        .backend = options.compute, .device = options.device, .mode = std::nullopt};
     for (const auto mode : {interop::SharingMode::gl_sharing, interop::SharingMode::host_pointer,
                             interop::SharingMode::copy}) {
         if (options.interop == interop::name_of(mode)) result.mode = mode;
@@ -37,7 +34,26 @@ interop::ConnectOptions connect_options(const DeviceOptions& options) {
         throw UsageError("unknown interop \"" + options.interop +
                          "\"; there is gl-sharing, host-pointer, copy");
     }
+    if (!options.compare_with.empty()) {
+        // Two backends cannot open one GL buffer.
+        if (!result.mode) result.mode = interop::SharingMode::copy;
+        if (result.mode == interop::SharingMode::gl_sharing) {
+            throw UsageError("comparing backends needs interop host-pointer or copy");
+        }
+    }
     return result;
+}
+
+/// Connects, to a pair of backends if they are to be compared.
+interop::Connection connect(const DeviceOptions& options) {
+    interop::Connection connection = interop::connect(connect_options(options));
+    if (options.compare_with.empty()) return connection;
+    const std::string& other = options.compare_with;
+    const std::string kind = other.substr(0, other.find(':'));
+    connection.backend = compute::make_comparing_backend(
+        std::move(connection.backend), compute::make_backend(kind, other == kind ? "" : other),
+        options.compare_until);
+    return connection;
 }
 
 void check(const Pen& pen, const std::string& name) {
@@ -99,7 +115,31 @@ GLuint framebuffer_name(GLuint framebuffer) {
 class Renderer::State {
   public:
     explicit State(const DeviceOptions& options)
-        : connection_(interop::connect(connect_options(options))), atlas_(connection_) {}
+        : connection_(connect(options)), atlas_(std::make_unique<AtlasMethod>(connection_)) {}
+
+    void set_device(const DeviceOptions& options) {
+        interop::Connection connection = connect(options);
+        auto atlas = std::make_unique<AtlasMethod>(connection);
+        std::optional<SceneBuffers::Tables> tables;
+        if (scene_) {
+            tables = scene_->copy_tables(*connection.backend);
+            atlas->set_scene(*scene_);
+        }
+        // Nothing throws from here on. Buffers go before the backend that made them.
+        recorder_.reset();
+        atlas_ = std::move(atlas);
+        spine_.reset();
+        if (scene_) scene_->use(*connection.backend, std::move(*tables));
+        connection_ = std::move(connection);
+        samples_drawn_ = false;
+    }
+
+    Comparison comparison() const {
+        const auto* comparing =
+            dynamic_cast<const compute::ComparingBackend*>(connection_.backend.get());
+        if (comparing == nullptr) return {};
+        return {comparing->summary().stages, comparing->summary().elements};
+    }
 
     bool context_is_current() const { return gl::current_context() == context_; }
 
@@ -122,7 +162,7 @@ class Renderer::State {
         scene_.reset();
         samples_drawn_ = false;
         scene_.emplace(*connection_.backend, lines);
-        atlas_.set_scene(*scene_);
+        atlas_->set_scene(*scene_);
         if (spine_) spine_->set_scene(*scene_);
     }
 
@@ -146,7 +186,7 @@ class Renderer::State {
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, target.framebuffer);
         samples_drawn_ = false;
-        FrameStats stats = atlas_.draw_tiles(frame, target);
+        FrameStats stats = atlas_->draw_tiles(frame, target);
         if (profiled) profiled->finish(stats);
         samples_drawn_ = true;
         return stats;
@@ -161,10 +201,10 @@ class Renderer::State {
             throw UsageError(
                 "renderer: read_samples() needs a frame of method atlas or itembuffer");
         }
-        return atlas_.read_samples();
+        return atlas_->read_samples();
     }
 
-    std::vector<Interval> read_intervals() { return atlas_.read_intervals(); }
+    std::vector<Interval> read_intervals() { return atlas_->read_intervals(); }
 
     std::vector<FrameProfile> take_profiles(bool wait) {
         return recorder_ ? recorder_->take(wait) : std::vector<FrameProfile>{};
@@ -211,7 +251,7 @@ class Renderer::State {
         switch (frame.options.method) {
         case Method::atlas:
         case Method::item_buffer:
-            return atlas_.draw(frame);
+            return atlas_->draw(frame);
         case Method::spine:
             if (!spine_) spine_.emplace(connection_).set_scene(*scene_);
             return spine_->draw(frame);
@@ -229,7 +269,7 @@ class Renderer::State {
     std::optional<ProfileRecorder> recorder_; ///< from the first profiled frame on
     PenTextures pens_;
     Backdrop backdrop_;
-    AtlasMethod atlas_;
+    std::unique_ptr<AtlasMethod> atlas_;
     bool samples_drawn_ = false; ///< the last frame left samples to read
     // Shaders of the other methods are compiled when they are first used.
     std::optional<SpineMethod> spine_;
@@ -256,6 +296,13 @@ Renderer& Renderer::operator=(Renderer&& other) noexcept {
 
 std::string Renderer::description() const {
     return state_->description();
+}
+void Renderer::set_device(const DeviceOptions& options) {
+    const gl::StateGuard guard = state_->enter();
+    state_->set_device(options);
+}
+Renderer::Comparison Renderer::comparison() const {
+    return state_->comparison();
 }
 void Renderer::set_pen_image(const std::string& mark, Image image) {
     const gl::StateGuard guard = state_->enter();

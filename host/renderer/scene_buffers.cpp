@@ -61,10 +61,11 @@ std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
 } // namespace
 
 SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
-    : backend_(backend), vertices_(upload(backend, bytes_of(lines.vertices))),
-      triangles_(upload(backend, bytes_of(lines.triangles))),
-      segments_(upload(backend, bytes_of(lines.segments))), bounds_(lines.bounds),
-      gl_vertices_(upload_gl(bytes_of(lines.vertices))),
+    : backend_(&backend), tables_{.vertices = upload(backend, bytes_of(lines.vertices)),
+                                  .triangles = upload(backend, bytes_of(lines.triangles)),
+                                  .segments = upload(backend, bytes_of(lines.segments)),
+                                  .clusters = nullptr},
+      bounds_(lines.bounds), gl_vertices_(upload_gl(bytes_of(lines.vertices))),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
     if (triangle_count_ < fewest_triangles_culled) {
@@ -80,7 +81,7 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
     for (std::size_t i = 0; i < lines.vertices.size(); i += every) {
         landmarks_.push_back(lines.vertices[i]);
     }
-    cluster_buffer_ = upload(backend, bytes_of(clusters_));
+    tables_.clusters = upload(backend, bytes_of(clusters_));
 }
 
 float SceneBuffers::typical_motion(const Camera& from, const Camera& to) const {
@@ -132,12 +133,22 @@ void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint
 template <class T>
 std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count) {
     std::vector<T> values(count);
-    backend_.download(buffer, std::as_writable_bytes(std::span{values}));
+    backend_->download(buffer, std::as_writable_bytes(std::span{values}));
     return values;
 }
 
+SceneBuffers::Tables SceneBuffers::copy_tables(compute::Backend& backend) {
+    const auto copy = [&](compute::Buffer& buffer) {
+        return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())));
+    };
+    return {.vertices = copy(*tables_.vertices),
+            .triangles = copy(*tables_.triangles),
+            .segments = copy(*tables_.segments),
+            .clusters = copy(*tables_.clusters)};
+}
+
 std::vector<Segment> SceneBuffers::download_segments() {
-    return download<Segment>(*segments_, segment_count_);
+    return download<Segment>(*tables_.segments, segment_count_);
 }
 
 gl::SegmentBuffers SceneBuffers::gl_segments() {
@@ -145,7 +156,7 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
         gl_segments_ = upload_gl(bytes_of(download_segments()));
         // In the order that segments refer to; gl_indices_ may have another.
         gl_table_triangles_ =
-            upload_gl(bytes_of(download<glm::uvec3>(*triangles_, triangle_count_)));
+            upload_gl(bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)));
     }
     return {gl_segments_.id(), gl_vertices_.id(), gl_table_triangles_.id(), segment_count_};
 }

@@ -25,8 +25,21 @@ class SceneBuffers {
     /// Throws DeviceError when memory runs out.
     SceneBuffers(compute::Backend& backend, const LineSet& lines);
 
+    /// What compute stages read.
+    struct Tables {
+        std::unique_ptr<compute::Buffer> vertices, triangles, segments, clusters;
+    };
+    /// The same on another backend, from the memory of this one.
+    Tables copy_tables(compute::Backend& backend);
+    /// From now on these.
+    void use(compute::Backend& backend, Tables tables) noexcept {
+        backend_ = &backend;
+        tables_ = std::move(tables);
+    }
+
     compute::SegmentTable table() const {
-        return {*vertices_, *triangles_, *segments_, triangle_count_, segment_count_};
+        return {*tables_.vertices, *tables_.triangles, *tables_.segments, triangle_count_,
+                segment_count_};
     }
     /// For drawing: the triangles in an order of their own.
     gl::TriangleBuffers gl_triangles() const {
@@ -39,7 +52,7 @@ class SceneBuffers {
     gl::LineBuffers gl_lines(LineKindMask kinds);
     /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up.
     std::span<const Cluster> clusters() const { return clusters_; }
-    compute::Buffer& cluster_buffer() const { return *cluster_buffer_; }
+    compute::Buffer& cluster_buffer() const { return *tables_.clusters; }
     const Bounds& bounds() const { return bounds_; }
     float diagonal() const { return glm::distance(bounds_.min, bounds_.max); }
     /// How far points of the model move on the screen between two cameras: the median, in pixels;
@@ -47,8 +60,10 @@ class SceneBuffers {
     float typical_motion(const Camera& from, const Camera& to) const;
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
-    std::uint64_t mesh_bytes() const { return vertices_->size() + triangles_->size(); }
-    std::uint64_t segment_bytes() const { return segments_->size(); }
+    std::uint64_t mesh_bytes() const {
+        return tables_.vertices->size() + tables_.triangles->size();
+    }
+    std::uint64_t segment_bytes() const { return tables_.segments->size(); }
 
   private:
     /// `order`: where each of gl_triangles() stands among the line set's; empty: there too.
@@ -57,8 +72,8 @@ class SceneBuffers {
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
 
-    compute::Backend& backend_;
-    std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, cluster_buffer_;
+    compute::Backend* backend_;
+    Tables tables_;
     Bounds bounds_;
     std::vector<glm::vec3> landmarks_; ///< some of the vertices
     std::vector<Cluster> clusters_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include "runs.hpp"
 #include "stages.hpp"
@@ -38,18 +39,15 @@ void compact_runs(const CompactRunsInput& in, std::span<Run> runs, FrameRecord& 
                             .arcs = in.arcs,
                             .viewport = in.viewport,
                             .half_width = in.half_width};
-    std::uint32_t total = 0;
+    std::vector<Run> result;
     for (std::uint32_t i = 0; i < in.segments.size(); ++i) {
         const std::uint32_t s = in.offsets[i];
         const std::uint32_t l = in.offsets[i + 1] - s;
         if (in.hidden && is_dot(frame, i)) continue;
         if (in.hidden && l == 0 && frame.is_drawn(i)) { // dropped as hidden whole
-            if (total < runs.size()) {
-                runs[total] = make_run(frame, i, 0, 1, 1, segment_end(frame, i, false),
-                                       segment_end(frame, i, true));
-                runs[total].flags |= LA_RUN_SOLID;
-            }
-            ++total;
+            result.push_back(make_run(frame, i, 0, 1, 1, segment_end(frame, i, false),
+                                      segment_end(frame, i, true)));
+            result.back().flags |= LA_RUN_SOLID;
         }
         if (l == 0 || l > in.capacity || s > in.capacity - l) continue;
         const std::span own = in.alpha.subspan(in.layout.address(s), l);
@@ -58,16 +56,14 @@ void compact_runs(const CompactRunsInput& in, std::span<Run> runs, FrameRecord& 
             a = std::find_if(a, own.end(), wanted);
             if (a == own.end()) break;
             const auto end = std::find_if_not(a, own.end(), wanted);
-            if (total < runs.size()) {
-                runs[total] = make_sampled_run(frame, in.layout, i,
-                                               static_cast<std::uint32_t>(a - own.begin()),
-                                               static_cast<std::uint32_t>(end - own.begin()));
-            }
-            ++total;
+            result.push_back(make_sampled_run(frame, in.layout, i,
+                                              static_cast<std::uint32_t>(a - own.begin()),
+                                              static_cast<std::uint32_t>(end - own.begin())));
             a = end;
         }
     }
-    record = make_record(total, runs.size(), in.offsets[in.segments.size()]);
+    if (result.size() <= runs.size()) std::ranges::copy(result, runs.begin()); // else none, as told
+    record = make_record(result.size(), runs.size(), in.offsets[in.segments.size()]);
 }
 
 std::uint32_t compact_samples(std::span<const std::uint8_t> alpha,

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 
@@ -28,20 +30,20 @@ struct Piece {
 
 class Finder {
   public:
-    Finder(const IntervalsInput& in, std::span<Interval> out)
+    explicit Finder(const IntervalsInput& in)
         : in_(in), frame_{.segments = in.segments,
                           .clipped = in.clipped,
                           .offsets = in.offsets,
                           .arcs = in.arcs,
                           .viewport = in.viewport,
                           .half_width = 0},
-          depth_{in.depth, in.depth_size, in.depth_scale, in.tolerance}, out_(out) {}
+          depth_{in.depth, in.depth_size, in.depth_scale, in.tolerance} {}
 
-    std::uint32_t find() {
+    std::vector<Interval> find() {
         for (std::uint32_t i = 0; i < in_.segments.size(); ++i) {
             if (frame_.is_drawn(i)) find_in(i);
         }
-        return total_;
+        return std::move(found_);
     }
 
     /// Puts both ends where they belong.
@@ -131,20 +133,16 @@ class Finder {
 
     void put(std::uint32_t i, std::span<const std::uint8_t> samples, const Piece& piece) {
         if (!piece.visible && !in_.hidden_too) return;
-        if (total_ < out_.size()) {
-            Interval& interval = out_[total_];
-            interval = {};
-            interval.segment = i;
-            interval.start_sample = piece.start;
-            interval.end_sample = piece.end;
-            interval.alpha = mean_alpha(samples, piece);
-            interval.flags = (piece.visible ? LA_INTERVAL_VISIBLE : 0U) |
-                             end_kind(i, false, piece.start_change) << LA_INTERVAL_START_SHIFT |
-                             end_kind(i, true, piece.end_change) << LA_INTERVAL_END_SHIFT |
-                             piece.start_change << LA_INTERVAL_START_CHANGE_SHIFT |
-                             piece.end_change << LA_INTERVAL_END_CHANGE_SHIFT;
-        }
-        ++total_;
+        Interval& interval = found_.emplace_back();
+        interval.segment = i;
+        interval.start_sample = piece.start;
+        interval.end_sample = piece.end;
+        interval.alpha = mean_alpha(samples, piece);
+        interval.flags = (piece.visible ? LA_INTERVAL_VISIBLE : 0U) |
+                         end_kind(i, false, piece.start_change) << LA_INTERVAL_START_SHIFT |
+                         end_kind(i, true, piece.end_change) << LA_INTERVAL_END_SHIFT |
+                         piece.start_change << LA_INTERVAL_START_CHANGE_SHIFT |
+                         piece.end_change << LA_INTERVAL_END_CHANGE_SHIFT;
     }
 
     static float mean_alpha(std::span<const std::uint8_t> samples, const Piece& piece) {
@@ -214,19 +212,19 @@ class Finder {
     const IntervalsInput& in_;
     FrameTables frame_;
     Depth depth_;
-    std::span<Interval> out_;
-    std::uint32_t total_ = 0;
+    std::vector<Interval> found_;
 };
 
 } // namespace
 
 std::uint32_t intervals(const IntervalsInput& input, std::span<Interval> out) {
-    Finder finder{input, out};
-    const std::uint32_t total = finder.find();
-    if (total <= out.size()) {
-        for (Interval& interval : out.first(total)) finder.refine(interval);
+    Finder finder{input};
+    std::vector<Interval> found = finder.find();
+    if (found.size() <= out.size()) { // else none, as told
+        for (Interval& interval : found) finder.refine(interval);
+        std::ranges::copy(found, out.begin());
     }
-    return total;
+    return static_cast<std::uint32_t>(found.size());
 }
 
 } // namespace lineatlas::compute::reference

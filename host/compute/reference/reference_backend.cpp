@@ -1,237 +1,206 @@
-#include <algorithm>
-#include <cstring>
-#include <new>
+#include "reference_backend.hpp"
 
-#include "compute/backend.hpp"
+#include <algorithm>
+
 #include "stages.hpp"
 
 namespace lineatlas::compute {
-namespace {
 
-/// Host memory, owned or of the caller.
-class HostBuffer final : public Buffer {
-  public:
-    explicit HostBuffer(std::size_t bytes) : Buffer(bytes), owned_(bytes), memory_(owned_) {}
-    explicit HostBuffer(std::span<std::byte> memory) : Buffer(memory.size()), memory_(memory) {}
-
-    std::span<std::byte> memory() const { return memory_; }
-
-  private:
-    std::vector<std::byte> owned_;
-    std::span<std::byte> memory_;
-};
-
-std::span<std::byte> memory_of(Buffer& buffer) {
-    return static_cast<HostBuffer&>(buffer).memory();
+std::string ReferenceBackend::description() const {
+    return "reference";
 }
 
-/// The first `count` elements of a buffer.
-template <class T>
-std::span<T> view(Buffer& buffer, std::size_t count) {
-    return {reinterpret_cast<T*>(memory_of(buffer).data()), count};
+std::unique_ptr<Buffer> ReferenceBackend::allocate(std::size_t bytes) {
+    return std::make_unique<HostBuffer>(std::max<std::size_t>(bytes, 16));
 }
 
-template <class T>
-std::span<T> view_all(Buffer& buffer) {
-    return view<T>(buffer, buffer.size() / sizeof(T));
+std::unique_ptr<Buffer> ReferenceBackend::wrap(std::span<std::byte> memory) {
+    return std::make_unique<HostBuffer>(memory);
 }
 
-class ReferenceBackend final : public Backend {
-  public:
-    std::string description() const override { return "reference"; }
+void ReferenceBackend::begin_host_access(Buffer&) {}
 
-    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
-        return std::make_unique<HostBuffer>(std::max<std::size_t>(bytes, 16));
-    }
-    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
-        return std::make_unique<HostBuffer>(memory);
-    }
-    void begin_host_access(Buffer&) override {}
-    void end_host_access(Buffer&) override {}
+void ReferenceBackend::end_host_access(Buffer&) {}
 
-    void upload(Buffer& buffer, std::span<const std::byte> data) override {
-        std::ranges::copy(data, memory_of(buffer).begin());
-    }
-    void download(Buffer& buffer, std::span<std::byte> data) override {
-        std::ranges::copy(memory_of(buffer).first(data.size()), data.begin());
-    }
+void ReferenceBackend::upload(Buffer& buffer, std::span<const std::byte> data) {
+    std::ranges::copy(data, memory_of(buffer).begin());
+}
 
-    void pyramid(const PyramidArgs& args) override {
-        reference::pyramid(view_all<float>(args.depth), args.depth_size,
-                           view_all<float>(args.tiles));
-    }
+void ReferenceBackend::download(Buffer& buffer, std::span<std::byte> data) {
+    std::ranges::copy(memory_of(buffer).first(data.size()), data.begin());
+}
 
-    void cull(const CullArgs& args) override {
-        reference::cull(view<Cluster>(args.clusters, args.count), args.clip_from_world,
-                        args.depth_size, view_all<float>(args.tiles),
-                        view<std::uint8_t>(args.visible, args.count));
-    }
+void ReferenceBackend::pyramid(const PyramidArgs& args) {
+    reference::pyramid(view_all<float>(args.depth), args.depth_size, view_all<float>(args.tiles));
+}
 
-    void facing(const FacingArgs& args) override {
-        const std::size_t triangles = args.table.triangle_count;
-        reference::facing(view_all<float>(args.table.vertices),
-                          view<std::uint32_t>(args.table.triangles, 3 * triangles), args.eye,
-                          view<std::uint8_t>(args.front, triangles));
-    }
+void ReferenceBackend::cull(const CullArgs& args) {
+    reference::cull(view<Cluster>(args.clusters, args.count), args.clip_from_world, args.depth_size,
+                    view_all<float>(args.tiles), view<std::uint8_t>(args.visible, args.count));
+}
 
-    void project_clip(const ProjectClipArgs& args) override {
-        const std::size_t n = args.table.segment_count;
-        const OcclusionTest* occlusion = args.occlusion;
-        reference::project_clip(
-            {.segments = view<Segment>(args.table.segments, n),
-             .vertices = view_all<float>(args.table.vertices),
-             .triangles = view_all<std::uint32_t>(args.table.triangles),
-             .front = view_all<std::uint8_t>(args.front),
-             .clip_from_world = args.clip_from_world,
-             .world_from_clip = args.world_from_clip,
-             .viewport = args.viewport,
-             .step = args.step,
-             .kind_mask = args.kind_mask,
-             .tiles = occlusion ? view_all<float>(occlusion->tiles) : std::span<float>{},
-             .tile_count = occlusion ? occlusion->tile_count : glm::ivec2{0},
-             .depth_scale = occlusion ? occlusion->depth_scale : 1,
-             .tolerance = occlusion ? occlusion->tolerance : 0,
-             .keep_clipped = occlusion && occlusion->keep_clipped},
-            view<ClippedSegment>(args.out.clipped, n), view<std::uint32_t>(args.out.offsets, n),
-            view<std::uint32_t>(args.out.arcs, n));
-    }
+void ReferenceBackend::facing(const FacingArgs& args) {
+    const std::size_t triangles = args.table.triangle_count;
+    reference::facing(view_all<float>(args.table.vertices),
+                      view<std::uint32_t>(args.table.triangles, 3 * triangles), args.eye,
+                      view<std::uint8_t>(args.front, triangles));
+}
 
-    void scan(Buffer& values, std::uint32_t n, ScanKind kind) override {
-        reference::scan(view<std::uint32_t>(values, std::size_t{n} + 1), kind);
-    }
+void ReferenceBackend::project_clip(const ProjectClipArgs& args) {
+    const std::size_t n = args.table.segment_count;
+    const OcclusionTest* occlusion = args.occlusion;
+    reference::project_clip(
+        {.segments = view<Segment>(args.table.segments, n),
+         .vertices = view_all<float>(args.table.vertices),
+         .triangles = view_all<std::uint32_t>(args.table.triangles),
+         .front = view_all<std::uint8_t>(args.front),
+         .clip_from_world = args.clip_from_world,
+         .world_from_clip = args.world_from_clip,
+         .viewport = args.viewport,
+         .step = args.step,
+         .kind_mask = args.kind_mask,
+         .tiles = occlusion ? view_all<float>(occlusion->tiles) : std::span<float>{},
+         .tile_count = occlusion ? occlusion->tile_count : glm::ivec2{0},
+         .depth_scale = occlusion ? occlusion->depth_scale : 1,
+         .tolerance = occlusion ? occlusion->tolerance : 0,
+         .keep_clipped = occlusion && occlusion->keep_clipped},
+        view<ClippedSegment>(args.out.clipped, n), view<std::uint32_t>(args.out.offsets, n),
+        view<std::uint32_t>(args.out.arcs, n));
+}
 
-    void atlas(const AtlasArgs& args) override {
-        const std::size_t n = args.segment_count;
-        reference::atlas({.clipped = view<ClippedSegment>(args.clipped.clipped, n),
-                          .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
-                          .depth = view_all<float>(args.depth),
-                          .depth_size = args.depth_size,
-                          .viewport = args.viewport,
-                          .depth_scale = args.depth_scale,
-                          .probes = args.probes,
-                          .tolerance = args.tolerance,
-                          .layout = args.layout,
-                          .capacity = args.capacity,
-                          .tile = args.tile},
-                         view_all<std::uint8_t>(args.alpha));
-    }
+void ReferenceBackend::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
+    reference::scan(view<std::uint32_t>(values, std::size_t{n} + 1), kind);
+}
 
-    void temporal(const TemporalArgs& args) override {
-        const std::size_t n = args.segment_count;
-        const auto offsets = view<std::uint32_t>(args.clipped.offsets, n + 1);
-        const auto offsets_before = view<std::uint32_t>(args.history.offsets, n + 1);
-        const auto alpha = view_all<std::uint8_t>(args.alpha);
-        const auto before = view_all<std::uint8_t>(args.history.alpha);
-        reference::temporal(
-            {.clipped = view<ClippedSegment>(args.clipped.clipped, n),
-             .offsets = offsets,
-             .offsets_before = args.use_history ? offsets_before : std::span<std::uint32_t>{},
-             .layout = args.layout,
-             .capacity = args.capacity,
-             .before = before},
-            view<std::uint32_t>(args.history.ranges, n), alpha);
-        std::ranges::copy(offsets, offsets_before.begin());
-        std::ranges::copy(alpha.first(std::min(alpha.size(), before.size())), before.begin());
-    }
+void ReferenceBackend::atlas(const AtlasArgs& args) {
+    const std::size_t n = args.segment_count;
+    reference::atlas({.clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                      .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+                      .depth = view_all<float>(args.depth),
+                      .depth_size = args.depth_size,
+                      .viewport = args.viewport,
+                      .depth_scale = args.depth_scale,
+                      .probes = args.probes,
+                      .tolerance = args.tolerance,
+                      .layout = args.layout,
+                      .capacity = args.capacity,
+                      .tile = args.tile},
+                     view_all<std::uint8_t>(args.alpha));
+}
 
-    void compact_runs(const CompactRunsArgs& args) override {
-        const std::size_t n = args.table.segment_count;
-        reference::compact_runs({.segments = view<Segment>(args.table.segments, n),
-                                 .clipped = view<ClippedSegment>(args.clipped.clipped, n),
-                                 .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
-                                 .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
-                                 .alpha = view_all<std::uint8_t>(args.alpha),
-                                 .layout = args.layout,
-                                 .capacity = args.capacity,
-                                 .viewport = args.viewport,
-                                 .half_width = args.half_width,
-                                 .hidden = args.hidden},
-                                view<Run>(args.runs, args.run_capacity),
-                                view<FrameRecord>(args.record, 1)[0]);
-    }
+void ReferenceBackend::temporal(const TemporalArgs& args) {
+    const std::size_t n = args.segment_count;
+    const auto offsets = view<std::uint32_t>(args.clipped.offsets, n + 1);
+    const auto offsets_before = view<std::uint32_t>(args.history.offsets, n + 1);
+    const auto alpha = view_all<std::uint8_t>(args.alpha);
+    const auto before = view_all<std::uint8_t>(args.history.alpha);
+    reference::temporal(
+        {.clipped = view<ClippedSegment>(args.clipped.clipped, n),
+         .offsets = offsets,
+         .offsets_before = args.use_history ? offsets_before : std::span<std::uint32_t>{},
+         .layout = args.layout,
+         .capacity = args.capacity,
+         .before = before},
+        view<std::uint32_t>(args.history.ranges, n), alpha);
+    std::ranges::copy(offsets, offsets_before.begin());
+    std::ranges::copy(alpha.first(std::min(alpha.size(), before.size())), before.begin());
+}
 
-    void filter(const FilterArgs& args) override {
-        const std::size_t n = args.table.segment_count;
-        const FrameRecord& record = view<FrameRecord>(args.record, 1)[0];
-        const std::size_t runs = record.points[0];
-        const auto alpha = view_all<std::uint8_t>(args.alpha);
-        reference::filter(
-            {.segments = view<Segment>(args.table.segments, n),
-             .clipped = view<ClippedSegment>(args.clipped.clipped, n),
-             .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
-             .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
-             .alpha = alpha,
-             .layout = args.layout,
-             .viewport = args.viewport,
-             .half_width = args.half_width,
-             .fill = args.fill,
-             .drop = args.drop,
-             .overshoot = args.overshoot,
-             .overshoot_variation = args.overshoot_variation,
-             .undershoot = args.undershoot,
-             .runs = view<Run>(args.runs, runs),
-             .cuts = args.cuts != nullptr ? view<RunCuts>(*args.cuts, runs) : std::span<RunCuts>{}},
-            alpha, view<Run>(args.filtered, args.filtered_capacity), record,
-            view<FrameRecord>(args.filtered_record, 1)[0]);
-    }
+void ReferenceBackend::compact_runs(const CompactRunsArgs& args) {
+    const std::size_t n = args.table.segment_count;
+    reference::compact_runs({.segments = view<Segment>(args.table.segments, n),
+                             .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                             .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+                             .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+                             .alpha = view_all<std::uint8_t>(args.alpha),
+                             .layout = args.layout,
+                             .capacity = args.capacity,
+                             .viewport = args.viewport,
+                             .half_width = args.half_width,
+                             .hidden = args.hidden},
+                            view<Run>(args.runs, args.run_capacity),
+                            view<FrameRecord>(args.record, 1)[0]);
+}
 
-    void halo(const HaloArgs& args) override {
-        const std::size_t n = args.table.segment_count;
-        const std::size_t count = view<FrameRecord>(args.record, 1)[0].points[0];
-        reference::halo({.segments = view<Segment>(args.table.segments, n),
-                         .clipped = view<ClippedSegment>(args.clipped.clipped, n),
-                         .runs = view<Run>(args.runs, count),
-                         .viewport = args.viewport,
-                         .width = args.halo + args.half_width,
-                         .tolerance = args.tolerance},
-                        view<RunCuts>(args.cuts, count));
-    }
+void ReferenceBackend::filter(const FilterArgs& args) {
+    const std::size_t n = args.table.segment_count;
+    const FrameRecord& record = view<FrameRecord>(args.record, 1)[0];
+    const std::size_t runs = record.points[0];
+    const auto alpha = view_all<std::uint8_t>(args.alpha);
+    reference::filter(
+        {.segments = view<Segment>(args.table.segments, n),
+         .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+         .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+         .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+         .alpha = alpha,
+         .layout = args.layout,
+         .viewport = args.viewport,
+         .half_width = args.half_width,
+         .fill = args.fill,
+         .drop = args.drop,
+         .overshoot = args.overshoot,
+         .overshoot_variation = args.overshoot_variation,
+         .undershoot = args.undershoot,
+         .runs = view<Run>(args.runs, runs),
+         .cuts = args.cuts != nullptr ? view<RunCuts>(*args.cuts, runs) : std::span<RunCuts>{}},
+        alpha, view<Run>(args.filtered, args.filtered_capacity), record,
+        view<FrameRecord>(args.filtered_record, 1)[0]);
+}
 
-    void density(const DensityArgs& args) override {
-        const std::size_t n = args.table.segment_count;
-        const std::size_t count = view<FrameRecord>(args.record, 1)[0].points[0];
-        reference::density({.segments = view<Segment>(args.table.segments, n),
-                            .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
-                            .alpha = view_all<std::uint8_t>(args.alpha),
-                            .viewport = args.viewport,
-                            .limit = args.limit,
-                            .priority = args.priority,
-                            .focus = args.focus,
-                            .far_limit = args.far_limit},
-                           view<Run>(args.runs, count), view_all<float>(args.weights));
-    }
+void ReferenceBackend::halo(const HaloArgs& args) {
+    const std::size_t n = args.table.segment_count;
+    const std::size_t count = view<FrameRecord>(args.record, 1)[0].points[0];
+    reference::halo({.segments = view<Segment>(args.table.segments, n),
+                     .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                     .runs = view<Run>(args.runs, count),
+                     .viewport = args.viewport,
+                     .width = args.halo + args.half_width,
+                     .tolerance = args.tolerance},
+                    view<RunCuts>(args.cuts, count));
+}
 
-    void intervals(const IntervalsArgs& args) override {
-        const std::size_t n = args.table.segment_count;
-        view<std::uint32_t>(args.total, 1)[0] =
-            reference::intervals({.segments = view<Segment>(args.table.segments, n),
-                                  .vertices = view_all<glm::vec3>(args.table.vertices),
-                                  .clipped = view<ClippedSegment>(args.clipped.clipped, n),
-                                  .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
-                                  .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
-                                  .alpha = view_all<std::uint8_t>(args.alpha),
-                                  .layout = args.layout,
-                                  .capacity = args.capacity,
-                                  .viewport = args.viewport,
-                                  .depth = view_all<float>(args.depth),
-                                  .depth_size = args.depth_size,
-                                  .depth_scale = args.depth_scale,
-                                  .tolerance = args.tolerance,
-                                  .hidden_too = args.hidden_too},
-                                 view<Interval>(args.intervals, args.interval_capacity));
-    }
+void ReferenceBackend::density(const DensityArgs& args) {
+    const std::size_t n = args.table.segment_count;
+    const std::size_t count = view<FrameRecord>(args.record, 1)[0].points[0];
+    reference::density({.segments = view<Segment>(args.table.segments, n),
+                        .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+                        .alpha = view_all<std::uint8_t>(args.alpha),
+                        .viewport = args.viewport,
+                        .limit = args.limit,
+                        .priority = args.priority,
+                        .focus = args.focus,
+                        .far_limit = args.far_limit},
+                       view<Run>(args.runs, count), view_all<float>(args.weights));
+}
 
-    void compact_samples(const CompactSamplesArgs& args) override {
-        view<std::uint32_t>(args.packed_count, 1)[0] =
-            reference::compact_samples(view<std::uint8_t>(args.alpha, args.count),
-                                       view<std::uint32_t>(args.packed, args.count));
-    }
+void ReferenceBackend::intervals(const IntervalsArgs& args) {
+    const std::size_t n = args.table.segment_count;
+    view<std::uint32_t>(args.total, 1)[0] =
+        reference::intervals({.segments = view<Segment>(args.table.segments, n),
+                              .vertices = view_all<glm::vec3>(args.table.vertices),
+                              .clipped = view<ClippedSegment>(args.clipped.clipped, n),
+                              .offsets = view<std::uint32_t>(args.clipped.offsets, n + 1),
+                              .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
+                              .alpha = view_all<std::uint8_t>(args.alpha),
+                              .layout = args.layout,
+                              .capacity = args.capacity,
+                              .viewport = args.viewport,
+                              .depth = view_all<float>(args.depth),
+                              .depth_size = args.depth_size,
+                              .depth_scale = args.depth_scale,
+                              .tolerance = args.tolerance,
+                              .hidden_too = args.hidden_too},
+                             view<Interval>(args.intervals, args.interval_capacity));
+}
 
-    void flush() override {}
-    void finish() override {}
-};
+void ReferenceBackend::compact_samples(const CompactSamplesArgs& args) {
+    view<std::uint32_t>(args.packed_count, 1)[0] = reference::compact_samples(
+        view<std::uint8_t>(args.alpha, args.count), view<std::uint32_t>(args.packed, args.count));
+}
 
-} // namespace
+void ReferenceBackend::flush() {}
+
+void ReferenceBackend::finish() {}
 
 std::unique_ptr<Backend> make_reference_backend() {
     return std::make_unique<ReferenceBackend>();

@@ -32,4 +32,11 @@ class DeviceError : public Error {
     using Error::Error;
 };
 
+/// Two compute backends disagree where they must not (DeviceOptions::compare_with). The message
+/// names the stage, the element and both values.
+class MismatchError : public Error {
+  public:
+    using Error::Error;
+};
+
 } // namespace lineatlas

@@ -39,9 +39,14 @@ enum class StrokeShader { geometry, vertex }; ///< §4.4; both draw the same pic
 
 /// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
 struct DeviceOptions {
-    std::string compute = "opencl"; ///< "opencl" or "reference"
+    std::string compute = "opencl"; ///< "opencl", "reference" or another (docs/backends.md)
     std::string device{};           ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
     std::string interop{};          ///< "gl-sharing", "host-pointer", "copy" or "": chosen
+    /// For finding errors, slow: every stage runs with the same input on this backend or OpenCL
+    /// device too ("reference", "opencl:<platform>[:<device>]"), and the first that differs ends
+    /// the frame with MismatchError. Not with gl-sharing. Empty: nothing is compared.
+    std::string compare_with{};
+    std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
 };
 
 /// What a frame keeps for `Renderer::read_intervals`.
@@ -145,6 +150,19 @@ class Renderer {
 
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
+
+    /// Changes backend, device and sharing mode between frames. Lines and pens stay, from memory of
+    /// the old device; what the last frame left to read does not, and nothing is averaged with it.
+    /// Throws as the constructor does, and then all is as it was. A device that is lost can't give
+    /// its lines away: then make a new renderer.
+    void set_device(const DeviceOptions& options);
+
+    /// What DeviceOptions::compare_with has found equal so far.
+    struct Comparison {
+        std::uint64_t stages = 0;
+        std::uint64_t elements = 0; ///< of the tables they wrote
+    };
+    Comparison comparison() const;
 
     /// Makes a picture known as a pen: `mark` is what Pen::mark calls it. Throws UsageError if that
     /// is not the name of a file (it needs a `/` or a `.`) or the picture is empty.

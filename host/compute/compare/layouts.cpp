@@ -1,0 +1,175 @@
+#include "layouts.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+
+#include "segment_table.h"
+
+namespace lineatlas::compute {
+namespace {
+
+constexpr float pixel = 1e-3F; // agreement of positions and lengths on the screen
+constexpr float corner = 1e-4F;
+constexpr float world = 1e-4F;
+
+std::size_t size_of(FieldKind kind) {
+    return kind == FieldKind::byte ? 1 : 4;
+}
+
+bool agree(float a, float b, float relative, float absolute) {
+    if (a == b) return true;
+    if (!std::isfinite(a) || !std::isfinite(b)) return false;
+    const float largest = std::max(std::fabs(a), std::fabs(b));
+    return std::fabs(a - b) <= std::max(absolute, relative * largest);
+}
+
+float half(std::uint32_t bits) {
+    return std::bit_cast<float>(bits << 16U);
+}
+
+std::uint32_t word_at(const std::byte* place) {
+    std::uint32_t word;
+    std::memcpy(&word, place, sizeof(word));
+    return word;
+}
+
+/// Of values that are not the same bits.
+bool agree(const Field& field, std::uint32_t a, std::uint32_t b) {
+    switch (field.kind) {
+    case FieldKind::byte:
+    case FieldKind::integer:
+        return false;
+    case FieldKind::number:
+        return agree(std::bit_cast<float>(a), std::bit_cast<float>(b), field.relative,
+                     field.absolute);
+    case FieldKind::two_halves:
+        return agree(half(a & 0xFFFFU), half(b & 0xFFFFU), 0.008F, 1e-6F) &&
+               agree(half(a >> 16U), half(b >> 16U), 0.008F, 1e-6F);
+    }
+    return false;
+}
+
+std::string text(FieldKind kind, const std::byte* place) {
+    std::ostringstream out;
+    out.precision(9);
+    switch (kind) {
+    case FieldKind::byte:
+        out << std::to_integer<int>(*place);
+        break;
+    case FieldKind::integer:
+        out << word_at(place);
+        break;
+    case FieldKind::number:
+        out << std::bit_cast<float>(word_at(place));
+        break;
+    case FieldKind::two_halves:
+        out << half(word_at(place) & 0xFFFFU) << " and " << half(word_at(place) >> 16U);
+        break;
+    }
+    return out.str();
+}
+
+bool agree_at(const Field& field, const std::byte* a, const std::byte* b) {
+    if (field.kind == FieldKind::byte) return *a == *b;
+    return word_at(a) == word_at(b) || agree(field, word_at(a), word_at(b));
+}
+
+/// In one element.
+std::optional<Difference> difference_in(const Layout& layout, const std::byte* a,
+                                        const std::byte* b) {
+    for (const Field& field : layout.fields) {
+        for (std::size_t i = 0; i < field.count; ++i) {
+            if (!agree_at(field, a, b)) {
+                std::string name = field.name;
+                if (field.count > 1) name.append("[").append(std::to_string(i)).append("]");
+                return Difference{0, name, text(field.kind, a), text(field.kind, b)};
+            }
+            a += size_of(field.kind);
+            b += size_of(field.kind);
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::size_t Layout::size() const {
+    std::size_t bytes = 0;
+    for (const Field& field : fields) bytes += field.count * size_of(field.kind);
+    return bytes;
+}
+
+namespace layouts {
+
+const Layout byte{"byte", {{"", FieldKind::byte}}};
+const Layout integer{"integer", {{"", FieldKind::integer}}};
+const Layout number{"float", {{"", FieldKind::number}}};
+const Layout clipped_segment{"ClippedSegment",
+                             {{"p", FieldKind::number, 4},
+                              {"q", FieldKind::number, 4},
+                              {"t0", FieldKind::number},
+                              {"t1", FieldKind::number},
+                              {"own_a", FieldKind::two_halves},
+                              {"own_b", FieldKind::two_halves}}};
+const Layout run{"Run",
+                 {{"start", FieldKind::number, 2, 1e-5F, pixel},
+                  {"end", FieldKind::number, 2, 1e-5F, pixel},
+                  {"start_corner", FieldKind::number, 2, corner, pixel},
+                  {"end_corner", FieldKind::number, 2, corner, pixel},
+                  {"start_arc", FieldKind::number, 1, 1e-5F, pixel},
+                  {"end_arc", FieldKind::number, 1, 1e-5F, pixel},
+                  {"start_sample", FieldKind::number, 1, 1e-5F, pixel},
+                  {"end_sample", FieldKind::number, 1, 1e-5F, pixel},
+                  {"address", FieldKind::integer},
+                  {"samples", FieldKind::integer},
+                  {"flags", FieldKind::integer},
+                  {"segment", FieldKind::integer},
+                  {"stroke_start", FieldKind::number, 1, 1e-5F, pixel},
+                  {"stroke_end", FieldKind::number, 1, 1e-5F, pixel},
+                  {"start_depth", FieldKind::number},
+                  {"end_depth", FieldKind::number}}};
+const Layout run_cuts{"RunCuts",
+                      {{"from", FieldKind::number, LA_MOST_CUTS, 1e-5F, pixel},
+                       {"to", FieldKind::number, LA_MOST_CUTS, 1e-5F, pixel}}};
+const Layout interval{"Interval",
+                      {{"start", FieldKind::number, 2, 1e-5F, pixel},
+                       {"end", FieldKind::number, 2, 1e-5F, pixel},
+                       {"start_depth", FieldKind::number},
+                       {"end_depth", FieldKind::number},
+                       {"start_world", FieldKind::number, 3, 1e-5F, world},
+                       {"end_world", FieldKind::number, 3, 1e-5F, world},
+                       {"start_arc", FieldKind::number, 1, 1e-5F, pixel},
+                       {"end_arc", FieldKind::number, 1, 1e-5F, pixel},
+                       {"start_sample", FieldKind::number, 1, 1e-5F, pixel},
+                       {"end_sample", FieldKind::number, 1, 1e-5F, pixel},
+                       {"alpha", FieldKind::number},
+                       {"segment", FieldKind::integer},
+                       {"flags", FieldKind::integer}}};
+const Layout frame_record{"FrameRecord",
+                          {{"points", FieldKind::integer, 4},
+                           {"quads", FieldKind::integer, 4},
+                           {"sample_total", FieldKind::integer},
+                           {"run_total", FieldKind::integer},
+                           {"raw_run_total", FieldKind::integer},
+                           {"unused", FieldKind::integer}}};
+
+} // namespace layouts
+
+std::optional<Difference> first_difference(const Layout& layout, std::span<const std::byte> first,
+                                           std::span<const std::byte> second) {
+    if (std::ranges::equal(first, second)) return std::nullopt;
+    const std::size_t size = layout.size();
+    for (std::size_t i = 0; (i + 1) * size <= first.size(); ++i) {
+        auto found = difference_in(layout, first.data() + i * size, second.data() + i * size);
+        if (!found) continue;
+        found->element = i;
+        return found;
+    }
+    return std::nullopt;
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::test {
+
+/// A copy of the kernels and shaders in which one piece of text is replaced, used while it lives.
+class PlantedError {
+  public:
+    PlantedError(const std::string& file, const std::string& from, const std::string& to)
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("lineatlas_planted_" + std::to_string(::getpid()))) {
+        namespace fs = std::filesystem;
+        fs::remove_all(folder_); // of one that threw
+        fs::create_directories(folder_);
+        for (const char* source : {"kernels", "shaders"}) {
+            fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_, fs::copy_options::recursive);
+        }
+        std::ostringstream content;
+        content << std::ifstream{folder_ / file}.rdbuf();
+        std::string text = content.str();
+        const std::size_t place = text.find(from);
+        if (place == std::string::npos) throw Error(file + " does not hold: " + from);
+        std::ofstream{folder_ / file} << text.replace(place, from.size(), to);
+        ::setenv("LINEATLAS_KERNEL_DIR", folder_.c_str(), 1);
+        ::setenv("LINEATLAS_SHADER_DIR", folder_.c_str(), 1);
+    }
+    ~PlantedError() {
+        ::unsetenv("LINEATLAS_KERNEL_DIR");
+        ::unsetenv("LINEATLAS_SHADER_DIR");
+        std::filesystem::remove_all(folder_);
+    }
+    PlantedError(const PlantedError&) = delete;
+    PlantedError& operator=(const PlantedError&) = delete;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+} // namespace lineatlas::test
