@@ -14,7 +14,7 @@ namespace lineatlas {
 class StageClock {
   public:
     /// `recorder`: of a profiled frame, else null.
-    StageClock(compute::Backend& backend, bool measure, ProfileRecorder* recorder)
+    StageClock(compute::Backend& backend, bool measure, ProfileRecorder* recorder = nullptr)
         : backend_(backend), measure_(measure), recorder_(recorder) {
         if (measure_) wait(); // else the first stage gets what was there before
     }
