@@ -28,8 +28,8 @@ struct SegmentAtlas {
 
 /// What a method needs to draw one frame.
 struct Frame {
-    const Camera& camera;       ///< a standard camera
-    DepthMapping depth_mapping; ///< of the program's own depth, if there is one
+    const Camera& camera;         ///< a standard camera
+    DepthMapping depth_mapping{}; ///< of the program's own depth, if there is one
     const FrameOptions& options;
     SceneBuffers& scene;
     GLuint framebuffer;
