@@ -34,8 +34,8 @@ Command setup_bench(CLI::App& app) {
          {std::pair{"frames", "Frame times of every method beside the paper's Table 1"},
           std::pair{"kernels", "Every kernel beside a copy, std, TBB and Boost.Compute"},
           std::pair{"interop", "Handing buffers over between GL and OpenCL in each mode"},
-           std::pair{"quality", "Visibility against exact ray casting"},
-           std::pair{"tune", "Measure launch parameters and print a row for kernels/tuning.toml"}}) {
+          std::pair{"quality", "Visibility against exact ray casting"},
+          std::pair{"tune", "Measure launch parameters and print a row for kernels/tuning.toml"}}) {
         app.add_subcommand(name, description)->prefix_command()->set_help_flag();
     }
     return [&app] {

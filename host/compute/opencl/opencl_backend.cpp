@@ -425,8 +425,8 @@ class Implementation final : public OpenClBackend {
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    std::optional<Programs> programs_; ///< of context_
-    std::shared_ptr<OpenClCommandLog> log_;       ///< while one is kept
+    std::optional<Programs> programs_;      ///< of context_
+    std::shared_ptr<OpenClCommandLog> log_; ///< while one is kept
     LazyKernel pyramid_{"pyramid.cl", "pyramid"};
     LazyKernel cull_{"cull.cl", "cull"};
     LazyKernel facing_{"facing.cl", "facing"};
