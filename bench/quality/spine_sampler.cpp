@@ -55,7 +55,7 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
     pass_.program().set("probe_step", options.step);
     pass_.draw(
         {.clipped = clipped.id(), .offsets = offsets.id(), .segment_count = scene_.segment_count()},
-        frame.probe_params(depth_.pass().texture()), layout, samples, alpha.id());
+        frame.probe_params(depth_.texture()), layout, samples, alpha.id());
     glGetNamedBufferSubData(alpha.id(), 0, static_cast<GLsizeiptr>(texels.size()), texels.data());
 
     Renderer::Samples result;
