@@ -70,7 +70,11 @@ std::vector<std::pair<std::string, Drawing>> drawings() {
 
 /// A fresh context with a renderer; in an odd state if asked for.
 struct Program {
-    explicit Program(bool odd) : canvas(size) {
+    explicit Program(bool odd) : canvas(size), depth_stencil(gl::Renderbuffer::create()) {
+        // A canvas has no stencil for a test to fail on.
+        glNamedRenderbufferStorage(depth_stencil.id(), GL_DEPTH32F_STENCIL8, size.x, size.y);
+        glNamedFramebufferRenderbuffer(canvas.framebuffer(), GL_DEPTH_STENCIL_ATTACHMENT,
+                                       GL_RENDERBUFFER, depth_stencil.id());
         canvas.clear({1, 1, 1, 1});
         if (odd) state.emplace();
         before = dump_state();
@@ -96,6 +100,7 @@ struct Program {
 
     gl::HeadlessContext context;
     gl::Canvas canvas;
+    gl::Renderbuffer depth_stencil;
     std::optional<OddState> state;
     std::vector<StateValue> before;
     std::optional<Renderer> renderer;
