@@ -125,6 +125,20 @@ TEST_F(Sequence, DrawsTheFramesThatAreAskedFor) {
                                               "f028.png", "f029.png"}));
 }
 
+TEST_F(Sequence, SharesOfASequenceAreAllOfIt) {
+    const std::string options = "--scene clevis --size 32x24 --turntable 5 -o " + path("s%d.png");
+    const std::vector<std::set<std::string>> with_each_share{
+        {"s0.png", "s3.png"},
+        {"s0.png", "s1.png", "s3.png", "s4.png"},
+        {"s0.png", "s1.png", "s2.png", "s3.png", "s4.png"}};
+    for (std::size_t share = 0; share < 3; ++share) {
+        draw(options + " --frames " + std::to_string(share) + "-x3");
+        EXPECT_EQ(files(), with_each_share[share]);
+    }
+    draw(options + " --frames 7-x8"); // more shares than frames: nothing is left for this one
+    EXPECT_EQ(files(), with_each_share[2]);
+}
+
 TEST_F(Sequence, ResumeDrawsOnlyWhatIsMissing) {
     const std::string options = "--scene clevis --size 48x32 --turntable 5 -o " + path("%d%%.png");
     draw(options);
@@ -188,7 +202,8 @@ TEST_F(Sequence, RefusesWhatMakesNoSense) {
     const std::string good = turn + path("x%d.png");
     expect_refused(good + " --frames 5", 2, "the frames 0 to 4");
     expect_refused(good + " --frames 0-99999999999", 2, "--frames");
-    for (const char* frames : {"", "3-1", "1-3x0", "a", "-1", "1-", "1,,2", "1-3y2"}) {
+    for (const char* frames :
+         {"", "3-1", "1-3x0", "a", "-1", "-", "-x2", "1-x", "1-x0", "1,,2", "1-3y2"}) {
         expect_refused(good + " --frames=" + frames, 2, "--frames");
     }
     expect_refused(good + " --stats", 2, "--stats");

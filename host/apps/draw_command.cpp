@@ -152,9 +152,9 @@ void apply_camera(const DrawArguments& arguments, const CLI::App& app, View& vie
 }
 
 /// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
-std::vector<SequenceFrame> sequence_frames(const DrawArguments& arguments, const Subject& subject,
-                                           glm::ivec2 size) {
-    if (!arguments.sequence.given(arguments.output)) return {};
+std::optional<std::vector<SequenceFrame>> sequence_frames(const DrawArguments& arguments,
+                                                          const Subject& subject, glm::ivec2 size) {
+    if (!arguments.sequence.given(arguments.output)) return std::nullopt;
     Axis axis = vertical_axis(subject, subject.view.up);
     if (!arguments.target.empty()) axis.point = subject.view.target;
     return arguments.sequence.frames(arguments.output, subject.view, axis, size,
@@ -186,16 +186,16 @@ struct Drawing {
     const Subject& subject;
     glm::ivec2 size;
     const FrameOptions& options;
-    std::span<const SequenceFrame> frames; ///< empty: a single one
+    const std::optional<std::vector<SequenceFrame>>& frames; ///< nothing: a single one
 };
 
 /// `draw`: how --stats draws a frame.
 void draw_frames(const Drawing& drawing, FrameOutput& output, Renderer& renderer,
                  const std::function<FrameStats(const Camera&, const FrameOptions&)>& draw) {
     const DrawArguments& arguments = drawing.arguments;
-    if (!drawing.frames.empty()) {
+    if (drawing.frames) {
         ProfiledOutput profiled{output, renderer};
-        draw_sequence(drawing.frames, profiled, arguments.sequence.resume());
+        draw_sequence(*drawing.frames, profiled, arguments.sequence.resume());
         return arguments.profile.write(profiled.take(), renderer.description());
     }
     const Subject& subject = drawing.subject;
@@ -265,9 +265,10 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
 
     Subject subject = load_subject(arguments, size);
     apply_camera(arguments, app, subject.view);
-    const std::vector<SequenceFrame> frames = sequence_frames(arguments, subject, size);
+    const std::optional<std::vector<SequenceFrame>> frames =
+        sequence_frames(arguments, subject, size);
     // A frame of a sequence is the same whatever was drawn before it.
-    if (!frames.empty()) {
+    if (frames) {
         options.steady = false;
         options.profile = arguments.profile.given();
     }

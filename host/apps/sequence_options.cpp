@@ -34,8 +34,8 @@ void SequenceOptions::declare(CLI::App& app) {
                    "JSON file of keyframes for the camera; docs/output.md describes it")
         ->group(group);
     app.add_option("--frames", frames_,
-                   "Which frames to draw: 7, 0-99, 0-99x5 (each fifth), or a list of these with "
-                   "commas; default all")
+                   "Which frames to draw: 7, 0-99, 0-99x5 (each fifth), 3-x5 (each fifth from 3 to "
+                   "the end), or a list of these with commas; default all")
         ->group(group);
     app.add_flag("--resume", resume_, "Leave frames whose files are there already, whole")
         ->group(group);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include <fmt/format.h>
@@ -23,10 +24,12 @@ std::optional<T> parse_number(std::string_view text) {
 }
 
 struct FrameRange {
-    int first, last, step;
+    int first;
+    std::optional<int> last; ///< nothing: to the end of the sequence
+    int step;
 };
 
-/// "7", "0-99" or "0-99x5"; nothing if it is none of them.
+/// "7", "0-99", "0-99x5", "3-" or "3-x5"; nothing if it is none of them.
 std::optional<FrameRange> parse_frame_range(const std::string& text) {
     const std::size_t dash = text.find('-');
     const std::size_t cross = text.find('x');
@@ -36,10 +39,13 @@ std::optional<FrameRange> parse_frame_range(const std::string& text) {
     const std::optional<int> first = number(0, dash);
     if (!first || *first < 0) return std::nullopt;
     if (dash == std::string::npos) return FrameRange{*first, *first, 1};
-    const std::optional<int> last = number(dash + 1, cross);
     const std::optional<int> step = cross == std::string::npos ? 1 : number(cross + 1, text.size());
-    if (!last || !step || *last < *first || *step < 1) return std::nullopt;
-    return FrameRange{*first, *last, *step};
+    if (!step || *step < 1) return std::nullopt;
+    const bool open = dash + 1 == std::min(cross, text.size());
+    if (open) return FrameRange{*first, std::nullopt, *step};
+    const std::optional<int> last = number(dash + 1, cross);
+    if (!last || *last < *first) return std::nullopt;
+    return FrameRange{*first, last, *step};
 }
 
 } // namespace
@@ -109,17 +115,26 @@ std::vector<int> parse_frames(std::string_view option, const std::string& text, 
     for (const std::string& part : split(text, ',')) {
         const std::optional<FrameRange> range = parse_frame_range(part);
         if (!range) {
-            throw UsageError(fmt::format("{} \"{}\" names no frames; write 7, 0-99, 0-99x5 or a "
-                                         "list of these with commas",
+            throw UsageError(fmt::format("{} \"{}\" names no frames; write 7, 0-99, 0-99x5, 3-x5 "
+                                         "or a list of these with commas",
                                          option, part));
         }
-        if (range->first < first || range->last > last) {
+        if (!range->last) {
+            // Every N-th from 0, from 1, ... to the end: shares of a sequence, whatever its
+            // frames are. A share may be empty.
+            for (std::int64_t number = range->first; number <= last; number += range->step) {
+                const auto frame = static_cast<int>(number);
+                if (frame >= first && known.insert(frame).second) numbers.push_back(frame);
+            }
+            continue;
+        }
+        if (range->first < first || *range->last > last) {
             throw UsageError(fmt::format("{} \"{}\": the sequence has the frames {} to {}", option,
                                          part, first, last));
         }
-        for (int number = range->first; number <= range->last; number += range->step) {
+        for (int number = range->first; number <= *range->last; number += range->step) {
             if (known.insert(number).second) numbers.push_back(number);
-            if (range->last - number < range->step) break; // it must not overflow
+            if (*range->last - number < range->step) break; // it must not overflow
         }
     }
     return numbers;

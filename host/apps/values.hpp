@@ -18,8 +18,9 @@ glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "
 glm::vec3 parse_vector(std::string_view option, const std::string& text); ///< "1,-2.5,3"
 glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", "y", "z" or a vector
 LineKindMask parse_lines(std::string_view option, const std::string& text); ///< "crease,silhouette"
-/// Numbers of frames from `first` to `last`: "7", "0-99", "0-99x5", or several of these separated
-/// by commas. Each once, in the order written.
+/// Numbers of frames from `first` to `last`: "7", "0-99", "0-99x5", "3-" and "3-x5" (to the end;
+/// numbers that the sequence lacks are left out), or several of these separated by commas. Each
+/// once, in the order written.
 std::vector<int> parse_frames(std::string_view option, const std::string& text, int first,
                               int last);
 
