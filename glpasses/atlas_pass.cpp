@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "lineatlas/error.hpp"
 #include "segment_table.h"
+#include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
@@ -52,8 +54,9 @@ void AtlasPass::resize(glm::ivec2 size) {
     }
     // Room to spare, so that a slowly growing atlas is not made anew in every frame.
     size.y = std::min(size.y + size.y / 2, largest);
-    texture_ = Texture2D::create();
-    glTextureStorage2D(texture_.id(), 1, GL_R8, size.x, size.y);
+    Texture2D texture = Texture2D::create();
+    allocate(texture, GL_R8, size, "the segment atlas");
+    texture_ = std::move(texture);
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
     size_ = size;
 }

@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "lineatlas/error.hpp"
+#include "storage.hpp"
 
 namespace lineatlas::gl {
 
@@ -19,12 +20,8 @@ Canvas::Canvas(glm::ivec2 size, int bits)
                          " can't be drawn: each side must be 1 to " + std::to_string(largest) +
                          " pixels here");
     }
-    glTextureStorage2D(texture_.id(), 1, bits == 16 ? GL_RGBA16 : GL_RGBA8, size.x, size.y);
-    glNamedRenderbufferStorage(depth_.id(), GL_DEPTH_COMPONENT32F, size.x, size.y);
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        throw DeviceError("GL has no memory for a picture of " + std::to_string(size.x) + "x" +
-                          std::to_string(size.y) + "; choose a smaller --size");
-    }
+    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, "a picture");
+    allocate(depth_, GL_DEPTH_COMPONENT32F, size, "the depth of a picture");
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
     glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                    depth_.id());

@@ -57,4 +57,14 @@ CurrentContext require_context() {
     return current;
 }
 
+void require_alive() {
+    const GLenum status = glGetGraphicsResetStatus();
+    if (status == GL_NO_ERROR) return;
+    const char* cause = status == GL_GUILTY_CONTEXT_RESET     ? "this program's commands"
+                        : status == GL_INNOCENT_CONTEXT_RESET ? "another program's commands"
+                                                              : "an unknown cause";
+    throw DeviceError(std::string{"the OpenGL context was lost: the driver was reset by "} + cause +
+                      "; make a new context and a new renderer");
+}
+
 } // namespace lineatlas::gl

@@ -1,5 +1,6 @@
 #include "depth_pass.hpp"
 
+#include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
@@ -32,8 +33,9 @@ DepthPass::DepthPass()
 
 void DepthPass::resize(glm::ivec2 size) {
     if (size == size_) return;
-    texture_ = Texture2D::create();
-    glTextureStorage2D(texture_.id(), 1, GL_DEPTH_COMPONENT32F, size.x, size.y);
+    Texture2D texture = Texture2D::create();
+    allocate(texture, GL_DEPTH_COMPONENT32F, size, "depth");
+    texture_ = std::move(texture);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, texture_.id(), 0);

@@ -1,9 +1,11 @@
 #include "import_depth_pass.hpp"
 
 #include <string>
+#include <utility>
 
 #include "depth_pass.hpp"
 #include "lineatlas/error.hpp"
+#include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
@@ -67,8 +69,9 @@ ImportDepthPass::ImportDepthPass()
 
 void ImportDepthPass::resize(glm::ivec2 size) {
     if (size == size_) return;
-    texture_ = Texture2D::create();
-    glTextureStorage2D(texture_.id(), 1, GL_R32F, size.x, size.y);
+    Texture2D texture = Texture2D::create();
+    allocate(texture, GL_R32F, size, "depth");
+    texture_ = std::move(texture);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);

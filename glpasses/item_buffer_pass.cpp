@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lineatlas/error.hpp"
+#include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
@@ -12,14 +13,14 @@ namespace {
 // Beyond what half the width of a line needs: rounding of depths and of places on the raster.
 constexpr float offset_units = 4;
 
-GLsizeiptr bytes_of(glm::ivec2 size) {
-    return static_cast<GLsizeiptr>(size.x) * size.y *
-           static_cast<GLsizeiptr>(sizeof(std::uint32_t));
+std::size_t bytes_of(glm::ivec2 size) {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+           sizeof(std::uint32_t);
 }
 
 Texture2D make_texture(GLenum format, glm::ivec2 size) {
     Texture2D texture = Texture2D::create();
-    glTextureStorage2D(texture.id(), 1, format, size.x, size.y);
+    allocate(texture, format, size, "an item buffer");
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
@@ -72,17 +73,17 @@ std::span<ItemLine> ItemBufferPass::map_lines(std::uint32_t count) {
     line_count_ = count;
     if (count == 0) return {};
     if (count > line_capacity_) {
-        line_capacity_ = count + count / 4;
+        const std::uint32_t capacity = count + count / 4;
+        line_capacity_ = 0; // until it is there
         lines_ = Buffer::create();
-        glNamedBufferStorage(lines_.id(),
-                             static_cast<GLsizeiptr>(line_capacity_ * sizeof(ItemLine)), nullptr,
-                             GL_MAP_WRITE_BIT);
+        allocate(lines_, std::size_t{capacity} * sizeof(ItemLine), nullptr, GL_MAP_WRITE_BIT,
+                 "the lines of an item buffer");
+        line_capacity_ = capacity;
         glVertexArrayVertexBuffer(line_array_.id(), 0, lines_.id(), 0, sizeof(glm::vec3));
     }
     void* memory =
-        glMapNamedBufferRange(lines_.id(), 0, static_cast<GLsizeiptr>(count * sizeof(ItemLine)),
-                              GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-    if (memory == nullptr) throw DeviceError("GL has no memory for the lines of an item buffer");
+        map(lines_, std::size_t{count} * sizeof(ItemLine),
+            GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT, "the lines of an item buffer");
     return {static_cast<ItemLine*>(memory), count};
 }
 
@@ -102,17 +103,13 @@ void ItemBufferPass::resize(const ItemBufferShape& shape) {
         if (i >= shape.layers) continue;
         layer.ids = make_texture(GL_R32UI, size);
         layer.readback = Buffer::create();
-        glNamedBufferStorage(layer.readback.id(), bytes_of(size), nullptr,
-                             GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+        allocate(layer.readback, bytes_of(size), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT,
+                 "an item buffer read back");
         // The last layer may spoil the polygons' depth, all before it need a copy.
         const bool last = i + 1 == shape.layers;
         glNamedFramebufferTexture(layer.framebuffer.id(), GL_COLOR_ATTACHMENT0, layer.ids.id(), 0);
         glNamedFramebufferTexture(layer.framebuffer.id(), GL_DEPTH_ATTACHMENT,
                                   last ? polygon_depth_.id() : line_depth_.id(), 0);
-    }
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        throw DeviceError("GL has no memory for an item buffer of " + std::to_string(size.x) + "x" +
-                          std::to_string(size.y) + "; choose a smaller --size or fewer --probes");
     }
     shape_ = shape;
 }
@@ -184,8 +181,7 @@ ItemImages ItemBufferPass::draw(const TriangleBuffers& triangles, const glm::mat
 
     for (std::uint32_t i = 0; i < shape.layers; ++i) {
         images.texels[i] = static_cast<const std::uint32_t*>(
-            glMapNamedBufferRange(layers_[i].readback.id(), 0, bytes_of(size), GL_MAP_READ_BIT));
-        if (images.texels[i] == nullptr) throw DeviceError("an item buffer can't be read back");
+            map(layers_[i].readback, bytes_of(size), GL_MAP_READ_BIT, "an item buffer read back"));
     }
     return images;
 }

@@ -1,5 +1,6 @@
 #include "paper_pass.hpp"
 
+#include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
@@ -7,7 +8,7 @@ namespace lineatlas::gl {
 PaperPass::PaperPass(const PaperTile& tile)
     : program_({"paper.vert", "paper.frag"}), vertex_array_(VertexArray::create()),
       tile_(Texture2D::create()) {
-    glTextureStorage2D(tile_.id(), 1, GL_R8, PaperTile::size, PaperTile::size);
+    allocate(tile_, GL_R8, {PaperTile::size, PaperTile::size}, "the grain of paper");
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(tile_.id(), 0, 0, 0, PaperTile::size, PaperTile::size, GL_RED,
                         GL_UNSIGNED_BYTE, tile.depth.data());

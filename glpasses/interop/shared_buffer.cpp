@@ -5,19 +5,20 @@
 #include <vector>
 
 #include "compute/opencl/opencl_backend.hpp"
-#include "glpasses/objects.hpp"
+#include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::interop {
 namespace {
+
+constexpr std::string_view use = "a table that it shares with compute";
 
 /// One GL buffer opened by OpenCL.
 class GlSharingBuffer final : public SharedBuffer {
   public:
     GlSharingBuffer(const compute::OpenClBackend& backend, std::size_t bytes)
         : SharedBuffer(bytes), gl_(gl::Buffer::create()) {
-        glNamedBufferStorage(gl_.id(), static_cast<GLsizeiptr>(bytes), nullptr,
-                             GL_DYNAMIC_STORAGE_BIT);
+        gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, use);
         try {
             cl::BufferGL opened{backend.context(), CL_MEM_READ_WRITE, gl_.id()};
             compute_ = std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes);
@@ -44,18 +45,19 @@ class HostPointerBuffer final : public SharedBuffer {
         : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()) {
         constexpr GLbitfield access =
             GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-        const auto size = static_cast<GLsizeiptr>(bytes);
-        glNamedBufferStorage(gl_.id(), size, nullptr, access | GL_DYNAMIC_STORAGE_BIT);
-        auto* memory = static_cast<std::byte*>(glMapNamedBufferRange(gl_.id(), 0, size, access));
-        if (memory == nullptr) {
-            throw DeviceError("GL could not map a buffer of " + std::to_string(bytes >> 10U) +
-                              " KiB; use --interop copy");
-        }
-        compute_ = backend.wrap({memory, bytes});
+        gl::allocate(gl_, bytes, nullptr, access | GL_DYNAMIC_STORAGE_BIT, use);
+        void* memory = gl::map(gl_, bytes, access, use);
+        compute_ = backend.wrap({static_cast<std::byte*>(memory), bytes});
         backend.begin_host_access(*compute_);
     }
     ~HostPointerBuffer() override {
-        // The wrapper must be gone before GL takes its memory away.
+        // The wrapper must be gone before GL takes its memory away, and so must what works on it:
+        // an error may have ended a frame with kernels on their way.
+        try {
+            backend_.finish();
+        } catch (const Error&) {
+            // A queue that failed runs nothing any more.
+        }
         compute_.reset();
         if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
     }
@@ -78,8 +80,7 @@ class CopyBuffer final : public SharedBuffer {
     CopyBuffer(compute::Backend& backend, std::size_t bytes)
         : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()),
           compute_(backend.allocate(bytes)) {
-        glNamedBufferStorage(gl_.id(), static_cast<GLsizeiptr>(bytes), nullptr,
-                             GL_DYNAMIC_STORAGE_BIT);
+        gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, use);
     }
 
     GLuint gl() const override { return gl_.id(); }
@@ -109,12 +110,6 @@ class CopyBuffer final : public SharedBuffer {
     std::vector<std::byte> staging_;
 };
 
-void check_gl_memory(std::size_t bytes) {
-    if (glGetError() != GL_OUT_OF_MEMORY) return;
-    throw DeviceError("GL has no memory for a buffer of " + std::to_string(bytes >> 10U) +
-                      " KiB; draw a smaller picture or fewer --lines kinds");
-}
-
 } // namespace
 
 std::string_view name_of(SharingMode mode) {
@@ -132,25 +127,20 @@ std::string_view name_of(SharingMode mode) {
 std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
                                                  std::size_t bytes) {
     bytes = std::max<std::size_t>(bytes, 64);
-    std::unique_ptr<SharedBuffer> buffer;
     switch (mode) {
     case SharingMode::gl_sharing: {
         auto* opencl = dynamic_cast<compute::OpenClBackend*>(&backend);
         if (opencl == nullptr) {
             throw DeviceError(backend.description() + " has no gl-sharing; use --interop copy");
         }
-        buffer = std::make_unique<GlSharingBuffer>(*opencl, bytes);
-        break;
+        return std::make_unique<GlSharingBuffer>(*opencl, bytes);
     }
     case SharingMode::host_pointer:
-        buffer = std::make_unique<HostPointerBuffer>(backend, bytes);
-        break;
+        return std::make_unique<HostPointerBuffer>(backend, bytes);
     case SharingMode::copy:
-        buffer = std::make_unique<CopyBuffer>(backend, bytes);
         break;
     }
-    check_gl_memory(bytes);
-    return buffer;
+    return std::make_unique<CopyBuffer>(backend, bytes);
 }
 
 } // namespace lineatlas::interop

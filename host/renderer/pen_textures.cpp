@@ -1,6 +1,7 @@
 #include "pen_textures.hpp"
 
 #include "core/pens.hpp"
+#include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -9,7 +10,7 @@ namespace {
 gl::Texture2D upload(const PenMark& mark) {
     if (mark.size.x == 0) return {};
     gl::Texture2D texture = gl::Texture2D::create();
-    glTextureStorage2D(texture.id(), 1, GL_R8, mark.size.x, mark.size.y);
+    gl::allocate(texture, GL_R8, mark.size, "the mark of a pen");
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(texture.id(), 0, 0, 0, mark.size.x, mark.size.y, GL_RED, GL_UNSIGNED_BYTE,
                         mark.coverage.data());

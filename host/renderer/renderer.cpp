@@ -131,7 +131,7 @@ class Renderer::State {
         spine_.reset();
         if (scene_) scene_->use(*connection.backend, std::move(*tables));
         connection_ = std::move(connection);
-        samples_drawn_ = false;
+        samples_drawn_ = broken_ = false;
     }
 
     Comparison comparison() const {
@@ -150,6 +150,7 @@ class Renderer::State {
             throw UsageError("renderer: another OpenGL context is current than the one that this "
                              "renderer was made in");
         }
+        gl::require_alive();
         return gl::StateGuard{};
     }
 
@@ -162,15 +163,21 @@ class Renderer::State {
         scene_.reset();
         samples_drawn_ = false;
         scene_.emplace(*connection_.backend, lines);
-        atlas_->set_scene(*scene_);
-        if (spine_) spine_->set_scene(*scene_);
+        try {
+            atlas_->set_scene(*scene_);
+            if (spine_) spine_->set_scene(*scene_);
+        } catch (...) {
+            scene_.reset(); // half a scene is none
+            throw;
+        }
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, framebuffer);
+        samples_drawn_ = false;
+        FrameStats stats = unbroken([&] { return draw_method(frame); });
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
-        FrameStats stats = draw_method(frame);
         if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
         if (profiled) profiled->finish(stats);
@@ -186,7 +193,7 @@ class Renderer::State {
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, target.framebuffer);
         samples_drawn_ = false;
-        FrameStats stats = atlas_->draw_tiles(frame, target);
+        FrameStats stats = unbroken([&] { return atlas_->draw_tiles(frame, target); });
         if (profiled) profiled->finish(stats);
         samples_drawn_ = true;
         return stats;
@@ -211,6 +218,28 @@ class Renderer::State {
     }
 
   private:
+    /// Runs what draws. If it fails, tables may be on either side of GL and compute, or half made:
+    /// the next frame starts with new ones.
+    template <class Action>
+    FrameStats unbroken(Action&& action) {
+        if (broken_) {
+            spine_.reset();
+            atlas_ = std::make_unique<AtlasMethod>(connection_);
+            atlas_->set_scene(*scene_);
+        }
+        broken_ = true;
+        FrameStats stats;
+        try {
+            stats = action();
+        } catch (const DeviceError&) {
+            gl::require_alive(); // else it has failed for that reason
+            throw;
+        }
+        gl::require_alive();
+        broken_ = false;
+        return stats;
+    }
+
     std::optional<ProfileRecorder::Frame> begin_profile(const FrameOptions& options) {
         if (!options.profile) return std::nullopt;
         if (!recorder_) recorder_.emplace(*connection_.backend, interop::gl_is_software());
@@ -270,6 +299,7 @@ class Renderer::State {
     PenTextures pens_;
     Backdrop backdrop_;
     std::unique_ptr<AtlasMethod> atlas_;
+    bool broken_ = false;        ///< a frame was begun and not ended
     bool samples_drawn_ = false; ///< the last frame left samples to read
     // Shaders of the other methods are compiled when they are first used.
     std::optional<SpineMethod> spine_;

@@ -13,6 +13,7 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/clusters.hpp"
+#include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -41,13 +42,8 @@ std::span<const std::byte> bytes_of(const std::vector<T>& values) {
 gl::Buffer upload_gl(std::span<const std::byte> data) {
     gl::Buffer buffer = gl::Buffer::create();
     const std::byte nothing{};
-    glNamedBufferStorage(buffer.id(),
-                         static_cast<GLsizeiptr>(std::max<std::size_t>(data.size(), 1)),
-                         data.empty() ? &nothing : data.data(), 0);
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        throw DeviceError("GL has no memory for a model of " + std::to_string(data.size() >> 20U) +
-                          " MiB");
-    }
+    gl::allocate(buffer, std::max<std::size_t>(data.size(), 1),
+                 data.empty() ? &nothing : data.data(), 0, "a model");
     return buffer;
 }
 
