@@ -1,0 +1,134 @@
+// Killed, without room, without its folder: what was there before stays, or the new file is whole.
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string_view>
+#include <thread>
+
+#include <sys/resource.h>
+
+#include "tool.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+constexpr const char* old_content = "what was there before";
+
+class OutputFaults : public Tool {
+  protected:
+    static std::string read(const fs::path& file) {
+        std::ostringstream text;
+        text << std::ifstream{file, std::ios::binary}.rdbuf();
+        return text.str();
+    }
+
+    /// What the files of a folder hold, those of writers that were killed left out.
+    std::map<std::string, std::string> contents(const std::string& folder) const {
+        std::map<std::string, std::string> result;
+        for (const auto& entry : fs::directory_iterator{path(folder)}) {
+            const std::string name = entry.path().filename().string();
+            if (name.starts_with(".lineatlas-")) continue;
+            result[name] = read(entry.path());
+        }
+        return result;
+    }
+
+    /// The tool as a process group of its own; `limit`: bytes that a file may have.
+    static pid_t start(const std::string& arguments, rlim_t limit = RLIM_INFINITY) {
+        const pid_t process = ::fork();
+        if (process != 0) return process;
+        ::setpgid(0, 0);
+        const rlimit largest{limit, limit};
+        ::setrlimit(RLIMIT_FSIZE, &largest);
+        ::signal(SIGXFSZ, SIG_IGN); // the write fails, as on a full disk
+        const std::string command =
+            std::string{"exec "} + LINEATLAS_TOOL + " " + arguments + " >/dev/null 2>&1";
+        ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        ::_exit(9);
+    }
+
+    static int wait_for(pid_t process) {
+        int status = 0;
+        ::waitpid(process, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+};
+
+const std::vector<std::string> endings{".png", ".bmp", ".svg", ".json"};
+
+TEST_F(OutputFaults, AKillAtAnyTimeLeavesOldOrWholeFiles) {
+    constexpr int kills = 32;
+    std::mt19937 random{7};
+    int unchanged = 0, changed = 0;
+    for (int i = 0; i < kills; ++i) {
+        const std::string& ending = endings[static_cast<std::size_t>(i) % endings.size()];
+        const std::string arguments = "draw --scene clevis --size 160x120 --turntable 6 -o ";
+        const std::string whole = "whole" + ending, killed = "killed" + ending;
+        if (!fs::exists(path(whole))) {
+            fs::create_directory(path(whole));
+            ASSERT_EQ(wait_for(start(arguments + path(whole) + "/%d" + ending)), 0);
+        }
+        fs::remove_all(path(killed));
+        fs::create_directory(path(killed));
+        for (int frame = 0; frame < 6; ++frame) {
+            write(killed + "/" + std::to_string(frame) + ending, old_content);
+        }
+        const pid_t process = start(arguments + path(killed) + "/%d" + ending);
+        // Between the first frame and the last, or soon after.
+        const fs::path first = path(killed + "/0" + ending);
+        while (fs::file_size(first) == std::string_view{old_content}.size()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        std::this_thread::sleep_for(
+            std::chrono::microseconds(std::uniform_int_distribution{0, 60'000}(random)));
+        ::kill(-process, SIGKILL);
+        wait_for(process);
+        const std::map<std::string, std::string> expected = contents(whole);
+        for (const auto& [name, content] : contents(killed)) {
+            ASSERT_TRUE(expected.contains(name)) << name;
+            if (content == old_content)
+                ++unchanged;
+            else if (content == expected.at(name))
+                ++changed;
+            else
+                ADD_FAILURE() << name << " is neither old nor whole, kill " << i;
+        }
+    }
+    EXPECT_EQ(unchanged + changed, 6 * kills);
+    EXPECT_GT(unchanged, 0);
+    EXPECT_GT(changed, 0);
+    std::cout << changed << " files were whole, " << unchanged << " as before\n";
+}
+
+TEST_F(OutputFaults, ADiskWithoutRoomLeavesWhatWasThere) {
+    fs::create_directory(path("full"));
+    const auto expect_old = [&](const std::string& option, const std::string& name) {
+        write("full/" + name, old_content);
+        EXPECT_EQ(wait_for(start("draw --scene clevis " + option + path("full/" + name), 1000)), 1)
+            << name;
+        EXPECT_EQ(read(path("full/" + name)), old_content) << name;
+        fs::remove(path("full/" + name));
+        fs::remove(path("other.png"));
+        EXPECT_TRUE(fs::is_empty(path("full"))) << "something is left beside " << name;
+    };
+    for (const std::string& ending : endings) expect_old("-o ", "x" + ending);
+    // The picture itself fits.
+    const std::string small = "--size 8x8 -o " + path("other.png") + " --profile ";
+    for (const char* name : {"x.json", "x.csv"}) expect_old(small, name);
+}
+
+TEST_F(OutputFaults, AFolderThatGoesAwayIsSaid) {
+    fs::create_directory(path("away"));
+    const pid_t process =
+        start("draw --scene clevis --size 64x48 --turntable 100000 -o " + path("away/%d.png"));
+    while (fs::is_empty(path("away"))) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    fs::rename(path("away"), path("gone"));
+    EXPECT_EQ(wait_for(process), 1);
+    EXPECT_FALSE(fs::exists(path("away")));
+}
+
+} // namespace
+} // namespace lineatlas::test
