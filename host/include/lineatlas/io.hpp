@@ -38,7 +38,7 @@ LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path);
 struct Image {
     glm::ivec2 size{0, 0};
     int channels = 4;
-    std::vector<std::uint8_t> pixels; ///< size.x * size.y * channels values
+    std::vector<std::uint8_t> pixels{}; ///< size.x * size.y * channels values
 };
 
 /// The pixels of a picture to be written, as Image holds them, with 8 or 16 bits per value.
@@ -46,8 +46,8 @@ struct Pixels {
     glm::ivec2 size{0, 0};
     int channels = 4;
     int bits = 8;
-    bool premultiplied = false;        ///< colour is multiplied by alpha, as GL draws it
-    std::span<const std::byte> values; ///< size.x * size.y * channels numbers in native order
+    bool premultiplied = false;          ///< colour is multiplied by alpha, as GL draws it
+    std::span<const std::byte> values{}; ///< size.x * size.y * channels numbers in native order
 };
 
 /// What a picture file holds besides its pixels.
