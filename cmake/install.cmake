@@ -72,4 +72,14 @@ install_pkgconfig(lineatlas-headless development "GL contexts for lineatlas with
 install_pkgconfig(lineatlas-io io-development "Files of models and pictures for lineatlas" lineatlas)
 
 install(TARGETS lineatlas RUNTIME COMPONENT tool)
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(FILES packaging/lineatlas.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES README.md docs/styles.md docs/output.md docs/vector.md docs/devices.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(DIRECTORY styles DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(FILES docs/embedding.md docs/install.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT development)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+
+include(cmake/debian.cmake)
