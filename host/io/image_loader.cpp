@@ -1,5 +1,6 @@
 #include "image_loader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -42,8 +43,12 @@ fs::path find_module() {
         throw load_error(path, "no such file; LINEATLAS_MODULE_DIR names its folder");
     }
     const fs::path own = own_folder();
-    const std::array places{own / "lib" / "lineatlas" / file_name,
-                            own.parent_path() / "lib" / "lineatlas" / file_name};
+    // Of a shared library, of an installed program, of the programs and tests of a build.
+    const std::array folders{own, own / LINEATLAS_LIBRARIES_FROM_PROGRAMS, own / "lib",
+                             own.parent_path() / "lib"};
+    std::array<fs::path, folders.size()> places;
+    std::ranges::transform(folders, places.begin(),
+                           [](const fs::path& folder) { return folder / "lineatlas" / file_name; });
     for (const fs::path& path : places)
         if (fs::exists(path, error)) return path;
     throw load_error(places.back(), "no such file; build the target lineatlas-images, or set "

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
 namespace lineatlas {
@@ -42,7 +43,7 @@ struct Camera {
 
     /// The centre of projection in homogeneous world coordinates; w is 0 for a parallel projection.
     /// With GL's default clip control and depth that is not reversed.
-    glm::vec4 eye() const;
+    LINEATLAS_API glm::vec4 eye() const;
 };
 
 /// A part of a picture: pixels from its lower left corner.
@@ -53,11 +54,11 @@ struct PictureTile {
 /// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then.
 /// Throws UsageError when a number is not finite, the eye is the target, `up` is along the line of
 /// sight, the field of view is not in (0, pi) or the size is not positive.
-Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
+LINEATLAS_API Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
 
 /// A view from the front, right and above in which all `points` just fit, with a small margin.
 /// There must be at least one. `up` must be a unit axis.
-View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up = {0, 1, 0},
-                  float fov_y = View{}.fov_y);
+LINEATLAS_API View frame_points(std::span<const glm::vec3> points, glm::ivec2 size,
+                                glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y);
 
 } // namespace lineatlas

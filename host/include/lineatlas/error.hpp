@@ -3,38 +3,40 @@
 #include <stdexcept>
 #include <string>
 
+#include "lineatlas/export.hpp"
+
 namespace lineatlas {
 
 /// Base of every exception the library throws on purpose. The message is one line that names the
 /// thing, the cause and, where there is one, the way out.
-class Error : public std::runtime_error {
+class LINEATLAS_API Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 /// The caller asked for something that does not exist or makes no sense (an unknown pen, a size of
 /// zero, a camera with NaN). The tool ends with exit code 2.
-class UsageError : public Error {
+class LINEATLAS_API UsageError : public Error {
   public:
     using Error::Error;
 };
 
 /// A file could not be read or written, or holds something else than it says.
-class FileError : public Error {
+class LINEATLAS_API FileError : public Error {
   public:
     using Error::Error;
 };
 
 /// The machine cannot do it: no device, no memory, a driver that refused. The message says which
 /// package or option helps.
-class DeviceError : public Error {
+class LINEATLAS_API DeviceError : public Error {
   public:
     using Error::Error;
 };
 
 /// Two compute backends disagree where they must not (DeviceOptions::compare_with). The message
 /// names the stage, the element and both values.
-class MismatchError : public Error {
+class LINEATLAS_API MismatchError : public Error {
   public:
     using Error::Error;
 };

@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
 namespace lineatlas {
@@ -30,14 +31,14 @@ struct LoadedMesh {
 /// an OBJ file, its object named `o`, `g`, or `o/g` where both are given; its colour comes from the
 /// .mtl file when that is there, and a note says when it is not. Files that name nothing, and the
 /// other types, have no groups.
-LoadedMesh load_mesh(const std::filesystem::path& path);
+LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path);
 
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and
 /// alpha, RGB, or RGB and alpha. Colour is sRGB-coded and not multiplied by alpha, as in PNG files.
 struct Image {
     glm::ivec2 size{0, 0};
     int channels = 4;
-    std::vector<std::uint8_t> pixels; ///< size.x * size.y * channels values
+    std::vector<std::uint8_t> pixels{}; ///< size.x * size.y * channels values
 };
 
 /// The pixels of a picture to be written, as Image holds them, with 8 or 16 bits per value.
@@ -45,8 +46,8 @@ struct Pixels {
     glm::ivec2 size{0, 0};
     int channels = 4;
     int bits = 8;
-    bool premultiplied = false;        ///< colour is multiplied by alpha, as GL draws it
-    std::span<const std::byte> values; ///< size.x * size.y * channels numbers in native order
+    bool premultiplied = false;          ///< colour is multiplied by alpha, as GL draws it
+    std::span<const std::byte> values{}; ///< size.x * size.y * channels numbers in native order
 };
 
 /// What a picture file holds besides its pixels.
@@ -59,22 +60,22 @@ struct ImageSettings {
 /// Reads any image OpenImageIO can, converted to 8 bits per channel; of more than 4 channels the
 /// first 4. Files of floats (EXR, HDR) hold linear light, which is sRGB-coded on the way. Throws
 /// FileError, also for more than 2^28 pixels.
-Image read_image(const std::filesystem::path& path);
+LINEATLAS_API Image read_image(const std::filesystem::path& path);
 
 /// Writes a picture through OpenImageIO, format by extension. The file appears whole or not at all:
 /// it is written beside its place under another name and renamed. Formats without alpha (JPEG) get
 /// the picture over white; EXR and HDR get linear light with colour multiplied by alpha, as they
 /// expect. Throws FileError.
-void write_image(const std::filesystem::path& path, const Pixels& pixels,
-                 const ImageSettings& settings = {});
-void write_image(const std::filesystem::path& path, const Image& image);
+LINEATLAS_API void write_image(const std::filesystem::path& path, const Pixels& pixels,
+                               const ImageSettings& settings = {});
+LINEATLAS_API void write_image(const std::filesystem::path& path, const Image& image);
 
 /// Throws FileError unless a picture could be written at `path`: known extension, folder exists and
 /// is writable. Called before long work, so that it is not lost.
-void check_image_path(const std::filesystem::path& path);
+LINEATLAS_API void check_image_path(const std::filesystem::path& path);
 
 /// Throws FileError unless pictures of this extension can have such settings, and transparency.
-void check_image_settings(const std::filesystem::path& path, const ImageSettings& settings,
-                          bool transparent);
+LINEATLAS_API void check_image_settings(const std::filesystem::path& path,
+                                        const ImageSettings& settings, bool transparent);
 
 } // namespace lineatlas

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 #include "segment_table.h"
 
@@ -66,6 +67,6 @@ struct LineSet {
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
 /// Throws UsageError when an index of the mesh is out of range or a position is not finite.
-LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {});
+LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {});
 
 } // namespace lineatlas

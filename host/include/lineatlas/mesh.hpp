@@ -10,6 +10,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "lineatlas/export.hpp"
+
 namespace lineatlas {
 
 /// What a triangle belongs to. A mesh edge between two different groups is a material line.
@@ -45,10 +47,10 @@ struct MeshArrays {
 };
 
 /// Throws UsageError when the arrays do not fit each other.
-Mesh make_mesh(const MeshArrays& arrays);
+LINEATLAS_API Mesh make_mesh(const MeshArrays& arrays);
 
 /// Adds a line of the program's own, drawn from point to point (LineKind::file).
-void add_polyline(Mesh& mesh, std::span<const glm::vec3> points);
+LINEATLAS_API void add_polyline(Mesh& mesh, std::span<const glm::vec3> points);
 
 /// An axis-aligned box. A box that holds nothing has min > max.
 struct Bounds {
@@ -57,6 +59,6 @@ struct Bounds {
 };
 
 /// The box around the positions that triangles or polylines use.
-Bounds bounds_of(const Mesh& mesh);
+LINEATLAS_API Bounds bounds_of(const Mesh& mesh);
 
 } // namespace lineatlas

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lineatlas/export.hpp"
+
 namespace lineatlas {
 
 /// Who works.
@@ -18,7 +20,7 @@ enum class ProfileTrack {
 inline constexpr ProfileTrack profile_tracks[] = {ProfileTrack::host, ProfileTrack::handover,
                                                   ProfileTrack::gl, ProfileTrack::compute};
 
-const char* name_of(ProfileTrack track);
+LINEATLAS_API const char* name_of(ProfileTrack track);
 
 /// A stretch of work. Times are nanoseconds of std::chrono::steady_clock, whoever worked.
 struct ProfileEvent {
@@ -47,16 +49,17 @@ struct StageShare {
     std::string stage;
     double nanoseconds;
 };
-std::vector<StageShare> stage_shares(const FrameProfile& frame);
+LINEATLAS_API std::vector<StageShare> stage_shares(const FrameProfile& frame);
 
 /// The frames as Trace Event Format, which Perfetto and chrome://tracing open. `description`:
 /// Renderer::description().
-std::string profile_trace(std::span<const FrameProfile> frames, const std::string& description);
+LINEATLAS_API std::string profile_trace(std::span<const FrameProfile> frames,
+                                        const std::string& description);
 
 /// A row per event: frame, track, stage, name, start and duration in microseconds.
-std::string profile_csv(std::span<const FrameProfile> frames);
+LINEATLAS_API std::string profile_csv(std::span<const FrameProfile> frames);
 
 /// For people: per stage and per kernel how often, how long, and what share of the frame.
-std::string profile_table(std::span<const FrameProfile> frames);
+LINEATLAS_API std::string profile_table(std::span<const FrameProfile> frames);
 
 } // namespace lineatlas

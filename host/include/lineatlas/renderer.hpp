@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "lineatlas/camera.hpp"
+#include "lineatlas/export.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/profile.hpp"
@@ -141,7 +142,7 @@ inline constexpr std::uint32_t bound_framebuffer = 0xFFFFFFFF;
 /// goes.
 ///
 /// All calls throw Error.
-class Renderer {
+class LINEATLAS_API Renderer {
   public:
     explicit Renderer(const DeviceOptions& options = {});
     ~Renderer();
@@ -207,7 +208,7 @@ class Renderer {
     std::vector<FrameProfile> take_profiles(bool wait = true);
 
   private:
-    class State;
+    class LINEATLAS_LOCAL State;
     std::unique_ptr<State> state_;
 };
 

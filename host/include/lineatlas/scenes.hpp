@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lineatlas/camera.hpp"
+#include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
 namespace lineatlas {
@@ -21,9 +22,9 @@ struct Scene {
 };
 
 /// The names `make_scene` knows, in the order of Table 1: clevis, house, ship, office.
-std::span<const std::string_view> scene_names();
+LINEATLAS_API std::span<const std::string_view> scene_names();
 
 /// Builds a scene. Throws UsageError for an unknown name.
-Scene make_scene(std::string_view name);
+LINEATLAS_API Scene make_scene(std::string_view name);
 
 } // namespace lineatlas

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lineatlas/export.hpp"
 #include "lineatlas/style.hpp"
 
 namespace lineatlas {
@@ -12,13 +13,13 @@ namespace lineatlas {
 /// files of pens are looked for beside the file that names them. Throws UsageError for an unknown
 /// name; FileError, naming file, line and key, for a file that cannot be read or holds what is no
 /// setting.
-Style load_style(const std::string& name_or_path);
+LINEATLAS_API Style load_style(const std::string& name_or_path);
 
 /// Changes one setting, as in "width=3" or "color=#204060". Throws UsageError.
-void apply_setting(Style& style, std::string_view key_is_value);
+LINEATLAS_API void apply_setting(Style& style, std::string_view key_is_value);
 
 /// A style as a TOML file: every key, its value, and what it is for. Loads as the same style.
-std::string write_style(const Style& style, std::string_view description = {});
+LINEATLAS_API std::string write_style(const Style& style, std::string_view description = {});
 
 struct StyleInfo {
     std::string name;
@@ -26,6 +27,6 @@ struct StyleInfo {
 };
 
 /// The styles that ship, or those of the folder in LINEATLAS_STYLE_DIR if that is set, by name.
-std::vector<StyleInfo> list_styles();
+LINEATLAS_API std::vector<StyleInfo> list_styles();
 
 } // namespace lineatlas

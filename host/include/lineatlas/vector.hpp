@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "lineatlas/camera.hpp"
+#include "lineatlas/export.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/mesh.hpp"
 #include "lineatlas/style.hpp"
@@ -73,9 +74,10 @@ struct VectorOptions {
 
 /// The drawing of what `Renderer::read_intervals` gave for a frame with this camera. Hidden lines
 /// are in it if the style draws them and `intervals` has them.
-VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
-                                  std::span<const Interval> intervals, const Style& style,
-                                  const VectorOptions& options = {});
+LINEATLAS_API VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
+                                                std::span<const Interval> intervals,
+                                                const Style& style,
+                                                const VectorOptions& options = {});
 
 /// Units of length on paper. A pixel is that of CSS: 96 to an inch.
 enum class Unit { px, mm, in };
@@ -84,13 +86,13 @@ struct Length {
     double value = 0;
     Unit unit = Unit::px;
 };
-double length_in(Length length, Unit unit);
+LINEATLAS_API double length_in(Length length, Unit unit);
 
 /// Throws UsageError unless it is "px", "mm" or "in".
-Unit parse_unit(std::string_view text);
+LINEATLAS_API Unit parse_unit(std::string_view text);
 
 /// "10mm", "0.5in", "12px", or a number of `unit`. Throws UsageError, also for less than 0.
-Length parse_length(std::string_view text, Unit unit);
+LINEATLAS_API Length parse_length(std::string_view text, Unit unit);
 
 /// A sheet of paper.
 struct Page {
@@ -100,7 +102,7 @@ struct Page {
 
 /// "a0" to "a6", "letter", "legal", "tabloid", or width and height as "300x200mm". Throws
 /// UsageError that names them.
-Page parse_page(std::string_view text);
+LINEATLAS_API Page parse_page(std::string_view text);
 
 struct SvgOptions {
     Unit units = Unit::px;
@@ -116,7 +118,7 @@ struct SvgOptions {
 };
 
 /// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room.
-std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options = {});
+LINEATLAS_API std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options = {});
 
 struct JsonOptions {
     bool tags = true; ///< the pieces of each path
@@ -124,6 +126,6 @@ struct JsonOptions {
 };
 
 /// The drawing as JSON (docs/vector.md).
-std::string to_json(const VectorDrawing& drawing, const JsonOptions& options = {});
+LINEATLAS_API std::string to_json(const VectorDrawing& drawing, const JsonOptions& options = {});
 
 } // namespace lineatlas

@@ -1,4 +1,4 @@
-#include "headless_context.hpp"
+#include "lineatlas/headless.hpp"
 
 #include <array>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include "lineatlas/error.hpp"
 
-namespace lineatlas::gl {
+namespace lineatlas {
 namespace {
 
 constexpr const char* advice =
@@ -68,4 +68,4 @@ HeadlessContext::~HeadlessContext() {
     eglDestroyContext(state_->display, state_->context);
 }
 
-} // namespace lineatlas::gl
+} // namespace lineatlas

@@ -1,0 +1,85 @@
+# The shared libraries, made of the rooms' objects, and all that is installed.
+include(CMakePackageConfigHelpers)
+
+# A change of the soname goes with one of the version in lineatlas.map.
+set(lineatlas_soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(lineatlas_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lineatlas)
+
+# lineatlas::NAME of the given rooms, as component COMPONENT of the package.
+function(add_shared_library target)
+    cmake_parse_arguments(arg "" "NAME;FILE;RUNTIME;DEVELOPMENT" "ROOMS;PUBLIC;PRIVATE" ${ARGN})
+    list(TRANSFORM arg_ROOMS REPLACE "(.+)" "$<TARGET_OBJECTS:lineatlas_\\1>" OUTPUT_VARIABLE objects)
+    add_library(${target} SHARED ${objects})
+    add_library(lineatlas::${arg_NAME} ALIAS ${target})
+    target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} ${CMAKE_DL_LIBS})
+    target_compile_features(${target} INTERFACE cxx_std_20)
+    set(map ${PROJECT_SOURCE_DIR}/cmake/lineatlas.map)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${map} -Wl,-z,defs -Wl,--as-needed)
+    set_target_properties(${target} PROPERTIES
+        OUTPUT_NAME ${arg_FILE} EXPORT_NAME ${arg_NAME} LINKER_LANGUAGE CXX LINK_DEPENDS ${map}
+        VERSION ${PROJECT_VERSION} SOVERSION ${lineatlas_soversion}
+        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+    install(TARGETS ${target} EXPORT lineatlas-${arg_NAME}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            COMPONENT ${arg_RUNTIME} NAMELINK_COMPONENT ${arg_DEVELOPMENT}
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(EXPORT lineatlas-${arg_NAME} NAMESPACE lineatlas:: FILE lineatlas-${arg_NAME}.cmake
+        DESTINATION ${lineatlas_package_dir} COMPONENT ${arg_DEVELOPMENT})
+endfunction()
+
+add_shared_library(lineatlas_shared NAME lineatlas FILE lineatlas
+    RUNTIME runtime DEVELOPMENT development
+    ROOMS core compute gl interop renderer style vector profile scenes
+    PUBLIC glm::glm
+    PRIVATE PkgConfig::epoxy OpenCL::OpenCL fmt::fmt pugixml::pugixml
+            tomlplusplus::tomlplusplus)
+target_include_directories(lineatlas_shared INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/host/include>
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/kernels>)
+add_shared_library(lineatlas_headless_shared NAME headless FILE lineatlas-headless
+    RUNTIME runtime DEVELOPMENT development
+    ROOMS headless PUBLIC lineatlas_shared PRIVATE PkgConfig::epoxy)
+add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
+    RUNTIME io DEVELOPMENT io-development
+    ROOMS io PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader)
+
+# The io room looks for it here, seen from the shared library and from the tool.
+install(TARGETS lineatlas-images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
+
+install(DIRECTORY host/include/lineatlas DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        COMPONENT development)
+install(FILES kernels/segment_table.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lineatlas
+        COMPONENT development)
+
+configure_package_config_file(cmake/lineatlas-config.cmake.in lineatlas-config.cmake
+    INSTALL_DESTINATION ${lineatlas_package_dir})
+# Before 1.0, every minor version may break what was.
+write_basic_package_version_file(lineatlas-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lineatlas-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/lineatlas-config-version.cmake
+        DESTINATION ${lineatlas_package_dir} COMPONENT development)
+
+file(RELATIVE_PATH prefix_from_pkgconfig
+     ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+function(install_pkgconfig name component description)
+    set(requires ${ARGN})
+    configure_file(cmake/lineatlas.pc.in ${name}.pc @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc
+            DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT ${component})
+endfunction()
+install_pkgconfig(lineatlas development "${PROJECT_DESCRIPTION}" glm)
+install_pkgconfig(lineatlas-headless development "GL contexts for lineatlas without a window" lineatlas)
+install_pkgconfig(lineatlas-io io-development "Files of models and pictures for lineatlas" lineatlas)
+
+install(TARGETS lineatlas RUNTIME COMPONENT tool)
+install(FILES packaging/lineatlas.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES README.md docs/styles.md docs/output.md docs/vector.md docs/devices.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(DIRECTORY styles DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
+install(FILES docs/embedding.md docs/install.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT development)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+
+include(cmake/debian.cmake)

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+
+#include "lineatlas/export.hpp"
+
+namespace lineatlas {
+
+/// A GL 4.5 core context without a window or a display server (EGL surfaceless), current on the
+/// thread that made it until it is destroyed. It has no framebuffer of its own.
+class LINEATLAS_API HeadlessContext {
+  public:
+    /// Throws DeviceError if EGL or GL 4.5 is missing; the message says which package to install.
+    HeadlessContext();
+    ~HeadlessContext();
+    HeadlessContext(const HeadlessContext&) = delete;
+    HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+  private:
+    struct LINEATLAS_LOCAL State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Nobody needs the libraries of a component that is not used: needs.sh FOLDER
+set -euo pipefail
+
+status=0
+refuse() { # LIBRARY PATTERN...
+    local library=$1 pattern
+    shift
+    for pattern in "$@"; do
+        if ldd "$library" | grep -E "^\s*lib($pattern)[.]so"; then
+            echo "$library needs it" >&2
+            status=1
+        fi
+    done
+}
+window_systems='EGL|GL|GLX|glfw|X11|wayland-.*'
+refuse "$1/liblineatlas.so" "$window_systems" 'OpenMesh.*|tinyobjloader' 'OpenImageIO.*|png16'
+refuse "$1/liblineatlas-headless.so" "GL|GLX|glfw|X11|wayland-.*" 'OpenMesh.*' 'OpenImageIO.*' OpenCL
+refuse "$1/liblineatlas-io.so" "$window_systems" 'OpenImageIO.*|png16' OpenCL
+if ldd "$1"/liblineatlas*.so | grep "not found"; then status=1; fi
+exit "$status"
