@@ -45,6 +45,22 @@ std::uint32_t checked_index(std::int64_t index, std::size_t limit, std::size_t p
                      std::to_string(index) + ", but there are " + std::to_string(limit));
 }
 
+template <class Real>
+std::vector<glm::vec3> finite_rows(const py::array& given, const char* name) {
+    const py::array_t<Real, py::array::c_style | py::array::forcecast> rows(given);
+    std::vector<glm::vec3> points(static_cast<std::size_t>(rows.size()) / 3);
+    const Real* value = rows.data();
+    for (std::size_t i = 0; i < points.size(); ++i, value += 3) {
+        for (int axis = 0; axis < 3; ++axis) {
+            points[i][axis] = static_cast<float>(value[axis]);
+            if (std::isfinite(points[i][axis])) continue;
+            throw UsageError(std::string{name} + ": row " + std::to_string(i) +
+                             " is not finite as 32-bit floats");
+        }
+    }
+    return points;
+}
+
 /// All entries in C order; unsigned ones of 64 bits that are too large become negative.
 py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>
 whole_numbers(const py::array& array) {
@@ -56,18 +72,9 @@ whole_numbers(const py::array& array) {
 std::vector<glm::vec3> points_from(py::handle object, const char* name) {
     const py::array given = number_array(object, name, "fiu");
     check_rows_of_three(given, name);
-    const py::array_t<float, py::array::c_style | py::array::forcecast> rows(given);
-    const auto count = static_cast<std::size_t>(rows.size()) / 3;
-    std::vector<glm::vec3> points(count);
-    const float* value = rows.data();
-    for (std::size_t i = 0; i < count; ++i, value += 3) {
-        points[i] = {value[0], value[1], value[2]};
-        if (!std::isfinite(value[0]) || !std::isfinite(value[1]) || !std::isfinite(value[2])) {
-            throw UsageError(std::string{name} + ": row " + std::to_string(i) +
-                             " is not finite as 32-bit floats");
-        }
-    }
-    return points;
+    // By way of double what is too large for a float becomes infinite without a word.
+    return given.dtype().is(py::dtype::of<float>()) ? finite_rows<float>(given, name)
+                                                    : finite_rows<double>(given, name);
 }
 
 std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit) {

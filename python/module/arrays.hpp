@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ using Triple = std::array<float, 3>;
 inline glm::vec3 vector_of(const Triple& values) {
     return {values[0], values[1], values[2]};
 }
-inline Triple triple_of(glm::vec3 vector) {
+inline std::tuple<float, float, float> tuple_of(glm::vec3 vector) {
     return {vector.x, vector.y, vector.z};
 }
 

@@ -182,8 +182,8 @@ void bind_mesh(py::module_& module) {
         .def_readonly("material", &MeshGroup::material, "Name of the material; may be empty.")
         .def_property_readonly(
             "color",
-            [](const MeshGroup& group) -> std::optional<Triple> {
-                return group.color ? std::optional{triple_of(*group.color)} : std::nullopt;
+            [](const MeshGroup& group) {
+                return group.color ? std::optional{tuple_of(*group.color)} : std::nullopt;
             },
             "Red, green and blue, 0 to 1, sRGB-coded; None where unknown.");
 

@@ -4,8 +4,6 @@ PYBIND11_MODULE(_lineatlas, module) {
     using namespace lineatlas::python;
     module.doc() = "The compiled part of lineatlas; import lineatlas.";
     module.attr("__version__") = LINEATLAS_VERSION;
-    pybind11::options options;
-    options.disable_function_signatures(); // the stub has better ones
     bind_errors(module);
     bind_mesh(module);
     bind_view(module);

@@ -89,8 +89,8 @@ Bounds around(glm::vec3 point) {
 }
 
 template <glm::vec3 View::*member>
-Triple triple(const View& view) {
-    return triple_of(view.*member);
+std::tuple<float, float, float> triple(const View& view) {
+    return tuple_of(view.*member);
 }
 
 void bind_view_class(py::module_& module) {
@@ -100,7 +100,7 @@ void bind_view_class(py::module_& module) {
                      "fov: vertical field of view in degrees. near, far: distances of the planes\n"
                      "of the depth buffer; 0: fitted to the model.")
         .def(py::init(&make_view), py::arg("eye"), py::arg("target"),
-             py::arg("up") = triple_of(defaults.up), py::arg("fov") = 40.0F, py::arg("near") = 0.0F,
+             py::arg("up") = tuple_of(defaults.up), py::arg("fov") = 40.0F, py::arg("near") = 0.0F,
              py::arg("far") = 0.0F)
         .def_property_readonly("eye", &triple<&View::eye>, "Where the eye is.")
         .def_property_readonly("target", &triple<&View::target>, "What it looks at.")
