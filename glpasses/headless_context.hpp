@@ -6,4 +6,20 @@ namespace lineatlas::gl {
 
 using lineatlas::HeadlessContext;
 
+/// Makes the EGL context that is current on this thread, or none, current again at its end.
+class CurrentContextKeeper {
+  public:
+    CurrentContextKeeper();
+    ~CurrentContextKeeper();
+    CurrentContextKeeper(const CurrentContextKeeper&) = delete;
+    CurrentContextKeeper& operator=(const CurrentContextKeeper&) = delete;
+
+  private:
+    unsigned api_; ///< that of EGL's calls on this thread
+    void* display_;
+    void* context_;
+    void* draw_;
+    void* read_;
+};
+
 } // namespace lineatlas::gl

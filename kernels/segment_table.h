@@ -13,7 +13,7 @@ typedef uint la_uint;
 
 namespace lineatlas {
 
-using la_uint = std::uint32_t;
+using la_uint = std::uint32_t; ///< what kernels call uint
 #endif
 
 /* Line kinds; bit 1 << kind selects one in a kind mask. */
@@ -36,14 +36,16 @@ using la_uint = std::uint32_t;
 #define LA_FACE_FLIPPED 0x80000000u
 #define LA_FACE_INDEX 0x7FFFFFFFu
 
-/* One candidate segment (§4.1, Fig. 7 step 1). Segments of a path are neighbours in the table. */
+/** One candidate segment (§4.1, Fig. 7 step 1). Segments of a path are neighbours in the table. */
 typedef struct Segment {
-    la_uint p, q;           /* end points: indices into the vertex table */
-    la_uint face_a, face_b; /* the triangles on either side */
-    la_uint from_start;     /* segments of the same path before this one */
-    la_uint to_end;         /* segments of the same path after this one */
-    la_uint path;           /* index of the path */
-    la_uint tag;            /* kind and flags, LA_TAG_* */
+    la_uint p;          /**< its start: index into the vertex table */
+    la_uint q;          /**< its end: index into the vertex table */
+    la_uint face_a;     /**< a triangle beside it, or LA_NO_FACE */
+    la_uint face_b;     /**< the other one, perhaps with LA_FACE_FLIPPED */
+    la_uint from_start; /**< segments of the same path before this one */
+    la_uint to_end;     /**< segments of the same path after this one */
+    la_uint path;       /**< index of the path */
+    la_uint tag;        /**< kind and flags, LA_TAG_* */
 } Segment;
 
 /* A segment after projection and clipping; written only where its sample count is above 0. */
@@ -76,38 +78,48 @@ typedef struct Cluster {
 #define LA_RUN_BIN_SHIFT 16u /* priority of the line, in 1/LA_BIN_STEPS of a bin, see `density` */
 #define LA_RUN_BIN_MASK 0xFFu
 
-/* A piece of one segment that is drawn; everything that the stroke pass and the readback need to
+/** A piece of one segment that is drawn; everything that the stroke pass and the readback need to
  * know of it. `compact` makes one of every maximal row of samples that are at least partly visible,
  * `filter` changes their ends. Runs are in the order of their segments, and along each of them.
  * Positions in pixels, origin at the lower left. */
 typedef struct Run {
-    float start[2], end[2];               /* window position of the run's two ends */
-    float start_corner[2], end_corner[2]; /* at a join: from the spine to the left corner on the
-                                             bisector, for half-width 1; else 0 */
-    float start_arc, end_arc;       /* arc length along the path, 0 in its middle, in pixels */
-    float start_sample, end_sample; /* the same ends counted in samples of the segment; 0 to l,
-                                       or beyond where a stroke overshoots its path */
-    la_uint address;                /* of the segment's first sample in the atlas */
-    la_uint samples;                /* l, the segment's sample count */
-    la_uint flags;                  /* ends and kind, LA_RUN_* */
-    la_uint segment;                /* index into the segment table */
-    float stroke_start, stroke_end; /* arc lengths of the ends of the stroke that it is a part of */
-    float start_depth, end_depth;   /* window depth of the two ends, 0 to 1 */
+    float start[2];        /**< window position of its start */
+    float end[2];          /**< and of its end */
+    float start_corner[2]; /**< at a join: from the spine to the left corner on the bisector, for
+                                half-width 1; else 0 */
+    float end_corner[2];   /**< the same at its end */
+    float start_arc;       /**< arc length along the path, 0 in its middle, in pixels */
+    float end_arc;         /**< the same of its end */
+    float start_sample;    /**< its start counted in samples of the segment: 0 to l, or beyond where
+                                a stroke overshoots its path */
+    float end_sample;      /**< the same of its end */
+    la_uint address;       /**< of the segment's first sample in the atlas */
+    la_uint samples;       /**< l, the segment's sample count */
+    la_uint flags;         /**< ends and kind, LA_RUN_* */
+    la_uint segment;       /**< index into the segment table */
+    float stroke_start;    /**< arc length of the start of the stroke that it is a part of */
+    float stroke_end;      /**< and of that stroke's end */
+    float start_depth;     /**< window depth of its start, 0 to 1 */
+    float end_depth;       /**< and of its end */
 } Run;
 
-/* A piece of one segment that is visible all along, or hidden all along (§4.6): what the readback
+/** A piece of one segment that is visible all along, or hidden all along (§4.6): what the readback
  * gives. Written by `intervals`, in the order of the segments and along each of them. Positions in
  * pixels, origin at the lower left. */
 typedef struct Interval {
-    float start[2], end[2];         /* window position of its two ends */
-    float start_depth, end_depth;   /* window depth there, 0 to 1 */
-    float start_world[3];           /* and the points of the model */
-    float end_world[3];             /* that are seen there */
-    float start_arc, end_arc;       /* arc length along the path, 0 in its middle, in pixels */
-    float start_sample, end_sample; /* the ends counted in samples of the segment */
-    float alpha;                    /* mean visibility of its samples, 0 to 1 */
-    la_uint segment;                /* index into the segment table */
-    la_uint flags;                  /* LA_INTERVAL_* */
+    float start[2];       /**< window position of its start */
+    float end[2];         /**< and of its end */
+    float start_depth;    /**< window depth of its start, 0 to 1 */
+    float end_depth;      /**< and of its end */
+    float start_world[3]; /**< the point of the model that is seen at its start */
+    float end_world[3];   /**< and at its end */
+    float start_arc;      /**< arc length along the path, 0 in its middle, in pixels */
+    float end_arc;        /**< the same of its end */
+    float start_sample;   /**< its start counted in samples of the segment */
+    float end_sample;     /**< and its end */
+    float alpha;          /**< mean visibility of its samples, 0 to 1 */
+    la_uint segment;      /**< index into the segment table */
+    la_uint flags;        /**< LA_INTERVAL_* */
 } Interval;
 
 /* Interval.flags: whether it is visible, what either end is (LA_END_CLIPPED, JOIN, ROUND, HIDDEN:

@@ -1,4 +1,4 @@
-#include "lineatlas/headless.hpp"
+#include "glpasses/headless_context.hpp"
 
 #include <array>
 #include <string>
@@ -68,4 +68,29 @@ HeadlessContext::~HeadlessContext() {
     eglDestroyContext(state_->display, state_->context);
 }
 
+void HeadlessContext::make_current() {
+    eglBindAPI(EGL_OPENGL_API);
+    if (eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) !=
+        EGL_TRUE) {
+        throw DeviceError("EGL can't make the headless context current on this thread; is a GLX "
+                          "context current here?");
+    }
+}
+
+namespace gl {
+
+CurrentContextKeeper::CurrentContextKeeper()
+    : api_(eglQueryAPI()), display_(eglGetCurrentDisplay()), context_(eglGetCurrentContext()),
+      draw_(eglGetCurrentSurface(EGL_DRAW)), read_(eglGetCurrentSurface(EGL_READ)) {}
+
+CurrentContextKeeper::~CurrentContextKeeper() {
+    if (context_ != EGL_NO_CONTEXT) {
+        eglMakeCurrent(display_, draw_, read_, context_);
+    } else if (EGLDisplay display = eglGetCurrentDisplay(); display != EGL_NO_DISPLAY) {
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+    eglBindAPI(api_);
+}
+
+} // namespace gl
 } // namespace lineatlas

@@ -12,6 +12,7 @@
 #include "draw_stats.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/image_writer.hpp"
+#include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"

@@ -1,6 +1,5 @@
 #include "style_options.hpp"
 
-#include "core/pens.hpp"
 #include "lineatlas/style_files.hpp"
 #include "style/settings.hpp"
 
@@ -40,14 +39,6 @@ Style StyleOptions::style() const {
         set_value(style, setting, value_from_text(values_.at(setting.key)), option);
     }
     return style;
-}
-
-std::map<std::string, Image> read_pen_images(const Style& style) {
-    std::map<std::string, Image> images;
-    for (const std::string& mark : {style.pen.mark, style.hidden_pen.mark, style.focus.mark}) {
-        if (is_pen_file(mark) && !images.contains(mark)) images[mark] = read_image(mark);
-    }
-    return images;
 }
 
 } // namespace lineatlas::apps

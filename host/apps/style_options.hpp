@@ -6,7 +6,6 @@
 
 #include <CLI/App.hpp>
 
-#include "lineatlas/io.hpp"
 #include "lineatlas/style.hpp"
 
 namespace lineatlas::apps {
@@ -26,8 +25,5 @@ class StyleOptions {
     std::vector<std::string> changes_;
     std::map<std::string, std::string> values_; ///< by key, as written
 };
-
-/// The pictures of the pens that are image files, by the names of their marks. Throws FileError.
-std::map<std::string, Image> read_pen_images(const Style& style);
 
 } // namespace lineatlas::apps

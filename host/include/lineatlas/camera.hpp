@@ -14,12 +14,12 @@ namespace lineatlas {
 
 /// A perspective camera as a person describes it: where the eye is, what it looks at.
 struct View {
-    glm::vec3 eye{0, 0, 1};
-    glm::vec3 target{0, 0, 0};
-    glm::vec3 up{0, 1, 0};
-    float fov_y = 0.6981317F; ///< vertical field of view in radians (40 degrees)
-    float near = 0;           ///< distance of the near plane; 0: fitted to the bounds
-    float far = 0;            ///< distance of the far plane; 0: fitted to the bounds
+    glm::vec3 eye{0, 0, 1};    ///< where the eye is, in model units
+    glm::vec3 target{0, 0, 0}; ///< the point it looks at
+    glm::vec3 up{0, 1, 0};     ///< upwards in the picture; of any length above 0
+    float fov_y = 0.6981317F;  ///< vertical field of view in radians (40 degrees)
+    float near = 0;            ///< distance of the near plane; 0: fitted to the bounds
+    float far = 0;             ///< distance of the far plane; 0: fitted to the bounds
 };
 
 /// What glClipControl() was told where it was called; the default is GL's.
@@ -37,8 +37,9 @@ struct Camera {
     glm::mat4 projection{1}; ///< eye to clip space
     glm::ivec2 size{1, 1};   ///< viewport in pixels
     glm::ivec2 origin{0, 0}; ///< its lower left corner in the framebuffer
-    ClipControl clip{};
+    ClipControl clip{};      ///< the conventions of `projection`
 
+    /// World to clip space.
     glm::mat4 clip_from_world() const { return projection * view; }
 
     /// The centre of projection in homogeneous world coordinates; w is 0 for a parallel projection.
@@ -48,7 +49,8 @@ struct Camera {
 
 /// A part of a picture: pixels from its lower left corner.
 struct PictureTile {
-    glm::ivec2 low{0, 0}, size{0, 0};
+    glm::ivec2 low{0, 0};  ///< its lower left corner in the picture
+    glm::ivec2 size{0, 0}; ///< width and height
 };
 
 /// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then.

@@ -7,7 +7,8 @@
 namespace lineatlas {
 
 /// A GL 4.5 core context without a window or a display server (EGL surfaceless), current on the
-/// thread that made it until it is destroyed. It has no framebuffer of its own.
+/// thread that made it until it is destroyed or another is made current there. It has no
+/// framebuffer of its own.
 class LINEATLAS_API HeadlessContext {
   public:
     /// Throws DeviceError if EGL or GL 4.5 is missing; the message says which package to install.
@@ -15,6 +16,9 @@ class LINEATLAS_API HeadlessContext {
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+    /// On this thread; it must be current on no other. Throws DeviceError.
+    void make_current();
 
   private:
     struct LINEATLAS_LOCAL State;

@@ -16,7 +16,7 @@ namespace lineatlas {
 
 /// A mesh from a file, with what was repaired or dropped on the way.
 struct LoadedMesh {
-    Mesh mesh;
+    Mesh mesh; ///< what the file holds; indices are in range, positions finite
     std::vector<std::string>
         notes; ///< one line each, e.g. "12 faces with fewer than 3 corners dropped"
 };
@@ -36,16 +36,16 @@ LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path);
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and
 /// alpha, RGB, or RGB and alpha. Colour is sRGB-coded and not multiplied by alpha, as in PNG files.
 struct Image {
-    glm::ivec2 size{0, 0};
-    int channels = 4;
+    glm::ivec2 size{0, 0};              ///< width and height
+    int channels = 4;                   ///< 1 to 4
     std::vector<std::uint8_t> pixels{}; ///< size.x * size.y * channels values
 };
 
 /// The pixels of a picture to be written, as Image holds them, with 8 or 16 bits per value.
 struct Pixels {
-    glm::ivec2 size{0, 0};
-    int channels = 4;
-    int bits = 8;
+    glm::ivec2 size{0, 0};               ///< width and height
+    int channels = 4;                    ///< 1 to 4
+    int bits = 8;                        ///< per value: 8 or 16
     bool premultiplied = false;          ///< colour is multiplied by alpha, as GL draws it
     std::span<const std::byte> values{}; ///< size.x * size.y * channels numbers in native order
 };
@@ -68,6 +68,7 @@ LINEATLAS_API Image read_image(const std::filesystem::path& path);
 /// expect. Throws FileError.
 LINEATLAS_API void write_image(const std::filesystem::path& path, const Pixels& pixels,
                                const ImageSettings& settings = {});
+/// The same for 8-bit pixels whose colour is not multiplied by alpha.
 LINEATLAS_API void write_image(const std::filesystem::path& path, const Image& image);
 
 /// Throws FileError unless a picture could be written at `path`: known extension, folder exists and

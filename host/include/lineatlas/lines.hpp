@@ -23,27 +23,32 @@ enum class LineKind : std::uint32_t {
     file = LA_KIND_FILE,             ///< given as a polyline in the model
 };
 
+/// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
     "crease", "boundary", "material", "silhouette", "file"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
+/// Every kind there is.
 inline constexpr LineKindMask all_line_kinds = (1U << LA_KIND_COUNT) - 1;
+/// The set of that kind alone.
 constexpr LineKindMask mask_of(LineKind kind) {
     return 1U << static_cast<std::uint32_t>(kind);
 }
 
+/// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
-    LineKindMask kinds = all_line_kinds;
-    float crease_angle = 0.5235988F; ///< radians; edges bent by more are creases
+    LineKindMask kinds = all_line_kinds; ///< others are not extracted
+    float crease_angle = 0.5235988F;     ///< radians, 0 to pi; edges bent by more are creases
     /// Radians. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
 };
 
 /// Where a segment lies in the `Mesh` that it was extracted from.
 struct LineSource {
-    static constexpr std::uint32_t none = 0xFFFFFFFF;
-    std::uint32_t from = none, to = none; ///< indices into Mesh::positions, from p to q
+    static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
+    std::uint32_t from = none;     ///< index into Mesh::positions of the segment's start p
+    std::uint32_t to = none;       ///< index into Mesh::positions of its end q
     std::uint32_t triangle = none; ///< into Mesh::triangles, has both; none for a file's polyline
 };
 
@@ -62,7 +67,7 @@ struct LineSet {
     std::vector<glm::vec3> colors;
     /// Per triangle an index into `colors`, or `no_color`; empty where no triangle has a colour.
     std::vector<std::uint16_t> triangle_color;
-    static constexpr std::uint16_t no_color = 0xFFFF;
+    static constexpr std::uint16_t no_color = 0xFFFF; ///< of triangles without a colour
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.

@@ -25,7 +25,7 @@ struct MeshGroup {
 
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.
 ///
-/// Equal positions need not share an index: `weld()` (lines.hpp) merges them. Nothing is assumed
+/// Equal positions need not share an index: extract_lines() merges them. Nothing is assumed
 /// about manifoldness, orientation or closedness.
 struct Mesh {
     std::vector<glm::vec3> positions;          ///< finite, in model units
@@ -34,6 +34,7 @@ struct Mesh {
     std::vector<MeshGroup> groups;             ///< empty when `triangle_group` is empty
     std::vector<std::vector<std::uint32_t>> polylines; ///< lines given in the file (OBJ `l`)
 
+    /// Whether it has nothing to draw.
     bool empty() const { return triangles.empty() && polylines.empty(); }
 };
 
@@ -46,7 +47,8 @@ struct MeshArrays {
     std::span<const std::uint32_t> materials{}; ///< a number per triangle; none: all are one
 };
 
-/// Throws UsageError when the arrays do not fit each other.
+/// A copy of the arrays as a mesh, whose groups are the materials, named by their numbers. Throws
+/// UsageError when the arrays do not fit each other.
 LINEATLAS_API Mesh make_mesh(const MeshArrays& arrays);
 
 /// Adds a line of the program's own, drawn from point to point (LineKind::file).
@@ -54,8 +56,8 @@ LINEATLAS_API void add_polyline(Mesh& mesh, std::span<const glm::vec3> points);
 
 /// An axis-aligned box. A box that holds nothing has min > max.
 struct Bounds {
-    glm::vec3 min{std::numeric_limits<float>::infinity()};
-    glm::vec3 max{-std::numeric_limits<float>::infinity()};
+    glm::vec3 min{std::numeric_limits<float>::infinity()};  ///< least coordinates
+    glm::vec3 max{-std::numeric_limits<float>::infinity()}; ///< greatest coordinates
 };
 
 /// The box around the positions that triangles or polylines use.

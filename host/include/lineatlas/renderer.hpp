@@ -34,9 +34,17 @@ enum class AtlasForm {
     compute,   ///< a kernel over samples
 };
 
-enum class AtlasLayoutChoice { wrap, gutter }; ///< §4.2, Fig. 8
+/// How lines lie in the rows of the atlas that are longer than what is left of one (§4.2, Fig. 8).
+enum class AtlasLayoutChoice {
+    wrap,   ///< they go on in the next row
+    gutter, ///< rows are longer by the longest line, with some texels wasted
+};
 
-enum class StrokeShader { geometry, vertex }; ///< §4.4; both draw the same picture
+/// What widens runs to strokes (§4.4); both draw the same picture.
+enum class StrokeShader {
+    geometry, ///< a geometry shader, from a point per run
+    vertex,   ///< a vertex shader, from an instance of a strip per run
+};
 
 /// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
 struct DeviceOptions {
@@ -52,7 +60,7 @@ struct DeviceOptions {
 
 /// What a frame keeps for `Renderer::read_intervals`.
 enum class KeptIntervals {
-    none,
+    none,    ///< nothing
     visible, ///< visible pieces of lines
     all,     ///< hidden ones too: together the whole of every line inside the picture
 };
@@ -63,15 +71,15 @@ enum class KeptIntervals {
 /// it first: glBlitFramebuffer). Without polygon offset, which would move what lines lie on. It is
 /// only read, and may be an attachment of the framebuffer that is drawn to.
 struct DepthTexture {
-    std::uint32_t texture = 0;
-    glm::ivec2 origin{0, 0}; ///< texel at the lower left corner of the viewport
-    int scale = 1;           ///< texels per pixel of the viewport and axis: 1 to 4
-    glm::vec2 range{0, 1};   ///< what glDepthRange() was when it was drawn
+    std::uint32_t texture = 0; ///< its name in GL
+    glm::ivec2 origin{0, 0};   ///< texel at the lower left corner of the viewport
+    int scale = 1;             ///< texels per pixel of the viewport and axis: 1 to 4
+    glm::vec2 range{0, 1};     ///< what glDepthRange() was when it was drawn
 };
 
 /// How a frame is drawn.
 struct FrameOptions {
-    Method method = Method::atlas;
+    Method method = Method::atlas; ///< how visibility is computed
     /// Depth probes per sample: 1, 4, 9 or 16 (§3.2). An item buffer is supersampled by the same
     /// number and has three layers if it is more than one.
     std::uint32_t probes = 9;
@@ -79,11 +87,11 @@ struct FrameOptions {
     /// What hides lines, in place of a depth buffer that the renderer draws of the triangles of the
     /// line set; `depth_scale` does not count then. Methods atlas and spine only.
     std::optional<DepthTexture> depth{};
-    float step = 2; ///< k: pixels between samples, above 0 (§4.1)
-    LineKindMask lines = all_line_kinds;
-    AtlasForm atlas = AtlasForm::automatic;
-    AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap;
-    StrokeShader stroke_shader = StrokeShader::geometry;
+    float step = 2;                         ///< k: pixels between samples, above 0 (§4.1)
+    LineKindMask lines = all_line_kinds;    ///< what is drawn of the kinds extracted
+    AtlasForm atlas = AtlasForm::automatic; ///< where samples are computed
+    AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap; ///< in the raster form
+    StrokeShader stroke_shader = StrokeShader::geometry;      ///< what widens runs
     /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl
     /// only the last three; item_buffer, like atlas, joins and caps too.
     Style style{};
@@ -110,14 +118,15 @@ struct TileTarget {
     std::function<void(const PictureTile&)> end{};
 };
 
+/// How long a stage of a frame took, from one wait for the device to the next.
 struct StageTime {
     std::string name; ///< depth, pyramid, facing, project_clip, scan, atlas, compact, strokes, ...
-    double milliseconds;
+    double milliseconds; ///< with its share of waiting
 };
 
 /// What one frame did.
 struct FrameStats {
-    std::uint32_t triangles = 0;
+    std::uint32_t triangles = 0;       ///< of the line set
     std::uint32_t triangles_drawn = 0; ///< for the depth; fewer if most of a large model is hidden
     std::uint32_t segments = 0;        ///< candidates, silhouettes included
     std::uint32_t samples = 0;         ///< visibility samples, §4.1
@@ -144,9 +153,13 @@ inline constexpr std::uint32_t bound_framebuffer = 0xFFFFFFFF;
 /// All calls throw Error.
 class LINEATLAS_API Renderer {
   public:
+    /// In the current GL context. Throws UsageError for a backend or mode that does not exist,
+    /// DeviceError where the machine has no such device or can't share buffers in that mode.
     explicit Renderer(const DeviceOptions& options = {});
     ~Renderer();
+    /// What is moved from can only be assigned to or destroyed.
     Renderer(Renderer&&) noexcept;
+    /// The context must be current: what was there is destroyed.
     Renderer& operator=(Renderer&&) noexcept;
 
     /// The compute backend in use and how it shares buffers, for people.
@@ -158,11 +171,12 @@ class LINEATLAS_API Renderer {
     /// its lines away: then make a new renderer.
     void set_device(const DeviceOptions& options);
 
-    /// What DeviceOptions::compare_with has found equal so far.
+    /// What DeviceOptions::compare_with has found equal.
     struct Comparison {
-        std::uint64_t stages = 0;
+        std::uint64_t stages = 0;   ///< runs of a stage
         std::uint64_t elements = 0; ///< of the tables they wrote
     };
+    /// Counted from the renderer's first frame.
     Comparison comparison() const;
 
     /// Makes a picture known as a pen: `mark` is what Pen::mark calls it. Throws UsageError if that
@@ -182,18 +196,18 @@ class LINEATLAS_API Renderer {
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target);
 
-    /// The visibility of every sample of the last frame in order of the segment table, and the
-    /// samples per segment: for tests and studies; waits for the device. With `cull_hidden`,
-    /// segments that are hidden whole have none. Throws UsageError unless the last frame was one of
-    /// method atlas or item_buffer.
+    /// The visibility of every sample of a frame in order of the segment table.
     struct Samples {
         std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible
-        std::vector<Run> runs;
+        std::vector<Run> runs;              ///< what was drawn
         /// What density control leaves of lines, 0 to 1: for each priority (LA_DENSITY_BINS) the
         /// picture's cells of LA_DENSITY_CELL pixels row by row. Empty without it.
         std::vector<float> density{};
     };
+    /// The samples of the last frame: for tests and studies; waits for the device. With
+    /// `cull_hidden`, segments that are hidden whole have none. Throws UsageError unless the last
+    /// frame was one of method atlas or item_buffer.
     Samples read_samples();
 
     /// The visible pieces of the lines of the last frame (`FrameOptions::intervals`; with `all` the

@@ -14,8 +14,8 @@ namespace lineatlas {
 /// A built-in procedural model with the camera path it is measured on (Table 1). The same on every
 /// machine and in every run.
 struct Scene {
-    std::string name;
-    Mesh mesh; ///< y up
+    std::string name; ///< as make_scene() knows it
+    Mesh mesh;        ///< y up
     /// The view at `t` in [0, 1] along the camera path; continuous, with near and far planes set so
     /// that they do not change along the path. An orbit closes: view(0) equals view(1).
     std::function<View(float t)> view;

@@ -11,7 +11,11 @@
 namespace lineatlas {
 
 /// How two segments of a path meet.
-enum class Join { mitre, round, bevel };
+enum class Join {
+    mitre, ///< pointed, up to Pen::mitre_limit
+    round, ///< an arc around the corner
+    bevel, ///< cut off
+};
 
 /// How a stroke ends.
 enum class Cap {
@@ -32,7 +36,7 @@ struct Pen {
     float width = 2;          ///< above 0, at most 1000
     glm::vec3 color{0, 0, 0}; ///< RGB, 0 to 1
     float opacity = 1;        ///< 0 to 1
-    Join join = Join::mitre;
+    Join join = Join::mitre;  ///< how its segments meet
     /// Longest mitre in stroke widths, at least 1; beyond it the join is bevelled (as in SVG).
     float mitre_limit = 4;
     Cap cap = Cap::butt;        ///< where visibility ends
@@ -62,10 +66,17 @@ struct Density {
     std::array<float, 5> priority{0.5F, 0.6F, 0.5F, 1, 1};
 };
 
+/// How faces are coloured.
+enum class FillMode {
+    none,    ///< not at all
+    flat,    ///< evenly
+    lambert, ///< by their angle to the light
+    toon,    ///< the same in `Fill::toon_steps` tones
+};
+
 /// Colours under the lines.
-enum class FillMode { none, flat, lambert, toon };
 struct Fill {
-    FillMode mode = FillMode::none;
+    FillMode mode = FillMode::none;     ///< how faces are coloured
     glm::vec3 color{0.9F, 0.9F, 0.88F}; ///< of triangles without a material's colour
     glm::vec3 light{0.4F, 0.8F, 0.5F};  ///< direction to the light, in eye space
     float ambient = 0.35F;              ///< what is not lit, 0 to 1
@@ -74,14 +85,14 @@ struct Fill {
 
 /// What is drawn on.
 struct Paper {
-    glm::vec3 color{1, 1, 1};
-    float grain = 0; ///< strength of the paper's texture over the drawing, 0 to 1
+    glm::vec3 color{1, 1, 1}; ///< RGB, 0 to 1
+    float grain = 0;          ///< strength of the paper's texture over the drawing, 0 to 1
 };
 
 /// Style that varies with the distance from a focus (§6, Fig. 13). Between `radius` and `radius` +
 /// `falloff` everything goes smoothly from its own value to its value far away.
 struct Focus {
-    bool on = false;
+    bool on = false;                ///< without one all is near
     bool in_scene = false;          ///< `point` is in the model's coordinates, else in the window
     glm::vec3 point{0.5F, 0.5F, 0}; ///< window: shares of its width and height from the lower left
     float radius = 0.2F;      ///< window: shares of its height; scene: of the model's diagonal
@@ -96,14 +107,15 @@ struct Focus {
 /// How a drawing looks. The keys of style files and the options of the tool have the names of these
 /// members (docs/styles.md).
 struct Style {
-    Pen pen{};
+    Pen pen{};           ///< of visible lines
     bool hidden = false; ///< draw hidden lines too, with their own pen, under the visible ones
+    /// Of hidden lines.
     Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
-    StrokeFilter filter{};
-    Density density{};
-    Fill fill{};
-    Paper paper{};
-    Focus focus{};
+    StrokeFilter filter{}; ///< changes along the lines
+    Density density{};     ///< what is left out where lines are dense
+    Fill fill{};           ///< under the lines
+    Paper paper{};         ///< what is drawn on
+    Focus focus{};         ///< what stands out
 };
 
 } // namespace lineatlas

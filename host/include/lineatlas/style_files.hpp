@@ -21,9 +21,10 @@ LINEATLAS_API void apply_setting(Style& style, std::string_view key_is_value);
 /// A style as a TOML file: every key, its value, and what it is for. Loads as the same style.
 LINEATLAS_API std::string write_style(const Style& style, std::string_view description = {});
 
+/// A style to choose from.
 struct StyleInfo {
-    std::string name;
-    std::string description;
+    std::string name;        ///< what load_style() takes
+    std::string description; ///< one line
 };
 
 /// The styles that ship, or those of the folder in LINEATLAS_STYLE_DIR if that is set, by name.

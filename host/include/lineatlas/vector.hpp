@@ -30,9 +30,10 @@ struct VectorPoint {
 
 /// Where a piece of a path comes from.
 struct VectorPiece {
-    static constexpr std::uint32_t none = 0xFFFFFFFF;
-    std::uint32_t point = 0;    ///< it lies between this point of the path and the next one,
-    float from = 0, to = 1;     ///< from this share of the way between them to that one
+    static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no group
+    std::uint32_t point = 0;    ///< it lies between this point of the path and the next one:
+    float from = 0;             ///< share of the way between them at which it starts, 0 to 1
+    float to = 1;               ///< and at which it ends
     std::uint32_t segment = 0;  ///< index into LineSet::segments
     LineSource source{};        ///< in the mesh, in the direction of the path
     std::uint32_t group = none; ///< index into VectorDrawing::groups
@@ -40,31 +41,34 @@ struct VectorPiece {
 
 /// A polyline that is drawn in one go.
 struct VectorPath {
-    LineKind kind = LineKind::crease;
-    bool visible = true;
-    bool closed = false; ///< the last point is where the first one is
-    float alpha = 1;     ///< mean visibility
-    std::vector<VectorPoint> points;
+    LineKind kind = LineKind::crease; ///< all along
+    bool visible = true;              ///< else it is hidden, all along
+    bool closed = false;              ///< the last point is where the first one is
+    float alpha = 1;                  ///< mean visibility
+    std::vector<VectorPoint> points;  ///< two at least
     /// In order; several of one point where segments in a row lie on one straight line.
     std::vector<VectorPiece> pieces;
 };
 
 /// What a plotter's pen travels without drawing, in pixels, and how many paths it draws.
 struct PenTravel {
-    double before = 0, after = 0;
-    std::size_t paths_before = 0, paths_after = 0;
+    double before = 0;            ///< of paths in the order of a picture
+    double after = 0;             ///< of the plotter's
+    std::size_t paths_before = 0; ///< and how many paths there were
+    std::size_t paths_after = 0;  ///< and are
 };
 
 /// A drawing as paths, in the order in which they are drawn: hidden lines before visible ones, and
 /// within both by kind.
 struct VectorDrawing {
-    glm::ivec2 size{1, 1}; ///< of the picture in pixels
-    Style style{};
-    std::vector<MeshGroup> groups; ///< what pieces belong to; empty where none are known
-    std::vector<VectorPath> paths;
+    glm::ivec2 size{1, 1};             ///< of the picture in pixels
+    Style style{};                     ///< pens of the paths, colour of the paper
+    std::vector<MeshGroup> groups;     ///< what pieces belong to; empty where none are known
+    std::vector<VectorPath> paths;     ///< in the order in which they are drawn
     std::optional<PenTravel> travel{}; ///< of a drawing for a plotter
 };
 
+/// How intervals become paths.
 struct VectorOptions {
     /// The mesh that the lines were extracted from: pieces then know their object and material.
     const Mesh* mesh = nullptr;
@@ -79,13 +83,20 @@ LINEATLAS_API VectorDrawing make_vector_drawing(const LineSet& lines, const Came
                                                 const Style& style,
                                                 const VectorOptions& options = {});
 
-/// Units of length on paper. A pixel is that of CSS: 96 to an inch.
-enum class Unit { px, mm, in };
-
-struct Length {
-    double value = 0;
-    Unit unit = Unit::px;
+/// Units of length on paper.
+enum class Unit {
+    px, ///< pixels of CSS: 96 to an inch
+    mm, ///< millimetres
+    in, ///< inches
 };
+
+/// A length on paper.
+struct Length {
+    double value = 0;     ///< how many
+    Unit unit = Unit::px; ///< of these
+};
+
+/// The length in another unit.
 LINEATLAS_API double length_in(Length length, Unit unit);
 
 /// Throws UsageError unless it is "px", "mm" or "in".
@@ -96,7 +107,8 @@ LINEATLAS_API Length parse_length(std::string_view text, Unit unit);
 
 /// A sheet of paper.
 struct Page {
-    Length width, height;
+    Length width;       ///< from left to right
+    Length height;      ///< from top to bottom
     bool turns = false; ///< may lie on its side, as the drawing does
 };
 
@@ -104,8 +116,9 @@ struct Page {
 /// UsageError that names them.
 LINEATLAS_API Page parse_page(std::string_view text);
 
+/// How a drawing is written as SVG.
 struct SvgOptions {
-    Unit units = Unit::px;
+    Unit units = Unit::px; ///< of the page's width and height in the file
     /// The picture is scaled to fit on it and centred. None: the page is the picture.
     std::optional<Page> page{};
     Length margin{};        ///< around the picture, on all four sides
@@ -113,16 +126,17 @@ struct SvgOptions {
     bool tags = true;       ///< where each path comes from; never in a drawing for a plotter
     bool layers = true;     ///< mark groups as layers of Inkscape
     bool relative = true;   ///< shorter path data
-    std::string title = "Line drawing";
-    std::string description{}; ///< the settings that made it, for people
+    std::string title = "Line drawing"; ///< of the document
+    std::string description{};          ///< the settings that made it, for people
 };
 
 /// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room.
 LINEATLAS_API std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options = {});
 
+/// How a drawing is written as JSON.
 struct JsonOptions {
-    bool tags = true; ///< the pieces of each path
-    std::string description{};
+    bool tags = true;          ///< the pieces of each path
+    std::string description{}; ///< the settings that made it, for people
 };
 
 /// The drawing as JSON (docs/vector.md).

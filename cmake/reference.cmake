@@ -1,0 +1,12 @@
+# The API reference by Doxygen: the target `reference`, and a test that nothing is undocumented.
+find_program(DOXYGEN doxygen)
+if(NOT DOXYGEN)
+    return()
+endif()
+set(reference_folder ${CMAKE_BINARY_DIR}/docs)
+configure_file(docs/reference/Doxyfile.in ${CMAKE_BINARY_DIR}/Doxyfile @ONLY)
+file(MAKE_DIRECTORY ${reference_folder})
+add_custom_target(reference COMMAND ${DOXYGEN} ${CMAKE_BINARY_DIR}/Doxyfile VERBATIM)
+if(LINEATLAS_TESTS)
+    add_test(NAME api_reference COMMAND ${DOXYGEN} ${CMAKE_BINARY_DIR}/Doxyfile)
+endif()

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "lineatlas/io.hpp"
+#include "lineatlas/style.hpp"
+
+namespace lineatlas {
+
+/// The pictures of the pens that are image files, by the names of their marks; not those of `known`
+/// marks. Throws FileError.
+std::map<std::string, Image> read_pen_images(const Style& style,
+                                             const std::set<std::string>& known = {});
+
+} // namespace lineatlas

@@ -1,0 +1,104 @@
+"""Line drawings of 3D models: what is visible of their lines, as pictures and as arrays.
+
+    import lineatlas
+
+    picture = lineatlas.draw("model.obj", size=(1024, 768), style="pencil")
+    lineatlas.save("picture.png", picture)
+
+A Renderer draws many pictures of one model; the functions here make one for each call.
+"""
+
+from __future__ import annotations
+
+import enum as _enum
+import os as _os
+from typing import Any as _Any
+from typing import Union as _Union
+
+import numpy as _numpy
+
+from ._lineatlas import (
+    SCENES,
+    Camera,
+    Device,
+    DeviceError,
+    Error,
+    FileError,
+    Group,
+    Mesh,
+    MismatchError,
+    Options,
+    Renderer,
+    Scene,
+    Style,
+    UsageError,
+    View,
+    __version__,
+    devices,
+    frame,
+    load,
+    save,
+    scene,
+    styles,
+)
+
+__all__ = [
+    "SCENES", "Camera", "Device", "DeviceError", "Error", "FileError", "Group", "LineKind", "Mesh",
+    "MismatchError", "Options", "Renderer", "Scene", "Style", "UsageError", "View", "__version__",
+    "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_json", "to_svg",
+]
+
+_Model = _Union[Mesh, str, "_os.PathLike[str]"]
+_OF_RENDERER = ("lines", "crease", "compute", "device", "interop")
+
+
+class LineKind(_enum.IntEnum):
+    """Where a line comes from: the field `kind` of intervals."""
+
+    crease = 0
+    boundary = 1
+    material = 2
+    silhouette = 3
+    file = 4
+
+
+def _renderer(model: _Model, arguments: dict[str, _Any]) -> Renderer:
+    """A renderer of those arguments that are its own; they are taken out."""
+    own = {name: arguments.pop(name) for name in _OF_RENDERER if name in arguments}
+    return Renderer(model, **own)
+
+
+def draw(model: _Model, **arguments: _Any) -> _numpy.ndarray:
+    """Draws a mesh, or that of a file, as a (height, width, 4) uint8 array.
+
+    Arguments are those of Renderer() and Renderer.draw().
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.draw(**arguments)
+
+
+def intervals(model: _Model, **arguments: _Any) -> _numpy.ndarray:
+    """What is visible of the lines of a mesh, or that of a file, as a structured array.
+
+    Arguments are those of Renderer() and Renderer.intervals(), which says what the fields are.
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.intervals(**arguments)
+
+
+def to_svg(model: _Model, **arguments: _Any) -> str:
+    """Draws a mesh, or that of a file, as SVG.
+
+    Arguments are those of Renderer() and Renderer.to_svg().
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.to_svg(**arguments)
+
+
+def to_json(model: _Model, **arguments: _Any) -> str:
+    """Draws a mesh, or that of a file, as JSON paths (docs/vector.md).
+
+    Arguments are those of Renderer() and Renderer.to_json().
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.to_json(**arguments)

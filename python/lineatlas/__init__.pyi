@@ -1,0 +1,104 @@
+import enum
+from typing import Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._lineatlas import SCENES as SCENES
+from ._lineatlas import Camera as Camera
+from ._lineatlas import Device as Device
+from ._lineatlas import DeviceError as DeviceError
+from ._lineatlas import Error as Error
+from ._lineatlas import FileError as FileError
+from ._lineatlas import Group as Group
+from ._lineatlas import Mesh as Mesh
+from ._lineatlas import MismatchError as MismatchError
+from ._lineatlas import Options as Options
+from ._lineatlas import Renderer as Renderer
+from ._lineatlas import Scene as Scene
+from ._lineatlas import Style as Style
+from ._lineatlas import UsageError as UsageError
+from ._lineatlas import View as View
+from ._lineatlas import __version__ as __version__
+from ._lineatlas import _Kinds, _Model, _Size, _Style, _Up, _View
+from ._lineatlas import devices as devices
+from ._lineatlas import frame as frame
+from ._lineatlas import load as load
+from ._lineatlas import save as save
+from ._lineatlas import scene as scene
+from ._lineatlas import styles as styles
+
+__all__: list[str]
+
+class LineKind(enum.IntEnum):
+    crease = 0
+    boundary = 1
+    material = 2
+    silhouette = 3
+    file = 4
+
+def draw(
+    model: _Model,
+    *,
+    lines: Optional[_Kinds] = None,
+    crease: float = 30.0,
+    compute: str = "opencl",
+    device: str = "",
+    interop: str = "",
+    size: _Size = (1024, 768),
+    view: Optional[_View] = None,
+    up: _Up = "y",
+    style: Optional[_Style] = None,
+    options: Optional[Options] = None,
+    transparent: bool = False,
+) -> NDArray[np.uint8]: ...
+def intervals(
+    model: _Model,
+    *,
+    lines: Optional[_Kinds] = None,
+    crease: float = 30.0,
+    compute: str = "opencl",
+    device: str = "",
+    interop: str = "",
+    size: _Size = (1024, 768),
+    view: Optional[_View] = None,
+    up: _Up = "y",
+    options: Optional[Options] = None,
+    hidden: bool = False,
+) -> NDArray[np.void]: ...
+def to_svg(
+    model: _Model,
+    *,
+    lines: Optional[_Kinds] = None,
+    crease: float = 30.0,
+    compute: str = "opencl",
+    device: str = "",
+    interop: str = "",
+    size: _Size = (1024, 768),
+    view: Optional[_View] = None,
+    up: _Up = "y",
+    style: Optional[_Style] = None,
+    options: Optional[Options] = None,
+    page: Optional[str] = None,
+    margin: str = "0",
+    plotter: bool = False,
+    tags: bool = True,
+    transparent: bool = False,
+    title: str = "Line drawing",
+) -> str: ...
+def to_json(
+    model: _Model,
+    *,
+    lines: Optional[_Kinds] = None,
+    crease: float = 30.0,
+    compute: str = "opencl",
+    device: str = "",
+    interop: str = "",
+    size: _Size = (1024, 768),
+    view: Optional[_View] = None,
+    up: _Up = "y",
+    style: Optional[_Style] = None,
+    options: Optional[Options] = None,
+    plotter: bool = False,
+    tags: bool = True,
+) -> str: ...

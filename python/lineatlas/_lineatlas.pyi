@@ -1,0 +1,208 @@
+# Types of the compiled module; what its parts do is said by their docstrings.
+import os
+from types import TracebackType
+from typing import Any, Iterable, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+_Triple = Tuple[float, float, float]
+_Path = Union[str, "os.PathLike[str]"]
+_Model = Union[Mesh, _Path]
+_Vector = Union[Sequence[float], NDArray[Any]]
+_Up = Union[str, _Vector]
+_Size = Sequence[int]
+_View = Union[View, Camera]
+_Style = Union[Style, _Path]
+_Kinds = Union[str, Sequence[str]]
+
+SCENES: Tuple[str, ...]
+__version__: str
+
+class Error(Exception): ...
+class UsageError(Error, ValueError): ...
+class FileError(Error, OSError): ...
+class DeviceError(Error, RuntimeError): ...
+class MismatchError(Error, RuntimeError): ...
+
+class Group:
+    def __init__(
+        self, object: str = "", material: str = "", color: Optional[_Vector] = None
+    ) -> None: ...
+    @property
+    def object(self) -> str: ...
+    @property
+    def material(self) -> str: ...
+    @property
+    def color(self) -> Optional[_Triple]: ...
+
+class Mesh:
+    def __init__(
+        self,
+        positions: ArrayLike,
+        triangles: Optional[ArrayLike] = None,
+        *,
+        triangle_group: Optional[ArrayLike] = None,
+        groups: Optional[Sequence[Union[Group, str]]] = None,
+        polylines: Iterable[ArrayLike] = (),
+    ) -> None: ...
+    @property
+    def positions(self) -> NDArray[np.float32]: ...
+    @property
+    def triangles(self) -> NDArray[np.uint32]: ...
+    @property
+    def triangle_group(self) -> NDArray[np.uint32]: ...
+    @property
+    def groups(self) -> list[Group]: ...
+    @property
+    def polylines(self) -> list[NDArray[np.uint32]]: ...
+    @property
+    def notes(self) -> list[str]: ...
+
+class Scene:
+    @property
+    def name(self) -> str: ...
+    @property
+    def mesh(self) -> Mesh: ...
+    def view(self, t: float = 0.0) -> View: ...
+
+class View:
+    def __init__(
+        self,
+        eye: _Vector,
+        target: _Vector,
+        up: _Vector = (0.0, 1.0, 0.0),
+        fov: float = 40.0,
+        near: float = 0.0,
+        far: float = 0.0,
+    ) -> None: ...
+    @property
+    def eye(self) -> _Triple: ...
+    @property
+    def target(self) -> _Triple: ...
+    @property
+    def up(self) -> _Triple: ...
+    @property
+    def fov(self) -> float: ...
+    @property
+    def near(self) -> float: ...
+    @property
+    def far(self) -> float: ...
+
+class Camera:
+    def __init__(
+        self, view: ArrayLike, projection: ArrayLike, *, zero_to_one: bool = False
+    ) -> None: ...
+    @property
+    def view(self) -> NDArray[np.float32]: ...
+    @property
+    def projection(self) -> NDArray[np.float32]: ...
+
+class Style:
+    def __init__(self, base: Optional[_Path] = None, **kwargs: Any) -> None: ...
+    def __getitem__(self, key: str) -> Any: ...
+    def __setitem__(self, key: str, value: Any) -> None: ...
+    def settings(self) -> dict[str, Any]: ...
+    def to_toml(self, description: str = "") -> str: ...
+
+class Options:
+    def __init__(
+        self,
+        *,
+        method: str = "atlas",
+        quality: str = "high",
+        probes: Optional[int] = None,
+        depth_scale: Optional[int] = None,
+        step: float = 2.0,
+        steady: bool = False,
+    ) -> None: ...
+
+class Renderer:
+    def __init__(
+        self,
+        model: _Model,
+        *,
+        lines: Optional[_Kinds] = None,
+        crease: float = 30.0,
+        compute: str = "opencl",
+        device: str = "",
+        interop: str = "",
+    ) -> None: ...
+    def set_model(
+        self, model: _Model, *, lines: Optional[_Kinds] = None, crease: float = 30.0
+    ) -> None: ...
+    def draw(
+        self,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+        style: Optional[_Style] = None,
+        options: Optional[Options] = None,
+        transparent: bool = False,
+    ) -> NDArray[np.uint8]: ...
+    def intervals(
+        self,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+        options: Optional[Options] = None,
+        hidden: bool = False,
+    ) -> NDArray[np.void]: ...
+    def to_svg(
+        self,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+        style: Optional[_Style] = None,
+        options: Optional[Options] = None,
+        page: Optional[str] = None,
+        margin: str = "0",
+        plotter: bool = False,
+        tags: bool = True,
+        transparent: bool = False,
+        title: str = "Line drawing",
+    ) -> str: ...
+    def to_json(
+        self,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+        style: Optional[_Style] = None,
+        options: Optional[Options] = None,
+        plotter: bool = False,
+        tags: bool = True,
+    ) -> str: ...
+    def frame(
+        self, *, size: _Size = (1024, 768), up: _Up = "y", fov: float = 40.0
+    ) -> View: ...
+    @property
+    def description(self) -> str: ...
+    def close(self) -> None: ...
+    def __enter__(self) -> Renderer: ...
+    def __exit__(
+        self,
+        *args: Union[type[BaseException], BaseException, TracebackType, None],
+    ) -> None: ...
+
+class Device:
+    @property
+    def name(self) -> str: ...
+    @property
+    def driver(self) -> str: ...
+    @property
+    def kind(self) -> str: ...
+
+def load(path: _Path) -> Mesh: ...
+def scene(name: str) -> Scene: ...
+def frame(
+    model: _Model, *, size: _Size = (1024, 768), up: _Up = "y", fov: float = 40.0
+) -> View: ...
+def styles() -> dict[str, str]: ...
+def devices() -> list[Device]: ...
+def save(
+    path: _Path, picture: NDArray[np.uint8], *, dpi: float = 0.0, description: str = ""
+) -> None: ...

@@ -1,0 +1,112 @@
+#include "arrays.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+std::string shape_of(const py::array& array) {
+    std::string text = "(";
+    for (py::ssize_t i = 0; i < array.ndim(); ++i)
+        text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+    return text + ")";
+}
+
+/// Any object as an array of numbers whose type is of one of NumPy's `kinds`.
+py::array number_array(py::handle object, const std::string& name, const std::string& kinds) {
+    const py::array array = py::array::ensure(py::reinterpret_borrow<py::object>(object));
+    if (!array) {
+        PyErr_Clear(); // it says less
+        throw py::type_error(name + " is not an array");
+    }
+    // An empty list has no type of its own: NumPy calls it float.
+    if (array.size() != 0 && kinds.find(array.dtype().kind()) == std::string::npos) {
+        const std::string wanted = kinds.find('f') != std::string::npos ? "real" : "whole";
+        throw py::type_error(name + " must be " + wanted + " numbers, not " +
+                             py::str(array.dtype()).cast<std::string>());
+    }
+    return array;
+}
+
+void check_rows_of_three(const py::array& array, const std::string& name) {
+    const bool empty_list = array.ndim() == 1 && array.size() == 0;
+    if (empty_list || (array.ndim() == 2 && array.shape(1) == 3)) return;
+    throw UsageError(name + " must have the shape (n, 3), not " + shape_of(array));
+}
+
+std::uint32_t checked_index(std::int64_t index, std::size_t limit, std::size_t place,
+                            const char* name) {
+    if (index >= 0 && static_cast<std::uint64_t>(index) < limit)
+        return static_cast<std::uint32_t>(index);
+    throw UsageError(std::string{name} + ": entry " + std::to_string(place) + " is " +
+                     std::to_string(index) + ", but there are " + std::to_string(limit));
+}
+
+template <class Real>
+std::vector<glm::vec3> finite_rows(const py::array& given, const char* name) {
+    const py::array_t<Real, py::array::c_style | py::array::forcecast> rows(given);
+    std::vector<glm::vec3> points(static_cast<std::size_t>(rows.size()) / 3);
+    const Real* value = rows.data();
+    for (std::size_t i = 0; i < points.size(); ++i, value += 3) {
+        for (int axis = 0; axis < 3; ++axis) {
+            points[i][axis] = static_cast<float>(value[axis]);
+            if (std::isfinite(points[i][axis])) continue;
+            throw UsageError(std::string{name} + ": row " + std::to_string(i) +
+                             " is not finite as 32-bit floats");
+        }
+    }
+    return points;
+}
+
+/// All entries in C order; unsigned ones of 64 bits that are too large become negative.
+py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>
+whole_numbers(const py::array& array) {
+    return {array};
+}
+
+} // namespace
+
+std::vector<glm::vec3> points_from(py::handle object, const char* name) {
+    const py::array given = number_array(object, name, "fiu");
+    check_rows_of_three(given, name);
+    // By way of double what is too large for a float becomes infinite without a word.
+    return given.dtype().is(py::dtype::of<float>()) ? finite_rows<float>(given, name)
+                                                    : finite_rows<double>(given, name);
+}
+
+std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit) {
+    const py::array given = number_array(object, name, "iu");
+    check_rows_of_three(given, name);
+    const auto rows = whole_numbers(given);
+    const auto count = static_cast<std::size_t>(rows.size()) / 3;
+    std::vector<glm::uvec3> triangles(count);
+    const std::int64_t* value = rows.data();
+    for (std::size_t i = 0; i < count; ++i, value += 3) {
+        for (int corner = 0; corner < 3; ++corner)
+            triangles[i][corner] = checked_index(value[corner], limit, i, name);
+    }
+    return triangles;
+}
+
+std::vector<std::uint32_t> indices_from(py::handle object, const char* name, std::size_t limit) {
+    const py::array given = number_array(object, name, "iu");
+    if (given.ndim() != 1)
+        throw UsageError(std::string{name} + " must have the shape (n,), not " + shape_of(given));
+    const auto numbers = whole_numbers(given);
+    std::vector<std::uint32_t> indices(static_cast<std::size_t>(numbers.size()));
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        indices[i] = checked_index(numbers.data()[i], limit, i, name);
+    return indices;
+}
+
+bool holds_integers(py::handle object) {
+    const py::array array = py::array::ensure(py::reinterpret_borrow<py::object>(object));
+    if (!array) PyErr_Clear();
+    return array && array.ndim() == 1 &&
+           (array.dtype().kind() == 'i' || array.dtype().kind() == 'u');
+}
+
+} // namespace lineatlas::python

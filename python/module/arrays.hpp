@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+// NumPy arrays as the library's tables and back. Whatever has the wrong type ends in a TypeError,
+// the wrong shape or value in a UsageError; both name the argument.
+namespace lineatlas::python {
+
+namespace py = pybind11;
+
+using Triple = std::array<float, 3>;
+
+inline glm::vec3 vector_of(const Triple& values) {
+    return {values[0], values[1], values[2]};
+}
+inline std::tuple<float, float, float> tuple_of(glm::vec3 vector) {
+    return {vector.x, vector.y, vector.z};
+}
+
+/// Rows of three finite numbers, from any real type and memory order.
+std::vector<glm::vec3> points_from(py::handle object, const char* name);
+
+/// Rows of three indices, each below `limit`.
+std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit);
+
+/// A list of indices, each below `limit`.
+std::vector<std::uint32_t> indices_from(py::handle object, const char* name, std::size_t limit);
+
+/// Whether `object` is, or becomes as an array, one of whole numbers.
+bool holds_integers(py::handle object);
+
+/// An array that takes over what `values` holds; nothing is copied.
+template <class T>
+py::array array_of(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
+    auto* kept = new std::vector<T>(std::move(values));
+    const py::capsule owner(kept, [](void* p) { delete static_cast<std::vector<T>*>(p); });
+    return py::array_t<T>(std::move(shape), kept->data(), owner);
+}
+
+/// An array that shows what `owner` holds; it can't be written to.
+template <class T>
+py::array view_of(const T* values, std::vector<py::ssize_t> shape, py::handle owner) {
+    py::array_t<T> array(std::move(shape), values, owner);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
+}
+
+} // namespace lineatlas::python

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/renderer.hpp"
+#include "model.hpp"
+
+namespace lineatlas::python {
+
+/// The kinds of lines and angles that a model's lines are found with.
+struct ModelLines {
+    std::shared_ptr<const Model> model;
+    LineSet lines;
+};
+
+ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options);
+
+/// Intervals, and the lines whose they are.
+struct FoundIntervals {
+    std::shared_ptr<const ModelLines> subject;
+    std::vector<Interval> intervals;
+};
+
+/// A renderer with an OpenGL context of its own, and what it draws. Calls may come from any thread
+/// and wait for each other; whatever context is current on the thread is again afterwards.
+class Drawer {
+  public:
+    Drawer(ModelLines subject, const DeviceOptions& device);
+    ~Drawer();
+    Drawer(const Drawer&) = delete;
+    Drawer& operator=(const Drawer&) = delete;
+
+    void set_subject(ModelLines subject);
+    std::shared_ptr<const ModelLines> subject() const;
+    std::string description();
+
+    /// Pixels from the top left, 4 values each, colour not multiplied by alpha.
+    std::vector<std::uint8_t> draw(const Camera& camera, const FrameOptions& options,
+                                   bool transparent);
+    /// What is visible of the lines, and with `hidden` the rest too.
+    FoundIntervals intervals(const Camera& camera, FrameOptions options, bool hidden);
+
+    void close(); ///< gives back all that it holds; later calls throw UsageError
+
+  private:
+    class InUse;
+    struct State {
+        gl::HeadlessContext context;
+        Renderer renderer;
+        std::optional<gl::Canvas> canvas{};
+        std::set<std::string> known_pens{};
+
+        explicit State(const DeviceOptions& device) : renderer(device) {}
+    };
+
+    void set_pens(const Style& style);
+    gl::Canvas& canvas(glm::ivec2 size, int bits);
+
+    mutable std::mutex mutex_;
+    std::shared_ptr<const ModelLines> subject_; ///< callers may read it while it is replaced
+    std::unique_ptr<State> state_;
+};
+
+} // namespace lineatlas::python

@@ -1,0 +1,69 @@
+#include <exception>
+
+#include "bindings.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+namespace py = pybind11;
+
+/// Exception types live as long as the interpreter: their references are never given back.
+struct ErrorTypes {
+    PyObject* error = nullptr;
+    PyObject* usage = nullptr;
+    PyObject* file = nullptr;
+    PyObject* device = nullptr;
+    PyObject* mismatch = nullptr;
+};
+ErrorTypes types;
+
+PyObject* make_type(py::module_& module, const char* name, const char* doc,
+                    const py::tuple& bases) {
+    const std::string full_name = std::string{"lineatlas."} + name;
+    PyObject* type = PyErr_NewExceptionWithDoc(full_name.c_str(), doc, bases.ptr(), nullptr);
+    if (type == nullptr) throw py::error_already_set();
+    module.attr(name) = py::handle(type);
+    return type;
+}
+
+void translate(std::exception_ptr thrown) {
+    try {
+        if (thrown) std::rethrow_exception(thrown);
+    } catch (const UsageError& error) {
+        PyErr_SetString(types.usage, error.what());
+    } catch (const FileError& error) {
+        PyErr_SetString(types.file, error.what());
+    } catch (const DeviceError& error) {
+        PyErr_SetString(types.device, error.what());
+    } catch (const MismatchError& error) {
+        PyErr_SetString(types.mismatch, error.what());
+    } catch (const Error& error) {
+        PyErr_SetString(types.error, error.what());
+    }
+}
+
+} // namespace
+
+void bind_errors(py::module_& module) {
+    const auto both = [](PyObject* builtin) {
+        return py::make_tuple(py::handle(types.error), py::handle(builtin));
+    };
+    types.error = make_type(module, "Error", "Base of all that lineatlas raises on purpose.",
+                            py::make_tuple(py::handle(PyExc_Exception)));
+    types.usage =
+        make_type(module, "UsageError", "Something asked for does not exist or makes no sense.",
+                  both(PyExc_ValueError));
+    types.file = make_type(module, "FileError",
+                           "A file can't be read or written, or holds something else than it says.",
+                           both(PyExc_OSError));
+    types.device =
+        make_type(module, "DeviceError", "The machine can't do it; the message says what helps.",
+                  both(PyExc_RuntimeError));
+    types.mismatch =
+        make_type(module, "MismatchError", "Two compute backends disagree where they must not.",
+                  both(PyExc_RuntimeError));
+    py::register_exception_translator(&translate);
+}
+
+} // namespace lineatlas::python

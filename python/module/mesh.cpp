@@ -1,0 +1,220 @@
+#include <optional>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/io.hpp"
+#include "lineatlas/scenes.hpp"
+#include "model.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+using GroupOrName = std::variant<MeshGroup, std::string>;
+using Groups = std::optional<std::vector<GroupOrName>>;
+
+MeshGroup make_group(std::string object, std::string material, const std::optional<Triple>& color) {
+    MeshGroup group{.object = std::move(object), .material = std::move(material)};
+    if (color) group.color = vector_of(*color);
+    return group;
+}
+
+/// Numbers of materials without names: they are named by their numbers.
+void add_numbered_groups(Mesh& mesh, const std::vector<std::uint32_t>& numbers) {
+    const float* corner = mesh.positions.empty() ? nullptr : &mesh.positions[0].x;
+    const std::uint32_t* index = mesh.triangles.empty() ? nullptr : &mesh.triangles[0].x;
+    Mesh grouped = make_mesh({.positions = {corner, mesh.positions.size() * 3},
+                              .indices = {index, mesh.triangles.size() * 3},
+                              .materials = numbers});
+    mesh.triangle_group = std::move(grouped.triangle_group);
+    mesh.groups = std::move(grouped.groups);
+}
+
+void add_groups(Mesh& mesh, const py::object& triangle_group, const Groups& groups) {
+    if (triangle_group.is_none()) {
+        if (groups) throw UsageError("groups need triangle_group, which says what belongs to them");
+        return;
+    }
+    constexpr std::size_t any = std::size_t{1} << 32;
+    const std::size_t limit = groups ? groups->size() : any;
+    std::vector<std::uint32_t> numbers = indices_from(triangle_group, "triangle_group", limit);
+    if (numbers.size() != mesh.triangles.size()) {
+        throw UsageError("triangle_group has " + std::to_string(numbers.size()) +
+                         " entries, but there are " + std::to_string(mesh.triangles.size()) +
+                         " triangles");
+    }
+    if (numbers.empty()) return;
+    if (!groups) return add_numbered_groups(mesh, numbers);
+    for (const GroupOrName& group : *groups) {
+        const auto* name = std::get_if<std::string>(&group);
+        mesh.groups.push_back(name != nullptr ? make_group({}, *name, {})
+                                              : std::get<MeshGroup>(group));
+    }
+    mesh.triangle_group = std::move(numbers);
+}
+
+/// Indices of positions, or points of its own.
+void add_polyline(Mesh& mesh, py::handle line) {
+    if (holds_integers(line))
+        mesh.polylines.push_back(indices_from(line, "polylines", mesh.positions.size()));
+    else
+        lineatlas::add_polyline(mesh, points_from(line, "polylines"));
+}
+
+std::vector<glm::uvec3> triangles_in_order(std::size_t corners) {
+    if (corners % 3 != 0) {
+        throw UsageError(
+            "positions: without triangles they are three corners each, but there are " +
+            std::to_string(corners));
+    }
+    std::vector<glm::uvec3> triangles;
+    for (std::size_t i = 0; i < corners; i += 3) {
+        const auto first = static_cast<std::uint32_t>(i);
+        triangles.emplace_back(first, first + 1, first + 2);
+    }
+    return triangles;
+}
+
+std::shared_ptr<Model> make_model(const py::object& positions, const py::object& triangles,
+                                  const py::object& triangle_group, const Groups& groups,
+                                  const py::iterable& polylines) {
+    auto model = std::make_shared<Model>();
+    Mesh& mesh = model->mesh;
+    mesh.positions = points_from(positions, "positions");
+    const std::size_t corners = mesh.positions.size();
+    for (const py::handle line : polylines) add_polyline(mesh, line);
+    if (!triangles.is_none())
+        mesh.triangles = triangles_from(triangles, "triangles", corners);
+    else if (mesh.polylines.empty())
+        mesh.triangles = triangles_in_order(corners);
+    add_groups(mesh, triangle_group, groups);
+    return model;
+}
+
+std::shared_ptr<Model> load(const std::filesystem::path& path) {
+    const py::gil_scoped_release release;
+    LoadedMesh loaded = load_mesh(path);
+    return std::make_shared<Model>(
+        Model{.mesh = std::move(loaded.mesh), .notes = std::move(loaded.notes)});
+}
+
+py::array rows_of(const py::object& self, const glm::vec3* rows, std::size_t count) {
+    return view_of(reinterpret_cast<const float*>(rows), {static_cast<py::ssize_t>(count), 3},
+                   self);
+}
+
+py::object positions(const py::object& self) {
+    const Mesh& mesh = self.cast<const Model&>().mesh;
+    return rows_of(self, mesh.positions.data(), mesh.positions.size());
+}
+
+py::object triangles(const py::object& self) {
+    const Mesh& mesh = self.cast<const Model&>().mesh;
+    return view_of(reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()),
+                   {static_cast<py::ssize_t>(mesh.triangles.size()), 3}, self);
+}
+
+py::object triangle_group(const py::object& self) {
+    const Mesh& mesh = self.cast<const Model&>().mesh;
+    return view_of(mesh.triangle_group.data(),
+                   {static_cast<py::ssize_t>(mesh.triangle_group.size())}, self);
+}
+
+py::list polylines(const py::object& self) {
+    py::list lines;
+    for (const std::vector<std::uint32_t>& line : self.cast<const Model&>().mesh.polylines)
+        lines.append(view_of(line.data(), {static_cast<py::ssize_t>(line.size())}, self));
+    return lines;
+}
+
+std::string describe(const Model& model) {
+    const Mesh& mesh = model.mesh;
+    return "<lineatlas.Mesh: " + std::to_string(mesh.positions.size()) + " positions, " +
+           std::to_string(mesh.triangles.size()) + " triangles, " +
+           std::to_string(mesh.polylines.size()) + " polylines, " +
+           std::to_string(mesh.groups.size()) + " groups>";
+}
+
+struct PythonScene {
+    std::string name;
+    std::shared_ptr<Model> mesh;
+    std::function<View(float)> view;
+};
+
+PythonScene make_python_scene(const std::string& name) {
+    const py::gil_scoped_release release;
+    Scene scene = make_scene(name);
+    return {scene.name, std::make_shared<Model>(Model{.mesh = std::move(scene.mesh)}),
+            std::move(scene.view)};
+}
+
+void bind_scene(py::module_& module) {
+    py::class_<PythonScene>(module, "Scene",
+                            "A built-in model with the camera path it is measured on.")
+        .def_readonly("name", &PythonScene::name, "What scene() was asked for.")
+        .def_readonly("mesh", &PythonScene::mesh, "The model, y up.")
+        .def(
+            "view", [](const PythonScene& scene, float t) { return scene.view(t); },
+            py::arg("t") = 0.0F, "The view at t, 0 to 1, along the camera path.");
+    module.def("scene", &make_python_scene, py::arg("name"),
+               "Builds a scene: clevis, house, ship or office.");
+    py::list names;
+    for (const std::string_view name : scene_names()) names.append(py::str(std::string{name}));
+    module.attr("SCENES") = py::tuple(names);
+}
+
+} // namespace
+
+std::shared_ptr<const Model> model_of(const ModelOrPath& given) {
+    if (const auto* path = std::get_if<std::filesystem::path>(&given)) return load(*path);
+    return std::get<std::shared_ptr<Model>>(given);
+}
+
+void bind_mesh(py::module_& module) {
+    py::class_<MeshGroup>(module, "Group",
+                          "What triangles belong to. An edge between two groups is a line.")
+        .def(py::init(&make_group), py::arg("object") = "", py::arg("material") = "",
+             py::arg("color") = py::none())
+        .def_readonly("object", &MeshGroup::object, "Name of the object; may be empty.")
+        .def_readonly("material", &MeshGroup::material, "Name of the material; may be empty.")
+        .def_property_readonly(
+            "color",
+            [](const MeshGroup& group) {
+                return group.color ? std::optional{tuple_of(*group.color)} : std::nullopt;
+            },
+            "Red, green and blue, 0 to 1, sRGB-coded; None where unknown.");
+
+    py::class_<Model, std::shared_ptr<Model>>(
+        module, "Mesh",
+        "Triangles and polylines to draw the lines of. It can't be changed.\n\n"
+        "positions: (n, 3) real numbers. triangles: (m, 3) indices; without them, and without\n"
+        "polylines, each three positions are a triangle. triangle_group: (m,) indices into\n"
+        "groups, or any numbers where groups are not named; groups: Group or names of materials.\n"
+        "polylines: lines to be drawn as they are, each (k,) indices or (k, 3) points.\n\n"
+        "Arrays of any real type and memory order do; they are copied. Equal positions are welded\n"
+        "when lines are found. Raises UsageError for wrong shapes, indices out of range and\n"
+        "numbers that are not finite, TypeError for what is no array of numbers.")
+        .def(py::init(&make_model), py::arg("positions"), py::arg("triangles") = py::none(),
+             py::kw_only(), py::arg("triangle_group") = py::none(), py::arg("groups") = py::none(),
+             py::arg("polylines") = py::tuple())
+        .def_property_readonly("positions", &positions, "(n, 3) float32, read-only, not copied.")
+        .def_property_readonly("triangles", &triangles, "(m, 3) uint32, read-only, not copied.")
+        .def_property_readonly("triangle_group", &triangle_group,
+                               "(m,) uint32 indices into groups, or empty; read-only, not copied.")
+        .def_property_readonly(
+            "groups", [](const Model& model) { return model.mesh.groups; },
+            "What triangle_group refers to.")
+        .def_property_readonly("polylines", &polylines,
+                               "(k,) uint32 indices of positions for each; read-only, not copied.")
+        .def_readonly("notes", &Model::notes,
+                      "What was repaired or left out when the file was read.")
+        .def("__repr__", &describe);
+    module.def("load", &load, py::arg("path"),
+               "Reads an OBJ, PLY, STL, OFF or OM file. Raises FileError.");
+    bind_scene(module);
+}
+
+} // namespace lineatlas::python

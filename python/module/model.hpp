@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas::python {
+
+/// A mesh as Python has it: never changed once it is made, so that arrays may show it and renderers
+/// share it.
+struct Model {
+    Mesh mesh;
+    std::vector<std::string> notes{}; ///< what was repaired when it was read
+};
+
+/// Where a mesh or the name of its file will do.
+using ModelOrPath = std::variant<std::shared_ptr<Model>, std::filesystem::path>;
+
+std::shared_ptr<const Model> model_of(const ModelOrPath& given);
+
+} // namespace lineatlas::python

@@ -1,0 +1,13 @@
+#include "bindings.hpp"
+
+PYBIND11_MODULE(_lineatlas, module) {
+    using namespace lineatlas::python;
+    module.doc() = "The compiled part of lineatlas; import lineatlas.";
+    module.attr("__version__") = LINEATLAS_VERSION;
+    bind_errors(module);
+    bind_mesh(module);
+    bind_view(module);
+    bind_style(module);
+    bind_renderer(module);
+    bind_files(module);
+}

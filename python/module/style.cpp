@@ -1,0 +1,107 @@
+#include <map>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bindings.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/style_files.hpp"
+#include "style/settings.hpp"
+#include "style_values.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+namespace py = pybind11;
+
+/// As style files have it, or with "_" for "-".
+std::string key_of(std::string name) {
+    for (char& letter : name)
+        if (letter == '_') letter = '-';
+    return name;
+}
+
+void set(Style& style, const std::string& name, const py::object& value) {
+    const Setting& setting = find_setting(key_of(name));
+    set_value(style, setting, setting_value(value), setting.key);
+}
+
+py::object get(const Style& style, const std::string& name) {
+    return python_value(find_setting(key_of(name)).get(style));
+}
+
+Style make_style(const std::optional<std::filesystem::path>& base, const py::kwargs& changes) {
+    Style style = base ? load_style(base->string()) : Style{};
+    for (const auto& [name, value] : changes)
+        set(style, py::str(name), py::reinterpret_borrow<py::object>(value));
+    return style;
+}
+
+py::dict all_settings(const Style& style) {
+    py::dict values;
+    for (const Setting& setting : settings())
+        values[py::str(setting.key)] = python_value(setting.get(style));
+    return values;
+}
+
+std::string describe(const Style& style) {
+    const Style defaults;
+    std::string text = "<lineatlas.Style";
+    for (const Setting& setting : settings()) {
+        const std::string value = value_to_toml(setting.get(style));
+        if (value != value_to_toml(setting.get(defaults))) text += " " + setting.key + "=" + value;
+    }
+    return text + ">";
+}
+
+} // namespace
+
+Style style_of(const std::optional<StyleOrName>& given) {
+    if (!given) return {};
+    if (const auto* name = std::get_if<std::filesystem::path>(&*given))
+        return load_style(name->string());
+    return std::get<Style>(*given);
+}
+
+SettingValue setting_value(const py::object& value) {
+    if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+    if (py::isinstance<py::str>(value)) return value_from_text(value.cast<std::string>());
+    if (PyNumber_Check(value.ptr()) != 0 && !py::isinstance<py::sequence>(value))
+        return value.cast<double>();
+    return value.cast<std::vector<double>>();
+}
+
+py::object python_value(const SettingValue& value) {
+    return std::visit([](const auto& held) { return py::cast(held); }, value);
+}
+
+void bind_style(py::module_& module) {
+    py::class_<Style>(
+        module, "Style",
+        "How a drawing looks: pens, colours, hidden lines, effects, paper.\n\n"
+        "base: name of a style that ships, or path of a style file; none: plain black lines.\n"
+        "Settings are those of style files, with \"_\" for \"-\": Style(\"pencil\", width=3,\n"
+        "fill_color=\"navy\"). They are read and changed as items: style[\"width\"] = 4.")
+        .def(py::init(&make_style), py::arg("base") = py::none())
+        .def("__getitem__", &get, py::arg("key"), "The value of a setting.")
+        .def("__setitem__", &set, py::arg("key"), py::arg("value"), "Changes a setting.")
+        .def("settings", &all_settings, "All settings and their values.")
+        .def(
+            "to_toml",
+            [](const Style& style, const std::string& description) {
+                return write_style(style, description);
+            },
+            py::arg("description") = "", "The style as the text of a style file.")
+        .def("__repr__", &describe);
+    module.def(
+        "styles",
+        [] {
+            py::dict names;
+            for (const StyleInfo& style : list_styles())
+                names[py::str(style.name)] = style.description;
+            return names;
+        },
+        "The styles that ship, by name, with a line about each.");
+}
+
+} // namespace lineatlas::python

@@ -1,0 +1,170 @@
+#include "views.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bindings.hpp"
+#include "lineatlas/error.hpp"
+#include "model.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+constexpr float radians_per_degree = std::numbers::pi_v<float> / 180;
+
+View make_view(const Triple& eye, const Triple& target, const Triple& up, float fov, float near,
+               float far) {
+    return {.eye = vector_of(eye),
+            .target = vector_of(target),
+            .up = vector_of(up),
+            .fov_y = fov * radians_per_degree,
+            .near = near,
+            .far = far};
+}
+
+std::string describe(const View& view) {
+    const auto written = [](glm::vec3 v) {
+        return fmt::format("({:.7g}, {:.7g}, {:.7g})", v.x, v.y, v.z);
+    };
+    return fmt::format("View(eye={}, target={}, up={}, fov={:.6g}, near={:.7g}, far={:.7g})",
+                       written(view.eye), written(view.target), written(view.up),
+                       view.fov_y / radians_per_degree, view.near, view.far);
+}
+
+/// A row per row; GLM keeps columns.
+glm::mat4 matrix_from(const py::object& object, const char* name) {
+    const py::array_t<double, py::array::c_style | py::array::forcecast> rows(object);
+    if (rows.ndim() != 2 || rows.shape(0) != 4 || rows.shape(1) != 4)
+        throw UsageError(std::string{name} + " must have the shape (4, 4)");
+    glm::mat4 matrix{1};
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            const auto value = static_cast<float>(rows.at(row, column));
+            if (!std::isfinite(value)) throw UsageError(std::string{name} + " must be finite");
+            matrix[column][row] = value;
+        }
+    }
+    return matrix;
+}
+
+py::array matrix_of(const glm::mat4& matrix) {
+    std::vector<float> rows;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) rows.push_back(matrix[column][row]);
+    return array_of(std::move(rows), {4, 4});
+}
+
+Camera make_python_camera(const py::object& view, const py::object& projection, bool zero_to_one) {
+    Camera camera;
+    camera.view = matrix_from(view, "view");
+    camera.projection = matrix_from(projection, "projection");
+    camera.clip.zero_to_one = zero_to_one;
+    return camera;
+}
+
+/// Positions that triangles or polylines use.
+std::vector<glm::vec3> used_points(const Mesh& mesh) {
+    std::vector<bool> used(mesh.positions.size());
+    for (const glm::uvec3 triangle : mesh.triangles)
+        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
+    for (const std::vector<std::uint32_t>& line : mesh.polylines)
+        for (const std::uint32_t index : line) used[index] = true;
+    std::vector<glm::vec3> points;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) points.push_back(mesh.positions[i]);
+    return points;
+}
+
+View frame_model(const ModelOrPath& model, Size size, const UpAxis& up, float fov) {
+    return frame(used_points(model_of(model)->mesh), size, up, fov);
+}
+
+/// Bounds to fit planes to where a model has none.
+Bounds around(glm::vec3 point) {
+    return {.min = point - 1.0F, .max = point + 1.0F};
+}
+
+template <glm::vec3 View::*member>
+std::tuple<float, float, float> triple(const View& view) {
+    return tuple_of(view.*member);
+}
+
+void bind_view_class(py::module_& module) {
+    const View defaults;
+    py::class_<View>(module, "View",
+                     "A perspective camera: where the eye is, what it looks at.\n\n"
+                     "fov: vertical field of view in degrees. near, far: distances of the planes\n"
+                     "of the depth buffer; 0: fitted to the model.")
+        .def(py::init(&make_view), py::arg("eye"), py::arg("target"),
+             py::arg("up") = tuple_of(defaults.up), py::arg("fov") = 40.0F, py::arg("near") = 0.0F,
+             py::arg("far") = 0.0F)
+        .def_property_readonly("eye", &triple<&View::eye>, "Where the eye is.")
+        .def_property_readonly("target", &triple<&View::target>, "What it looks at.")
+        .def_property_readonly("up", &triple<&View::up>, "What is upwards.")
+        .def_property_readonly(
+            "fov", [](const View& view) { return view.fov_y / radians_per_degree; },
+            "Vertical field of view in degrees.")
+        .def_readonly("near", &View::near, "Distance of the near plane; 0: fitted.")
+        .def_readonly("far", &View::far, "Distance of the far plane; 0: fitted.")
+        .def("__repr__", &describe);
+}
+
+} // namespace
+
+glm::vec3 up_of(const UpAxis& up) {
+    if (const auto* vector = std::get_if<Triple>(&up)) return vector_of(*vector);
+    const std::string& name = std::get<std::string>(up);
+    if (name == "x") return {1, 0, 0};
+    if (name == "y") return {0, 1, 0};
+    if (name == "z") return {0, 0, 1};
+    throw UsageError("up \"" + name + "\" is not x, y, z or three numbers");
+}
+
+View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov) {
+    if (points.empty()) throw UsageError("there is nothing to frame: give a view");
+    if (size[0] < 1 || size[1] < 1) throw UsageError("size: both sides must be at least 1");
+    const glm::vec3 axis = up_of(up);
+    if (axis != glm::abs(axis) || axis.x + axis.y + axis.z != 1 || glm::dot(axis, axis) != 1)
+        throw UsageError("up must be an axis to frame a model: x, y or z; else give a view");
+    if (!(fov > 0 && fov < 180)) throw UsageError("fov must be above 0 and below 180 degrees");
+    return frame_points(points, {size[0], size[1]}, axis, fov * radians_per_degree);
+}
+
+Camera camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
+                 std::span<const glm::vec3> points, const Bounds& bounds) {
+    const glm::ivec2 pixels{size[0], size[1]};
+    if (given && std::holds_alternative<Camera>(*given)) {
+        Camera camera = std::get<Camera>(*given);
+        if (size[0] < 1 || size[1] < 1) throw UsageError("size: both sides must be at least 1");
+        camera.size = pixels;
+        return camera;
+    }
+    const View view = given ? std::get<View>(*given) : frame(points, size, up, 40);
+    return make_camera(view, pixels, points.empty() ? around(view.target) : bounds);
+}
+
+void bind_view(py::module_& module) {
+    bind_view_class(module);
+    py::class_<Camera>(module, "Camera",
+                       "A camera as the two matrices of a program of its own, (4, 4) each, for\n"
+                       "column vectors as in OpenGL. zero_to_one: depth of clip space goes from 0\n"
+                       "to w as in Direct3D and Vulkan. Depth may be reversed.")
+        .def(py::init(&make_python_camera), py::arg("view"), py::arg("projection"), py::kw_only(),
+             py::arg("zero_to_one") = false)
+        .def_property_readonly(
+            "view", [](const Camera& camera) { return matrix_of(camera.view); },
+            "World to eye space, (4, 4) float32.")
+        .def_property_readonly(
+            "projection", [](const Camera& camera) { return matrix_of(camera.projection); },
+            "Eye to clip space, (4, 4) float32.");
+    module.def("frame", &frame_model, py::arg("model"), py::kw_only(),
+               py::arg("size") = Size{1024, 768}, py::arg("up") = "y", py::arg("fov") = 40.0F,
+               "A view from the front, right and above in which a mesh, or that of a file, just\n"
+               "fits. up: \"x\", \"y\" or \"z\". Raises UsageError for an empty mesh.");
+}
+
+} // namespace lineatlas::python

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "arrays.hpp"
+#include "lineatlas/camera.hpp"
+
+namespace lineatlas::python {
+
+using UpAxis = std::variant<std::string, Triple>; ///< "x", "y", "z" or a vector
+using ViewOrCamera = std::variant<View, Camera>;
+using Size = std::array<int, 2>;
+
+glm::vec3 up_of(const UpAxis& up);
+
+/// The view on `points` from the front; throws UsageError if there are none. `fov` in degrees.
+View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov);
+
+/// The camera of a picture of `size`. `given`: nothing frames `points`, which `bounds` holds.
+Camera camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
+                 std::span<const glm::vec3> points, const Bounds& bounds);
+
+} // namespace lineatlas::python

@@ -1,0 +1,139 @@
+"""NumPy arrays in and out: every type and order, and clear errors for what is none of them."""
+
+import unittest
+
+import numpy as np
+
+import lineatlas
+from support import CUBE_POSITIONS, CUBE_TRIANGLES, CUBE_VIEW, FolderTest, cube, dark_share
+
+
+class In(unittest.TestCase):
+    def check(self, positions: object, triangles: object) -> None:
+        mesh = lineatlas.Mesh(positions, triangles)
+        np.testing.assert_array_equal(mesh.positions, CUBE_POSITIONS)
+        np.testing.assert_array_equal(mesh.triangles, CUBE_TRIANGLES)
+
+    def test_types_and_orders(self) -> None:
+        for real in (np.float16, np.float32, np.float64, np.int8, np.uint64, ">f8"):
+            for whole in (np.int8, np.uint16, np.int32, np.int64, np.uint64, ">i4"):
+                self.check(CUBE_POSITIONS.astype(real), CUBE_TRIANGLES.astype(whole))
+        self.check(np.asfortranarray(CUBE_POSITIONS), np.asfortranarray(CUBE_TRIANGLES))
+        wide = np.zeros((16, 6))
+        wide[::2, ::2] = CUBE_POSITIONS
+        self.check(wide[::2, ::2], CUBE_TRIANGLES[::-1][::-1])
+        self.check(CUBE_POSITIONS.tolist(), CUBE_TRIANGLES.tolist())
+
+    def test_views_are_not_copies_and_read_only(self) -> None:
+        mesh = cube()
+        positions = mesh.positions
+        self.assertIs(positions.base, mesh)
+        with self.assertRaises(ValueError):
+            positions[0, 0] = 5
+        del mesh
+        np.testing.assert_array_equal(positions, CUBE_POSITIONS)  # it keeps the mesh
+
+    def test_given_arrays_may_change(self) -> None:
+        positions = CUBE_POSITIONS.copy()
+        mesh = lineatlas.Mesh(positions, CUBE_TRIANGLES)
+        positions[:] = np.nan
+        np.testing.assert_array_equal(mesh.positions, CUBE_POSITIONS)
+
+    def test_soup(self) -> None:
+        mesh = lineatlas.Mesh(CUBE_POSITIONS[CUBE_TRIANGLES].reshape(-1, 3))
+        self.assertEqual(len(mesh.triangles), 12)
+        np.testing.assert_array_equal(lineatlas.draw(mesh, size=(200, 200), view=CUBE_VIEW),
+                                      lineatlas.draw(cube(), size=(200, 200), view=CUBE_VIEW))
+
+    def test_groups(self) -> None:
+        red = lineatlas.Group("box", "red", (1, 0, 0))
+        mesh = cube(triangle_group=[0] * 6 + [1] * 6, groups=[red, "blue"])
+        self.assertEqual([(g.object, g.material, g.color) for g in mesh.groups],
+                         [("box", "red", (1, 0, 0)), ("", "blue", None)])
+        mesh = cube(triangle_group=np.array([7] * 6 + [3_000_000_000] * 6))
+        self.assertEqual([g.material for g in mesh.groups], ["7", "3000000000"])
+        np.testing.assert_array_equal(mesh.triangle_group, [0] * 6 + [1] * 6)
+
+    def test_polylines(self) -> None:
+        mesh = lineatlas.Mesh(CUBE_POSITIONS, polylines=[[0, 7], np.array([[0, 0, 0], [1, 1, 0.]])])
+        self.assertEqual(len(mesh.triangles), 0)
+        self.assertEqual([line.tolist() for line in mesh.polylines], [[0, 7], [8, 9]])
+        found = lineatlas.intervals(mesh, view=CUBE_VIEW)
+        self.assertEqual(set(found["kind"]), {lineatlas.LineKind.file})
+        self.assertTrue((found["triangle"] == -1).all())
+
+    def test_empty(self) -> None:
+        for mesh in (lineatlas.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int)),
+                     lineatlas.Mesh([], []), lineatlas.Mesh(CUBE_POSITIONS, [])):
+            self.assertEqual(dark_share(lineatlas.draw(mesh, size=(50, 40), view=CUBE_VIEW)), 0)
+            self.assertEqual(len(lineatlas.intervals(mesh, view=CUBE_VIEW)), 0)
+            with self.assertRaisesRegex(lineatlas.UsageError, "nothing to frame"):
+                lineatlas.draw(mesh)
+            with self.assertRaisesRegex(lineatlas.UsageError, "nothing to frame"):
+                lineatlas.frame(mesh)
+
+    def test_wrong_types(self) -> None:
+        for positions in (CUBE_POSITIONS.astype(str), CUBE_POSITIONS.astype(complex),
+                          np.full((8, 3), None), "abc", [[0, 1], [2]], None):
+            with self.assertRaisesRegex(TypeError, "positions"):
+                lineatlas.Mesh(positions, CUBE_TRIANGLES)
+        for triangles in (CUBE_TRIANGLES.astype(float), CUBE_TRIANGLES.astype(bool), "abc"):
+            with self.assertRaisesRegex(TypeError, "triangles"):
+                lineatlas.Mesh(CUBE_POSITIONS, triangles)
+        with self.assertRaises(TypeError):
+            lineatlas.draw(17)
+
+    def test_wrong_shapes(self) -> None:
+        for positions in (np.zeros(24), np.zeros((8, 4)), np.zeros((2, 4, 3)), np.float32(1)):
+            with self.assertRaisesRegex(lineatlas.UsageError, r"positions must have.*\(n, 3\)"):
+                lineatlas.Mesh(positions, CUBE_TRIANGLES)
+        with self.assertRaisesRegex(lineatlas.UsageError, r"triangles must have.*not \(12, 2\)"):
+            lineatlas.Mesh(CUBE_POSITIONS, CUBE_TRIANGLES[:, :2])
+        with self.assertRaisesRegex(lineatlas.UsageError, "8"):
+            lineatlas.Mesh(CUBE_POSITIONS)
+        with self.assertRaisesRegex(lineatlas.UsageError, "triangle_group has 5 entries"):
+            cube(triangle_group=[0] * 5)
+        with self.assertRaisesRegex(lineatlas.UsageError, "triangle_group"):
+            cube(groups=["a"])
+
+    def test_wrong_values(self) -> None:
+        for value in (np.nan, np.inf, 1e300):
+            positions = CUBE_POSITIONS.astype(float)
+            positions[5, 1] = value
+            with self.assertRaisesRegex(lineatlas.UsageError, "row 5"):
+                lineatlas.Mesh(positions, CUBE_TRIANGLES)
+        for index in (8, -1, 1 << 40, -(1 << 40), np.uint64(2**64 - 1)):
+            triangles = CUBE_TRIANGLES.astype(np.uint64 if index > 8 else np.int64)
+            triangles[3, 2] = index
+            with self.assertRaisesRegex(lineatlas.UsageError, "triangles: entry 3"):
+                lineatlas.Mesh(CUBE_POSITIONS, triangles)
+        with self.assertRaisesRegex(lineatlas.UsageError, "polylines: entry 1"):
+            lineatlas.Mesh(CUBE_POSITIONS, polylines=[[0, 8]])
+        with self.assertRaisesRegex(lineatlas.UsageError, "triangle_group: entry 2"):
+            cube(triangle_group=[0, 0, 1] + [0] * 9, groups=["a"])
+
+
+class Out(FolderTest):
+    def test_picture_is_its_own(self) -> None:
+        with lineatlas.Renderer(cube()) as renderer:
+            first = renderer.draw(size=(64, 48), view=CUBE_VIEW)
+            kept = first.copy()
+            renderer.draw(size=(64, 48), view=lineatlas.View((-4, 3, 5), (0.5, 0.5, 0.5)))
+        np.testing.assert_array_equal(first, kept)
+        first[:] = 0  # may be drawn over
+
+    def test_saved(self) -> None:
+        picture = np.zeros((20, 30, 3), np.uint8)
+        lineatlas.save(self.folder / "a.png", picture[::2, ::-1])
+        self.assertTrue((self.folder / "a.png").read_bytes().startswith(b"\x89PNG"))
+        for wrong in (picture.astype(float), picture[0], picture[:0], np.zeros((4, 4, 5), np.uint8)):
+            with self.assertRaisesRegex(lineatlas.UsageError, "uint8"):
+                lineatlas.save(self.folder / "b.png", wrong)
+        with self.assertRaises(lineatlas.FileError):
+            lineatlas.save(self.folder / "b.unknown", picture)
+        with self.assertRaises(OSError):
+            lineatlas.save(self.folder / "no" / "b.png", picture)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,167 @@
+"""A renderer that is kept: threads, memory, errors, and its end."""
+
+import gc
+import os
+import pathlib
+import subprocess
+import sys
+import threading
+import unittest
+
+import numpy as np
+
+import lineatlas
+from support import CUBE_VIEW, cube
+
+
+def resident_bytes() -> int:
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * 4096
+
+
+def views(count: int) -> list:
+    return [lineatlas.View((4 * np.cos(a), 2, 4 * np.sin(a)), (0.5, 0.5, 0.5))
+            for a in np.linspace(0, 6, count)]
+
+
+class Threads(unittest.TestCase):
+    def draw_all(self, renderer: lineatlas.Renderer, pictures: list) -> None:
+        for view in views(10):
+            pictures.append(renderer.draw(size=(160, 120), view=view))
+
+    def run_threads(self, jobs: list) -> None:
+        threads = [threading.Thread(target=job, args=arguments) for job, *arguments in jobs]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(120)
+            self.assertFalse(thread.is_alive())
+
+    def test_two_renderers_and_one_of_both(self) -> None:
+        expected: list = []
+        shared = lineatlas.Renderer(cube())
+        self.draw_all(shared, expected)
+        own: list = [[], []]
+        both: list = [[], []]
+
+        def make_and_draw(pictures: list) -> None:
+            with lineatlas.Renderer(cube()) as renderer:
+                self.draw_all(renderer, pictures)
+
+        self.run_threads([(make_and_draw, own[0]), (make_and_draw, own[1]),
+                          (self.draw_all, shared, both[0]), (self.draw_all, shared, both[1])])
+        for pictures in own + both:
+            self.assertEqual(len(pictures), len(expected))
+            for picture, right in zip(pictures, expected):
+                np.testing.assert_array_equal(picture, right)
+
+    def test_others_run_while_it_draws(self) -> None:
+        """The interpreter's lock is not held: this thread counts on."""
+        scene = lineatlas.scene("house")
+        done = threading.Event()
+
+        def draw() -> None:
+            lineatlas.draw(scene.mesh, view=scene.view(0))
+            done.set()
+
+        thread = threading.Thread(target=draw)
+        thread.start()
+        counted = 0
+        while not done.wait(0.001):
+            counted += 1
+        thread.join()
+        self.assertGreater(counted, 20)
+
+    def test_destroyed_on_another_thread(self) -> None:
+        kept = [lineatlas.Renderer(cube())]
+        kept[0].draw(size=(16, 16))
+        self.run_threads([(kept.clear,)])
+        gc.collect()
+        lineatlas.draw(cube(), size=(16, 16))
+
+
+class Memory(unittest.TestCase):
+    def grown_by(self, job: object, warm_up: int, count: int) -> int:
+        for _ in range(warm_up):
+            job()
+        gc.collect()
+        before = resident_bytes()
+        for _ in range(count):
+            job()
+        gc.collect()
+        return resident_bytes() - before
+
+    def test_a_kept_renderer_does_not_grow(self) -> None:
+        with lineatlas.Renderer(cube()) as renderer:
+            def job() -> None:
+                renderer.draw(size=(320, 240), view=CUBE_VIEW, style="pencil")
+                renderer.intervals(size=(320, 240), view=CUBE_VIEW)
+            picture = 320 * 240 * 4
+            self.assertLess(self.grown_by(job, 40, 200), 20 * picture)
+
+    def test_meshes_are_given_back(self) -> None:
+        positions = np.random.default_rng(1).random((300_000, 3), np.float32)
+        size = positions.nbytes
+        self.assertLess(self.grown_by(lambda: lineatlas.Mesh(positions).positions, 5, 50), 3 * size)
+
+
+class Life(unittest.TestCase):
+    def test_closed(self) -> None:
+        renderer = lineatlas.Renderer(cube())
+        renderer.close()
+        renderer.close()
+        with self.assertRaisesRegex(lineatlas.UsageError, "closed"):
+            renderer.draw(view=CUBE_VIEW)
+        with self.assertRaisesRegex(lineatlas.UsageError, "closed"):
+            _ = renderer.description
+
+    def test_another_model(self) -> None:
+        with lineatlas.Renderer(lineatlas.scene("clevis").mesh) as renderer:
+            renderer.draw(size=(100, 80))
+            renderer.set_model(cube())
+            np.testing.assert_array_equal(renderer.draw(size=(100, 80)),
+                                          lineatlas.draw(cube(), size=(100, 80)))
+
+    def test_goes_on_after_an_error(self) -> None:
+        with lineatlas.Renderer(cube()) as renderer:
+            before = renderer.draw(size=(100, 80))
+            with self.assertRaises(lineatlas.UsageError):
+                renderer.draw(size=(100, 80), options=lineatlas.Options(depth_scale=9))
+            with self.assertRaises(lineatlas.FileError):
+                renderer.draw(style=lineatlas.Style(pen="./missing.png"))
+            with self.assertRaises(lineatlas.FileError):
+                renderer.set_model("missing.obj")
+            np.testing.assert_array_equal(renderer.draw(size=(100, 80)), before)
+
+    def test_reference_backend(self) -> None:
+        with lineatlas.Renderer(cube(), compute="reference") as renderer:
+            self.assertIn("reference", renderer.description)
+            np.testing.assert_array_equal(renderer.draw(size=(100, 80)),
+                                          lineatlas.draw(cube(), size=(100, 80)))
+
+    def test_errors(self) -> None:
+        for error, builtin in ((lineatlas.UsageError, ValueError), (lineatlas.FileError, OSError),
+                               (lineatlas.DeviceError, RuntimeError),
+                               (lineatlas.MismatchError, RuntimeError)):
+            self.assertTrue(issubclass(error, builtin) and issubclass(error, lineatlas.Error))
+        with self.assertRaisesRegex(lineatlas.UsageError, "backend"):
+            lineatlas.Renderer(cube(), compute="abacus")
+        with self.assertRaisesRegex(lineatlas.UsageError, "no such platform"):
+            lineatlas.Renderer(cube(), device="opencl:no such platform")
+        with self.assertRaisesRegex(lineatlas.UsageError, "no scene|scene"):
+            lineatlas.scene("garage")
+        with self.assertRaises(TypeError):
+            lineatlas.draw(cube(), colour="red")
+
+    def test_no_device(self) -> None:
+        words = ("import lineatlas, support\n"
+                 "try: lineatlas.Renderer(support.cube())\n"
+                 "except lineatlas.DeviceError as error: print(error)")
+        done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True,
+                              cwd=pathlib.Path(__file__).parent,
+                              env=os.environ | {"OCL_ICD_VENDORS": "/none"})
+        self.assertIn("OpenCL", done.stdout, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
