@@ -197,10 +197,6 @@ PenMark make_pen(std::string_view name, float width) {
                      "or an image file");
 }
 
-bool is_pen_file(std::string_view name) {
-    return name.find_first_of("./") != std::string_view::npos;
-}
-
 PenMark pen_from_image(const Image& image, float width) {
     if (image.size.x < 1 || image.size.y < 1 || image.channels < 1 || image.channels > 4) {
         throw UsageError("a pen's picture has no pixels");

@@ -42,7 +42,9 @@ std::optional<DashLengths> dash_lengths(std::string_view name, float width);
 
 /// Whether a mark's name is that of an image file: it holds a '/' or a '.'. The caller reads it and
 /// makes a mark with `pen_from_image`.
-bool is_pen_file(std::string_view name);
+inline bool is_pen_file(std::string_view name) {
+    return name.find_first_of("./") != std::string_view::npos;
+}
 
 /// A mark from a picture, as a stroke from left to right looks; one repeat keeps its proportions.
 /// Coverage is the alpha channel, or darkness if there is none or it is opaque all over.
