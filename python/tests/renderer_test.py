@@ -1,5 +1,6 @@
 """A renderer that is kept: threads, memory, errors, and its end."""
 
+import ctypes
 import gc
 import os
 import pathlib
@@ -78,6 +79,46 @@ class Threads(unittest.TestCase):
         self.run_threads([(kept.clear,)])
         gc.collect()
         lineatlas.draw(cube(), size=(16, 16))
+
+
+class OtherContexts(unittest.TestCase):
+    """What is current in EGL, by the program's own doing, still is after each call."""
+
+    def setUp(self) -> None:
+        self.egl = ctypes.CDLL("libEGL.so.1")
+        for name in ("eglGetPlatformDisplay", "eglCreateContext", "eglGetCurrentContext"):
+            getattr(self.egl, name).restype = ctypes.c_void_p
+
+    def check_calls(self, current: object, api: int) -> None:
+        def check() -> None:
+            self.assertEqual(self.egl.eglGetCurrentContext(), current)
+            self.assertEqual(self.egl.eglQueryAPI(), api)
+        renderer = lineatlas.Renderer(cube())
+        check()
+        renderer.draw(size=(16, 16))
+        check()
+        with self.assertRaises(lineatlas.UsageError):
+            renderer.draw(size=(16, 16), options=lineatlas.Options(probes=5))
+        check()
+        renderer.close()
+        check()
+
+    def test_none(self) -> None:
+        self.check_calls(None, self.egl.eglQueryAPI())
+
+    def test_own(self) -> None:
+        surfaceless, opengl_es = 0x31DD, 0x30A0
+        display = ctypes.c_void_p(self.egl.eglGetPlatformDisplay(surfaceless, None, None))
+        self.assertTrue(self.egl.eglInitialize(display, None, None))
+        self.egl.eglBindAPI(opengl_es)
+        version_2 = (ctypes.c_int * 3)(0x3098, 2, 0x3038)
+        context = self.egl.eglCreateContext(display, None, None, version_2)
+        self.assertTrue(self.egl.eglMakeCurrent(display, None, None, ctypes.c_void_p(context)))
+        try:
+            self.check_calls(context, opengl_es)
+        finally:
+            self.egl.eglMakeCurrent(display, None, None, None)
+            self.egl.eglDestroyContext(display, ctypes.c_void_p(context))
 
 
 class Memory(unittest.TestCase):
