@@ -41,6 +41,10 @@ EGLDisplay open_display() {
 struct HeadlessContext::State {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
+
+    ~State() {
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    }
 };
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
@@ -56,24 +60,23 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
                                            EGL_NONE};
     state_->context =
         eglCreateContext(state_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
-    if (state_->context == EGL_NO_CONTEXT ||
-        eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) !=
-            EGL_TRUE) {
+    if (state_->context == EGL_NO_CONTEXT) {
         throw DeviceError(std::string{"the driver offers no OpenGL 4.5 core context"} + advice);
     }
+    make_current();
 }
 
 HeadlessContext::~HeadlessContext() {
     eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(state_->display, state_->context);
 }
 
 void HeadlessContext::make_current() {
     eglBindAPI(EGL_OPENGL_API);
     if (eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) !=
         EGL_TRUE) {
-        throw DeviceError("EGL can't make the headless context current on this thread; is a GLX "
-                          "context current here?");
+        throw DeviceError(
+            "EGL can't make a context current on this thread; where one of GLX is, as "
+            "with a window of X, call from another thread");
     }
 }
 
