@@ -45,15 +45,17 @@ endfunction()
 
 set(base liblineatlas${lineatlas_soversion})
 set(io liblineatlas-io${lineatlas_soversion})
+# Opened by libepoxy at run time, which ends the process without it.
+set(dispatcher "libopengl0 | libgl1")
 set(same "(= ${packaged_version})")
-describe_package(runtime ${base} libs "" "line drawings of 3D models - shared libraries")
+describe_package(runtime ${base} libs "${dispatcher}" "line drawings of 3D models - shared libraries")
 describe_package(io ${io} libs "" "line drawings of 3D models - files of models and pictures")
 describe_package(development liblineatlas-dev libdevel "${base} ${same}, libglm-dev"
                  "line drawings of 3D models - to develop with")
 describe_package(io-development liblineatlas-io-dev libdevel
                  "${io} ${same}, liblineatlas-dev ${same}"
                  "line drawings of 3D models - to develop with files")
-describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D models")
+describe_package(tool lineatlas graphics "${io} ${same}, ${dispatcher}" "line drawings of 3D models")
 
 # Drivers of OpenGL and OpenCL are not linked.
 set(drivers "libegl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, pocl-opencl-icd | opencl-icd")
