@@ -1,8 +1,11 @@
 # Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
 # rest, so that nobody installs OpenImageIO who has no use for it.
+set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
+    CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGE_VENDOR "The lineatlas developers")
-set(CPACK_PACKAGE_CONTACT "The lineatlas developers <lineatlas@localhost>")
+set(CPACK_PACKAGE_CONTACT "${LINEATLAS_MAINTAINER}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -15,7 +18,6 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(packaged_version ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
-find_program(GZIP gzip)
 set(changelog ${CMAKE_CURRENT_BINARY_DIR}/changelog.Debian)
 file(WRITE ${changelog} "lineatlas (${packaged_version}) unstable; urgency=medium
 
@@ -23,9 +25,8 @@ file(WRITE ${changelog} "lineatlas (${packaged_version}) unstable; urgency=mediu
 
  -- ${CPACK_PACKAGE_CONTACT}  Sat, 21 Nov 2026 00:00:00 +0000
 ")
-if(GZIP)
-    execute_process(COMMAND ${GZIP} -9nkf ${changelog})
-endif()
+execute_process(COMMAND ${GZIP} -9nkf ${changelog} COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
 
 # PACKAGE is what COMPONENT is installed as.
 function(describe_package component package section depends summary)
@@ -39,26 +40,29 @@ Visibility is computed by OpenCL kernels that share buffers with OpenGL." PARENT
     set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
     set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
     install(FILES LICENSE RENAME copyright DESTINATION ${folder} COMPONENT ${component})
-    if(GZIP)
-        install(FILES ${changelog}.gz DESTINATION ${folder} COMPONENT ${component})
-    endif()
+    install(FILES ${changelog}.gz DESTINATION ${folder} COMPONENT ${component})
 endfunction()
 
 set(base liblineatlas${lineatlas_soversion})
 set(io liblineatlas-io${lineatlas_soversion})
+# Opened by libepoxy at run time, which ends the process without it.
+set(dispatcher "libopengl0 | libgl1")
 set(same "(= ${packaged_version})")
-describe_package(runtime ${base} libs "" "line drawings of 3D models - shared libraries")
+describe_package(runtime ${base} libs "${dispatcher}" "line drawings of 3D models - shared libraries")
 describe_package(io ${io} libs "" "line drawings of 3D models - files of models and pictures")
 describe_package(development liblineatlas-dev libdevel "${base} ${same}, libglm-dev"
                  "line drawings of 3D models - to develop with")
 describe_package(io-development liblineatlas-io-dev libdevel
                  "${io} ${same}, liblineatlas-dev ${same}"
                  "line drawings of 3D models - to develop with files")
-describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D models")
+describe_package(tool lineatlas graphics "${io} ${same}, ${dispatcher}" "line drawings of 3D models")
 
 # Drivers of OpenGL and OpenCL are not linked.
 set(drivers "libegl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, pocl-opencl-icd | opencl-icd")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "liblineatlas-io-dev, libepoxy-dev, pkg-config")
+foreach(component RUNTIME IO)
+    set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/triggers)
+endforeach()
 include(CPack)

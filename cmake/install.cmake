@@ -72,7 +72,12 @@ install_pkgconfig(lineatlas-headless development "GL contexts for lineatlas with
 install_pkgconfig(lineatlas-io io-development "Files of models and pictures for lineatlas" lineatlas)
 
 install(TARGETS lineatlas RUNTIME COMPONENT tool)
-install(FILES packaging/lineatlas.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+find_program(GZIP gzip REQUIRED)
+set(manual ${CMAKE_CURRENT_BINARY_DIR}/lineatlas.1.gz)
+execute_process(COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/packaging/lineatlas.1 OUTPUT_FILE ${manual}
+                COMMAND_ERROR_IS_FATAL ANY)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS packaging/lineatlas.1)
+install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
 install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES README.md docs/styles.md docs/output.md docs/vector.md docs/devices.md
@@ -81,5 +86,10 @@ install(DIRECTORY styles DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 install(FILES docs/embedding.md docs/install.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT development)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+
+# All that is installed; tests and benchmarks need not be there.
+add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
+                                    lineatlas-images lineatlas)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 include(cmake/debian.cmake)

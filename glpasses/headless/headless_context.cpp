@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -11,8 +12,16 @@
 namespace lineatlas {
 namespace {
 
-constexpr const char* advice =
-    "; install an OpenGL driver (on Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)";
+constexpr const char* advice = "; install an OpenGL driver (on Debian and Ubuntu: apt install "
+                               "libegl1 libopengl0 libgl1-mesa-dri)";
+
+/// libepoxy ends the process where these are missing.
+void check_libraries() {
+    const auto has = [](const char* name) { return dlopen(name, RTLD_LAZY) != nullptr; };
+    if (!has("libEGL.so.1")) throw DeviceError(std::string{"there is no libEGL.so.1"} + advice);
+    if (!has("libOpenGL.so.0") && !has("libGL.so.1"))
+        throw DeviceError(std::string{"there is no libOpenGL.so.0"} + advice);
+}
 
 /// Displays that need no window system, best first.
 EGLDisplay open_display() {
@@ -48,6 +57,7 @@ struct HeadlessContext::State {
 };
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
+    check_libraries();
     state_->display = open_display();
     eglBindAPI(EGL_OPENGL_API);
     // No config: nothing is drawn to an EGL surface.
