@@ -193,10 +193,10 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     if (canvas == nullptr || canvas->size() != size_) canvas = std::make_unique<gl::Canvas>(size_);
     canvas->clear({settings.style.paper.color, 1});
     FrameOptions options = frame_options(settings, side);
-    options.profile = profile;
+    options.profile = profile && side == 0; // two methods in one graph would be none
     const FrameStats stats = renderer_->draw(camera, options, canvas->framebuffer());
     if (side == 0) stats_ = stats;
-    if (profile) ++timings_due_;
+    if (options.profile) ++timings_due_;
 }
 
 void Session::draw() {

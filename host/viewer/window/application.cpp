@@ -149,10 +149,14 @@ void Application::show_frame() {
         session_.draw();
         if (session_.timings_due()) session_.take_timings();
     }
-    blit_pictures();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    paint();
     window_.show_frame();
     ++frames_shown_;
+}
+
+void Application::paint() const {
+    blit_pictures();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 /// The pictures, whole or either side of the slider, in the window's upper left corner.
@@ -185,11 +189,10 @@ Image Application::screenshot() const {
     Image image{.size = window_.pixels(), .channels = 3, .pixels = {}};
     const auto row = static_cast<std::size_t>(image.size.x) * 3;
     image.pixels.resize(row * static_cast<std::size_t>(image.size.y));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadBuffer(GL_FRONT);
+    // What was shown last is gone with the swap; it is drawn again and not shown.
+    paint();
     glReadPixels(0, 0, image.size.x, image.size.y, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
-    glReadBuffer(GL_BACK);
     for (std::size_t low = 0, high = image.pixels.size(); low + row < high; low += row) {
         high -= row;
         std::swap_ranges(image.pixels.begin() + static_cast<std::ptrdiff_t>(low),

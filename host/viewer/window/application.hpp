@@ -61,6 +61,7 @@ class Application final : public InputListener {
     Area canvas_area() const;
     void make_frame();
     void show_frame();
+    void paint() const;
     void blit_pictures() const;
     void press_key(int key, int mods);
     void press_escape();

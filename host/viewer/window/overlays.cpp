@@ -10,17 +10,20 @@ constexpr ImGuiWindowFlags overlay_flags =
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
     ImGuiWindowFlags_NoNav;
 
-void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot, float alpha) {
+void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
+                   glm::vec2 padding = {14, 12}) {
+    constexpr float alpha = 0.95F;
     ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
     ImGui::SetNextWindowBgAlpha(alpha);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(8), ui.points(6)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(padding.x), ui.points(padding.y)});
     ImGui::Begin(name, nullptr, overlay_flags);
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 }
 
 void toolbar(Ui& ui, Area canvas) {
-    begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, 0.85F);
+    begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
     if (button(ui, "fit", "Fit")) ui.session.fit();
     tip("All of the model (F)");
@@ -41,16 +44,22 @@ void toolbar(Ui& ui, Area canvas) {
     ImGui::End();
 }
 
-void side_name(const Ui& ui, const Side& side, glm::vec2 at, float pivot) {
-    const std::string text = fmt::format("{}, {} probe{}", name_of(side.method).label, side.probes,
-                                         side.probes == 1 ? "" : "s");
+/// On the side's end of the slider; below the toolbar where there is no room beside it.
+void side_name(const Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
+    std::string text = name_of(side.method).label;
+    if (side.method != Method::opengl) {
+        text += fmt::format(", {} probe{}", side.probes, side.probes == 1 ? "" : "s");
+    }
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 low{at.x - pivot * size.x, at.y - size.y};
+    const float left = x + direction * ui.points(20) - (direction < 0 ? size.x : 0);
+    const bool beside = left > canvas.low.x + ui.points(410);
+    const ImVec2 low{left, canvas.low.y + ui.points(beside ? 21 : 66)};
     const ImVec2 padding{ui.points(8), ui.points(4)};
+    const ImVec2 box_low{low.x - padding.x, low.y - padding.y};
+    const ImVec2 box_high{low.x + size.x + padding.x, low.y + size.y + padding.y};
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled({low.x - padding.x, low.y - padding.y},
-                       {low.x + size.x + padding.x, low.y + size.y + padding.y},
-                       (theme::panel & 0x00FFFFFF) | 0xE0000000, ui.points(4));
+    list.AddRectFilled(box_low, box_high, theme::panel, ui.points(4));
+    list.AddRect(box_low, box_high, theme::line, ui.points(4));
     list.AddText(low, theme::ink, text.c_str());
 }
 
@@ -68,14 +77,13 @@ void split_handle(const Ui& ui, Area canvas) {
         list.AddTriangleFilled({tip, middle}, {base, middle - half}, {base, middle + half},
                                IM_COL32_WHITE);
     }
-    const float gap = ui.points(20), line = bottom - ui.points(20);
-    side_name(ui, settings.sides[0], {x - gap, line}, 1);
-    side_name(ui, settings.sides[1], {x + gap, line}, 0);
+    side_name(ui, canvas, settings.sides[0], x, -1);
+    side_name(ui, canvas, settings.sides[1], x, 1);
 }
 
 void loading(Ui& ui, Area canvas) {
     Loader& loader = ui.session.loader;
-    begin_overlay(ui, "loading", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F}, 0.96F);
+    begin_overlay(ui, "loading", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::PushFont(ui.bold);
     ImGui::TextUnformatted(loader.name().c_str());
     ImGui::PopFont();
@@ -104,7 +112,7 @@ void invitation(const Ui& ui, Area canvas) {
 }
 
 void at_work(const Ui& ui, Area canvas) {
-    begin_overlay(ui, "work", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F}, 0.96F);
+    begin_overlay(ui, "work", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::Text("%s ...", ui.later->first.c_str());
     ImGui::End();
 }
@@ -124,11 +132,11 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
 
 void draw_messages(Ui& ui, Area canvas) {
     const std::vector<Messages::Message> all = ui.session.messages.all();
-    float y = canvas.low.y + ui.points(60);
+    float y = canvas.low.y + ui.points(ui.session.settings.split ? 98 : 64);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Messages::Message& message = all[i];
         const std::string name = fmt::format("message{}", i);
-        begin_overlay(ui, name.c_str(), {canvas.low.x + ui.points(12), y}, {0, 0}, 0.97F);
+        begin_overlay(ui, name.c_str(), {canvas.low.x + ui.points(12), y}, {0, 0});
         const float width = std::min(canvas.size.x - ui.points(80), ui.points(560));
         if (message.error) {
             ImGui::PushStyleColor(ImGuiCol_Text, theme::alarm);
@@ -175,7 +183,7 @@ void draw_help(Ui& ui, Area canvas) {
                                                {"Ctrl + Shift + S", "Save an SVG"},
                                                {"Esc", "Close a panel, cancel, dismiss"},
                                                {"Ctrl + Q", "Quit"}}};
-    begin_overlay(ui, "keys", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F}, 0.98F);
+    begin_overlay(ui, "keys", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::PushFont(ui.bold);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();

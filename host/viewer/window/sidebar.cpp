@@ -13,7 +13,7 @@ namespace {
 std::string with_thousands(std::uint64_t number) {
     std::string digits = std::to_string(number);
     for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
-        digits.insert(static_cast<std::size_t>(at), "\u2009"); // a thin space
+        digits.insert(static_cast<std::size_t>(at), ",");
     }
     return digits;
 }
@@ -95,8 +95,8 @@ void method_section(Ui& ui) {
     Settings& settings = ui.session.settings;
     heading(ui, "Visibility");
     bool changed = method(ui, settings.sides[0], "method", "Method");
-    if (ImGui::TreeNodeEx("More", ImGuiTreeNodeFlags_SpanAvailWidth |
-                                      ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    if (ImGui::TreeNodeEx("Finer settings", ImGuiTreeNodeFlags_SpanAvailWidth |
+                                                ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
         changed |= fine_quality(ui, settings.sides[0]);
     }
     ui.spots.note("more");
@@ -184,11 +184,15 @@ void draw_sidebar(Ui& ui, Area area) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    // What is saved stays in sight, whatever is scrolled.
+    const float footer = 4 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
+    ImGui::BeginChild("settings", {0, -footer});
     model_section(ui);
     method_section(ui);
     draw_style_section(ui);
     lines_section(ui);
     draw_device_section(ui);
+    ImGui::EndChild();
     save_section(ui);
     ImGui::GetWindowDrawList()->AddLine({area.low.x, area.low.y},
                                         {area.low.x, area.low.y + area.size.y}, theme::line);

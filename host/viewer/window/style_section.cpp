@@ -39,6 +39,18 @@ bool mark(Ui& ui, Pen& pen) {
     return changed;
 }
 
+/// With a border: a colour may be the panel's own.
+bool swatch(Ui& ui, const char* id, glm::vec3& value) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(190, 188, 182, 255));
+    const bool changed =
+        ImGui::ColorEdit3((std::string{"##"} + id).c_str(), &value.x, ImGuiColorEditFlags_NoInputs);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ui.spots.note(id);
+    return changed;
+}
+
 bool color(Ui& ui, const char* id, const char* text, glm::vec3& value) {
     label(ui, text);
     const bool changed =
@@ -75,9 +87,7 @@ bool pen_rows(Ui& ui, Style& style) {
     ImGui::SameLine(ui.points(156));
     ImGui::TextUnformatted("Paper");
     ImGui::SameLine(ui.points(204));
-    changed |= ImGui::ColorEdit3("##paper", &style.paper.color.x, ImGuiColorEditFlags_NoInputs);
-    ui.spots.note("paper");
-    return changed;
+    return swatch(ui, "paper", style.paper.color) || changed;
 }
 
 bool effect_rows(Ui& ui, Style& style) {
@@ -85,7 +95,7 @@ bool effect_rows(Ui& ui, Style& style) {
     bool changed = slider(ui, "overshoot", "Overshoot", filter.overshoot, 0, 40, "%.0f px");
     changed |= slider(ui, "halo", "Halo", filter.halo, 0, 20, "%.1f px");
     changed |= slider(ui, "density", "Density", style.density.limit, 0, 1,
-                      style.density.limit > 0 ? "at most %.2f" : "no limit");
+                      style.density.limit > 0 ? "%.2f" : "no limit");
     changed |= fill(ui, style.fill);
     changed |= slider(ui, "grain", "Grain", style.paper.grain, 0, 1, "%.2f");
     changed |= checkbox(ui, "hidden", "Hidden lines", style.hidden);

@@ -84,14 +84,14 @@ ImFont* apply_theme(float scale, float pixels_per_point) {
     set_colors(style);
     style.WindowPadding = {16, 14};
     style.FramePadding = {8, 4};
-    style.ItemSpacing = {8, 7};
+    style.ItemSpacing = {8, 5};
     style.ItemInnerSpacing = {8, 4};
     style.ScrollbarSize = 8;
     style.GrabMinSize = 12;
     style.WindowRounding = 0;
     style.PopupRounding = style.FrameRounding = style.GrabRounding = 4;
     style.ScrollbarRounding = 4;
-    style.WindowBorderSize = style.FrameBorderSize = 0;
+    style.WindowBorderSize = style.FrameBorderSize = style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;

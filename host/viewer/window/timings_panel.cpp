@@ -89,12 +89,13 @@ void draw_timings(Ui& ui, Area canvas) {
         ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowBgAlpha(0.94F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(12), ui.points(10)});
     ImGui::Begin("timings", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
     ImGui::PushFont(ui.bold);
     const double total = timings.median_total();
     ImGui::TextUnformatted(total > 0 ? fmt::format("{:.1f} ms a frame", total).c_str()
