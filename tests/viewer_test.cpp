@@ -228,6 +228,19 @@ TEST_F(Viewer, TheMouseMovesTheCamera) {
     EXPECT_EQ(session().navigation.view().eye, eye) << "looks around";
 }
 
+TEST_F(Viewer, AtRestThePictureIsThatOfAStillFrame) {
+    for (int i = 0; i < 10; ++i) {
+        session().navigation.orbit({0, 0, 0}, {0.02, 0});
+        app_.step(0);
+    }
+    hand_.rest();
+    const auto rested = picture();
+    session().settings.steady = false;
+    session().changed();
+    hand_.rest();
+    EXPECT_EQ(rested, picture());
+}
+
 TEST_F(Viewer, KeysFlyAndFit) {
     const View home = session().navigation.view();
     hand_.press(GLFW_KEY_W);

@@ -18,7 +18,7 @@ std::atomic<int> threads{0};
 
 struct Loader::Job {
     ModelSource source;
-    std::atomic<const char*> stage{"Reading the file"};
+    std::atomic<const char*> stage{""};
     std::atomic<bool> cancelled{false};
     std::mutex mutex; ///< of what follows
     std::function<void()> wake;
@@ -56,6 +56,7 @@ std::shared_ptr<Model> read(const ModelSource& source) {
 void Loader::run(const std::shared_ptr<Job>& job) {
     Result result;
     try {
+        job->say(job->source.file.empty() ? "Building the scene" : "Reading the file");
         const std::shared_ptr<Model> model = read(job->source);
         if (!job->cancelled) {
             job->say("Finding its lines");

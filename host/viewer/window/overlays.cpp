@@ -12,7 +12,7 @@ constexpr ImGuiWindowFlags overlay_flags =
 
 void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
                    glm::vec2 padding = {14, 12}) {
-    constexpr float alpha = 0.95F;
+    constexpr float alpha = 0.98F;
     ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
     ImGui::SetNextWindowBgAlpha(alpha);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));

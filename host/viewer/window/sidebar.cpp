@@ -13,7 +13,7 @@ namespace {
 std::string with_thousands(std::uint64_t number) {
     std::string digits = std::to_string(number);
     for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
-        digits.insert(static_cast<std::size_t>(at), ",");
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
     }
     return digits;
 }
@@ -112,7 +112,7 @@ void lines_section(Ui& ui) {
     heading(ui, "Lines");
     for (std::size_t kind = 0; kind < labels.size(); ++kind) {
         bool on = (lines >> kind & 1U) != 0;
-        if (kind % 2 == 1) ImGui::SameLine(ui.points(146));
+        if (kind % 2 == 1) column(ui, 130);
         const std::string id = "lines." + std::string{line_kind_names.at(kind)};
         if (!checkbox(ui, id.c_str(), labels.at(kind), on)) continue;
         lines ^= 1U << kind;

@@ -84,9 +84,9 @@ bool pen_rows(Ui& ui, Style& style) {
     bool changed = mark(ui, style.pen);
     changed |= slider(ui, "width", "Width", style.pen.width, 0.3F, 12, "%.1f px");
     changed |= color(ui, "color", "Colour", style.pen.color);
-    ImGui::SameLine(ui.points(156));
+    column(ui, 140);
     ImGui::TextUnformatted("Paper");
-    ImGui::SameLine(ui.points(204));
+    column(ui, 188);
     return swatch(ui, "paper", style.paper.color) || changed;
 }
 

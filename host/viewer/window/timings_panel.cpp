@@ -87,7 +87,7 @@ void draw_timings(Ui& ui, Area canvas) {
     ImGui::SetNextWindowPos(
         {canvas.low.x + ui.points(12), canvas.low.y + canvas.size.y - ui.points(12)},
         ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowBgAlpha(0.94F);
+    ImGui::SetNextWindowBgAlpha(0.98F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(12), ui.points(10)});

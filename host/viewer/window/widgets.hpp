@@ -17,10 +17,15 @@ inline void heading(const Ui& ui, const char* text) {
     ImGui::PopFont();
 }
 
+/// Goes on in the same row, so far from its start.
+inline void column(const Ui& ui, float points) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + ui.points(points));
+}
+
 inline void label(const Ui& ui, const char* text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
-    ImGui::SameLine(ui.points(112));
+    column(ui, 96);
     ImGui::SetNextItemWidth(-1);
 }
 
