@@ -22,8 +22,10 @@ class ViewerDriver {
 
     viewer::Session& session() { return app_.session(); }
 
+    /// Frames with a picture each.
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
+            session().changed();
             app_.on_refresh();
             app_.step(0);
         }

@@ -1,8 +1,10 @@
 // The viewer under a hand that is none (ViewerDriver). Needs a display: xvfb-run gives one.
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "lineatlas/style_files.hpp"
 #include "temporary_folder.hpp"
@@ -245,8 +247,6 @@ TEST_F(Viewer, KeysFlyAndFit) {
     const View home = session().navigation.view();
     hand_.press(GLFW_KEY_W);
     hand_.frames(5);
-    hand_.press(GLFW_KEY_W);
-    for (int i = 0; i < 5; ++i) app_.step(0);
     hand_.release(GLFW_KEY_W);
     hand_.rest();
     EXPECT_LT(glm::distance(session().navigation.view().eye, home.target),
@@ -293,6 +293,34 @@ TEST_F(Viewer, LoadsInTheBackgroundAndCanBeCancelled) {
     EXPECT_EQ(session().model()->source.name(), "house");
 }
 
+TEST(ViewerEnd, DoesNotWaitForAReader) {
+    using Clock = std::chrono::steady_clock;
+    ImageWriter writer;
+    auto app = std::make_unique<viewer::Application>(
+        viewer::ApplicationOptions{.size = {640, 400}, .scripted = true}, writer);
+    app->session().open_scene("ship");
+    app->step(0);
+    ASSERT_TRUE(viewer::Loader::any_thread());
+    app.reset();
+    EXPECT_TRUE(viewer::Loader::any_thread()) << "the window was closed after the reader's end";
+    const Clock::time_point start = Clock::now();
+    while (viewer::Loader::any_thread() && Clock::now() - start < std::chrono::seconds{60}) {
+        std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    EXPECT_FALSE(viewer::Loader::any_thread());
+}
+
+TEST(ViewerProgram, IsSaidToBeMissingWithTheWayOut) {
+    const TemporaryFolder folder;
+    const std::string tool = (folder.path() / "lineatlas").string();
+    std::filesystem::copy_file(LINEATLAS_TOOL, tool);
+    const std::string said = (folder.path() / "said").string();
+    EXPECT_NE(std::system((tool + " view model.obj 2> " + said).c_str()), 0);
+    EXPECT_NE(text_of(said).find("libimgui-dev"), std::string::npos) << text_of(said);
+    EXPECT_EQ(std::system((std::string{LINEATLAS_TOOL} + " view --help > " + said).c_str()), 0);
+    EXPECT_NE(text_of(said).find("--ui-scale"), std::string::npos) << text_of(said);
+}
+
 TEST_F(Viewer, ShowsTimingsPerStage) {
     hand_.key(GLFW_KEY_T);
     for (int i = 0; i < 40; ++i) {
@@ -316,6 +344,21 @@ TEST_F(Viewer, ShowsItsKeys) {
     EXPECT_FALSE(app_.ui().help);
     hand_.key(GLFW_KEY_TAB);
     EXPECT_EQ(session().size(), (glm::ivec2{1280, 800})) << "the picture has the whole window";
+}
+
+/// The picture in docs/viewer.md.
+TEST_F(Viewer, IsWhatTheDocsShow) {
+    hand_.open_scene("house");
+    hand_.choose("style", "ink");
+    hand_.key(GLFW_KEY_X);
+    hand_.key(GLFW_KEY_T);
+    for (int i = 0; i < 70; ++i) {
+        session().navigation.orbit({0, 0, 0}, {i < 35 ? 0.004 : -0.004, 0});
+        app_.step(0);
+    }
+    hand_.move({20, 300});
+    hand_.screenshot("viewer");
+    EXPECT_EQ(error(), "");
 }
 
 class ViewerOnAFineDisplay : public Viewer {

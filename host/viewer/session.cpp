@@ -185,7 +185,8 @@ void Session::advance(double seconds) {
 
 bool Session::stale() const {
     if (model_ == nullptr || size_.x <= 0 || size_.y <= 0) return false;
-    return stale_ || settle_ || !drawn_view_ || !same(*drawn_view_, navigation.view());
+    return stale_ || (moving_ && settings.steady) || !drawn_view_ ||
+           !same(*drawn_view_, navigation.view());
 }
 
 void Session::draw_side(std::size_t side, const Camera& camera) {
@@ -193,15 +194,15 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     if (canvas == nullptr || canvas->size() != size_) canvas = std::make_unique<gl::Canvas>(size_);
     canvas->clear({settings.style.paper.color, 1});
     FrameOptions options = frame_options(settings, side);
-    options.profile = profile && side == 0; // two methods in one graph would be none
+    options.steady = options.steady && moving_; // at rest nothing of the frames before is left
+    options.profile = profile && side == 0;     // two methods in one graph would be none
     const FrameStats stats = renderer_->draw(camera, options, canvas->framebuffer());
     if (side == 0) stats_ = stats;
     if (options.profile) ++timings_due_;
 }
 
 void Session::draw() {
-    const bool moved = drawn_view_ && !same(*drawn_view_, navigation.view());
-    settle_ = moved && frame_options(settings, 0).steady;
+    moving_ = drawn_view_ && !same(*drawn_view_, navigation.view());
     stale_ = false;
     drawn_view_ = navigation.view();
     attempt([&] {

@@ -96,7 +96,7 @@ class Session {
     std::optional<View> first_view_;
     std::optional<View> drawn_view_;
     bool stale_ = true;
-    bool settle_ = false; ///< the last picture was one of a movement, averaged with the one before
+    bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

@@ -119,10 +119,8 @@ void Application::make_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    if (options_.scripted) {
-        io.MousePos = {static_cast<float>(mouse_place_.x), static_cast<float>(mouse_place_.y)};
-        std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
-    }
+    io.MousePos = {static_cast<float>(mouse_place_.x), static_cast<float>(mouse_place_.y)};
+    if (options_.scripted) std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
     ImGui::NewFrame();
     ui_.spots.begin_frame();
     const glm::vec2 size{window_.points()};

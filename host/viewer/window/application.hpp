@@ -14,7 +14,7 @@ struct ApplicationOptions {
     glm::ivec2 size{1280, 800}; ///< of the window, in points
     DeviceOptions device{};
     float scale = 0; ///< of letters; 0: as the system wants it
-    /// No mouse is asked for where it is: it is where on_mouse_move() said. For tests.
+    /// No mouse is asked for its buttons: they are as on_mouse_button() said. For tests.
     bool scripted = false;
 };
 
@@ -43,6 +43,8 @@ class Application final : public InputListener {
     void on_mouse_move(glm::dvec2 place) override;
     void on_scroll(glm::dvec2 amount) override;
     void on_drop(const std::vector<std::filesystem::path>& files) override;
+    void on_mouse_leave() override;
+    void on_focus(bool focused) override;
     void on_refresh() override;
 
   private:
@@ -75,7 +77,8 @@ class Application final : public InputListener {
     Session session_;
     Ui ui_;
     CanvasMouse mouse_;
-    glm::dvec2 mouse_place_{-1};
+    static constexpr glm::dvec2 nowhere{-1e6};
+    glm::dvec2 mouse_place_ = nowhere;
     std::array<bool, 5> buttons_{};
     bool shift_ = false;
     int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event

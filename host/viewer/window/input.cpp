@@ -147,10 +147,19 @@ void Application::on_drop(const std::vector<std::filesystem::path>& files) {
     for (const std::filesystem::path& file : files) session_.open(file);
 }
 
+void Application::on_mouse_leave() {
+    show_soon();
+    if (!mouse_.dragging()) mouse_place_ = nowhere;
+}
+
+void Application::on_focus(bool focused) {
+    show_soon();
+    ImGui_ImplGlfw_WindowFocusCallback(window_.handle(), focused ? GLFW_TRUE : GLFW_FALSE);
+    mouse_.release_keys(); // their release may go to another window
+}
+
 void Application::on_refresh() {
     show_soon();
-    mouse_.release_keys(); // their release may go to another window
-    session_.changed();
 }
 
 } // namespace lineatlas::viewer

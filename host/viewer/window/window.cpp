@@ -42,7 +42,13 @@ void set_callbacks(GLFWwindow* window) {
     });
     glfwSetWindowRefreshCallback(window, refresh);
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { refresh(w); });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { refresh(w); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        InputListener* l = listener_of(w);
+        if (l != nullptr && entered == GLFW_FALSE) l->on_mouse_leave();
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        if (InputListener* l = listener_of(w)) l->on_focus(focused != GLFW_FALSE);
+    });
     glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { refresh(w); });
 }
 

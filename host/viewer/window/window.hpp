@@ -20,7 +20,9 @@ class InputListener {
     virtual void on_mouse_move(glm::dvec2 place) = 0;
     virtual void on_scroll(glm::dvec2 amount) = 0;
     virtual void on_drop(const std::vector<std::filesystem::path>& files) = 0;
-    virtual void on_refresh() = 0; ///< size, focus or what is behind the window has changed
+    virtual void on_mouse_leave() = 0;
+    virtual void on_focus(bool focused) = 0;
+    virtual void on_refresh() = 0; ///< the window's size has changed, or it must be shown again
 };
 
 /// A window with a GL 4.5 core context, current on the thread that made it.
