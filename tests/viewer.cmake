@@ -11,6 +11,7 @@ function(add_viewer_test name)
 endfunction()
 
 add_viewer_test(viewer_test SOURCES viewer_test.cpp)
+add_viewer_test(viewer_window_test SOURCES viewer_window_test.cpp)
 add_test_program(viewer_navigation_test SOURCES viewer_navigation_test.cpp LIBRARIES lineatlas_viewer)
 
 # What OpenCL objects the viewer leaves behind, a layer below it counts.

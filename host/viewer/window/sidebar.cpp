@@ -194,8 +194,11 @@ void draw_sidebar(Ui& ui, Area area) {
     draw_device_section(ui);
     ImGui::EndChild();
     save_section(ui);
-    ImGui::GetWindowDrawList()->AddLine({area.low.x, area.low.y},
-                                        {area.low.x, area.low.y + area.size.y}, theme::line);
+    const float border = area.low.x + 0.5F;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddLine({border, area.low.y}, {border, area.low.y + area.size.y}, theme::line);
+    list.PopClipRect();
     ImGui::End();
 }
 

@@ -9,11 +9,13 @@ namespace lineatlas::viewer {
 namespace {
 
 /// Colours that are told apart beside each other, of one lightness.
-constexpr std::array<ImU32, 10> palette{IM_COL32(68, 119, 170, 255),  IM_COL32(238, 153, 68, 255),
-                                        IM_COL32(92, 158, 108, 255),  IM_COL32(204, 102, 119, 255),
-                                        IM_COL32(136, 102, 170, 255), IM_COL32(120, 190, 200, 255),
-                                        IM_COL32(190, 170, 80, 255),  IM_COL32(150, 110, 90, 255),
-                                        IM_COL32(220, 150, 190, 255), IM_COL32(140, 145, 150, 255)};
+constexpr std::array<ImU32, 16> palette{
+    IM_COL32(68, 119, 170, 255),  IM_COL32(238, 153, 68, 255),  IM_COL32(92, 158, 108, 255),
+    IM_COL32(204, 102, 119, 255), IM_COL32(136, 102, 170, 255), IM_COL32(120, 190, 200, 255),
+    IM_COL32(190, 170, 80, 255),  IM_COL32(150, 110, 90, 255),  IM_COL32(220, 150, 190, 255),
+    IM_COL32(140, 145, 150, 255), IM_COL32(40, 84, 84, 255),    IM_COL32(160, 200, 120, 255),
+    IM_COL32(110, 60, 90, 255),   IM_COL32(180, 180, 230, 255), IM_COL32(220, 120, 60, 255),
+    IM_COL32(60, 60, 110, 255)};
 
 ImU32 color_of(std::size_t stage) {
     return palette.at(stage % palette.size());
@@ -25,7 +27,7 @@ double ceiling_of(const Timings& timings) {
     for (const Timings::Frame& frame : timings.frames()) highest = std::max(highest, frame.total);
     double step = 1;
     while (step * 10 < highest) step *= 10;
-    for (const double factor : {1.0, 2.0, 5.0}) {
+    for (const double factor : {1, 2, 3, 4, 6, 8}) {
         if (step * factor >= highest) return step * factor;
     }
     return step * 10;
