@@ -145,11 +145,6 @@ TEST_F(Viewer, IsWhatTheDocsShow) {
     hand_.open_scene("house");
     hand_.choose("style", "ink");
     app_.ui().folder = ".";
-    hand_.key(GLFW_KEY_T);
-    for (int i = 0; i < 120; ++i) {
-        session().navigation.orbit({0, 0, 0}, {i < 60 ? 0.002 : -0.002, 0});
-        app_.step(0);
-    }
     hand_.key(GLFW_KEY_X);
     hand_.screenshot("viewer");
     EXPECT_EQ(error(), "");

@@ -69,7 +69,10 @@ bool method(Ui& ui, Side& side, const std::string& id, const char* text) {
         [](const MethodName& name) { return std::string{name.label}; },
         [&](const MethodName& name) { return name.method == side.method; },
         [&](const MethodName& name) { side.method = name.method; });
-    return quality(ui, side, id) || !(side == before);
+    ImGui::BeginDisabled(side.method == Method::opengl); // it has no probes
+    const bool changed = quality(ui, side, id);
+    ImGui::EndDisabled();
+    return changed || !(side == before);
 }
 
 bool fine_quality(Ui& ui, Side& side) {
