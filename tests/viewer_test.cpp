@@ -121,6 +121,16 @@ TEST_F(Viewer, SavedCamerasAreTakenBack) {
     EXPECT_EQ(session().navigation.view().target, home.target);
 }
 
+TEST_F(Viewer, ModelsAreDropped) {
+    std::ofstream{path("roof.obj")} << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                       "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    hand_.drop(path("roof.obj"));
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(session().model()->source.name(), "roof.obj");
+    EXPECT_EQ(session().model()->lines.triangles.size(), 4U);
+    EXPECT_GT(session().stats().runs, 0U) << "it is drawn, whole in the picture";
+}
+
 TEST_F(Viewer, BrokenFilesAreToldAndNothingElse) {
     const auto drawn = picture();
     std::ofstream{path("broken.obj")} << "v 1 2\nf 1 2 3\n";
