@@ -1,31 +1,10 @@
 #include "commands.hpp"
 
-#include <filesystem>
-#include <string>
-#include <vector>
+#include <utility>
 
-#include <fmt/core.h>
-#include <unistd.h>
-
-#include "lineatlas/error.hpp"
+#include "neighbour.hpp"
 
 namespace lineatlas::apps {
-namespace {
-
-/// Runs the benchmark program of that name, which stands beside the tool, in place of this process.
-void run_benchmark(const std::string& name, const std::vector<std::string>& arguments) {
-    const std::filesystem::path tool = std::filesystem::read_symlink("/proc/self/exe");
-    const std::string program = (tool.parent_path() / ("lineatlas-bench-" + name)).string();
-    std::vector<char*> words{const_cast<char*>(program.c_str())};
-    for (const std::string& argument : arguments)
-        words.push_back(const_cast<char*>(argument.c_str()));
-    words.push_back(nullptr);
-    ::execv(program.c_str(), words.data());
-    throw Error("cannot run \"" + program +
-                "\"; the benchmarks are built with the option LINEATLAS_BENCH");
-}
-
-} // namespace
 
 Command setup_bench(CLI::App& app) {
     app.require_subcommand(1);
@@ -40,7 +19,8 @@ Command setup_bench(CLI::App& app) {
     }
     return [&app] {
         const CLI::App* chosen = app.get_subcommands().front();
-        run_benchmark(chosen->get_name(), chosen->remaining());
+        run_neighbour("lineatlas-bench-" + chosen->get_name(), chosen->remaining(),
+                      "the benchmarks are built with the option LINEATLAS_BENCH");
     };
 }
 

@@ -15,5 +15,6 @@ Command setup_draw(CLI::App& app);    ///< lineatlas draw
 Command setup_styles(CLI::App& app);  ///< lineatlas styles
 Command setup_devices(CLI::App& app); ///< lineatlas devices
 Command setup_bench(CLI::App& app);   ///< lineatlas bench
+Command setup_view(CLI::App& app);    ///< lineatlas view
 
 } // namespace lineatlas::apps

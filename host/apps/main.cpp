@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
                "  lineatlas draw --scene ship -o ship.png --stats\n"
                "  lineatlas draw model.obj -o sketch.png --style pencil\n"
                "  lineatlas draw model.obj -o turn.%04d.png --turntable 120\n"
+               "  lineatlas view model.obj\n"
                "  lineatlas styles\n"
                "  lineatlas devices\n"
                "  lineatlas bench frames --scenes clevis\n"
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
         commands.emplace_back(command, setup(*command));
     };
     add("draw", "Draw a model to a picture", lineatlas::apps::setup_draw);
+    add("view", "Look at a model in a window", lineatlas::apps::setup_view);
     add("styles", "List styles and pens, or print a style", lineatlas::apps::setup_styles);
     add("devices", "List OpenCL devices and how they share buffers with GL",
         lineatlas::apps::setup_devices);
@@ -47,7 +49,7 @@ int run(int argc, char** argv) {
     const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
         throw lineatlas::UsageError(fmt::format(
-            "there is no command \"{}\"; there is draw, styles, devices, bench", first));
+            "there is no command \"{}\"; there is draw, view, styles, devices, bench", first));
     }
     try {
         app.parse(argc, argv);

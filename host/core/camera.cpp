@@ -83,6 +83,15 @@ Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
 }
 
 View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up, float fov_y) {
+    // From the front, to the right and above: the usual view of a technical illustration.
+    const glm::vec3 front = std::abs(up.z) > 0.5F ? glm::vec3{0, -1, 0} : glm::vec3{0, 0, 1};
+    const glm::vec3 right = glm::cross(up, front);
+    return frame_points_from(glm::normalize(0.75F * right + front + 0.6F * up), points, size, up,
+                             fov_y);
+}
+
+View frame_points_from(glm::vec3 toward_eye, std::span<const glm::vec3> points, glm::ivec2 size,
+                       glm::vec3 up, float fov_y) {
     if (points.empty()) throw UsageError("camera: there is nothing to look at");
     Bounds bounds;
     for (const glm::vec3& point : points) {
@@ -90,10 +99,6 @@ View frame_points(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 
         bounds.max = glm::max(bounds.max, point);
     }
     const glm::vec3 center = 0.5F * (bounds.min + bounds.max);
-    // From the front, to the right and above: the usual view of a technical illustration.
-    const glm::vec3 front = std::abs(up.z) > 0.5F ? glm::vec3{0, -1, 0} : glm::vec3{0, 0, 1};
-    const glm::vec3 right = glm::cross(up, front);
-    const glm::vec3 toward_eye = glm::normalize(0.75F * right + front + 0.6F * up);
     const glm::vec3 side = glm::normalize(glm::cross(up, toward_eye));
     const glm::vec3 above = glm::cross(toward_eye, side);
 

@@ -63,4 +63,8 @@ LINEATLAS_API Camera make_camera(const View& view, glm::ivec2 size, const Bounds
 LINEATLAS_API View frame_points(std::span<const glm::vec3> points, glm::ivec2 size,
                                 glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y);
 
+/// The same seen from another side: `toward_eye` is a unit vector, not along `up`.
+View frame_points_from(glm::vec3 toward_eye, std::span<const glm::vec3> points, glm::ivec2 size,
+                       glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y);
+
 } // namespace lineatlas

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::viewer {
+
+/// What is to be shown: a file or a built-in scene.
+struct ModelSource {
+    std::filesystem::path file;
+    std::string scene; ///< if there is no file
+    glm::vec3 up{0, 1, 0};
+    LineOptions lines{};
+
+    std::string name() const { return file.empty() ? scene : file.filename().string(); }
+};
+
+struct Model {
+    ModelSource source;
+    Mesh mesh;
+    LineSet lines;
+    std::vector<std::string> notes; ///< what was repaired in the file
+    std::optional<View> view;       ///< a scene's own
+};
+
+/// Reads models on a thread of its own, one at a time.
+class Loader {
+  public:
+    /// `wake` is called on that thread whenever there is something to see.
+    explicit Loader(std::function<void()> wake) : wake_(std::move(wake)) {}
+    ~Loader() { cancel(); }
+    Loader(const Loader&) = delete;
+    Loader& operator=(const Loader&) = delete;
+
+    /// In place of what is being read.
+    void start(ModelSource source);
+    /// What is being read will not be taken. Its thread reads on to the end: readers can't be
+    /// stopped.
+    void cancel();
+
+    bool busy() const { return job_ != nullptr; }
+    std::string name() const;  ///< of what is being read
+    std::string stage() const; ///< for people, as in "Reading the file"
+
+    /// The model, or why there is none; once, when it is there.
+    using Result = std::variant<std::shared_ptr<Model>, std::string>;
+    std::optional<Result> take();
+
+    /// Whether a thread is at work, of a cancelled reading too.
+    static bool any_thread();
+
+  private:
+    struct Job;
+    static void run(const std::shared_ptr<Job>& job);
+
+    std::function<void()> wake_;
+    std::shared_ptr<Job> job_;
+};
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,223 @@
+#include "navigation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr double glide_seconds = 0.28;
+constexpr double nearest_to_vertical = 1e-3; // radians; there the picture's up is not defined
+
+/// Axes of the picture in the model.
+struct Axes {
+    glm::dvec3 ahead, right, above;
+};
+
+Axes axes_of(const View& view) {
+    const glm::dvec3 ahead = glm::normalize(glm::dvec3{view.target} - glm::dvec3{view.eye});
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3{view.up}));
+    return {ahead, right, glm::cross(right, ahead)};
+}
+
+/// Length in the model of half the picture's height at distance 1.
+double half_height(const View& view) {
+    return std::tan(0.5 * static_cast<double>(view.fov_y));
+}
+
+/// Distance along the ray to the triangle, if it meets it.
+double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    constexpr double missed = std::numeric_limits<double>::infinity();
+    const glm::dvec3 ab = b - a, ac = c - a;
+    const glm::dvec3 p = glm::cross(ray.direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0) return missed;
+    const glm::dvec3 offset = ray.origin - a;
+    const double u = glm::dot(offset, p) / determinant;
+    if (!(u >= 0 && u <= 1)) return missed;
+    const glm::dvec3 q = glm::cross(offset, ab);
+    const double v = glm::dot(ray.direction, q) / determinant;
+    if (!(v >= 0 && u + v <= 1)) return missed;
+    const double distance = glm::dot(ac, q) / determinant;
+    return distance > 0 ? distance : missed;
+}
+
+double distance_of(const View& view) {
+    return glm::distance(glm::dvec3{view.eye}, glm::dvec3{view.target});
+}
+
+/// A direction as angles: about the vertical and above the horizon.
+struct Angles {
+    double about, above;
+};
+
+/// Two axes of the horizon.
+struct Horizon {
+    glm::dvec3 vertical, first, second;
+
+    explicit Horizon(glm::vec3 up) : vertical(glm::normalize(glm::dvec3{up})) {
+        const glm::dvec3 other =
+            std::abs(vertical.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
+        first = glm::normalize(glm::cross(vertical, other));
+        second = glm::cross(vertical, first);
+    }
+    Angles angles(glm::dvec3 direction) const {
+        return {std::atan2(glm::dot(direction, second), glm::dot(direction, first)),
+                std::asin(std::clamp(glm::dot(direction, vertical), -1.0, 1.0))};
+    }
+    glm::dvec3 direction(Angles angles) const {
+        return std::cos(angles.above) *
+                   (std::cos(angles.about) * first + std::sin(angles.about) * second) +
+               std::sin(angles.above) * vertical;
+    }
+};
+
+glm::dvec3 direction_of(const View& view) {
+    return glm::normalize(glm::dvec3{view.eye} - glm::dvec3{view.target});
+}
+
+/// Between two views: the target goes straight, the eye turns about it without rolling.
+View between(const View& from, const View& to, double share) {
+    const Horizon horizon{to.up};
+    const Angles a = horizon.angles(direction_of(from)), b = horizon.angles(direction_of(to));
+    const double turn = std::remainder(b.about - a.about, glm::two_pi<double>());
+    const glm::dvec3 direction =
+        horizon.direction({a.about + share * turn, glm::mix(a.above, b.above, share)});
+    const glm::dvec3 target = glm::mix(glm::dvec3{from.target}, glm::dvec3{to.target}, share);
+    const double distance =
+        std::pow(distance_of(from), 1 - share) * std::pow(distance_of(to), share);
+    View view = to;
+    view.target = target;
+    view.eye = target + distance * direction;
+    view.fov_y = glm::mix(from.fov_y, to.fov_y, static_cast<float>(share));
+    return view;
+}
+
+} // namespace
+
+Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size) {
+    const Axes axes = axes_of(view);
+    const double scale = 2 * half_height(view) / size.y;
+    const glm::dvec2 from_middle = (point - 0.5 * size) * scale;
+    return {view.eye,
+            glm::normalize(axes.ahead + from_middle.x * axes.right - from_middle.y * axes.above)};
+}
+
+std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2 size) {
+    const Axes axes = axes_of(view);
+    const glm::dvec3 offset = point - glm::dvec3{view.eye};
+    const double depth = glm::dot(offset, axes.ahead);
+    if (!(depth > 0)) return {};
+    const double scale = size.y / (2 * half_height(view) * depth);
+    return 0.5 * size +
+           scale * glm::dvec2{glm::dot(offset, axes.right), -glm::dot(offset, axes.above)};
+}
+
+std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const glm::uvec3 triangle : lines.triangles) {
+        nearest = std::min(nearest, meet(ray, lines.vertices[triangle.x],
+                                         lines.vertices[triangle.y], lines.vertices[triangle.z]));
+    }
+    if (!std::isfinite(nearest)) return {};
+    return ray.origin + nearest * ray.direction;
+}
+
+glm::vec3 direction_to(StandardView view, glm::vec3 up) {
+    const glm::vec3 front = std::abs(up.z) > 0.5F ? glm::vec3{0, -1, 0} : glm::vec3{0, 0, 1};
+    const glm::vec3 side = std::abs(glm::dot(up, front)) > 0.5F ? glm::vec3{1, 0, 0} : front;
+    const glm::vec3 right = glm::normalize(glm::cross(up, side));
+    constexpr auto lean = static_cast<float>(nearest_to_vertical);
+    switch (view) {
+    case StandardView::front:
+        return side;
+    case StandardView::back:
+        return -side;
+    case StandardView::right:
+        return right;
+    case StandardView::left:
+        return -right;
+    case StandardView::top:
+        return glm::normalize(up + lean * side);
+    case StandardView::bottom:
+        return glm::normalize(-up + lean * side);
+    case StandardView::corner:
+        break;
+    }
+    return glm::normalize(0.75F * right + side + 0.6F * up);
+}
+
+void Navigation::set_view(const View& view) {
+    view_ = view;
+    view_.near = view_.far = 0; // fitted: the eye is going to leave its place
+    glide_.reset();
+}
+
+void Navigation::glide_to(const View& view) {
+    glide_ = Glide{view_, view};
+    glide_->to.near = glide_->to.far = 0;
+}
+
+void Navigation::advance(double seconds) {
+    if (!glide_) return;
+    glide_->done += seconds / glide_seconds;
+    if (glide_->done >= 1) return set_view(View{glide_->to});
+    const double t = glide_->done;
+    view_ = between(glide_->from, glide_->to, t * t * (3 - 2 * t));
+}
+
+void Navigation::move(glm::dvec3 way) {
+    view_.eye = glm::dvec3{view_.eye} + way;
+    view_.target = glm::dvec3{view_.target} + way;
+}
+
+void Navigation::turn_about(glm::dvec3 pivot, glm::dvec2 turn) {
+    glide_.reset();
+    const glm::dvec3 vertical = glm::normalize(glm::dvec3{view_.up});
+    const Axes axes = axes_of(view_);
+    // The angle from the vertical to the line of sight stays within (0, pi).
+    const double angle = std::acos(std::clamp(glm::dot(vertical, axes.ahead), -1.0, 1.0));
+    const double limit = nearest_to_vertical;
+    const double wanted = std::clamp(angle - turn.y, limit, glm::pi<double>() - limit);
+    const glm::dquat rotation =
+        glm::angleAxis(turn.x, vertical) * glm::angleAxis(angle - wanted, axes.right);
+    const glm::dvec3 eye = pivot + rotation * (glm::dvec3{view_.eye} - pivot);
+    view_.target = eye + rotation * (glm::dvec3{view_.target} - glm::dvec3{view_.eye});
+    view_.eye = eye;
+}
+
+void Navigation::orbit(glm::dvec3 pivot, glm::dvec2 turn) {
+    turn_about(pivot, turn);
+}
+
+void Navigation::look(glm::dvec2 turn) {
+    turn_about(view_.eye, turn);
+}
+
+void Navigation::pan(glm::dvec3 held, glm::dvec2 from, glm::dvec2 to, glm::dvec2 size) {
+    glide_.reset();
+    const Axes axes = axes_of(view_);
+    const double depth = std::abs(glm::dot(held - glm::dvec3{view_.eye}, axes.ahead));
+    const glm::dvec2 way = (to - from) * (2 * half_height(view_) / size.y * depth);
+    move(-way.x * axes.right + way.y * axes.above);
+}
+
+void Navigation::dolly(glm::dvec3 to, double factor) {
+    glide_.reset();
+    const glm::dvec3 sight = glm::dvec3{view_.target} - glm::dvec3{view_.eye};
+    view_.eye = to + factor * (glm::dvec3{view_.eye} - to);
+    view_.target = glm::dvec3{view_.eye} + factor * sight;
+}
+
+void Navigation::fly(glm::dvec3 way) {
+    glide_.reset();
+    const Axes axes = axes_of(view_);
+    move(way.x * axes.right + way.y * glm::normalize(glm::dvec3{view_.up}) + way.z * axes.ahead);
+}
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::viewer {
+
+/// A half line in the model's coordinates; `direction` is a unit vector.
+struct Ray {
+    glm::dvec3 origin{0}, direction{0, 0, -1};
+};
+
+/// What is seen at a point of a picture of `size`, from its upper left corner.
+Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size);
+
+/// Where a point of the model is seen; nothing for one behind the eye.
+std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2 size);
+
+/// The nearest triangle's point that the ray meets.
+std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray);
+
+enum class StandardView { front, back, left, right, top, bottom, corner };
+
+/// Unit vector from the model to the eye; the model's front is -y where z is up, else z.
+glm::vec3 direction_to(StandardView view, glm::vec3 up);
+
+/// How a person moves a camera around. Whatever is dragged follows the mouse exactly; jumps from
+/// one view to another glide.
+class Navigation {
+  public:
+    const View& view() const { return view_; }
+    /// Where a glide ends; else the view itself.
+    const View& goal() const { return glide_ ? glide_->to : view_; }
+
+    void set_view(const View& view); ///< at once
+    void glide_to(const View& view);
+    bool gliding() const { return glide_.has_value(); }
+    /// Goes on with a glide.
+    void advance(double seconds);
+
+    /// Turns about a point of the model, which stays where it is seen: by radians about the
+    /// vertical, then up and down as far as the vertical allows.
+    void orbit(glm::dvec3 pivot, glm::dvec2 turn);
+    /// The same about the eye.
+    void look(glm::dvec2 turn);
+    /// Moves so that what is seen at `from` in the distance of `held` is seen at `to`.
+    void pan(glm::dvec3 held, glm::dvec2 from, glm::dvec2 to, glm::dvec2 size);
+    /// Goes to a point until its distance is `factor` of what it was; it stays where it is seen.
+    void dolly(glm::dvec3 to, double factor);
+    /// Moves by distances to the right, upwards and ahead.
+    void fly(glm::dvec3 way);
+
+  private:
+    struct Glide {
+        View from, to;
+        double done = 0;
+    };
+    void turn_about(glm::dvec3 pivot, glm::dvec2 turn);
+    void move(glm::dvec3 way);
+
+    View view_{};
+    std::optional<Glide> glide_;
+};
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/image_writer.hpp"
+#include "lineatlas/renderer.hpp"
+#include "loader.hpp"
+
+namespace lineatlas::viewer {
+
+/// A picture to be saved: what `lineatlas draw` draws of the same model, camera and options.
+struct SavedPicture {
+    const Model& model;
+    View view;
+    glm::ivec2 size;
+    FrameOptions options;
+};
+
+/// As pixels or paths, by extension. Throws Error.
+void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,
+          ImageWriter& writer);
+
+/// The arguments with which `lineatlas` draws it, but for the camera.
+std::string command_of(const SavedPicture& picture);
+
+/// A camera path of one key, as `--camera-path` reads it.
+std::string camera_file(const View& view);
+
+/// Throws FileError.
+void save_text(const std::string& text, const std::filesystem::path& path);
+
+/// `folder`/`stem`.`extension`, or, if there is such a file, the first that is free of
+/// `stem`-2.`extension` and so on.
+std::filesystem::path free_path(const std::filesystem::path& folder, const std::string& stem,
+                                const std::string& extension);
+
+} // namespace lineatlas::viewer

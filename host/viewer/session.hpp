@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glpasses/canvas.hpp"
+#include "io/image_writer.hpp"
+#include "lineatlas/renderer.hpp"
+#include "loader.hpp"
+#include "messages.hpp"
+#include "navigation.hpp"
+#include "settings.hpp"
+#include "timings.hpp"
+
+namespace lineatlas::viewer {
+
+/// All that a viewer shows and lets one change, without its window: model, camera, settings,
+/// device, and the pictures of the last frame. Nothing a person does here throws: what fails is
+/// told by `messages`, and all is as it was.
+class Session {
+  public:
+    /// In a current GL context, which stays current. `wake`: see Loader. The writer must outlive
+    /// it.
+    Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake);
+
+    Settings settings;
+    Navigation navigation;
+    Messages messages;
+    Timings timings;
+    Loader loader;
+    bool profile = false;       ///< keep timings
+    glm::vec3 up{0, 1, 0};      ///< of files to be opened
+    LineOptions line_options{}; ///< the same
+
+    /// A model, a style (.toml) or a camera (.json), by extension.
+    void open(const std::filesystem::path& file);
+    void open_scene(const std::string& name);
+    /// The view from which the next model is seen first.
+    void open_first_camera(const std::filesystem::path& file);
+    const Model* model() const { return model_.get(); }
+
+    /// The name or path of one; empty: plain lines.
+    void use_style(const std::string& name);
+    void use_device(const DeviceOptions& device);
+    const DeviceOptions& device() const { return device_; }
+    std::string device_description() const;
+
+    void glide_to(StandardView view);
+    void fit(); ///< all of the model, from where the eye looks
+    /// What is seen at a point of the canvas, or else the model's centre.
+    glm::dvec3 point_at(glm::dvec2 point) const;
+    Camera camera() const; ///< there must be a model
+
+    /// Files at `path`; a type of picture or paths by its extension. False if that failed.
+    bool save_picture(const std::filesystem::path& path, int scale = 1);
+    bool save_style(const std::filesystem::path& path);
+    bool save_camera(const std::filesystem::path& path);
+
+    void resize(glm::ivec2 pixels);
+    glm::ivec2 size() const { return size_; }
+    /// Something but the camera has changed.
+    void changed() { stale_ = true; }
+    /// Takes what was loaded and goes on with glides and notices.
+    void advance(double seconds);
+    /// Whether draw() has something to do.
+    bool stale() const;
+    void draw();
+    /// Takes what timings have come since; true: there were some.
+    bool take_timings();
+    /// Timings of frames that were drawn are still to come.
+    bool timings_due() const { return timings_due_ > 0; }
+    /// The picture of a side; null before the first.
+    const gl::Canvas* picture(std::size_t side) const { return canvases_.at(side).get(); }
+    const FrameStats& stats() const { return stats_; }
+    std::uint64_t frames_drawn() const { return frames_drawn_; }
+
+  private:
+    void show(std::shared_ptr<Model> model);
+    void open_camera(const std::filesystem::path& file);
+    void load_pens(const Style& style);
+    void draw_side(std::size_t side, const Camera& camera);
+    bool attempt(const std::function<void()>& action);
+
+    ImageWriter& writer_;
+    DeviceOptions device_;
+    std::unique_ptr<Renderer> renderer_;
+    std::shared_ptr<Model> model_;
+    glm::ivec2 size_{0, 0};
+    std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
+    FrameStats stats_;
+    std::optional<View> first_view_;
+    std::optional<View> drawn_view_;
+    bool stale_ = true;
+    bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
+    int timings_due_ = 0;
+    std::uint64_t frames_drawn_ = 0;
+};
+
+} // namespace lineatlas::viewer

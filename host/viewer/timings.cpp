@@ -1,0 +1,55 @@
+#include "timings.hpp"
+
+#include <algorithm>
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr double milliseconds_per_nanosecond = 1e-6;
+constexpr std::size_t frames_of_median = 15;
+
+template <class Value>
+double median(const std::deque<Timings::Frame>& frames, const Value& value) {
+    std::vector<double> values;
+    const std::size_t count = std::min(frames.size(), frames_of_median);
+    for (std::size_t i = frames.size() - count; i < frames.size(); ++i) {
+        values.push_back(value(frames[i]));
+    }
+    if (values.empty()) return 0;
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+} // namespace
+
+void Timings::add(std::span<const FrameProfile> frames) {
+    for (const FrameProfile& profile : frames) {
+        Frame frame;
+        frame.total =
+            static_cast<double>(profile.end - profile.start) * milliseconds_per_nanosecond;
+        for (const StageShare& share : stage_shares(profile)) {
+            const auto found = std::ranges::find(stages_, share.stage);
+            const auto index = static_cast<std::size_t>(found - stages_.begin());
+            if (found == stages_.end()) stages_.push_back(share.stage);
+            if (frame.stages.size() <= index) frame.stages.resize(index + 1, 0);
+            frame.stages[index] = share.nanoseconds * milliseconds_per_nanosecond;
+        }
+        frames_.push_back(std::move(frame));
+        if (frames_.size() > kept) frames_.pop_front();
+    }
+}
+
+void Timings::clear() {
+    stages_.clear();
+    frames_.clear();
+}
+
+double Timings::median_total() const {
+    return median(frames_, [](const Frame& frame) { return frame.total; });
+}
+
+double Timings::median_of(std::size_t stage) const {
+    return median(frames_, [stage](const Frame& frame) { return frame.of(stage); });
+}
+
+} // namespace lineatlas::viewer

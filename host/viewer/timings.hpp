@@ -1,0 +1,37 @@
+#pragma once
+
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lineatlas/profile.hpp"
+
+namespace lineatlas::viewer {
+
+/// What the stages of the last frames took.
+class Timings {
+  public:
+    static constexpr std::size_t kept = 120;
+
+    void add(std::span<const FrameProfile> frames);
+    void clear();
+
+    /// In the order in which they first came, and so of the data flow.
+    const std::vector<std::string>& stages() const { return stages_; }
+    struct Frame {
+        double total = 0;           ///< milliseconds
+        std::vector<double> stages; ///< of each that was known then, milliseconds
+        double of(std::size_t stage) const { return stage < stages.size() ? stages[stage] : 0; }
+    };
+    const std::deque<Frame>& frames() const { return frames_; }
+    /// Medians over the last frames, milliseconds.
+    double median_total() const;
+    double median_of(std::size_t stage) const;
+
+  private:
+    std::vector<std::string> stages_;
+    std::deque<Frame> frames_;
+};
+
+} // namespace lineatlas::viewer

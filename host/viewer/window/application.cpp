@@ -1,0 +1,203 @@
+#include "application.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include "theme.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr int frames_after_event = 3;
+
+} // namespace
+
+Application::Gui::Gui(GLFWwindow* window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // nothing is to be remembered
+    ImGui_ImplGlfw_InitForOpenGL(window, false);
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+Application::Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+Application::Application(const ApplicationOptions& options, ImageWriter& writer)
+    : options_(options), window_(options.size, "lineatlas"), gui_(window_.handle()),
+      session_(options.device, writer, Window::wake), ui_{session_}, mouse_(session_) {
+    window_.listen(this);
+    show_soon();
+}
+
+Application::~Application() {
+    window_.listen(nullptr);
+}
+
+void Application::show_soon() {
+    frames_due_ = frames_after_event;
+}
+
+void Application::run() {
+    while (!window_.should_close()) step(-1);
+}
+
+/// 0: at once; below 0: until something happens.
+double Application::seconds_to_wait() const {
+    const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
+                         mouse_.flying() || ui_.later;
+    if (at_work) return 0;
+    constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4;
+    if (session_.loader.busy()) return smooth;
+    if (session_.messages.passing() || session_.timings_due()) return soon;
+    return ImGui::GetIO().WantTextInput ? blinking : -1;
+}
+
+void Application::step(double longest_wait) {
+    double wait = seconds_to_wait();
+    if (longest_wait >= 0) wait = wait < 0 ? longest_wait : std::min(wait, longest_wait);
+    const bool timed = wait > 0;
+    window_.wait(wait);
+    if (timed &&
+        (session_.loader.busy() || session_.messages.passing() || ImGui::GetIO().WantTextInput)) {
+        frames_due_ = std::max(frames_due_, 1);
+    }
+    advance();
+    if (frames_due_ == 0 && !session_.stale()) return;
+    frames_due_ = std::max(frames_due_ - 1, 0);
+    const bool announced = ui_.later.has_value();
+    make_frame();
+    show_frame();
+    if (!announced || !ui_.later) return;
+    const auto work = std::move(ui_.later->second);
+    ui_.later.reset();
+    work();
+    show_soon();
+}
+
+void Application::advance() {
+    const auto now = std::chrono::steady_clock::now();
+    constexpr double longest = 0.1; // a slow frame is no jump
+    const double seconds =
+        std::min(std::chrono::duration<double>(now - std::exchange(last_, now)).count(), longest);
+    const std::size_t messages = session_.messages.all().size();
+    const Model* model = session_.model();
+    mouse_.advance(seconds, shift_);
+    session_.advance(seconds);
+    if (model != session_.model())
+        window_.set_title(session_.model()->source.name() + " - lineatlas");
+    if (messages != session_.messages.all().size() || model != session_.model()) show_soon();
+    if (session_.take_timings() && ui_.timings) frames_due_ = std::max(frames_due_, 1);
+}
+
+/// Letters and panels as large as the display wants them.
+void Application::fit_scale() {
+    const float scale = options_.scale > 0 ? options_.scale : window_.content_scale();
+    const float ratio = window_.pixels_per_point();
+    if (scale == scale_ && ratio == pixels_per_point_) return;
+    scale_ = ui_.scale = scale;
+    pixels_per_point_ = ratio;
+    ui_.bold = apply_theme(scale, ratio);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+Area Application::canvas_area() const {
+    const glm::vec2 size{window_.points()};
+    return {{0, 0}, {std::max(size.x - sidebar_width(ui_), 0.0F), size.y}};
+}
+
+void Application::make_frame() {
+    fit_scale();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {static_cast<float>(mouse_place_.x), static_cast<float>(mouse_place_.y)};
+    if (options_.scripted) std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+    ImGui::NewFrame();
+    ui_.spots.begin_frame();
+    const glm::vec2 size{window_.points()};
+    if (ui_.sidebar) {
+        const float width = sidebar_width(ui_);
+        draw_sidebar(ui_, {{size.x - width, 0}, {width, size.y}});
+    }
+    const Area canvas = canvas_area();
+    mouse_.set_area(canvas);
+    draw_canvas_overlays(ui_, canvas);
+    draw_timings(ui_, canvas);
+    draw_messages(ui_, canvas);
+    draw_help(ui_, canvas);
+    session_.profile = ui_.timings;
+    if (mouse_.over_slider(mouse_place_) && !io.WantCaptureMouse) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+    ImGui::Render();
+}
+
+void Application::show_frame() {
+    session_.resize(glm::ivec2{glm::round(canvas_area().size * pixels_per_point_)});
+    if (session_.stale()) {
+        session_.draw();
+        if (session_.timings_due()) session_.take_timings();
+    }
+    paint();
+    window_.show_frame();
+    ++frames_shown_;
+}
+
+void Application::paint() const {
+    blit_pictures();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+/// The pictures, whole or either side of the slider, in the window's upper left corner.
+void Application::blit_pictures() const {
+    const glm::ivec2 window = window_.pixels();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, window.x, window.y);
+    glDisable(GL_SCISSOR_TEST);
+    const glm::vec3 paper = session_.settings.style.paper.color;
+    glClearColor(paper.x, paper.y, paper.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const bool split = session_.settings.split && session_.picture(1) != nullptr;
+    const glm::ivec2 size = session_.size();
+    const int border =
+        split
+            ? static_cast<int>(std::lround(session_.settings.split_at * static_cast<float>(size.x)))
+            : size.x;
+    const auto blit = [&](std::size_t side, int from, int to) {
+        const gl::Canvas* picture = session_.picture(side);
+        if (picture == nullptr || from >= to || picture->size() != size) return;
+        const int low = window.y - size.y;
+        glBlitNamedFramebuffer(picture->framebuffer(), 0, from, 0, to, size.y, from, low, to,
+                               window.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    };
+    blit(0, 0, border);
+    blit(1, border, size.x);
+}
+
+Image Application::screenshot() const {
+    Image image{.size = window_.pixels(), .channels = 3, .pixels = {}};
+    const auto row = static_cast<std::size_t>(image.size.x) * 3;
+    image.pixels.resize(row * static_cast<std::size_t>(image.size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    // What was shown last is gone with the swap; it is drawn again and not shown.
+    paint();
+    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+    for (std::size_t low = 0, high = image.pixels.size(); low + row < high; low += row) {
+        high -= row;
+        std::swap_ranges(image.pixels.begin() + static_cast<std::ptrdiff_t>(low),
+                         image.pixels.begin() + static_cast<std::ptrdiff_t>(low + row),
+                         image.pixels.begin() + static_cast<std::ptrdiff_t>(high));
+    }
+    return image;
+}
+
+} // namespace lineatlas::viewer

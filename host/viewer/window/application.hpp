@@ -1,0 +1,90 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "canvas_mouse.hpp"
+#include "ui.hpp"
+#include "window.hpp"
+
+namespace lineatlas::viewer {
+
+struct ApplicationOptions {
+    glm::ivec2 size{1280, 800}; ///< of the window, in points
+    DeviceOptions device{};
+    float scale = 0; ///< of letters; 0: as the system wants it
+    /// No mouse is asked for its buttons: they are as on_mouse_button() said. For tests.
+    bool scripted = false;
+};
+
+/// The viewer: a session in a window.
+class Application final : public InputListener {
+  public:
+    Application(const ApplicationOptions& options, ImageWriter& writer);
+    ~Application() override;
+
+    Session& session() { return session_; }
+    Ui& ui() { return ui_; }
+    Window& window() { return window_; }
+
+    /// Until the window is closed.
+    void run();
+    /// Waits for something to happen, at most so long (below 0: without end), and shows it.
+    void step(double longest_wait);
+    /// Frames of the window that were shown.
+    std::uint64_t frames_shown() const { return frames_shown_; }
+    /// What the window shows.
+    Image screenshot() const;
+
+    void on_key(int key, int scancode, int action, int mods) override;
+    void on_character(unsigned code) override;
+    void on_mouse_button(int button, int action, int mods) override;
+    void on_mouse_move(glm::dvec2 place) override;
+    void on_scroll(glm::dvec2 amount) override;
+    void on_drop(const std::vector<std::filesystem::path>& files) override;
+    void on_mouse_leave() override;
+    void on_focus(bool focused) override;
+    void on_refresh() override;
+
+  private:
+    /// ImGui with its connections to GLFW and GL.
+    class Gui {
+      public:
+        explicit Gui(GLFWwindow* window);
+        ~Gui();
+        Gui(const Gui&) = delete;
+        Gui& operator=(const Gui&) = delete;
+    };
+
+    double seconds_to_wait() const;
+    void advance();
+    void fit_scale();
+    Area canvas_area() const;
+    void make_frame();
+    void show_frame();
+    void paint() const;
+    void blit_pictures() const;
+    void press_key(int key, int mods);
+    void press_escape();
+    void next_method();
+    void next_style();
+    void show_soon();
+
+    ApplicationOptions options_;
+    Window window_;
+    Gui gui_;
+    Session session_;
+    Ui ui_;
+    CanvasMouse mouse_;
+    static constexpr glm::dvec2 nowhere{-1e6};
+    glm::dvec2 mouse_place_ = nowhere;
+    std::array<bool, 5> buttons_{};
+    bool shift_ = false;
+    int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event
+    std::uint64_t frames_shown_ = 0;
+    float scale_ = 0, pixels_per_point_ = 0;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+} // namespace lineatlas::viewer

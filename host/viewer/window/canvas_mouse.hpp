@@ -1,0 +1,46 @@
+#pragma once
+
+#include <set>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "ui.hpp"
+
+namespace lineatlas::viewer {
+
+/// What the mouse and the keys for flying do to the camera and to the split screen's slider. Places
+/// are in points of the window.
+class CanvasMouse {
+  public:
+    explicit CanvasMouse(Session& session) : session_(session) {}
+
+    void set_area(Area area) { area_ = area; }
+    void press(int button, int mods, glm::dvec2 place);
+    void release(int button);
+    void move(glm::dvec2 place);
+    void scroll(double clicks, glm::dvec2 place);
+    bool dragging() const { return drag_ != Drag::none; }
+    bool over_slider(glm::dvec2 place) const;
+
+    /// A key went down or up; true: it is one of those for flying.
+    bool key(int key, bool down);
+    void release_keys() { keys_.clear(); }
+    bool flying() const { return !keys_.empty(); }
+    void advance(double seconds, bool fast);
+
+  private:
+    enum class Drag { none, orbit, pan, dolly, look, slider };
+    static Drag drag_of(int button, int mods);
+    glm::dvec2 on_canvas(glm::dvec2 place) const; ///< in pixels of the picture
+
+    Session& session_;
+    Area area_{};
+    Drag drag_ = Drag::none;
+    int button_ = 0;
+    glm::dvec2 last_{0};
+    glm::dvec3 held_{0}; ///< the point of the model where a drag began
+    std::set<int> keys_;
+};
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,100 @@
+// lineatlas-view: the viewer. `lineatlas view` runs it.
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include "application.hpp"
+#include "apps/style_options.hpp"
+#include "apps/values.hpp"
+#include "lineatlas/error.hpp"
+
+namespace {
+
+using namespace lineatlas;
+
+constexpr int exit_failed = 1;
+constexpr int exit_usage = 2;
+
+struct Arguments {
+    std::string model, scene, style, camera, up;
+    std::string size = "1280x800";
+    viewer::ApplicationOptions options;
+};
+
+void declare(CLI::App& app, Arguments& a) {
+    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file; default the clevis scene");
+    app.add_option("--scene", a.scene,
+                   "A built-in scene in place of MODEL: clevis, house, ship, office");
+    app.add_option("--style", a.style, "Name of a style, or a TOML file");
+    app.add_option("--camera", a.camera, "A camera to begin with: JSON, as the viewer saves it");
+    app.add_option("--up", a.up, "Upward axis of the model: x, y, z or X,Y,Z; default y");
+    app.add_option("--size", a.size, "Size of the window")->capture_default_str();
+    app.add_option("--compute", a.options.device.compute, "Backend")->capture_default_str();
+    app.add_option("--device", a.options.device.device, "OpenCL device, see `lineatlas devices`");
+    app.add_option("--interop", a.options.device.interop,
+                   "How buffers are shared with GL: gl-sharing, host-pointer or copy");
+    app.add_option("--ui-scale", a.options.scale,
+                   "Size of letters and panels, 1 to 4; default as the display wants it")
+        ->check(CLI::Range(0.5, 4.0));
+    app.footer("F1 shows the keys. Models, styles and cameras can be dropped onto the window.");
+}
+
+void view(Arguments& arguments, ImageWriter& writer) {
+    arguments.options.size = apps::parse_size("--size", arguments.size);
+    viewer::Application application{arguments.options, writer};
+    viewer::Session& session = application.session();
+    if (!arguments.up.empty()) session.up = apps::parse_up("--up", arguments.up);
+    if (!arguments.style.empty()) session.use_style(arguments.style);
+    if (!arguments.camera.empty()) session.open_first_camera(arguments.camera);
+    if (!arguments.model.empty())
+        session.open(arguments.model);
+    else
+        session.open_scene(arguments.scene.empty() ? "clevis" : arguments.scene);
+    application.run();
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"lineatlas view: look at a model in a window", "lineatlas view"};
+    Arguments arguments;
+    declare(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help
+        fmt::print(stderr, "lineatlas: {}\nRun with --help for more.\n", error.what());
+        return exit_usage;
+    }
+    if (!arguments.model.empty() && !arguments.scene.empty()) {
+        throw UsageError("name either a MODEL file or a --scene");
+    }
+    {
+        ImageWriter writer; // before anything starts a thread
+        view(arguments, writer);
+    }
+    // A reader that was cancelled can't be stopped, but nothing here waits for it.
+    if (viewer::Loader::any_thread()) {
+        std::fflush(nullptr);
+        std::_Exit(0);
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "lineatlas: {}\n", error.what());
+        return exit_usage;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "lineatlas: {}\n", error.what());
+        return exit_failed;
+    }
+}

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include "widgets.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags overlay_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+    ImGuiWindowFlags_NoNav;
+
+void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
+                   glm::vec2 padding = {14, 12}) {
+    constexpr float alpha = 0.98F;
+    ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
+    ImGui::SetNextWindowBgAlpha(alpha);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(padding.x), ui.points(padding.y)});
+    ImGui::Begin(name, nullptr, overlay_flags);
+    ImGui::PopStyleVar(3);
+}
+
+void toolbar(Ui& ui, Area canvas) {
+    begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
+    if (button(ui, "fit", "Fit")) ui.session.fit();
+    tip("All of the model (F)");
+    for (const auto& [id, text, view] : {std::tuple{"corner", "Corner", StandardView::corner},
+                                         std::tuple{"front", "Front", StandardView::front},
+                                         std::tuple{"right", "Right", StandardView::right},
+                                         std::tuple{"top", "Top", StandardView::top}}) {
+        ImGui::SameLine();
+        if (button(ui, id, text)) ui.session.glide_to(view);
+    }
+    ImGui::SameLine(0, ui.points(14));
+    if (toggle(ui, "timings", "Timings", ui.timings)) ui.timings = !ui.timings;
+    tip("Where a frame's time goes (T)");
+    ImGui::SameLine();
+    if (toggle(ui, "help", "?", ui.help, ui.points(26))) ui.help = !ui.help;
+    tip("Keys (F1)");
+    ImGui::PopStyleVar();
+    ImGui::End();
+}
+
+/// On the side's end of the slider; below the toolbar where there is no room beside it.
+void side_name(const Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
+    std::string text = name_of(side.method).label;
+    if (side.method != Method::opengl) {
+        text += fmt::format(", {} probe{}", side.probes, side.probes == 1 ? "" : "s");
+    }
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float left = x + direction * ui.points(20) - (direction < 0 ? size.x : 0);
+    const bool beside = left > canvas.low.x + ui.points(410);
+    const ImVec2 low{left, canvas.low.y + ui.points(beside ? 21 : 66)};
+    const ImVec2 padding{ui.points(8), ui.points(4)};
+    const ImVec2 box_low{low.x - padding.x, low.y - padding.y};
+    const ImVec2 box_high{low.x + size.x + padding.x, low.y + size.y + padding.y};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(box_low, box_high, theme::panel, ui.points(4));
+    list.AddRect(box_low, box_high, theme::line, ui.points(4));
+    list.AddText(low, theme::ink, text.c_str());
+}
+
+void split_handle(const Ui& ui, Area canvas) {
+    const Settings& settings = ui.session.settings;
+    const float x = canvas.low.x + settings.split_at * canvas.size.x;
+    const float middle = canvas.low.y + 0.5F * canvas.size.y;
+    const float bottom = canvas.low.y + canvas.size.y;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddLine({x, canvas.low.y}, {x, bottom}, theme::accent, ui.points(1.5F));
+    list.AddCircleFilled({x, middle}, ui.points(13), theme::accent);
+    for (const float side : {-1.0F, 1.0F}) {
+        const float tip = x + side * ui.points(8), base = x + side * ui.points(3.5F);
+        const float half = ui.points(4);
+        list.AddTriangleFilled({tip, middle}, {base, middle - half}, {base, middle + half},
+                               IM_COL32_WHITE);
+    }
+    side_name(ui, canvas, settings.sides[0], x, -1);
+    side_name(ui, canvas, settings.sides[1], x, 1);
+}
+
+void loading(Ui& ui, Area canvas) {
+    Loader& loader = ui.session.loader;
+    begin_overlay(ui, "loading", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
+    ImGui::PushFont(ui.bold);
+    ImGui::TextUnformatted(loader.name().c_str());
+    ImGui::PopFont();
+    ImGui::TextDisabled("%s ...", loader.stage().c_str());
+    const float width = ui.points(260), height = ui.points(4);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, height});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + height}, theme::line, height);
+    // How much is left to do nobody knows, so something moves.
+    const auto phase = static_cast<float>(std::fmod(ImGui::GetTime(), 1.6) / 1.6);
+    const float from = std::max(0.0F, 1.3F * phase - 0.3F), to = std::min(1.0F, 1.3F * phase);
+    list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
+                       theme::accent, height);
+    if (button(ui, "cancel", "Cancel")) loader.cancel();
+    ImGui::End();
+}
+
+void invitation(const Ui& ui, Area canvas) {
+    const char* text = "Drop a model here";
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    list.AddText({canvas.low.x + 0.5F * (canvas.size.x - size.x),
+                  canvas.low.y + 0.5F * canvas.size.y - ui.points(8)},
+                 theme::quiet, text);
+}
+
+void at_work(const Ui& ui, Area canvas) {
+    begin_overlay(ui, "work", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
+    ImGui::Text("%s ...", ui.later->first.c_str());
+    ImGui::End();
+}
+
+} // namespace
+
+void draw_canvas_overlays(Ui& ui, Area canvas) {
+    if (ui.session.settings.split && ui.session.picture(1) != nullptr) split_handle(ui, canvas);
+    toolbar(ui, canvas);
+    if (ui.session.loader.busy())
+        loading(ui, canvas);
+    else if (ui.later)
+        at_work(ui, canvas);
+    else if (ui.session.model() == nullptr)
+        invitation(ui, canvas);
+}
+
+void draw_messages(Ui& ui, Area canvas) {
+    const std::vector<Messages::Message> all = ui.session.messages.all();
+    float y = canvas.low.y + ui.points(ui.session.settings.split ? 98 : 64);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Messages::Message& message = all[i];
+        const std::string name = fmt::format("message{}", i);
+        begin_overlay(ui, name.c_str(), {canvas.low.x + ui.points(12), y}, {0, 0});
+        const float width = std::min(canvas.size.x - ui.points(80), ui.points(560));
+        if (message.error) {
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::alarm);
+            ImGui::TextUnformatted(
+                message.count > 1
+                    ? fmt::format("That did not work ({} times)", message.count).c_str()
+                    : "That did not work");
+            ImGui::PopStyleColor();
+        }
+        ImGui::PushTextWrapPos(width);
+        ImGui::TextUnformatted(message.text.c_str());
+        ImGui::PopTextWrapPos();
+        const std::string id = fmt::format("dismiss.{}", i);
+        if (message.error && button(ui, id.c_str(), "Dismiss")) ui.session.messages.dismiss(i);
+        y += ImGui::GetWindowHeight() + ui.points(8);
+        ImGui::End();
+    }
+}
+
+void draw_help(Ui& ui, Area canvas) {
+    if (!ui.help) return;
+    struct Row {
+        const char* key;
+        const char* what;
+    };
+    static constexpr std::array<Row, 21> rows{{{"Left drag", "Orbit the point under the mouse"},
+                                               {"Middle or Shift + left drag", "Pan"},
+                                               {"Wheel or Ctrl + left drag", "Go nearer, go away"},
+                                               {"Right drag", "Look around"},
+                                               {"W A S D, Q E", "Fly; Shift: faster"},
+                                               {"F", "Fit the model"},
+                                               {"1 2 3", "Front, right, top"},
+                                               {"4 5 6", "Back, left, bottom"},
+                                               {"0", "Corner"},
+                                               {"", ""},
+                                               {"M", "Next method"},
+                                               {"N", "Next style"},
+                                               {"H", "Hidden lines"},
+                                               {"X", "Split screen"},
+                                               {"T", "Timings"},
+                                               {"Tab", "Sidebar"},
+                                               {"", ""},
+                                               {"Ctrl + S", "Save a PNG"},
+                                               {"Ctrl + Shift + S", "Save an SVG"},
+                                               {"Esc", "Close a panel, cancel, dismiss"},
+                                               {"Ctrl + Q", "Quit"}}};
+    begin_overlay(ui, "keys", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
+    ImGui::PushFont(ui.bold);
+    ImGui::TextUnformatted("Keys");
+    ImGui::PopFont();
+    for (const Row& row : rows) {
+        ImGui::TextUnformatted(row.key);
+        ImGui::SameLine(ui.points(236));
+        ImGui::TextDisabled("%s", row.what);
+    }
+    if (button(ui, "help.close", "Close")) ui.help = false;
+    ImGui::End();
+}
+
+} // namespace lineatlas::viewer

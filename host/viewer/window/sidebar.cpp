@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+#include <imgui.h>
+// After imgui.h.
+#include <imgui_stdlib.h>
+
+#include "lineatlas/scenes.hpp"
+#include "viewer/saving.hpp"
+#include "widgets.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+std::string with_thousands(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
+    }
+    return digits;
+}
+
+void model_section(Ui& ui) {
+    Session& session = ui.session;
+    const Model* model = session.model();
+    heading(ui, model == nullptr ? "Open a model" : model->source.name().c_str());
+    if (model != nullptr) {
+        ImGui::TextDisabled("%s triangles, %s edges",
+                            with_thousands(model->lines.triangles.size()).c_str(),
+                            with_thousands(model->lines.segments.size()).c_str());
+    }
+    ImGui::SetNextItemWidth(-1);
+    const bool entered =
+        ImGui::InputTextWithHint("##open", "Drop a file here, or type its path", &ui.open_path,
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.spots.note("open");
+    if (entered && !ui.open_path.empty()) {
+        session.open(ui.open_path);
+        ui.open_path.clear();
+    }
+    const std::string shown = model != nullptr ? model->source.scene : "";
+    choice(
+        ui, "scene", "Scene", shown.empty() ? "Built-in scenes" : shown, scene_names(),
+        [](std::string_view name) { return std::string{name}; },
+        [&](std::string_view name) { return name == shown; },
+        [&](std::string_view name) { session.open_scene(std::string{name}); });
+}
+
+bool quality(Ui& ui, Side& side, const std::string& id) {
+    bool changed = false;
+    label(ui, "Quality");
+    const float half =
+        0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemInnerSpacing.x);
+    for (const auto& [name, probes, scale] :
+         {std::tuple{"Low", 1U, 1}, std::tuple{"High", 9U, 2}}) {
+        const bool on = side.probes == probes && side.depth_scale == scale;
+        if (probes != 1) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (toggle(ui, (id + "." + name).c_str(), name, on, half) && !on) {
+            side.probes = probes;
+            side.depth_scale = scale;
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+bool method(Ui& ui, Side& side, const std::string& id, const char* text) {
+    const Side before = side;
+    choice(
+        ui, id.c_str(), text, name_of(side.method).label, method_names,
+        [](const MethodName& name) { return std::string{name.label}; },
+        [&](const MethodName& name) { return name.method == side.method; },
+        [&](const MethodName& name) { side.method = name.method; });
+    ImGui::BeginDisabled(side.method == Method::opengl); // it has no probes
+    const bool changed = quality(ui, side, id);
+    ImGui::EndDisabled();
+    return changed || !(side == before);
+}
+
+bool fine_quality(Ui& ui, Side& side) {
+    bool changed = false;
+    static constexpr std::array<std::uint32_t, 4> probes{1, 4, 9, 16};
+    choice(
+        ui, "probes", "Probes", std::to_string(side.probes), probes,
+        [](std::uint32_t n) { return std::to_string(n); },
+        [&](std::uint32_t n) { return n == side.probes; },
+        [&](std::uint32_t n) {
+            side.probes = n;
+            changed = true;
+        });
+    label(ui, "Depth scale");
+    changed |=
+        ImGui::SliderInt("##depth", &side.depth_scale, 1, 4, "%dx", ImGuiSliderFlags_AlwaysClamp);
+    ui.spots.note("depth-scale");
+    changed |= slider(ui, "step", "Step", side.step, 0.5F, 8, "%.1f px");
+    return changed;
+}
+
+void method_section(Ui& ui) {
+    Settings& settings = ui.session.settings;
+    heading(ui, "Visibility");
+    bool changed = method(ui, settings.sides[0], "method", "Method");
+    if (ImGui::TreeNodeEx("Finer settings", ImGuiTreeNodeFlags_SpanAvailWidth |
+                                                ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+        changed |= fine_quality(ui, settings.sides[0]);
+    }
+    ui.spots.note("more");
+    changed |= checkbox(ui, "split", "Split screen with another method", settings.split);
+    if (settings.split) changed |= method(ui, settings.sides[1], "second", "Right side");
+    if (changed) ui.session.changed();
+}
+
+void lines_section(Ui& ui) {
+    LineKindMask& lines = ui.session.settings.lines;
+    static constexpr std::array labels{"Creases", "Boundaries", "Materials", "Silhouettes",
+                                       "Lines of the file"};
+    heading(ui, "Lines");
+    for (std::size_t kind = 0; kind < labels.size(); ++kind) {
+        bool on = (lines >> kind & 1U) != 0;
+        if (kind % 2 == 1) column(ui, 130);
+        const std::string id = "lines." + std::string{line_kind_names.at(kind)};
+        if (!checkbox(ui, id.c_str(), labels.at(kind), on)) continue;
+        lines ^= 1U << kind;
+        ui.session.changed();
+    }
+}
+
+void save_section(Ui& ui) {
+    heading(ui, "Save");
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float quarter = 0.25F * (ImGui::GetContentRegionAvail().x - 3 * gap);
+    ImGui::BeginDisabled(ui.session.model() == nullptr);
+    for (const auto& [id, text, kind, help] :
+         {std::tuple{"save.png", "PNG", SavedKind::png, "The picture as it is (Ctrl+S)"},
+          std::tuple{"save.svg", "SVG", SavedKind::svg, "Its visible lines as paths"},
+          std::tuple{"save.style", "Style", SavedKind::style, "For --style, as TOML"},
+          std::tuple{"save.camera", "Camera", SavedKind::camera, "For --camera-path, as JSON"}}) {
+        if (kind != SavedKind::png) ImGui::SameLine(0, gap);
+        if (button(ui, id, text, quarter)) save_as(ui, kind);
+        tip(help);
+    }
+    ImGui::EndDisabled();
+    static constexpr std::array<int, 4> scales{1, 2, 3, 4};
+    const auto name = [&](int scale) {
+        const glm::ivec2 size = ui.session.size() * scale;
+        return fmt::format("{} x {}", size.x, size.y);
+    };
+    choice(
+        ui, "save.scale", "Pixels", name(ui.save_scale), scales, name,
+        [&](int scale) { return scale == ui.save_scale; },
+        [&](int scale) { ui.save_scale = scale; });
+    label(ui, "Folder");
+    ImGui::InputText("##folder", &ui.folder);
+    ui.spots.note("folder");
+}
+
+} // namespace
+
+float sidebar_width(const Ui& ui) {
+    return ui.sidebar ? ui.points(312) : 0;
+}
+
+void save_as(Ui& ui, SavedKind kind) {
+    Session& session = ui.session;
+    if (session.model() == nullptr) return;
+    const std::string stem = std::filesystem::path{session.model()->source.name()}.stem().string();
+    const auto path = [&](const char* extension) { return free_path(ui.folder, stem, extension); };
+    switch (kind) {
+    case SavedKind::png:
+        return ui.do_later("Saving", [&session, path = path("png"), scale = ui.save_scale] {
+            session.save_picture(path, scale);
+        });
+    case SavedKind::svg:
+        return ui.do_later("Saving",
+                           [&session, path = path("svg")] { session.save_picture(path); });
+    case SavedKind::style:
+        session.save_style(path("toml"));
+        return;
+    case SavedKind::camera:
+        session.save_camera(path("json"));
+        return;
+    }
+}
+
+void draw_sidebar(Ui& ui, Area area) {
+    ImGui::SetNextWindowPos({area.low.x, area.low.y});
+    ImGui::SetNextWindowSize({area.size.x, area.size.y});
+    ImGui::Begin("sidebar", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    // What is saved stays in sight, whatever is scrolled.
+    const float footer = 4 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
+    ImGui::BeginChild("settings", {0, -footer});
+    model_section(ui);
+    method_section(ui);
+    draw_style_section(ui);
+    lines_section(ui);
+    draw_device_section(ui);
+    ImGui::EndChild();
+    save_section(ui);
+    const float border = area.low.x + 0.5F;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddLine({border, area.low.y}, {border, area.low.y + area.size.y}, theme::line);
+    list.PopClipRect();
+    ImGui::End();
+}
+
+} // namespace lineatlas::viewer

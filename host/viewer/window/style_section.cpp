@@ -1,0 +1,120 @@
+#include <algorithm>
+
+#include "core/pens.hpp"
+#include "lineatlas/style_files.hpp"
+#include "widgets.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr const char* plain_lines = "plain lines";
+
+std::string shown_name(const std::string& style) {
+    return style.empty() ? plain_lines : std::filesystem::path{style}.filename().string();
+}
+
+void style_list(Ui& ui) {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> result{""};
+        for (const StyleInfo& info : list_styles()) result.push_back(info.name);
+        return result;
+    }();
+    Session& session = ui.session;
+    choice(
+        ui, "style", "Style", shown_name(session.settings.style_name), names, shown_name,
+        [&](const std::string& name) { return name == session.settings.style_name; },
+        [&](const std::string& name) { session.use_style(name); });
+}
+
+bool mark(Ui& ui, Pen& pen) {
+    bool changed = false;
+    choice(
+        ui, "pen", "Pen", shown_name(pen.mark), pen_names(),
+        [](const PenName& name) { return std::string{name.name}; },
+        [&](const PenName& name) { return name.name == pen.mark; },
+        [&](const PenName& name) {
+            pen.mark = name.name;
+            changed = true;
+        });
+    return changed;
+}
+
+/// With a border: a colour may be the panel's own.
+bool swatch(Ui& ui, const char* id, glm::vec3& value) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(190, 188, 182, 255));
+    const bool changed =
+        ImGui::ColorEdit3((std::string{"##"} + id).c_str(), &value.x, ImGuiColorEditFlags_NoInputs);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ui.spots.note(id);
+    return changed;
+}
+
+bool color(Ui& ui, const char* id, const char* text, glm::vec3& value) {
+    label(ui, text);
+    const bool changed =
+        ImGui::ColorEdit3((std::string{"##"} + id).c_str(), &value.x, ImGuiColorEditFlags_NoInputs);
+    ui.spots.note(id);
+    return changed;
+}
+
+bool fill(Ui& ui, Fill& fill) {
+    struct Mode {
+        FillMode mode;
+        const char* name;
+    };
+    static constexpr std::array<Mode, 4> modes{{{FillMode::none, "none"},
+                                                {FillMode::flat, "flat"},
+                                                {FillMode::lambert, "lambert"},
+                                                {FillMode::toon, "toon"}}};
+    bool changed = false;
+    choice(
+        ui, "fill", "Fill", modes.at(static_cast<std::size_t>(fill.mode)).name, modes,
+        [](const Mode& mode) { return std::string{mode.name}; },
+        [&](const Mode& mode) { return mode.mode == fill.mode; },
+        [&](const Mode& mode) {
+            fill.mode = mode.mode;
+            changed = true;
+        });
+    return changed;
+}
+
+bool pen_rows(Ui& ui, Style& style) {
+    bool changed = mark(ui, style.pen);
+    changed |= slider(ui, "width", "Width", style.pen.width, 0.3F, 12, "%.1f px");
+    changed |= color(ui, "color", "Colour", style.pen.color);
+    column(ui, 140);
+    ImGui::TextUnformatted("Paper");
+    column(ui, 188);
+    return swatch(ui, "paper", style.paper.color) || changed;
+}
+
+bool effect_rows(Ui& ui, Style& style) {
+    StrokeFilter& filter = style.filter;
+    bool changed = slider(ui, "overshoot", "Overshoot", filter.overshoot, 0, 40, "%.0f px");
+    changed |= slider(ui, "halo", "Halo", filter.halo, 0, 20, "%.1f px");
+    changed |= slider(ui, "density", "Density", style.density.limit, 0, 1,
+                      style.density.limit > 0 ? "%.2f" : "no limit");
+    changed |= fill(ui, style.fill);
+    changed |= slider(ui, "grain", "Grain", style.paper.grain, 0, 1, "%.2f");
+    changed |= checkbox(ui, "hidden", "Hidden lines", style.hidden);
+    if (!style.hidden) return changed;
+    changed |=
+        slider(ui, "hidden-width", "  their width", style.hidden_pen.width, 0.3F, 6, "%.1f px");
+    changed |= color(ui, "hidden-color", "  their colour", style.hidden_pen.color);
+    return changed;
+}
+
+} // namespace
+
+void draw_style_section(Ui& ui) {
+    heading(ui, "Style");
+    style_list(ui);
+    Style& style = ui.session.settings.style;
+    const bool pen_changed = pen_rows(ui, style);
+    const bool effect_changed = effect_rows(ui, style);
+    if (pen_changed || effect_changed) ui.session.changed();
+}
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <imgui.h>
+
+#include "viewer/session.hpp"
+
+namespace lineatlas::viewer {
+
+/// Part of the window in points.
+struct Area {
+    glm::vec2 low{0}, size{0};
+
+    bool holds(glm::dvec2 p) const {
+        return p.x >= low.x && p.y >= low.y && p.x < low.x + size.x && p.y < low.y + size.y;
+    }
+};
+
+/// Where the items of the last frame are, by name: for those who press them without a hand.
+class Spots {
+  public:
+    void begin_frame() { areas_.clear(); }
+    /// The item that was made last.
+    void note(const std::string& name) {
+        const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+        areas_[name] = {{low.x, low.y}, {size.x, size.y}};
+    }
+    std::optional<Area> find(const std::string& name) const {
+        const auto found = areas_.find(name);
+        if (found == areas_.end()) return {};
+        return found->second;
+    }
+
+  private:
+    std::map<std::string, Area> areas_;
+};
+
+/// A device that one can choose.
+struct DeviceChoice {
+    std::string label;
+    DeviceOptions options;
+};
+
+/// What the panels know besides the session.
+struct Ui {
+    Session& session;
+    Spots spots{};
+    ImFont* bold = nullptr;
+    float scale = 1; ///< of letters and spacing
+    bool sidebar = true, help = false, timings = false;
+    std::vector<DeviceChoice> devices{};
+    std::string open_path{}; ///< what is being typed
+    int save_scale = 1;
+    std::string folder = "."; ///< where files are saved
+    /// Work during which the window can't answer: it is done after a frame that says so.
+    std::optional<std::pair<std::string, std::function<void()>>> later{};
+
+    void do_later(const std::string& what, std::function<void()> work) {
+        later = std::pair{what, std::move(work)};
+    }
+    float points(float usual) const { return usual * scale; }
+};
+
+/// Saves under a name made of the model's that no file has yet.
+enum class SavedKind { png, svg, style, camera };
+void save_as(Ui& ui, SavedKind kind);
+
+float sidebar_width(const Ui& ui);
+
+// Parts of the window; each is a file.
+void draw_sidebar(Ui& ui, Area area);
+void draw_style_section(Ui& ui);
+void draw_device_section(Ui& ui);
+void draw_canvas_overlays(Ui& ui, Area canvas);
+void draw_timings(Ui& ui, Area canvas);
+void draw_messages(Ui& ui, Area canvas);
+void draw_help(Ui& ui, Area canvas);
+
+} // namespace lineatlas::viewer

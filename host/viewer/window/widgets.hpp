@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "theme.hpp"
+#include "ui.hpp"
+
+// Rows of a panel: a label on the left, what it is about on the right. All return whether the value
+// has changed, and are noted under their id.
+namespace lineatlas::viewer {
+
+inline void heading(const Ui& ui, const char* text) {
+    ImGui::Dummy({0, ui.points(2)});
+    ImGui::PushFont(ui.bold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+/// Goes on in the same row, so far from its start.
+inline void column(const Ui& ui, float points) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + ui.points(points));
+}
+
+inline void label(const Ui& ui, const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    column(ui, 96);
+    ImGui::SetNextItemWidth(-1);
+}
+
+inline void tip(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
+
+inline bool slider(Ui& ui, const char* id, const char* text, float& value, float low, float high,
+                   const char* format = "%.1f") {
+    label(ui, text);
+    const bool changed = ImGui::SliderFloat((std::string{"##"} + id).c_str(), &value, low, high,
+                                            format, ImGuiSliderFlags_AlwaysClamp);
+    ui.spots.note(id);
+    return changed;
+}
+
+inline bool checkbox(Ui& ui, const char* id, const char* text, bool& value) {
+    const bool changed = ImGui::Checkbox(text, &value);
+    ui.spots.note(id);
+    return changed;
+}
+
+inline bool button(Ui& ui, const char* id, const char* text, float width = 0) {
+    const bool pressed = ImGui::Button((std::string{text} + "##" + id).c_str(), {width, 0});
+    ui.spots.note(id);
+    return pressed;
+}
+
+/// A button that stays pressed while `on`.
+inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float width = 0) {
+    if (on) {
+        ImGui::PushStyleColor(ImGuiCol_Button, theme::accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::accent);
+        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+    }
+    const bool pressed = button(ui, id, text, width);
+    if (on) ImGui::PopStyleColor(4);
+    return pressed;
+}
+
+/// A list to choose from: `choose(item)` is called with what was chosen. `name_of(item)` gives what
+/// is read, `is_chosen(item)` says which it is. Items are noted as "id/name".
+template <class Items, class Name, class Chosen, class Choose>
+void choice(Ui& ui, const char* id, const char* text, const std::string& preview,
+            const Items& items, const Name& name_of_item, const Chosen& is_chosen,
+            const Choose& choose) {
+    label(ui, text);
+    const bool open = ImGui::BeginCombo((std::string{"##"} + id).c_str(), preview.c_str(),
+                                        ImGuiComboFlags_HeightLargest);
+    if (!open) return ui.spots.note(id);
+    for (const auto& item : items) {
+        const std::string name = name_of_item(item);
+        if (ImGui::Selectable(name.c_str(), is_chosen(item))) choose(item);
+        ui.spots.note(std::string{id} + "/" + name);
+    }
+    ImGui::EndCombo();
+}
+
+} // namespace lineatlas::viewer

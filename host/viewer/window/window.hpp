@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+struct GLFWwindow;
+
+namespace lineatlas::viewer {
+
+/// Who hears what a person does. Places are in points of the window, from its upper left corner.
+class InputListener {
+  public:
+    virtual ~InputListener() = default;
+    virtual void on_key(int key, int scancode, int action, int mods) = 0;
+    virtual void on_character(unsigned code) = 0;
+    virtual void on_mouse_button(int button, int action, int mods) = 0;
+    virtual void on_mouse_move(glm::dvec2 place) = 0;
+    virtual void on_scroll(glm::dvec2 amount) = 0;
+    virtual void on_drop(const std::vector<std::filesystem::path>& files) = 0;
+    virtual void on_mouse_leave() = 0;
+    virtual void on_focus(bool focused) = 0;
+    virtual void on_refresh() = 0; ///< the window's size has changed, or it must be shown again
+};
+
+/// A window with a GL 4.5 core context, current on the thread that made it.
+class Window {
+  public:
+    /// Throws DeviceError with what to do.
+    Window(glm::ivec2 size, const std::string& title);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void listen(InputListener* listener) { listener_ = listener; }
+    GLFWwindow* handle() const { return window_; }
+    InputListener* listener() const { return listener_; }
+
+    glm::ivec2 points() const;
+    glm::ivec2 pixels() const;
+    /// Pixels per point; not 1 where the system scales windows itself.
+    float pixels_per_point() const;
+    /// How large the system wants letters to be, in points: 1 is usual.
+    float content_scale() const;
+    void set_title(const std::string& title);
+    bool should_close() const;
+    void close();
+    void show_frame(); ///< swaps buffers
+    /// Waits at most so long for something to happen; below 0: without end.
+    static void wait(double seconds);
+    static void wake(); ///< ends wait(), from any thread
+
+  private:
+    GLFWwindow* window_ = nullptr;
+    InputListener* listener_ = nullptr;
+};
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include "lineatlas/io.hpp"
+#include "viewer/window/application.hpp"
+
+namespace lineatlas::test {
+
+/// A hand on the viewer: its events enter where those of GLFW do, so that handlers, panels and
+/// pictures are the real ones. X and GLFW alone are left out: what they say of a mouse on a display
+/// without a window manager depends on who else is there.
+class ViewerDriver {
+  public:
+    explicit ViewerDriver(viewer::Application& application) : app_(application) {}
+
+    viewer::Session& session() { return app_.session(); }
+
+    /// Frames with a picture each.
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) {
+            session().changed();
+            app_.on_refresh();
+            app_.step(0);
+        }
+    }
+    /// Until nothing more is to be shown.
+    void rest() {
+        constexpr int most = 2000;
+        for (int i = 0; i < most; ++i) {
+            const std::uint64_t before = app_.frames_shown();
+            app_.step(session().loader.busy() ? 0.05 : 0);
+            const bool busy = session().loader.busy() || session().navigation.gliding();
+            if (!busy && app_.frames_shown() == before) return;
+        }
+        throw std::runtime_error{"the viewer does not come to rest"};
+    }
+    void open_scene(const char* name) {
+        session().open_scene(name);
+        rest();
+    }
+
+    void key(int code, int mods = 0) {
+        press(code, mods);
+        release(code);
+        rest();
+    }
+    void press(int code, int mods = 0) { app_.on_key(code, 0, GLFW_PRESS, mods); }
+    void release(int code) { app_.on_key(code, 0, GLFW_RELEASE, 0); }
+    void move(glm::dvec2 place) {
+        app_.on_mouse_move(place);
+        rest();
+    }
+    void drag(int button, glm::dvec2 from, glm::dvec2 to, int mods = 0) {
+        move(from);
+        app_.on_mouse_button(button, GLFW_PRESS, mods);
+        rest();
+        move(0.5 * (from + to));
+        move(to);
+        app_.on_mouse_button(button, GLFW_RELEASE, mods);
+        rest();
+    }
+    void scroll(double clicks, glm::dvec2 place) {
+        move(place);
+        app_.on_scroll({0, clicks});
+        rest();
+    }
+    glm::dvec2 middle_of(const std::string& spot) {
+        const std::optional<viewer::Area> area = app_.ui().spots.find(spot);
+        if (!area) throw std::runtime_error{"the window has no \"" + spot + "\""};
+        return area->low + 0.5F * area->size;
+    }
+    bool has(const std::string& spot) const { return app_.ui().spots.find(spot).has_value(); }
+    /// Scrolls the sidebar until an item of it is in sight.
+    void reveal(const std::string& spot) {
+        constexpr double top = 10, bottom = 620;
+        const double x = app_.window().points().x - 100;
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec2 place = middle_of(spot);
+            const bool footer = spot.starts_with("save.") || spot == "folder";
+            if (place.x < session().size().x || footer || (place.y > top && place.y < bottom))
+                return;
+            scroll(place.y > bottom ? -1 : 1, {x, 0.5 * bottom});
+        }
+        throw std::runtime_error{"\"" + spot + "\" does not come in sight"};
+    }
+    void click(const std::string& spot) {
+        rest();
+        if (spot.find('/') == std::string::npos) reveal(spot);
+        const glm::dvec2 place = middle_of(spot);
+        drag(GLFW_MOUSE_BUTTON_LEFT, place, place);
+    }
+    void choose(const std::string& list, const std::string& item) {
+        click(list);
+        click(list + "/" + item);
+    }
+    void drop(const std::filesystem::path& file) {
+        app_.on_drop({file});
+        rest();
+    }
+
+    /// What the window shows; kept in the folder that LINEATLAS_SCREENSHOTS names.
+    Image screenshot(const std::string& name) {
+        Image image = app_.screenshot();
+        if (const char* folder = std::getenv("LINEATLAS_SCREENSHOTS")) {
+            write_image(std::filesystem::path{folder} / (name + ".png"), image);
+        }
+        return image;
+    }
+
+  private:
+    viewer::Application& app_;
+};
+
+} // namespace lineatlas::test

@@ -1,0 +1,166 @@
+// The viewer's window: mouse, keys, loading, rest and end. Needs a display: xvfb-run gives one.
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+TEST_F(Viewer, TheMouseMovesTheCamera) {
+    const glm::dvec2 size = session().size(), from{480, 420}, to{560, 380};
+    const glm::dvec3 held = session().point_at(from);
+    const auto seen = [&] { return *viewer::seen_at(session().navigation.view(), held, size); };
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, from, to);
+    EXPECT_LT(glm::distance(seen(), from), 0.05) << "orbits about what is under the mouse";
+    hand_.drag(GLFW_MOUSE_BUTTON_MIDDLE, from, to);
+    EXPECT_LT(glm::distance(seen(), to), 0.05) << "pans with what is under the mouse";
+    hand_.scroll(3, to);
+    EXPECT_LT(glm::distance(seen(), to), 0.05) << "goes to what is under the mouse";
+    const glm::vec3 eye = session().navigation.view().eye;
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, from, to);
+    EXPECT_EQ(session().navigation.view().eye, eye) << "looks around";
+}
+
+TEST_F(Viewer, AtRestThePictureIsThatOfAStillFrame) {
+    for (int i = 0; i < 10; ++i) {
+        session().navigation.orbit({0, 0, 0}, {0.02, 0});
+        app_.step(0);
+    }
+    hand_.rest();
+    const auto rested = picture();
+    session().settings.steady = false;
+    session().changed();
+    hand_.rest();
+    EXPECT_EQ(rested, picture());
+}
+
+TEST_F(Viewer, KeysFlyAndFit) {
+    const View home = session().navigation.view();
+    hand_.press(GLFW_KEY_W);
+    hand_.frames(5);
+    hand_.release(GLFW_KEY_W);
+    hand_.rest();
+    EXPECT_LT(glm::distance(session().navigation.view().eye, home.target),
+              glm::distance(home.eye, home.target));
+    hand_.key(GLFW_KEY_3);
+    hand_.screenshot("top");
+    const View top = session().navigation.view();
+    EXPECT_LT(glm::normalize(top.target - top.eye).y, -0.9999F);
+    hand_.scroll(-8, {480, 400});
+    hand_.key(GLFW_KEY_F);
+    EXPECT_LT(glm::distance(session().navigation.view().eye, top.eye),
+              1e-3F * glm::distance(top.eye, top.target));
+}
+
+TEST_F(Viewer, RestsWhenNothingChanges) {
+    hand_.rest();
+    const std::uint64_t shown = app_.frames_shown(), drawn = session().frames_drawn();
+    for (int i = 0; i < 50; ++i) app_.step(0.002);
+    EXPECT_EQ(app_.frames_shown(), shown);
+    EXPECT_EQ(session().frames_drawn(), drawn);
+    hand_.move({400, 400});
+    EXPECT_GT(app_.frames_shown(), shown) << "the mouse moves over panels";
+    EXPECT_EQ(session().frames_drawn(), drawn) << "the picture is kept";
+}
+
+TEST_F(Viewer, LoadsInTheBackgroundAndCanBeCancelled) {
+    session().open_scene("ship");
+    hand_.frames(2);
+    ASSERT_TRUE(session().loader.busy()) << "the ship takes a second";
+    hand_.screenshot("loading");
+    ASSERT_TRUE(hand_.has("cancel"));
+    const glm::dvec2 place = hand_.middle_of("cancel");
+    for (const int action : {GLFW_PRESS, GLFW_RELEASE}) {
+        app_.on_mouse_move(place);
+        hand_.frames(1);
+        app_.on_mouse_button(GLFW_MOUSE_BUTTON_LEFT, action, 0);
+        hand_.frames(1);
+    }
+    EXPECT_FALSE(session().loader.busy());
+    while (viewer::Loader::any_thread()) app_.step(0.01);
+    hand_.rest();
+    EXPECT_EQ(session().model()->source.name(), "clevis") << "the ship is not taken";
+    hand_.open_scene("house");
+    EXPECT_EQ(session().model()->source.name(), "house");
+}
+
+TEST(ViewerEnd, DoesNotWaitForAReader) {
+    using Clock = std::chrono::steady_clock;
+    ImageWriter writer;
+    auto app = std::make_unique<viewer::Application>(
+        viewer::ApplicationOptions{.size = {640, 400}, .scripted = true}, writer);
+    app->session().open_scene("ship");
+    app->step(0);
+    ASSERT_TRUE(viewer::Loader::any_thread());
+    app.reset();
+    EXPECT_TRUE(viewer::Loader::any_thread()) << "the window was closed after the reader's end";
+    const Clock::time_point start = Clock::now();
+    while (viewer::Loader::any_thread() && Clock::now() - start < std::chrono::seconds{60}) {
+        std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    EXPECT_FALSE(viewer::Loader::any_thread());
+}
+
+TEST(ViewerProgram, IsSaidToBeMissingWithTheWayOut) {
+    const TemporaryFolder folder;
+    const std::string tool = (folder.path() / "lineatlas").string();
+    std::filesystem::copy_file(LINEATLAS_TOOL, tool);
+    const std::string said = (folder.path() / "said").string();
+    EXPECT_NE(std::system((tool + " view model.obj 2> " + said).c_str()), 0);
+    EXPECT_NE(text_of(said).find("libimgui-dev"), std::string::npos) << text_of(said);
+    EXPECT_EQ(std::system((std::string{LINEATLAS_TOOL} + " view --help > " + said).c_str()), 0);
+    EXPECT_NE(text_of(said).find("--ui-scale"), std::string::npos) << text_of(said);
+}
+
+TEST_F(Viewer, ShowsTimingsPerStage) {
+    hand_.key(GLFW_KEY_T);
+    for (int i = 0; i < 40; ++i) {
+        session().navigation.orbit({0, 0, 0}, {0.02, 0});
+        app_.step(0);
+    }
+    hand_.rest();
+    hand_.screenshot("timings");
+    const std::vector<std::string>& stages = session().timings.stages();
+    for (const char* stage : {"depth", "scan", "atlas", "compact", "strokes"}) {
+        EXPECT_NE(std::ranges::find(stages, stage), stages.end()) << stage;
+    }
+    EXPECT_GT(session().timings.frames().size(), 20U);
+    EXPECT_GT(session().timings.median_total(), 0);
+}
+
+TEST_F(Viewer, ShowsItsKeys) {
+    hand_.key(GLFW_KEY_F1);
+    hand_.screenshot("help");
+    hand_.click("help.close");
+    EXPECT_FALSE(app_.ui().help);
+    hand_.key(GLFW_KEY_TAB);
+    EXPECT_EQ(session().size(), (glm::ivec2{1280, 800})) << "the picture has the whole window";
+}
+
+/// The picture in docs/viewer.md.
+TEST_F(Viewer, IsWhatTheDocsShow) {
+    hand_.open_scene("house");
+    hand_.choose("style", "ink");
+    app_.ui().folder = ".";
+    hand_.key(GLFW_KEY_X);
+    hand_.screenshot("viewer");
+    EXPECT_EQ(error(), "");
+}
+
+class ViewerOnAFineDisplay : public Viewer {
+  protected:
+    ViewerOnAFineDisplay() : Viewer(1.5F) {}
+};
+
+TEST_F(ViewerOnAFineDisplay, LettersAndPanelsAreLarger) {
+    EXPECT_EQ(session().size(), (glm::ivec2{1280 - 312 * 3 / 2, 800}));
+    hand_.choose("method", "Item buffer");
+    EXPECT_EQ(session().settings.sides[0].method, Method::item_buffer);
+    hand_.screenshot("fine");
+}
+
+} // namespace
+} // namespace lineatlas::test
