@@ -174,8 +174,9 @@ struct FilterArgs {
     ClippedTable clipped;
     Buffer& alpha; ///< in and out: samples that become visible get 255
     AtlasLayout layout;
-    glm::vec2 viewport; ///< pixels
-    float half_width;   ///< of the stroke, in pixels: decides where a join has room
+    std::uint32_t capacity; ///< samples that `alpha` has room for
+    glm::vec2 viewport;     ///< pixels
+    float half_width;       ///< of the stroke, in pixels: decides where a join has room
     float fill, drop, overshoot, overshoot_variation, undershoot;
     Buffer& runs;               ///< in: `Run` each, of `compact_runs`
     Buffer& record;             ///< in: their `FrameRecord`

@@ -128,6 +128,9 @@ class Implementation final : public ComparingBackend {
     void flush() override { first_->flush(); }
     void finish() override { first_->finish(); }
 
+    std::shared_ptr<CommandLog> begin_log() override { return first_->begin_log(); }
+    void end_log() override { first_->end_log(); }
+
   private:
     template <class Args>
     void stage(std::string_view name, const Args& args, void (Backend::*method)(const Args&)) {

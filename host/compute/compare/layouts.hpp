@@ -8,6 +8,9 @@
 
 namespace lineatlas::compute {
 
+/// Whether two floats agree within `relative` of the larger magnitude; below `absolute` all do.
+bool agree(float a, float b, float relative = 1e-5F, float absolute = 1e-6F);
+
 /// What a member of a table's element is, and how exactly it must agree.
 enum class FieldKind {
     byte,       ///< bit by bit

@@ -126,6 +126,7 @@ void mapped(const FilterArgs& a, Map& map, Run&& run) {
                    .clipped = mapped_table(a.clipped, map),
                    .alpha = map.out("alpha", a.alpha, layouts::byte),
                    .layout = a.layout,
+                   .capacity = a.capacity,
                    .viewport = a.viewport,
                    .half_width = a.half_width,
                    .fill = a.fill,

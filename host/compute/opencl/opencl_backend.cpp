@@ -232,9 +232,9 @@ class Implementation final : public OpenClBackend {
         const auto step = [&](LazyKernel& kernel, auto&&... out) {
             launch(kernel, n, tuning_.block_local_size, args.table.segments, args.clipped.clipped,
                    args.clipped.offsets, args.clipped.arcs, args.alpha, args.layout.width,
-                   args.layout.pitch, to_cl(args.viewport), args.half_width, args.fill, args.drop,
-                   args.overshoot, args.overshoot_variation, args.undershoot, args.runs,
-                   args.record, cuts, use_cuts, n, out...);
+                   args.layout.pitch, args.capacity, to_cl(args.viewport), args.half_width,
+                   args.fill, args.drop, args.overshoot, args.overshoot_variation, args.undershoot,
+                   args.runs, args.record, cuts, use_cuts, n, out...);
         };
         step(filter_count_, counts);
         scan(counts, n, ScanKind::saturate);

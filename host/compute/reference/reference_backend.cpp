@@ -134,6 +134,7 @@ void ReferenceBackend::filter(const FilterArgs& args) {
          .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
          .alpha = alpha,
          .layout = args.layout,
+         .capacity = args.capacity,
          .viewport = args.viewport,
          .half_width = args.half_width,
          .fill = args.fill,

@@ -98,6 +98,7 @@ struct FilterInput {
     std::span<const std::uint32_t> arcs;
     std::span<const std::uint8_t> alpha; ///< before it is changed
     AtlasLayout layout;
+    std::uint32_t capacity;
     glm::vec2 viewport;
     float half_width;
     float fill, drop, overshoot, overshoot_variation, undershoot;
