@@ -108,6 +108,11 @@ namespace layouts {
 const Layout byte{"byte", {{"", FieldKind::byte}}};
 const Layout integer{"integer", {{"", FieldKind::integer}}};
 const Layout number{"float", {{"", FieldKind::number}}};
+const Layout cluster{"Cluster",
+                     {{"low", FieldKind::number, 3},
+                      {"high", FieldKind::number, 3},
+                      {"first", FieldKind::integer},
+                      {"count", FieldKind::integer}}};
 const Layout clipped_segment{"ClippedSegment",
                              {{"p", FieldKind::number, 4},
                               {"q", FieldKind::number, 4},

@@ -36,7 +36,8 @@ struct Layout {
 };
 
 namespace layouts {
-extern const Layout byte, integer, number, clipped_segment, run, run_cuts, interval, frame_record;
+extern const Layout byte, integer, number, cluster, clipped_segment, run, run_cuts, interval,
+    frame_record;
 }
 
 /// A place where two tables differ.
