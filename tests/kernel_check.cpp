@@ -10,6 +10,7 @@
 #include "compute/opencl/opencl_backend.hpp"
 #include "core/clusters.hpp"
 #include "lineatlas/error.hpp"
+#include "moved_tables.hpp"
 #include "poison.hpp"
 #include "stages.hpp"
 #include "test_meshes.hpp"
@@ -59,6 +60,10 @@ std::vector<std::byte> run_all(Stages& stages, const LineSet& lines) {
     const std::vector<float> depth = make_depth();
     const Camera camera = look_at_it(0, lines.bounds);
 
+    const MovedTables moved =
+        moved_on(stages.backend(), lines,
+                 std::vector(lines.objects.size(),
+                             glm::mat4{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {3, 2, 1, 1}}));
     FrameState before;
     stages.pyramid(camera, depth, before);
     const auto visible =
@@ -83,6 +88,11 @@ std::vector<std::byte> run_all(Stages& stages, const LineSet& lines) {
     stages.filter(camera, layout, state);
     stages.density(camera, layout, state);
 
+    append(result, moved.vertices);
+    append(result, moved.drawn);
+    append(result, moved.clusters);
+    append(result, moved.bounds);
+    append(result, moved.ranges);
     append(result, visible);
     append(result, stages.compact_samples(state));
     append(result, state.tiles);
@@ -145,7 +155,7 @@ std::vector<Form> forms(int count, char** arguments) {
 void run(int count, char** arguments) {
     const auto devices = compute::list_opencl_devices();
     if (devices.empty()) throw Error("there is no OpenCL device");
-    const LineSet lines = extract_lines(cylinder(7, true));
+    const LineSet lines = extract_lines(cylinder(7, true), {.separate_objects = true});
     for (const Form& form : forms(count, arguments)) check(devices[0], form, lines);
 }
 
