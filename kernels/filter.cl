@@ -29,7 +29,7 @@ typedef struct Work {
     uint run_count;
     __global const RunCuts* cuts; /* or null */
     __global const uchar* alpha;
-    uint width, pitch;
+    uint width, pitch, capacity;
     uint first, last; /* segments of the path */
     uint first_run, last_run;
     /* The path is an edge of a silhouette, each of which is a path of its own but a part of a
@@ -211,6 +211,14 @@ static void set_overshoot(const Work* work, Stretch* interval, const float most)
     }
 }
 
+/* Samples of segment i. None if the atlas is too small for them: then the host enlarges it and does
+ * the frame again. */
+static uint samples_of(const Work* work, const uint i) {
+    const uint s = work->frame.offsets[i];
+    const uint l = work->frame.offsets[i + 1] - s;
+    return l <= work->capacity && s <= work->capacity - l ? l : 0u;
+}
+
 /* Runs for a part of the path between two arc lengths, from segment i on. `stroke`: the whole
  * stroke's ends as arc lengths of this part. */
 static void emit_part(Work* work, uint i, const float start, const float end, const uint start_kind,
@@ -229,8 +237,7 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
         }
         if (work->out != 0) {
             __global Run* run = work->out + work->count;
-            const uint s = frame.offsets[i];
-            const uint l = frame.offsets[i + 1] - s;
+            const uint l = samples_of(work, i);
             const uint counted = max(l, 1u);
             const float per_pixel = (float)counted / (span.y - span.x);
             const float from = lo == span.x ? 0.0f : (lo - span.x) * per_pixel;
@@ -247,7 +254,7 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
             vstore2(end_corner, 0, run->end_corner);
             run->stroke_start = stroke.x;
             run->stroke_end = stroke.y;
-            run->address = l > 0 ? atlas_address(s, work->width, work->pitch) : 0u;
+            run->address = l > 0 ? atlas_address(frame.offsets[i], work->width, work->pitch) : 0u;
             run->flags = run_start << LA_RUN_START_SHIFT | run_end << LA_RUN_END_SHIFT |
                          stroke_kinds | (l == 0 ? LA_RUN_SOLID : 0u) |
                          (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
@@ -452,7 +459,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
 /* out: null to count only. */
 static Work make_work(const Frame frame, __global const Run* runs, const uint run_count,
                       __global const RunCuts* cuts, __global const uchar* alpha, const uint width,
-                      const uint pitch, __global Run* out) {
+                      const uint pitch, const uint capacity, __global Run* out) {
     Work work;
     work.frame = frame;
     work.runs = runs;
@@ -461,6 +468,7 @@ static Work make_work(const Frame frame, __global const Run* runs, const uint ru
     work.alpha = alpha;
     work.width = width;
     work.pitch = pitch;
+    work.capacity = capacity;
     work.out = out;
     work.count = 0;
     return work;
@@ -491,18 +499,19 @@ __kernel void
 filter_count(__global const Segment* restrict segments,
              __global const ClippedSegment* restrict clipped, __global const uint* restrict offsets,
              __global const uint* restrict arcs, __global const uchar* alpha, const uint width,
-             const uint pitch, const float2 viewport, const float half_width, const float fill,
-             const float drop, const float overshoot, const float variation, const float undershoot,
-             __global const Run* restrict runs, __global const FrameRecord* restrict record,
-             __global const RunCuts* restrict cuts, const uint use_cuts, const uint run_capacity,
-             __global uint* restrict counts) {
+             const uint pitch, const uint capacity, const float2 viewport, const float half_width,
+             const float fill, const float drop, const float overshoot, const float variation,
+             const float undershoot, __global const Run* restrict runs,
+             __global const FrameRecord* restrict record, __global const RunCuts* restrict cuts,
+             const uint use_cuts, const uint run_capacity, __global uint* restrict counts) {
     const uint r = (uint)get_global_id(0);
     if (r >= run_capacity) return;
     counts[r] = 0;
     const uint run_count = record->points[0];
     if (r >= run_count) return;
     const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
-    Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch, 0);
+    Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch,
+                          capacity, 0);
     const Filter filter = {fill, drop, overshoot, undershoot};
     filter_path_of(&work, r, filter, variation);
     counts[r] = work.count;
@@ -513,10 +522,11 @@ __kernel void
 filter_write(__global const Segment* restrict segments,
              __global const ClippedSegment* restrict clipped, __global const uint* restrict offsets,
              __global const uint* restrict arcs, __global const uchar* alpha, const uint width,
-             const uint pitch, const float2 viewport, const float half_width, const float fill,
-             const float drop, const float overshoot, const float variation, const float undershoot,
-             __global const Run* restrict runs, __global const FrameRecord* restrict record,
-             __global const RunCuts* restrict cuts, const uint use_cuts, const uint run_capacity,
+             const uint pitch, const uint capacity, const float2 viewport, const float half_width,
+             const float fill, const float drop, const float overshoot, const float variation,
+             const float undershoot, __global const Run* restrict runs,
+             __global const FrameRecord* restrict record, __global const RunCuts* restrict cuts,
+             const uint use_cuts, const uint run_capacity,
              __global const uint* restrict run_offsets, const uint filtered_capacity,
              __global Run* restrict filtered, __global FrameRecord* restrict filtered_record) {
     const uint r = (uint)get_global_id(0);
@@ -530,7 +540,7 @@ filter_write(__global const Segment* restrict segments,
     if (r >= run_count || total > filtered_capacity) return;
     const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
     Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch,
-                          filtered + run_offsets[r]);
+                          capacity, filtered + run_offsets[r]);
     const Filter filter = {fill, drop, overshoot, undershoot};
     filter_path_of(&work, r, filter, variation);
 }

@@ -235,6 +235,9 @@ typedef struct FrameRecord {
 /* Texels per axis of a tile of the depth pyramid. */
 #define LA_TILE 16
 
+/* How much larger a moved box is than it must be: rounding of what is moved. */
+#define LA_BOX_ROUNDING 1e-6f
+
 /* Segments over more tiles than this are not tested against the pyramid: they are seldom hidden
  * whole. */
 #define LA_MOST_TILES_TESTED 64

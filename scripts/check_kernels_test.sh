@@ -28,3 +28,5 @@ expect "a read of what nobody has written" cull.cl \
     "visible[i] = tiles_hide" "visible[i] = (visible[i] & 4) + tiles_hide" "nobody has written"
 expect "a kernel that does not run" pyramid.cl "__kernel void pyramid" \
     "__kernel void unused(void) {} __kernel void pyramid" "did not run: .*unused"
+expect "a write beyond an atlas that is too small" filter.cl \
+    "return l <= work->capacity && s <= work->capacity - l ? l : 0u;" "return l;" "Invalid write"

@@ -101,7 +101,8 @@ TEST_F(OnScenes, EveryStageOfAStyleIsComparedAndEqual) {
     Renderer renderer{{.compare_with = "reference"}};
     const FrameOptions options{
         .atlas = AtlasForm::compute,
-        .style = {.filter = {.fill = 4, .drop = 4, .halo = 3}, .density = {.limit = 0.1F}},
+        .style = {.filter = {.fill = 4, .drop = 4, .overshoot = 8, .halo = 3},
+                  .density = {.limit = 0.1F}},
         .intervals = KeptIntervals::visible};
     for (const char* scene : {"clevis", "house", "ship", "office"}) {
         renderer.set_lines(scene_lines(scene));

@@ -25,6 +25,14 @@ void set(Backend& backend, std::unique_ptr<Buffer>& buffer, const std::vector<T>
     backend.upload(*buffer, std::as_bytes(std::span{values}));
 }
 
+/// Samples that the state's atlas has room for: fewer than it needs where a test has cut it.
+std::uint32_t capacity_of(const AtlasLayout& layout, const FrameState& state) {
+    const bool wraps = layout.width == layout.pitch;
+    const std::size_t rows = state.alpha.size() / layout.pitch;
+    const std::size_t room = wraps ? state.alpha.size() : rows * layout.width;
+    return static_cast<std::uint32_t>(std::min<std::size_t>(state.offsets.back(), room));
+}
+
 } // namespace
 
 Stages::Stages(std::unique_ptr<Backend> backend, const LineSet& lines,
@@ -200,7 +208,7 @@ void Stages::compact(const Camera& camera, const AtlasLayout& layout, FrameState
                             .clipped = {*clipped_, *offsets_, *arcs_},
                             .alpha = *alpha,
                             .layout = layout,
-                            .capacity = state.offsets.back(),
+                            .capacity = capacity_of(layout, state),
                             .viewport = glm::vec2{camera.size},
                             .half_width = 1,
                             .runs = *runs,
@@ -270,6 +278,7 @@ void Stages::filter(const Camera& camera, const AtlasLayout& layout, FrameState&
                       .clipped = {*clipped_, *offsets_, *arcs_},
                       .alpha = *alpha,
                       .layout = layout,
+                      .capacity = capacity_of(layout, state),
                       .viewport = glm::vec2{camera.size},
                       .half_width = 1,
                       .fill = 4,

@@ -151,8 +151,32 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
                 EXPECT_GT(seen.intervals.size(), 0U);
                 EXPECT_TRUE(all_close(expected.intervals, seen.intervals));
             }
+            if (kind == AtlasLayoutKind::wrap) {
+                for (const std::uint32_t share : {2U, 3U, 5U}) {
+                    FrameState cut = expected;
+                    cut.alpha.resize(expected.offsets.back() / share);
+                    compare_with_a_small_atlas(reference, device, camera, layout, cut);
+                }
+            }
             compare_effects(reference, device, camera, layout, expected);
         }
+    }
+
+    /// The first try of a frame whose atlas has to grow: strokes that overshoot run on over
+    /// segments that it has no room for.
+    static void compare_with_a_small_atlas(Stages& reference, Stages& device, const Camera& camera,
+                                           const AtlasLayout& layout, FrameState state) {
+        reference.compact(camera, layout, state);
+        if (state.runs.empty()) return; // all that is visible lies beyond
+        state = compare_filter(reference, device, camera, layout, state);
+        EXPECT_TRUE(std::ranges::all_of(state.runs, [&](const lineatlas::Run& run) {
+            return (run.flags & LA_RUN_SOLID) != 0 ||
+                   std::size_t{run.address} + run.samples <= state.alpha.size();
+        }));
+        FrameState seen = state;
+        reference.density(camera, layout, state);
+        device.density(camera, layout, seen);
+        EXPECT_TRUE(all_close(state.weights, seen.weights));
     }
 
     /// Returns what results.

@@ -25,8 +25,8 @@ namespace lineatlas::bench {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> scenes{"clevis",   "house",  "ship",    "office", "ship+s",
-                                    "office+s", "hidden", "effects", "profile"};
+    std::vector<std::string> scenes{"clevis",   "house",  "ship",   "office",  "ship+s",
+                                    "office+s", "hidden", "moving", "effects", "profile"};
     std::vector<std::string> methods;
     std::string model;
     std::string up = "y";
@@ -41,7 +41,8 @@ void set_up(CLI::App& app, Arguments& a) {
     auto* scenes =
         app.add_option("--scenes", a.scenes,
                        "Of clevis, house, ship, office, each also with silhouettes as in "
-                       "ship+s; hidden: the cost of hidden segments; effects: of a style's "
+                       "ship+s; hidden: the cost of hidden segments; moving: of moving objects; "
+                       "effects: of a style's "
                        "effects; profile: of profiling")
             ->delimiter(',')
             ->capture_default_str();
@@ -94,6 +95,8 @@ class Bench {
                 begin(name);
                 if (name == "hidden") {
                     measure_rows(hidden_subjects(size_, arguments_.frames), drawn({"SAhi"}));
+                } else if (name == "moving") {
+                    measure_rows(moving_subjects(size_, arguments_.frames), drawn({"SAhi"}));
                 } else if (name == effects_row) {
                     Subject ship = scene_subject("ship+s", size_, arguments_.frames);
                     ship.name = effects_row;
@@ -183,12 +186,12 @@ void check(const Arguments& a) {
     for (const std::string& name : a.methods) method_spec(name);
     for (const std::string& name : a.scenes) {
         const std::string plain = name.ends_with("+s") ? name.substr(0, name.size() - 2) : name;
-        if (name == "hidden" || name == effects_row || name == profile_row ||
+        if (name == "hidden" || name == "moving" || name == effects_row || name == profile_row ||
             std::ranges::find(scene_names(), plain) != scene_names().end()) {
             continue;
         }
         throw UsageError(fmt::format("--scenes: there is no \"{}\"; there is {}, each also with "
-                                     "+s, hidden, effects, and profile",
+                                     "+s, hidden, moving, effects, and profile",
                                      name, fmt::join(scene_names(), ", ")));
     }
     for (const std::string& path : a.charts) check_drawing_path(path);

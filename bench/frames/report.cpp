@@ -60,7 +60,8 @@ std::optional<double> without_depth(const SceneResult* scene) {
 } // namespace
 
 bool SceneResult::is_of_table() const {
-    return !name.starts_with("hidden ") && name != effects_row && name != profile_row;
+    return !name.starts_with("hidden ") && !name.starts_with("office ") && name != effects_row &&
+           name != profile_row;
 }
 
 const Measured* SceneResult::method(std::string_view method_name) const {
@@ -133,6 +134,12 @@ std::vector<Goal> goals(const Report& report) {
     const auto thrice = without_depth(report.scene("hidden 3x"));
     if (once && thrice) hidden.ours = *thrice / *once;
     result.push_back(std::move(hidden));
+    Goal moving{"SAhi moving/still", "office", {}, {}, 0.9, 1};
+    if (const SceneResult* still = report.scene("office still")) {
+        const Measured* frames = report.scene("office moving")->method("SAhi");
+        moving.ours = time_ratio(*still->method("SAhi"), *frames);
+    }
+    result.push_back(std::move(moving));
     for (const std::string_view name : stroke_effects()) {
         const double most = name == "all" ? 1.4 : 1.12;
         result.push_back(

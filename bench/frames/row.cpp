@@ -67,11 +67,12 @@ Row::Row(const Subject& subject, std::span<const Drawn> drawings, const DeviceOp
         FrameOptions options = drawn.options;
         options.lines = subject.kinds;
         const bool profiled = options.profile;
-        const auto draw = [this, &renderer, &canvas, options, profiled](const Camera& camera,
-                                                                        bool stages) mutable {
+        const auto draw = [this, &renderer, &canvas, options, profiled, animate = subject.animate,
+                           frame = std::size_t{0}](const Camera& camera, bool stages) mutable {
             options.measure_stages = stages;
             options.profile = profiled && !stages;
             canvas.clear(glm::vec4{1});
+            if (animate) animate(renderer, frame++);
             const FrameStats stats = renderer.draw(camera, options, canvas.framebuffer());
             if (options.intervals != KeptIntervals::none) renderer.read_intervals();
             if (options.profile)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Subject {
     LineSet lines;
     LineKindMask kinds; ///< drawn
     std::vector<Viewpoint> viewpoints;
+    /// Called before each frame: moves what moves.
+    std::function<void(Renderer& renderer, std::size_t frame)> animate{};
 };
 
 /// A scene, its fixed lines only; with silhouettes if the name ends in "+s".
@@ -32,5 +35,9 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
 /// very pixels, and takes as many samples, as its original. The camera turns on the spot, so this
 /// holds in every frame.
 std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames);
+
+/// What moving objects cost: the office as it is, and with 500 pieces of furniture that sway and
+/// turn in every frame.
+std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames);
 
 } // namespace lineatlas::bench

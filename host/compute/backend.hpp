@@ -174,8 +174,9 @@ struct FilterArgs {
     ClippedTable clipped;
     Buffer& alpha; ///< in and out: samples that become visible get 255
     AtlasLayout layout;
-    glm::vec2 viewport; ///< pixels
-    float half_width;   ///< of the stroke, in pixels: decides where a join has room
+    std::uint32_t capacity; ///< samples that `alpha` has room for
+    glm::vec2 viewport;     ///< pixels
+    float half_width;       ///< of the stroke, in pixels: decides where a join has room
     float fill, drop, overshoot, overshoot_variation, undershoot;
     Buffer& runs;               ///< in: `Run` each, of `compact_runs`
     Buffer& record;             ///< in: their `FrameRecord`
@@ -227,6 +228,37 @@ struct IntervalsArgs {
     Buffer& total; ///< out: one uint32, how many there are
 };
 
+/// Where the objects of a model stand (§4.1).
+struct TransformArgs {
+    Buffer& rest;     ///< 3 floats per vertex: as the model was made
+    Buffer& objects;  ///< per vertex a uint32
+    Buffer& matrices; ///< per object three rows of 4 floats: world from object
+    std::uint32_t vertex_count;
+    Buffer& vertices; ///< out: moved
+    Buffer& drawn;    ///< out: the same, for GL
+    Buffer& rest_clusters;
+    Buffer& cluster_objects; ///< per cluster a uint32
+    std::uint32_t cluster_count;
+    Buffer& clusters; ///< out: with boxes around the moved ones
+};
+
+/// New boxes for clusters whose vertices have changed.
+struct BoundsArgs {
+    Buffer& vertices;
+    Buffer& triangles; ///< 3 uint32 each, in the order of the clusters
+    Buffer& clusters;  ///< in and out
+    std::uint32_t count;
+};
+
+/// What `temporal` is not to average: lines of objects that have moved far.
+struct ForgetArgs {
+    Buffer& segments;
+    std::uint32_t segment_count;
+    Buffer& objects; ///< as in TransformArgs
+    Buffer& jumped;  ///< per object a byte: 1 if it has
+    Buffer& ranges;  ///< in and out, of History
+};
+
 struct CompactSamplesArgs {
     Buffer& alpha;
     std::uint32_t count;  ///< bytes of alpha to look at
@@ -255,8 +287,13 @@ class Backend {
     virtual void end_host_access(Buffer& buffer) = 0;
 
     virtual void upload(Buffer& buffer, std::span<const std::byte> data) = 0;
+    /// Into the buffer from a place on, in bytes.
+    virtual void upload_at(Buffer& buffer, std::size_t offset, std::span<const std::byte> data) = 0;
     virtual void download(Buffer& buffer, std::span<std::byte> data) = 0; ///< waits
 
+    virtual void transform(const TransformArgs& args) = 0;
+    virtual void bounds(const BoundsArgs& args) = 0;
+    virtual void forget(const ForgetArgs& args) = 0;
     virtual void pyramid(const PyramidArgs& args) = 0;
     virtual void cull(const CullArgs& args) = 0;
     virtual void facing(const FacingArgs& args) = 0;

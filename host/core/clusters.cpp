@@ -42,11 +42,22 @@ void split(std::span<Item> items, std::uint32_t cluster_size, const Add& add) {
 } // namespace
 
 TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
-                                std::span<const glm::uvec3> triangles, std::uint32_t cluster_size) {
+                                std::span<const glm::uvec3> triangles, std::uint32_t cluster_size,
+                                std::span<const LineObject> objects) {
     std::vector<Item> items(triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const glm::uvec3 t = triangles[i];
         items[i] = {vertices[t.x] + vertices[t.y] + vertices[t.z], i};
+    }
+    // A vertex belongs to one object, and objects' vertices stand one after the other.
+    std::uint32_t object = 0;
+    const auto is_before = [&](const Item& item) {
+        return triangles[item.triangle].x <
+               objects[object].first_vertex + objects[object].vertex_count;
+    };
+    if (!objects.empty()) {
+        std::ranges::stable_sort(items, {},
+                                 [&](const Item& item) { return triangles[item.triangle].x; });
     }
     TriangleClusters result;
     result.triangles.reserve(triangles.size());
@@ -65,12 +76,21 @@ TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
                 high = glm::max(high, vertices[t[corner]]);
             }
         }
+        result.objects.push_back(object);
         result.clusters.push_back({.low = {low.x, low.y, low.z},
                                    .high = {high.x, high.y, high.z},
                                    .first = first,
                                    .count = static_cast<std::uint32_t>(piece.size())});
     };
-    split(items, cluster_size, add);
+    std::span<Item> rest = items;
+    for (; object < objects.size(); ++object) {
+        const auto end = std::ranges::partition_point(rest, is_before);
+        const auto count = static_cast<std::size_t>(end - rest.begin());
+        split(rest.first(count), cluster_size, add);
+        rest = rest.subspan(count);
+    }
+    object = 0;
+    split(rest, cluster_size, add); // without objects: all
     return result;
 }
 

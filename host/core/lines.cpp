@@ -149,7 +149,8 @@ class LineSetBuilder {
 } // namespace
 
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
-    WeldedMesh welded = weld(mesh);
+    const MeshObjects objects = options.separate_objects ? find_objects(mesh) : MeshObjects{};
+    WeldedMesh welded = weld(mesh, objects);
     std::vector<MeshEdge> edges = mesh_edges(welded);
     std::vector<std::uint32_t> first_face; // before a neighbour stands for a sliver
     first_face.reserve(edges.size());
@@ -194,6 +195,11 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     LineSet result = std::move(builder.result);
     result.vertices = std::move(welded.vertices);
     result.triangles = std::move(welded.triangles);
+    result.vertex_sources = std::move(welded.vertex_sources);
+    for (std::size_t i = 0; i < objects.names.size(); ++i) {
+        const std::uint32_t first = i > 0 ? welded.object_ends[i - 1] : 0;
+        result.objects.push_back({objects.names[i], first, welded.object_ends[i] - first});
+    }
     add_colors(mesh.groups, welded.triangle_group, result);
     for (const glm::vec3& v : result.vertices) {
         result.bounds.min = glm::min(result.bounds.min, v);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "lineatlas/error.hpp"
 
@@ -20,20 +21,19 @@ std::uint32_t mix(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return static_cast<std::uint32_t>(h >> 32U);
 }
 
-/// An open-addressing table from a key of three words to the index of its first appearance.
-template <class Key>
+/// An open-addressing table from keys to the index of their first appearance.
 class FirstSeen {
   public:
     explicit FirstSeen(std::size_t expected)
         : slots_(std::bit_ceil(std::max<std::size_t>(16, expected * 2)), empty_slot) {}
 
-    /// The index kept for `key`; `fresh` if it is new.
-    std::uint32_t find_or_add(const Key& key, std::uint32_t fresh, std::uint32_t hash,
-                              const std::vector<Key>& keys) {
+    /// The index kept for a key, which `is_key` knows by its index; `fresh` if it is new.
+    template <class IsKey>
+    std::uint32_t find_or_add(std::uint32_t fresh, std::uint32_t hash, const IsKey& is_key) {
         const std::size_t mask = slots_.size() - 1;
         for (std::size_t slot = hash & mask;; slot = (slot + 1) & mask) {
             if (slots_[slot] == empty_slot) return slots_[slot] = fresh;
-            if (keys[slots_[slot]] == key) return slots_[slot];
+            if (is_key(slots_[slot])) return slots_[slot];
         }
     }
 
@@ -43,18 +43,18 @@ class FirstSeen {
 
 class VertexWelder {
   public:
-    explicit VertexWelder(const Mesh& mesh)
-        : mesh_(mesh), welded_index_(mesh.positions.size(), empty_slot),
+    VertexWelder(const Mesh& mesh, bool has_objects)
+        : mesh_(mesh), has_objects_(has_objects), welded_index_(mesh.positions.size(), empty_slot),
           table_(mesh.positions.size()) {}
 
-    std::uint32_t operator()(std::uint32_t index) {
+    std::uint32_t operator()(std::uint32_t index, std::uint32_t object) {
         if (index >= mesh_.positions.size()) {
             throw UsageError("mesh: index " + std::to_string(index) +
                              " is out of range, there are " +
                              std::to_string(mesh_.positions.size()) + " positions");
         }
         std::uint32_t& result = welded_index_[index];
-        if (result != empty_slot) return result;
+        if (result != empty_slot && object_of(result) == object) return result;
         const glm::vec3 position = mesh_.positions[index] + 0.0F; // -0 becomes 0
         if (!std::isfinite(position.x) || !std::isfinite(position.y) ||
             !std::isfinite(position.z)) {
@@ -62,19 +62,31 @@ class VertexWelder {
         }
         const auto fresh = static_cast<std::uint32_t>(vertices.size());
         const std::uint32_t hash =
-            mix(std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
-                std::bit_cast<std::uint32_t>(position.z));
-        result = table_.find_or_add(position, fresh, hash, vertices);
-        if (result == fresh) vertices.push_back(position);
+            mix(std::bit_cast<std::uint32_t>(position.x) + object,
+                std::bit_cast<std::uint32_t>(position.y), std::bit_cast<std::uint32_t>(position.z));
+        result = table_.find_or_add(fresh, hash, [&](std::uint32_t known) {
+            return vertices[known] == position && object_of(known) == object;
+        });
+        if (result == fresh) {
+            vertices.push_back(position);
+            sources.push_back(index);
+            if (has_objects_) objects.push_back(object);
+        }
         return result;
+    }
+    std::uint32_t object_of(std::uint32_t vertex) const {
+        return has_objects_ ? objects[vertex] : 0;
     }
 
     std::vector<glm::vec3> vertices;
+    std::vector<std::uint32_t> sources; ///< per vertex its first position
+    std::vector<std::uint32_t> objects; ///< per vertex; empty if all are one
 
   private:
     const Mesh& mesh_;
+    bool has_objects_;
     std::vector<std::uint32_t> welded_index_;
-    FirstSeen<glm::vec3> table_;
+    FirstSeen table_;
 };
 
 glm::uvec3 sorted(glm::uvec3 t) {
@@ -84,9 +96,9 @@ glm::uvec3 sorted(glm::uvec3 t) {
     return t;
 }
 
-/// Drops vertices that nothing uses any more; the others keep their order.
-void drop_unused_vertices(WeldedMesh& mesh) {
-    std::vector<std::uint32_t> index(mesh.vertices.size(), empty_slot);
+/// Puts the vertices that are used into the mesh: by object, else in their order.
+void take_used_vertices(const VertexWelder& welded, std::size_t object_count, WeldedMesh& mesh) {
+    std::vector<std::uint32_t> index(welded.vertices.size(), empty_slot);
     const auto for_each_index = [&](auto&& visit) {
         for (glm::uvec3& triangle : mesh.triangles) {
             for (int corner = 0; corner < 3; ++corner) visit(triangle[corner]);
@@ -96,27 +108,36 @@ void drop_unused_vertices(WeldedMesh& mesh) {
         }
     };
     for_each_index([&](std::uint32_t vertex) { index[vertex] = 0; });
-    std::uint32_t used = 0;
-    for (std::size_t v = 0; v < index.size(); ++v) {
-        if (index[v] == empty_slot) continue;
-        mesh.vertices[used] = mesh.vertices[v];
-        index[v] = used++;
-    }
-    mesh.vertices.resize(used);
+    std::vector<std::uint32_t>& next = mesh.object_ends;
+    next.assign(std::max<std::size_t>(object_count, 1), 0);
+    const auto for_each_used = [&](auto&& visit) {
+        for (std::uint32_t v = 0; v < index.size(); ++v) {
+            if (index[v] != empty_slot) visit(v, welded.object_of(v));
+        }
+    };
+    for_each_used([&](std::uint32_t, std::uint32_t object) { ++next[object]; });
+    std::exclusive_scan(next.begin(), next.end(), next.begin(), 0U);
+    for_each_used([&](std::uint32_t v, std::uint32_t object) { index[v] = next[object]++; });
+    mesh.vertices.resize(next.back());
+    mesh.vertex_sources.resize(next.back());
+    for_each_used([&](std::uint32_t v, std::uint32_t) {
+        mesh.vertices[index[v]] = welded.vertices[v];
+        mesh.vertex_sources[index[v]] = welded.sources[v];
+    });
     for_each_index([&](std::uint32_t& vertex) { vertex = index[vertex]; });
 }
 
 } // namespace
 
-WeldedMesh weld(const Mesh& mesh) {
+WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
     if (!mesh.triangle_group.empty() && mesh.triangle_group.size() != mesh.triangles.size()) {
         throw UsageError("mesh: there are " + std::to_string(mesh.triangles.size()) +
                          " triangles, but groups for " +
                          std::to_string(mesh.triangle_group.size()));
     }
     WeldedMesh result;
-    VertexWelder weld_vertex{mesh};
-    FirstSeen<glm::uvec3> seen{mesh.triangles.size()};
+    VertexWelder weld_vertex{mesh, objects.names.size() > 1};
+    FirstSeen seen{mesh.triangles.size()};
     std::vector<glm::uvec3> keys;
     keys.reserve(mesh.triangles.size());
     result.triangles.reserve(mesh.triangles.size());
@@ -125,21 +146,23 @@ WeldedMesh weld(const Mesh& mesh) {
 
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3 source = mesh.triangles[i];
-        const glm::uvec3 triangle{weld_vertex(source.x), weld_vertex(source.y),
-                                  weld_vertex(source.z)};
+        const std::uint32_t object = objects.of_triangle(i);
+        const glm::uvec3 triangle{weld_vertex(source.x, object), weld_vertex(source.y, object),
+                                  weld_vertex(source.z, object)};
         const glm::uvec3 key = sorted(triangle);
         if (key.x == key.y || key.y == key.z) continue;
         const auto fresh = static_cast<std::uint32_t>(keys.size());
-        if (seen.find_or_add(key, fresh, mix(key.x, key.y, key.z), keys) != fresh) continue;
+        const auto is_key = [&](std::uint32_t known) { return keys[known] == key; };
+        if (seen.find_or_add(fresh, mix(key.x, key.y, key.z), is_key) != fresh) continue;
         keys.push_back(key);
         result.triangles.push_back(triangle);
         result.triangle_source.push_back(static_cast<std::uint32_t>(i));
         result.triangle_group.push_back(mesh.triangle_group.empty() ? 0 : mesh.triangle_group[i]);
     }
-    for (const auto& polyline : mesh.polylines) {
+    for (std::size_t i = 0; i < mesh.polylines.size(); ++i) {
         std::vector<std::uint32_t> welded, sources;
-        for (const std::uint32_t index : polyline) {
-            const std::uint32_t vertex = weld_vertex(index);
+        for (const std::uint32_t index : mesh.polylines[i]) {
+            const std::uint32_t vertex = weld_vertex(index, objects.of_polyline(i));
             if (!welded.empty() && welded.back() == vertex) continue;
             welded.push_back(vertex);
             sources.push_back(index);
@@ -148,8 +171,7 @@ WeldedMesh weld(const Mesh& mesh) {
         result.polylines.push_back(std::move(welded));
         result.polyline_sources.push_back(std::move(sources));
     }
-    result.vertices = std::move(weld_vertex.vertices);
-    drop_unused_vertices(result);
+    take_used_vertices(weld_vertex, objects.names.size(), result);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "lineatlas/mesh.hpp"
+#include "objects.hpp"
 
 namespace lineatlas {
 
@@ -18,12 +19,15 @@ struct WeldedMesh {
     std::vector<std::uint32_t> triangle_source;        ///< index into Mesh::triangles
     /// Per polyline, per vertex: index into Mesh::positions.
     std::vector<std::vector<std::uint32_t>> polyline_sources;
+    std::vector<std::uint32_t> vertex_sources; ///< index into Mesh::positions
+    std::vector<std::uint32_t> object_ends;    ///< per object the end of its vertices
 };
 
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and
 /// keeps one of several triangles over the same three vertices: exporters write two-sided faces as
 /// two coincident triangles, which would make every edge non-manifold. Throws UsageError when an
-/// index is out of range, a position is not finite or groups are missing.
-WeldedMesh weld(const Mesh& mesh);
+/// index is out of range, a position is not finite or groups are missing. Vertices come by object,
+/// and none belongs to two.
+WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects = {});
 
 } // namespace lineatlas

@@ -15,6 +15,9 @@ namespace {
 // A first guess; a frame that needs more makes its tables grow.
 constexpr std::uint32_t first_sample_capacity = 1U << 16U;
 
+// Faster motion doesn't sparkle: nobody follows a line through it.
+constexpr float slow_pixels = 4;
+
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
 }
@@ -157,12 +160,12 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
 }
 
 bool AtlasMethod::follows_past(const Frame& frame) const {
-    // Faster motion doesn't sparkle: nobody follows a line through it.
-    constexpr float slow_pixels = 4;
     return past_.camera && past_.probes == frame.options.probes &&
            past_.depth_scale == frame.depth_scale() && past_.step == frame.options.step &&
            past_.camera->size == frame.camera.size &&
-           frame.scene.typical_motion(*past_.camera, frame.camera) <= slow_pixels;
+           past_.shape_version == frame.scene.motion().shape_version() &&
+           frame.scene.motion().typical_motion(*past_.camera, past_.transforms, frame.camera) <=
+               slow_pixels;
 }
 
 void AtlasMethod::steady(Frame& frame) {
@@ -181,17 +184,23 @@ void AtlasMethod::steady(Frame& frame) {
             past_.alpha = backend_.allocate(alpha_->size());
             past_.camera.reset();
         }
+        const bool follows = follows_past(frame);
+        if (follows) {
+            frame.scene.forget_jumps(past_.transforms, frame.camera, slow_pixels, *past_.ranges);
+        }
         backend_.temporal({.clipped = clipped_table(),
                            .segment_count = segment_count_,
                            .layout = layout_,
                            .capacity = sample_capacity_,
                            .alpha = alpha_->compute(),
                            .history = {*past_.alpha, *past_.offsets, *past_.ranges},
-                           .use_history = follows_past(frame)});
+                           .use_history = follows});
         past_.camera = frame.camera;
         past_.probes = frame.options.probes;
         past_.depth_scale = frame.depth_scale();
         past_.step = frame.options.step;
+        past_.transforms = frame.scene.motion().transforms();
+        past_.shape_version = frame.scene.motion().shape_version();
     });
 }
 

@@ -88,6 +88,8 @@ class AtlasMethod {
         std::uint32_t probes = 0;
         int depth_scale = 0;
         float step = 0;
+        std::vector<glm::mat4> transforms{}; ///< of the objects
+        std::uint64_t shape_version = 0;
     };
     bool follows_past(const Frame& frame) const;
 

@@ -12,12 +12,12 @@ std::size_t area(glm::ivec2 size) {
 
 } // namespace
 
-std::vector<gl::TriangleRange> pieces_in_view(const SceneBuffers& scene,
+std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
                                               const glm::mat4& clip_from_world) {
     if (scene.clusters().empty()) return {{0, scene.triangle_count()}};
     constexpr int steps = 1 << 12; // any grid will do
     std::vector<gl::TriangleRange> ranges;
-    for (const Cluster& cluster : scene.clusters()) {
+    for (const Cluster& cluster : scene.boxes()) {
         const Bounds box{{cluster.low[0], cluster.low[1], cluster.low[2]},
                          {cluster.high[0], cluster.high[1], cluster.high[2]}};
         const TexelRectangle covered = screen_bounds(box, clip_from_world, {steps, steps}, 1, 1);

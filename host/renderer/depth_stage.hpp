@@ -15,7 +15,7 @@ namespace lineatlas {
 
 /// The pieces of the model that may be seen in a picture of this projection, as far as that can be
 /// told without looking at depth.
-std::vector<gl::TriangleRange> pieces_in_view(const SceneBuffers& scene,
+std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
                                               const glm::mat4& clip_from_world);
 
 /// The depth of a frame: as a texture for GL passes, as a buffer for kernels, and as a pyramid.

@@ -122,14 +122,14 @@ class Renderer::State {
         auto atlas = std::make_unique<AtlasMethod>(connection);
         std::optional<SceneBuffers::Tables> tables;
         if (scene_) {
-            tables = scene_->copy_tables(*connection.backend);
+            tables = scene_->copy_tables(*connection.backend, connection.mode);
             atlas->set_scene(*scene_);
         }
         // Nothing throws from here on. Buffers go before the backend that made them.
         recorder_.reset();
         atlas_ = std::move(atlas);
         spine_.reset();
-        if (scene_) scene_->use(*connection.backend, std::move(*tables));
+        if (scene_) scene_->use(*connection.backend, connection.mode, std::move(*tables));
         connection_ = std::move(connection);
         samples_drawn_ = broken_ = false;
     }
@@ -162,7 +162,7 @@ class Renderer::State {
     void set_lines(const LineSet& lines) {
         scene_.reset();
         samples_drawn_ = false;
-        scene_.emplace(*connection_.backend, lines);
+        scene_.emplace(*connection_.backend, connection_.mode, lines);
         try {
             atlas_->set_scene(*scene_);
             if (spine_) spine_->set_scene(*scene_);
@@ -170,6 +170,12 @@ class Renderer::State {
             scene_.reset(); // half a scene is none
             throw;
         }
+    }
+
+    /// To move.
+    SceneBuffers& scene() {
+        if (!scene_) throw UsageError("renderer: set_lines() must come before what moves them");
+        return *scene_;
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
@@ -273,6 +279,7 @@ class Renderer::State {
                               options.profile ? &*recorder_ : nullptr}};
         frame.stroke_params(options.style.pen); // refuses an unknown pen and
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
+        if (scene_->has_moved()) frame.clock("transform", [&] { scene_->move(); });
         return frame;
     }
 
@@ -341,6 +348,14 @@ void Renderer::set_pen_image(const std::string& mark, Image image) {
 void Renderer::set_lines(const LineSet& lines) {
     const gl::StateGuard guard = state_->enter();
     state_->set_lines(lines);
+}
+void Renderer::set_transforms(std::span<const glm::mat4> world_from_object) {
+    const gl::StateGuard guard = state_->enter();
+    state_->scene().set_transforms(world_from_object);
+}
+void Renderer::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+    const gl::StateGuard guard = state_->enter();
+    state_->scene().set_positions(first, positions);
 }
 FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
                           std::uint32_t framebuffer) {

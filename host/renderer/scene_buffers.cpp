@@ -1,10 +1,6 @@
 #include "scene_buffers.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -22,17 +18,6 @@ namespace {
 // Below this a depth pass costs less than finding out what to leave out of it.
 constexpr std::uint32_t fewest_triangles_culled = 50'000;
 constexpr std::uint32_t cluster_size = 64;
-
-// Points by which the motion of a picture is judged; up to twice as many.
-constexpr std::size_t most_landmarks = 256;
-
-/// In pixels; nothing for a point outside the picture.
-std::optional<glm::vec2> window_position(glm::vec3 point, const glm::mat4& clip_from_world,
-                                         glm::vec2 size) {
-    const glm::vec4 clip = clip_from_world * glm::vec4{point, 1};
-    if (!(std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w)) return std::nullopt;
-    return (glm::vec2{clip} / clip.w + 1.0F) * 0.5F * size;
-}
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -56,44 +41,92 @@ std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
 
 } // namespace
 
-SceneBuffers::SceneBuffers(compute::Backend& backend, const LineSet& lines)
-    : backend_(&backend), tables_{.vertices = upload(backend, bytes_of(lines.vertices)),
-                                  .triangles = upload(backend, bytes_of(lines.triangles)),
-                                  .segments = upload(backend, bytes_of(lines.segments)),
-                                  .clusters = nullptr},
-      bounds_(lines.bounds), gl_vertices_(upload_gl(bytes_of(lines.vertices))),
+SceneBuffers::SceneBuffers(compute::Backend& backend, interop::SharingMode mode,
+                           const LineSet& lines)
+    : backend_(&backend),
+      mode_(mode), tables_{.vertices = upload(backend, bytes_of(lines.vertices)),
+                           .triangles = upload(backend, bytes_of(lines.triangles)),
+                           .segments = upload(backend, bytes_of(lines.segments)),
+                           .clusters = nullptr,
+                           .cluster_triangles = nullptr,
+                           .moving = nullptr},
+      motion_(lines), diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
+      gl_vertices_(upload_gl(bytes_of(lines.vertices))),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
     if (triangle_count_ < fewest_triangles_culled) {
         gl_indices_ = upload_gl(bytes_of(lines.triangles));
         upload_colors(lines, {});
     } else {
-        TriangleClusters parts = build_clusters(lines.vertices, lines.triangles, cluster_size);
+        TriangleClusters parts =
+            build_clusters(lines.vertices, lines.triangles, cluster_size, lines.objects);
         gl_indices_ = upload_gl(bytes_of(parts.triangles));
         clusters_ = std::move(parts.clusters);
+        cluster_objects_ = std::move(parts.objects);
         upload_colors(lines, parts.order);
-    }
-    const std::size_t every = std::max<std::size_t>(1, lines.vertices.size() / most_landmarks);
-    for (std::size_t i = 0; i < lines.vertices.size(); i += every) {
-        landmarks_.push_back(lines.vertices[i]);
     }
     tables_.clusters = upload(backend, bytes_of(clusters_));
 }
 
-float SceneBuffers::typical_motion(const Camera& from, const Camera& to) const {
-    const glm::mat4 clip_from = from.clip_from_world(), clip_to = to.clip_from_world();
-    if (clip_from == clip_to) return 0;
-    std::array<float, 2 * most_landmarks> shifts;
-    std::size_t count = 0;
-    for (const glm::vec3 point : landmarks_) {
-        const auto a = window_position(point, clip_from, glm::vec2{from.size});
-        const auto b = window_position(point, clip_to, glm::vec2{to.size});
-        if (a && b) shifts[count++] = glm::distance(*a, *b);
+void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
+    motion_.set_transforms(world_from_object);
+    start_moving();
+}
+
+void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+    motion_.set_positions(first, positions);
+    start_moving();
+    backend_->upload_at(*tables_.vertices, first * sizeof(glm::vec3), std::as_bytes(positions));
+    if (clusters_.empty()) return;
+    if (!tables_.cluster_triangles) {
+        std::vector<glm::uvec3> triangles(triangle_count_);
+        glGetNamedBufferSubData(gl_indices_.id(), 0,
+                                static_cast<GLsizeiptr>(bytes_of(triangles).size()),
+                                triangles.data());
+        tables_.cluster_triangles = upload(*backend_, bytes_of(triangles));
     }
-    if (count == 0) return std::numeric_limits<float>::infinity();
-    const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(shifts.begin(), middle, shifts.begin() + static_cast<std::ptrdiff_t>(count));
-    return *middle;
+    backend_->bounds({.vertices = *tables_.vertices,
+                      .triangles = *tables_.cluster_triangles,
+                      .clusters = *tables_.clusters,
+                      .count = static_cast<std::uint32_t>(clusters_.size())});
+}
+
+void SceneBuffers::start_moving() {
+    if (!tables_.moving) {
+        tables_.moving = make_moving(*backend_, mode_);
+        gl_vertices_ = {};
+    }
+    moved_ = true;
+}
+
+std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Backend& backend,
+                                                        interop::SharingMode mode) const {
+    return std::make_unique<MovingTables>(
+        backend, mode,
+        MovingTables::Shape{.vertex_count = motion_.vertex_count(),
+                            .objects = motion_.objects(),
+                            .cluster_objects = cluster_objects_});
+}
+
+void SceneBuffers::move() {
+    tables_.moving->transform(*tables_.vertices, *tables_.clusters, motion_.transforms());
+    moved_ = false;
+    boxes_are_old_ = true;
+}
+
+std::span<const Cluster> SceneBuffers::boxes() {
+    if (boxes_are_old_) {
+        backend_->download(cluster_buffer(), std::as_writable_bytes(std::span{clusters_}));
+        boxes_are_old_ = false;
+    }
+    return clusters_;
+}
+
+void SceneBuffers::forget_jumps(std::span<const glm::mat4> transforms_from, const Camera& camera,
+                                float most_pixels, compute::Buffer& ranges) {
+    if (!tables_.moving) return;
+    const std::vector<std::uint8_t> jumped = motion_.jumped(transforms_from, camera, most_pixels);
+    if (!jumped.empty()) tables_.moving->forget(table(), jumped, ranges);
 }
 
 void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint32_t> order) {
@@ -133,14 +166,18 @@ std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count
     return values;
 }
 
-SceneBuffers::Tables SceneBuffers::copy_tables(compute::Backend& backend) {
+SceneBuffers::Tables SceneBuffers::copy_tables(compute::Backend& backend,
+                                               interop::SharingMode mode) {
     const auto copy = [&](compute::Buffer& buffer) {
         return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())));
     };
     return {.vertices = copy(*tables_.vertices),
             .triangles = copy(*tables_.triangles),
             .segments = copy(*tables_.segments),
-            .clusters = copy(*tables_.clusters)};
+            .clusters = copy(*tables_.clusters),
+            .cluster_triangles =
+                tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
+            .moving = tables_.moving ? make_moving(backend, mode) : nullptr};
 }
 
 std::vector<Segment> SceneBuffers::download_segments() {
@@ -154,7 +191,7 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
         gl_table_triangles_ =
             upload_gl(bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)));
     }
-    return {gl_segments_.id(), gl_vertices_.id(), gl_table_triangles_.id(), segment_count_};
+    return {gl_segments_.id(), gl_vertices(), gl_table_triangles_.id(), segment_count_};
 }
 
 gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
@@ -170,7 +207,7 @@ gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
         line_kinds_ = kinds;
         line_count_ = static_cast<std::uint32_t>(ends.size() / 2);
     }
-    return {gl_vertices_.id(), gl_lines_.id(), line_count_};
+    return {gl_vertices(), gl_lines_.id(), line_count_};
 }
 
 } // namespace lineatlas

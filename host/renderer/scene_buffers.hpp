@@ -15,6 +15,8 @@
 #include "glpasses/spine_pass.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
+#include "moving_tables.hpp"
+#include "scene_motion.hpp"
 
 namespace lineatlas {
 
@@ -23,27 +25,42 @@ namespace lineatlas {
 class SceneBuffers {
   public:
     /// Throws DeviceError when memory runs out.
-    SceneBuffers(compute::Backend& backend, const LineSet& lines);
+    SceneBuffers(compute::Backend& backend, interop::SharingMode mode, const LineSet& lines);
+
+    /// See Renderer. What they change is there after move().
+    void set_transforms(std::span<const glm::mat4> world_from_object);
+    void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
+    bool has_moved() const { return moved_; }
+    void move();
+    const SceneMotion& motion() const { return motion_; }
+    /// Empties the `ranges` of `temporal` for segments of objects that have moved by more than
+    /// `most_pixels` since they stood at `transforms_from`.
+    void forget_jumps(std::span<const glm::mat4> transforms_from, const Camera& camera,
+                      float most_pixels, compute::Buffer& ranges);
 
     /// What compute stages read.
     struct Tables {
         std::unique_ptr<compute::Buffer> vertices, triangles, segments, clusters;
+        std::unique_ptr<compute::Buffer> cluster_triangles; ///< from the first set_positions() on
+        std::unique_ptr<MovingTables> moving;               ///< of a model that moves; else null
     };
     /// The same on another backend, from the memory of this one.
-    Tables copy_tables(compute::Backend& backend);
+    Tables copy_tables(compute::Backend& backend, interop::SharingMode mode);
     /// From now on these.
-    void use(compute::Backend& backend, Tables tables) noexcept {
+    void use(compute::Backend& backend, interop::SharingMode mode, Tables tables) noexcept {
         backend_ = &backend;
+        mode_ = mode;
         tables_ = std::move(tables);
+        moved_ = tables_.moving != nullptr;
     }
 
     compute::SegmentTable table() const {
-        return {*tables_.vertices, *tables_.triangles, *tables_.segments, triangle_count_,
-                segment_count_};
+        return {tables_.moving ? tables_.moving->vertices() : *tables_.vertices, *tables_.triangles,
+                *tables_.segments, triangle_count_, segment_count_};
     }
     /// For drawing: the triangles in an order of their own.
     gl::TriangleBuffers gl_triangles() const {
-        return {gl_vertices_.id(), gl_indices_.id(), triangle_count_};
+        return {gl_vertices(), gl_indices_.id(), triangle_count_};
     }
     /// In the order of gl_triangles().
     const gl::TriangleColors& gl_colors() const { return colors_; }
@@ -51,17 +68,21 @@ class SceneBuffers {
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);
     /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up.
+    /// Their boxes are of the device's only: see boxes().
     std::span<const Cluster> clusters() const { return clusters_; }
-    compute::Buffer& cluster_buffer() const { return *tables_.clusters; }
-    const Bounds& bounds() const { return bounds_; }
-    float diagonal() const { return glm::distance(bounds_.min, bounds_.max); }
-    /// How far points of the model move on the screen between two cameras: the median, in pixels;
-    /// infinite if none can be seen in both.
-    float typical_motion(const Camera& from, const Camera& to) const;
+    /// clusters() with boxes as of now; waits for the device after a motion.
+    std::span<const Cluster> boxes();
+    compute::Buffer& cluster_buffer() const {
+        return tables_.moving ? tables_.moving->clusters() : *tables_.clusters;
+    }
+    const Bounds& bounds() const { return motion_.bounds(); }
+    /// Of the model as it was made: a measure that stays.
+    float diagonal() const { return diagonal_; }
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; }
     std::uint64_t mesh_bytes() const {
-        return tables_.vertices->size() + tables_.triangles->size();
+        return tables_.vertices->size() + tables_.triangles->size() +
+               (tables_.moving ? tables_.moving->bytes() : 0);
     }
     std::uint64_t segment_bytes() const { return tables_.segments->size(); }
 
@@ -71,12 +92,22 @@ class SceneBuffers {
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
+    void start_moving();
+    std::unique_ptr<MovingTables> make_moving(compute::Backend& backend,
+                                              interop::SharingMode mode) const;
+    GLuint gl_vertices() const {
+        return tables_.moving ? tables_.moving->gl_vertices() : gl_vertices_.id();
+    }
 
     compute::Backend* backend_;
+    interop::SharingMode mode_;
     Tables tables_;
-    Bounds bounds_;
-    std::vector<glm::vec3> landmarks_; ///< some of the vertices
+    SceneMotion motion_;
+    float diagonal_;
+    bool moved_ = false; ///< since the last move()
     std::vector<Cluster> clusters_;
+    bool boxes_are_old_ = false; ///< in `clusters_`
+    std::vector<std::uint32_t> cluster_objects_;
     gl::Buffer gl_vertices_, gl_indices_;
     gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
     gl::TriangleColors colors_;

@@ -161,6 +161,7 @@ void StrokeStage::filter(Frame& frame, const SegmentAtlas& input) {
                          .clipped = input.clipped,
                          .alpha = input.alpha,
                          .layout = input.layout,
+                         .capacity = input.capacity,
                          .viewport = frame.viewport(),
                          .half_width = 0.5F * frame.options.style.pen.width,
                          .fill = lengths.fill,

@@ -56,6 +56,11 @@ Group MeshBuilder::group(std::string object, std::string material, glm::vec3 col
     return static_cast<Group>(m_mesh.groups.size() - 1);
 }
 
+Mesh MeshBuilder::take() {
+    if (m_last_object == 0) m_mesh.triangle_object.clear(); // all of it is one
+    return std::move(m_mesh);
+}
+
 std::uint32_t MeshBuilder::vertex(glm::vec3 position) {
     m_mesh.positions.push_back(position);
     return static_cast<std::uint32_t>(m_mesh.positions.size() - 1);
@@ -69,6 +74,7 @@ void MeshBuilder::triangle(Group g, std::uint32_t a, std::uint32_t b, std::uint3
     if (glm::dot(normal, normal) < 1e-9F * longest * longest) return;
     m_mesh.triangles.emplace_back(a, b, c);
     m_mesh.triangle_group.push_back(g);
+    m_mesh.triangle_object.push_back(m_object);
 }
 
 void MeshBuilder::quad(Group g, std::uint32_t a, std::uint32_t b, std::uint32_t c,

@@ -61,7 +61,23 @@ class MeshBuilder {
   public:
     Group group(std::string object, std::string material, glm::vec3 color);
     std::size_t triangle_count() const { return m_mesh.triangles.size(); }
-    Mesh take() { return std::move(m_mesh); }
+    Mesh take();
+
+    /// What is built while it lives is an object of its own, which may be moved; the rest is object
+    /// 0. They nest.
+    class OwnObject {
+      public:
+        explicit OwnObject(MeshBuilder& b) : m_builder(b), m_around(b.m_object) {
+            b.m_object = ++b.m_last_object;
+        }
+        ~OwnObject() { m_builder.m_object = m_around; }
+        OwnObject(const OwnObject&) = delete;
+        OwnObject& operator=(const OwnObject&) = delete;
+
+      private:
+        MeshBuilder& m_builder;
+        std::uint32_t m_around;
+    };
 
     // Raw access, for shapes that are no standard part.
     std::uint32_t vertex(glm::vec3 position);
@@ -106,6 +122,7 @@ class MeshBuilder {
 
   private:
     Mesh m_mesh;
+    std::uint32_t m_object = 0, m_last_object = 0;
 };
 
 } // namespace lineatlas::scenes

@@ -15,6 +15,7 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 
 void add_keyboard(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
+    const MeshBuilder::OwnObject own{b};
     b.box(at, m.plastic, {-0.225F, gap, -0.075F}, {0.225F, 0.016F, 0.075F});
     const int keys[] = {11, 10, 10, 9};
     for (int row = 0; row < 4; ++row) {
@@ -33,6 +34,7 @@ void add_keyboard(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at)
 }
 
 void add_monitor(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
+    const MeshBuilder::OwnObject own{b};
     b.box(at, m.plastic, {-0.13F, gap, -0.09F}, {0.13F, 0.018F, 0.09F});
     b.box(at, m.plastic, {-0.025F, 0.022F, -0.03F}, {0.025F, 0.30F, -0.012F});
     const glm::mat4 head = at * move({0, 0.36F, 0.012F}) * turn(-0.08F, {1, 0, 0});
@@ -55,6 +57,7 @@ void add_monitor(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) 
 }
 
 void add_lamp(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
+    const MeshBuilder::OwnObject own{b};
     const glm::vec2 base[] = {{0.085F, gap}, {0.085F, 0.016F}, {0.02F, 0.03F}, {0, 0.031F}};
     b.lathe(at, m.metal, base, 10, true);
     const glm::vec3 elbow{0.10F, 0.34F, 0};
@@ -109,6 +112,7 @@ void add_cushion(MeshBuilder& b, Group g, const glm::mat4& at, float width, floa
 } // namespace
 
 void add_chair(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
+    const MeshBuilder::OwnObject own{b};
     for (int i = 0; i < 5; ++i) {
         const glm::mat4 leg = at * turn(2 * pi * static_cast<float>(i) / 5);
         b.prism(leg * turn(-0.5F * pi, {1, 0, 0}), m.plastic,
@@ -133,6 +137,7 @@ void add_chair(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
 }
 
 void add_desk(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std::uint32_t key) {
+    const MeshBuilder::OwnObject own{b};
     b.box(at, m.wood, {-0.79F, 0.715F, -0.39F}, {0.79F, 0.74F, 0.39F});
     for (const float x : {-0.74F, 0.74F}) {
         for (const float z : {-0.34F, 0.34F})
@@ -168,6 +173,7 @@ void add_desk(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std
 }
 
 void add_shelf(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std::uint32_t key) {
+    const MeshBuilder::OwnObject own{b};
     for (const float x : {-0.5F, 0.48F})
         b.box(at, m.wood, {x, gap, -0.15F}, {x + 0.02F, 2.0F, 0.15F});
     b.box(at, m.wood, {-0.478F, 0.05F, -0.15F}, {0.478F, 1.99F, -0.14F});
@@ -179,6 +185,7 @@ void add_shelf(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, st
 }
 
 void add_plant(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, std::uint32_t key) {
+    const MeshBuilder::OwnObject own{b};
     const glm::vec2 pot[] = {{0, gap},       {0.15F, gap},   {0.20F, 0.36F}, {0.22F, 0.36F},
                              {0.22F, 0.40F}, {0.18F, 0.40F}, {0.17F, 0.35F}, {0, 0.35F}};
     b.lathe(at, m.clay, pot, 16, true);
@@ -200,6 +207,7 @@ void add_plant(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at, st
 
 void add_meeting_table(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at,
                        float length) {
+    const MeshBuilder::OwnObject own{b};
     const float x = 0.5F * length;
     b.prism(at * lay_flat(), m.wood, rounded_rectangle({-x, -0.6F}, {x, 0.6F}, 0.25F, 6), 0.71F,
             0.745F);
@@ -218,6 +226,7 @@ void add_meeting_table(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4
 }
 
 void add_sofa(MeshBuilder& b, const OfficeMaterials& m, const glm::mat4& at) {
+    const MeshBuilder::OwnObject own{b};
     b.box(at, m.fabric, {-0.95F, 0.12F, -0.40F}, {0.95F, 0.30F, 0.40F});
     b.box(at, m.fabric, {-0.95F, 0.304F, 0.22F}, {0.95F, 0.80F, 0.40F});
     for (const float x : {-0.95F, 0.79F})

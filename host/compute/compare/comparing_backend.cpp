@@ -12,9 +12,10 @@ namespace lineatlas::compute {
 namespace {
 
 /// In the order of a frame, by the names of docs/architecture.md.
-constexpr std::array<std::string_view, 13> stage_names{
-    "pyramid",   "cull",    "facing", "project_clip", "scan",    "atlas",          "temporal",
-    "intervals", "compact", "halo",   "filter",       "density", "compact_samples"};
+constexpr std::array<std::string_view, 16> stage_names{
+    "bounds", "transform", "pyramid", "cull",           "facing",    "project_clip",
+    "scan",   "atlas",     "forget",  "temporal",       "intervals", "compact",
+    "halo",   "filter",    "density", "compact_samples"};
 
 std::size_t position_of(std::string_view stage) {
     const auto found = std::ranges::find(stage_names, stage);
@@ -93,10 +94,18 @@ class Implementation final : public ComparingBackend {
     void upload(Buffer& buffer, std::span<const std::byte> data) override {
         first_->upload(*pair(buffer).first, data);
     }
+    void upload_at(Buffer& buffer, std::size_t offset, std::span<const std::byte> data) override {
+        first_->upload_at(*pair(buffer).first, offset, data);
+    }
     void download(Buffer& buffer, std::span<std::byte> data) override {
         first_->download(*pair(buffer).first, data);
     }
 
+    void transform(const TransformArgs& args) override {
+        stage("transform", args, &Backend::transform);
+    }
+    void bounds(const BoundsArgs& args) override { stage("bounds", args, &Backend::bounds); }
+    void forget(const ForgetArgs& args) override { stage("forget", args, &Backend::forget); }
     void pyramid(const PyramidArgs& args) override { stage("pyramid", args, &Backend::pyramid); }
     void cull(const CullArgs& args) override { stage("cull", args, &Backend::cull); }
     void facing(const FacingArgs& args) override { stage("facing", args, &Backend::facing); }
@@ -127,6 +136,9 @@ class Implementation final : public ComparingBackend {
 
     void flush() override { first_->flush(); }
     void finish() override { first_->finish(); }
+
+    std::shared_ptr<CommandLog> begin_log() override { return first_->begin_log(); }
+    void end_log() override { first_->end_log(); }
 
   private:
     template <class Args>

@@ -20,13 +20,6 @@ std::size_t size_of(FieldKind kind) {
     return kind == FieldKind::byte ? 1 : 4;
 }
 
-bool agree(float a, float b, float relative, float absolute) {
-    if (a == b) return true;
-    if (!std::isfinite(a) || !std::isfinite(b)) return false;
-    const float largest = std::max(std::fabs(a), std::fabs(b));
-    return std::fabs(a - b) <= std::max(absolute, relative * largest);
-}
-
 float half(std::uint32_t bits) {
     return std::bit_cast<float>(bits << 16U);
 }
@@ -38,7 +31,7 @@ std::uint32_t word_at(const std::byte* place) {
 }
 
 /// Of values that are not the same bits.
-bool agree(const Field& field, std::uint32_t a, std::uint32_t b) {
+bool words_agree(const Field& field, std::uint32_t a, std::uint32_t b) {
     switch (field.kind) {
     case FieldKind::byte:
     case FieldKind::integer:
@@ -75,7 +68,7 @@ std::string text(FieldKind kind, const std::byte* place) {
 
 bool agree_at(const Field& field, const std::byte* a, const std::byte* b) {
     if (field.kind == FieldKind::byte) return *a == *b;
-    return word_at(a) == word_at(b) || agree(field, word_at(a), word_at(b));
+    return word_at(a) == word_at(b) || words_agree(field, word_at(a), word_at(b));
 }
 
 /// In one element.
@@ -97,6 +90,13 @@ std::optional<Difference> difference_in(const Layout& layout, const std::byte* a
 
 } // namespace
 
+bool agree(float a, float b, float relative, float absolute) {
+    if (a == b) return true;
+    if (!std::isfinite(a) || !std::isfinite(b)) return false;
+    const float largest = std::max(std::fabs(a), std::fabs(b));
+    return std::fabs(a - b) <= std::max(absolute, relative * largest);
+}
+
 std::size_t Layout::size() const {
     std::size_t bytes = 0;
     for (const Field& field : fields) bytes += field.count * size_of(field.kind);
@@ -108,6 +108,11 @@ namespace layouts {
 const Layout byte{"byte", {{"", FieldKind::byte}}};
 const Layout integer{"integer", {{"", FieldKind::integer}}};
 const Layout number{"float", {{"", FieldKind::number}}};
+const Layout cluster{"Cluster",
+                     {{"low", FieldKind::number, 3},
+                      {"high", FieldKind::number, 3},
+                      {"first", FieldKind::integer},
+                      {"count", FieldKind::integer}}};
 const Layout clipped_segment{"ClippedSegment",
                              {{"p", FieldKind::number, 4},
                               {"q", FieldKind::number, 4},

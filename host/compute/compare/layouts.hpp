@@ -8,6 +8,9 @@
 
 namespace lineatlas::compute {
 
+/// Whether two floats agree within `relative` of the larger magnitude; below `absolute` all do.
+bool agree(float a, float b, float relative = 1e-5F, float absolute = 1e-6F);
+
 /// What a member of a table's element is, and how exactly it must agree.
 enum class FieldKind {
     byte,       ///< bit by bit
@@ -33,7 +36,8 @@ struct Layout {
 };
 
 namespace layouts {
-extern const Layout byte, integer, number, clipped_segment, run, run_cuts, interval, frame_record;
+extern const Layout byte, integer, number, cluster, clipped_segment, run, run_cuts, interval,
+    frame_record;
 }
 
 /// A place where two tables differ.

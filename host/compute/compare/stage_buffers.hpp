@@ -20,6 +20,37 @@ ClippedTable mapped_table(const ClippedTable& table, Map& map) {
 }
 
 template <class Map, class Run>
+void mapped(const TransformArgs& a, Map& map, Run&& run) {
+    run(TransformArgs{.rest = map.in(a.rest),
+                      .objects = map.in(a.objects),
+                      .matrices = map.in(a.matrices),
+                      .vertex_count = a.vertex_count,
+                      .vertices = map.out("vertices", a.vertices, layouts::number),
+                      .drawn = map.out("drawn", a.drawn, layouts::number),
+                      .rest_clusters = map.in(a.rest_clusters),
+                      .cluster_objects = map.in(a.cluster_objects),
+                      .cluster_count = a.cluster_count,
+                      .clusters = map.out("clusters", a.clusters, layouts::cluster)});
+}
+
+template <class Map, class Run>
+void mapped(const BoundsArgs& a, Map& map, Run&& run) {
+    run(BoundsArgs{.vertices = map.in(a.vertices),
+                   .triangles = map.in(a.triangles),
+                   .clusters = map.out("clusters", a.clusters, layouts::cluster),
+                   .count = a.count});
+}
+
+template <class Map, class Run>
+void mapped(const ForgetArgs& a, Map& map, Run&& run) {
+    run(ForgetArgs{.segments = map.in(a.segments),
+                   .segment_count = a.segment_count,
+                   .objects = map.in(a.objects),
+                   .jumped = map.in(a.jumped),
+                   .ranges = map.out("ranges", a.ranges, layouts::integer)});
+}
+
+template <class Map, class Run>
 void mapped(const PyramidArgs& a, Map& map, Run&& run) {
     run(PyramidArgs{.depth = map.in(a.depth),
                     .depth_size = a.depth_size,
@@ -126,6 +157,7 @@ void mapped(const FilterArgs& a, Map& map, Run&& run) {
                    .clipped = mapped_table(a.clipped, map),
                    .alpha = map.out("alpha", a.alpha, layouts::byte),
                    .layout = a.layout,
+                   .capacity = a.capacity,
                    .viewport = a.viewport,
                    .half_width = a.half_width,
                    .fill = a.fill,

@@ -120,12 +120,37 @@ class Implementation final : public OpenClBackend {
         });
     }
 
+    void upload_at(Buffer& buffer, std::size_t offset, std::span<const std::byte> data) override {
+        if (data.empty()) return;
+        guarded("writing a buffer", [&] {
+            queue_.enqueueWriteBuffer(memory_of(buffer), CL_TRUE, offset, data.size(), data.data(),
+                                      nullptr, logged("write"));
+        });
+    }
+
     void download(Buffer& buffer, std::span<std::byte> data) override {
         if (data.empty()) return finish();
         guarded("reading a buffer", [&] {
             queue_.enqueueReadBuffer(memory_of(buffer), CL_TRUE, 0, data.size(), data.data(),
                                      nullptr, logged("read"));
         });
+    }
+
+    void transform(const TransformArgs& args) override {
+        launch(transform_, args.vertex_count, tuning_.local_size, args.rest, args.objects,
+               args.matrices, args.vertex_count, args.vertices, args.drawn);
+        launch(transform_boxes_, args.cluster_count, tuning_.local_size, args.rest_clusters,
+               args.cluster_objects, args.matrices, args.cluster_count, args.clusters);
+    }
+
+    void bounds(const BoundsArgs& args) override {
+        launch(transform_bounds_, args.count, tuning_.local_size, args.vertices, args.triangles,
+               args.count, args.clusters);
+    }
+
+    void forget(const ForgetArgs& args) override {
+        launch(transform_forget_, args.segment_count, tuning_.local_size, args.segments,
+               args.segment_count, args.objects, args.jumped, args.ranges);
     }
 
     void pyramid(const PyramidArgs& args) override {
@@ -232,9 +257,9 @@ class Implementation final : public OpenClBackend {
         const auto step = [&](LazyKernel& kernel, auto&&... out) {
             launch(kernel, n, tuning_.block_local_size, args.table.segments, args.clipped.clipped,
                    args.clipped.offsets, args.clipped.arcs, args.alpha, args.layout.width,
-                   args.layout.pitch, to_cl(args.viewport), args.half_width, args.fill, args.drop,
-                   args.overshoot, args.overshoot_variation, args.undershoot, args.runs,
-                   args.record, cuts, use_cuts, n, out...);
+                   args.layout.pitch, args.capacity, to_cl(args.viewport), args.half_width,
+                   args.fill, args.drop, args.overshoot, args.overshoot_variation, args.undershoot,
+                   args.runs, args.record, cuts, use_cuts, n, out...);
         };
         step(filter_count_, counts);
         scan(counts, n, ScanKind::saturate);
@@ -427,6 +452,10 @@ class Implementation final : public OpenClBackend {
     cl::CommandQueue queue_;
     std::optional<Programs> programs_;      ///< of context_
     std::shared_ptr<OpenClCommandLog> log_; ///< while one is kept
+    LazyKernel transform_{"transform.cl", "transform"};
+    LazyKernel transform_boxes_{"transform.cl", "transform_boxes"};
+    LazyKernel transform_bounds_{"transform.cl", "transform_bounds"};
+    LazyKernel transform_forget_{"transform.cl", "transform_forget"};
     LazyKernel pyramid_{"pyramid.cl", "pyramid"};
     LazyKernel cull_{"cull.cl", "cull"};
     LazyKernel facing_{"facing.cl", "facing"};

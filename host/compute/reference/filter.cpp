@@ -346,6 +346,12 @@ class PathFilter {
         return i;
     }
 
+    /// Of segment i; none if the atlas is too small for them, and the frame is done again.
+    std::uint32_t samples_of(std::uint32_t i) const {
+        const std::uint32_t l = frame_.samples(i);
+        return l <= in_.capacity && frame_.offsets[i] <= in_.capacity - l ? l : 0;
+    }
+
     /// Runs from segment i on.
     void emit_part(std::uint32_t i, Span part, std::uint32_t start_kind, std::uint32_t end_kind,
                    Span stroke, std::uint32_t kinds) {
@@ -356,7 +362,7 @@ class PathFilter {
             if (begins && !ends && whole.end - part.start <= shortest) continue;
             const float lo = begins ? part.start : whole.start;
             const float hi = ends ? part.end : whole.end;
-            const std::uint32_t l = frame_.samples(i);
+            const std::uint32_t l = samples_of(i);
             const std::uint32_t counted = std::max(l, 1U);
             const float per_pixel = static_cast<float>(counted) / (whole.end - whole.start);
             const float from = lo == whole.start ? 0 : (lo - whole.start) * per_pixel;

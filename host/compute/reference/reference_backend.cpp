@@ -26,8 +26,38 @@ void ReferenceBackend::upload(Buffer& buffer, std::span<const std::byte> data) {
     std::ranges::copy(data, memory_of(buffer).begin());
 }
 
+void ReferenceBackend::upload_at(Buffer& buffer, std::size_t offset,
+                                 std::span<const std::byte> data) {
+    std::ranges::copy(data, memory_of(buffer).subspan(offset).begin());
+}
+
 void ReferenceBackend::download(Buffer& buffer, std::span<std::byte> data) {
     std::ranges::copy(memory_of(buffer).first(data.size()), data.begin());
+}
+
+void ReferenceBackend::transform(const TransformArgs& args) {
+    const std::size_t n = args.vertex_count, clusters = args.cluster_count;
+    const auto matrices = view_all<float>(args.matrices);
+    const auto vertices = view<glm::vec3>(args.vertices, n);
+    reference::transform(view<glm::vec3>(args.rest, n), view<std::uint32_t>(args.objects, n),
+                         matrices, vertices);
+    std::ranges::copy(vertices, view<glm::vec3>(args.drawn, n).begin());
+    reference::transform_boxes(view<Cluster>(args.rest_clusters, clusters),
+                               view<std::uint32_t>(args.cluster_objects, clusters), matrices,
+                               view<Cluster>(args.clusters, clusters));
+}
+
+void ReferenceBackend::bounds(const BoundsArgs& args) {
+    reference::transform_bounds(view_all<glm::vec3>(args.vertices),
+                                view_all<std::uint32_t>(args.triangles),
+                                view<Cluster>(args.clusters, args.count));
+}
+
+void ReferenceBackend::forget(const ForgetArgs& args) {
+    const std::size_t n = args.segment_count;
+    reference::transform_forget(
+        view<Segment>(args.segments, n), view_all<std::uint32_t>(args.objects),
+        view_all<std::uint8_t>(args.jumped), view<std::uint32_t>(args.ranges, n));
 }
 
 void ReferenceBackend::pyramid(const PyramidArgs& args) {
@@ -134,6 +164,7 @@ void ReferenceBackend::filter(const FilterArgs& args) {
          .arcs = view<std::uint32_t>(args.clipped.arcs, n + 1),
          .alpha = alpha,
          .layout = args.layout,
+         .capacity = args.capacity,
          .viewport = args.viewport,
          .half_width = args.half_width,
          .fill = args.fill,

@@ -47,7 +47,11 @@ class ReferenceBackend : public Backend {
     void begin_host_access(Buffer&) override;
     void end_host_access(Buffer&) override;
     void upload(Buffer& buffer, std::span<const std::byte> data) override;
+    void upload_at(Buffer& buffer, std::size_t offset, std::span<const std::byte> data) override;
     void download(Buffer& buffer, std::span<std::byte> data) override;
+    void transform(const TransformArgs& args) override;
+    void bounds(const BoundsArgs& args) override;
+    void forget(const ForgetArgs& args) override;
     void pyramid(const PyramidArgs& args) override;
     void cull(const CullArgs& args) override;
     void facing(const FacingArgs& args) override;

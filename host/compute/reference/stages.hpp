@@ -8,11 +8,22 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "compute/backend.hpp"
 
 namespace lineatlas::compute::reference {
+
+/// matrices: three rows of 4 floats per object.
+void transform(std::span<const glm::vec3> rest, std::span<const std::uint32_t> objects,
+               std::span<const float> matrices, std::span<glm::vec3> vertices);
+void transform_boxes(std::span<const Cluster> rest, std::span<const std::uint32_t> objects,
+                     std::span<const float> matrices, std::span<Cluster> clusters);
+void transform_bounds(std::span<const glm::vec3> vertices, std::span<const std::uint32_t> triangles,
+                      std::span<Cluster> clusters);
+void transform_forget(std::span<const Segment> segments, std::span<const std::uint32_t> objects,
+                      std::span<const std::uint8_t> jumped, std::span<std::uint32_t> ranges);
 
 void facing(std::span<const float> vertices, std::span<const std::uint32_t> triangles,
             glm::vec4 eye, std::span<std::uint8_t> front);
@@ -98,6 +109,7 @@ struct FilterInput {
     std::span<const std::uint32_t> arcs;
     std::span<const std::uint8_t> alpha; ///< before it is changed
     AtlasLayout layout;
+    std::uint32_t capacity;
     glm::vec2 viewport;
     float half_width;
     float fill, drop, overshoot, overshoot_variation, undershoot;

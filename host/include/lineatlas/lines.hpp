@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include "lineatlas/export.hpp"
@@ -42,6 +45,17 @@ struct LineOptions {
     float crease_angle = 0.5235988F;     ///< radians, 0 to pi; edges bent by more are creases
     /// Radians. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
+    /// Objects move on their own (Renderer::set_transforms): nothing is welded between them, so
+    /// that where they touch each has a line of its own. They are those of Mesh::triangle_object,
+    /// or groups of one name.
+    bool separate_objects = false;
+};
+
+/// What moves on its own.
+struct LineObject {
+    std::string name; ///< MeshGroup::object; empty where objects are numbers
+    std::uint32_t first_vertex = 0; ///< of its part of LineSet::vertices
+    std::uint32_t vertex_count = 0; ///< in that part
 };
 
 /// Where a segment lies in the `Mesh` that it was extracted from.
@@ -68,10 +82,18 @@ struct LineSet {
     /// Per triangle an index into `colors`, or `no_color`; empty where no triangle has a colour.
     std::vector<std::uint16_t> triangle_color;
     static constexpr std::uint16_t no_color = 0xFFFF; ///< of triangles without a colour
+    /// Per vertex a position of the mesh that it was welded of.
+    std::vector<std::uint32_t> vertex_sources{};
+    /// With LineOptions::separate_objects; their vertices come in this order.
+    std::vector<LineObject> objects{};
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
 /// Throws UsageError when an index of the mesh is out of range or a position is not finite.
 LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {});
+
+/// Moves the vertices as Renderer::set_transforms() shows them: for make_drawing(), and for a
+/// renderer whose objects stay there. Throws UsageError as that does.
+LINEATLAS_API void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object);
 
 } // namespace lineatlas

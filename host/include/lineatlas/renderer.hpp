@@ -4,10 +4,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "lineatlas/camera.hpp"
@@ -185,6 +188,18 @@ class LINEATLAS_API Renderer {
 
     /// Uploads the lines and triangles to draw; they replace what was there.
     void set_lines(const LineSet& lines);
+
+    /// Moves the objects (LineSet::objects; the whole model, if it has none): a matrix for each,
+    /// world from object as it was made. The next frame shows it; nothing is rebuilt. Which edges
+    /// are creases stays as it is; what is a silhouette does not. A mirror image is fine. Throws
+    /// UsageError before set_lines(), for another number of matrices, and for one that is not
+    /// affine, not finite or singular; then all is as it was.
+    void set_transforms(std::span<const glm::mat4> world_from_object);
+
+    /// Changes the shape: puts vertices (LineSet::vertices) from `first` on at other positions,
+    /// in the coordinates of their objects. Lines stay what and where they are in the mesh. Throws
+    /// UsageError for vertices that there are not, and positions that are not finite.
+    void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
 
     /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
     /// viewport, premultiplied. Fills and method opengl clear the depth there.

@@ -1,0 +1,138 @@
+#include "objects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "lineatlas/error.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// More than anybody moves one by one; a larger number is a mistake.
+constexpr std::uint32_t most_objects = 1U << 24U;
+
+void check_size(std::size_t count, std::size_t wanted, const char* what) {
+    if (count == wanted) return;
+    throw UsageError("mesh: there are " + std::to_string(wanted) + " " + what +
+                     "s, but objects for " + std::to_string(count));
+}
+
+/// Objects by the numbers that the mesh gives.
+MeshObjects numbered(const Mesh& mesh) {
+    check_size(mesh.triangle_object.size(), mesh.triangles.size(), "triangle");
+    MeshObjects result{
+        .names = {}, .triangles = mesh.triangle_object, .polylines = mesh.polyline_object};
+    std::uint32_t count = 1;
+    for (const auto* numbers : {&result.triangles, &result.polylines}) {
+        for (const std::uint32_t number : *numbers) {
+            if (number >= most_objects) {
+                throw UsageError("mesh: object " + std::to_string(number) + "; there may be " +
+                                 std::to_string(most_objects) + " of them");
+            }
+            count = std::max(count, number + 1);
+        }
+    }
+    result.names.resize(count);
+    return result;
+}
+
+/// Objects by the names of the groups, in the order of their first appearance.
+MeshObjects named(const Mesh& mesh) {
+    MeshObjects result;
+    std::map<std::string, std::uint32_t> known;
+    std::vector<std::uint32_t> of_group;
+    for (const MeshGroup& group : mesh.groups) {
+        const auto fresh = static_cast<std::uint32_t>(result.names.size());
+        const auto [found, is_new] = known.emplace(group.object, fresh);
+        if (is_new) result.names.push_back(group.object);
+        of_group.push_back(found->second);
+    }
+    check_size(mesh.triangle_group.size(), mesh.triangles.size(), "triangle");
+    result.triangles.reserve(mesh.triangles.size());
+    for (const std::uint32_t group : mesh.triangle_group) {
+        result.triangles.push_back(group < of_group.size() ? of_group[group] : 0);
+    }
+    result.polylines = mesh.polyline_object;
+    return result;
+}
+
+} // namespace
+
+MeshObjects find_objects(const Mesh& mesh) {
+    const bool by_number = !mesh.triangle_object.empty() || !mesh.polyline_object.empty();
+    if (by_number && !mesh.polyline_object.empty()) {
+        check_size(mesh.polyline_object.size(), mesh.polylines.size(), "polyline");
+    }
+    if (!by_number && mesh.triangle_group.empty())
+        return {.names = {""}, .triangles = {}, .polylines = {}};
+    MeshObjects result = by_number ? numbered(mesh) : named(mesh);
+    if (result.polylines.empty() && !mesh.polylines.empty()) {
+        result.polylines.assign(mesh.polylines.size(),
+                                static_cast<std::uint32_t>(result.names.size()));
+        result.names.emplace_back();
+    }
+    return result;
+}
+
+Bounds moved(const Bounds& box, const glm::mat4& world_from_object) {
+    if (!(box.min.x <= box.max.x)) return box;
+    const glm::vec3 middle = 0.5F * (box.min + box.max), half_size = 0.5F * (box.max - box.min);
+    const glm::mat3 m{world_from_object};
+    const glm::vec3 at = m * middle + glm::vec3{world_from_object[3]};
+    const glm::vec3 reach =
+        glm::abs(m[0]) * half_size.x + glm::abs(m[1]) * half_size.y + glm::abs(m[2]) * half_size.z;
+    // A little larger, so that no vertex that is rounded differently lies outside.
+    const glm::vec3 most = reach + LA_BOX_ROUNDING * (reach + glm::abs(at));
+    return {at - most, at + most};
+}
+
+void check_transforms(std::span<const glm::mat4> world_from_object, std::size_t count) {
+    if (world_from_object.size() != count) {
+        throw UsageError("renderer: there are " + std::to_string(count) + " objects, but " +
+                         std::to_string(world_from_object.size()) + " matrices");
+    }
+    // Axes that are nearly in one plane; how long they are does not matter.
+    constexpr double least_volume = 1e-6;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::mat4& m = world_from_object[i];
+        const auto refuse = [&](const char* what) {
+            throw UsageError("renderer: the matrix of object " + std::to_string(i) + " " + what);
+        };
+        for (int column = 0; column < 4; ++column) {
+            for (int row = 0; row < 4; ++row) {
+                if (!std::isfinite(m[column][row])) refuse("is not finite");
+            }
+        }
+        if (m[0].w != 0 || m[1].w != 0 || m[2].w != 0 || m[3].w != 1) refuse("is not affine");
+        const glm::dmat3 axes{m};
+        const double lengths = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
+        if (!(std::abs(glm::determinant(axes)) > least_volume * lengths)) refuse("is singular");
+    }
+}
+
+void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object) {
+    const std::vector<LineObject> whole{
+        {.name = {}, .vertex_count = static_cast<std::uint32_t>(lines.vertices.size())}};
+    const std::vector<LineObject>& objects = lines.objects.empty() ? whole : lines.objects;
+    check_transforms(world_from_object, objects.size());
+    lines.bounds = {};
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const glm::mat4& m = world_from_object[i];
+        const std::span vertices =
+            std::span{lines.vertices}.subspan(objects[i].first_vertex, objects[i].vertex_count);
+        for (glm::vec3& v : vertices) {
+            // As the stage `transform` does, to the last bit.
+            v = glm::vec3{(m[0] * v.x + m[1] * v.y) + (m[2] * v.z + m[3])};
+            lines.bounds.min = glm::min(lines.bounds.min, v);
+            lines.bounds.max = glm::max(lines.bounds.max, v);
+        }
+    }
+}
+
+} // namespace lineatlas

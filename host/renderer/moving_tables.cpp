@@ -1,0 +1,85 @@
+#include "moving_tables.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+
+namespace lineatlas {
+namespace {
+
+constexpr std::size_t matrix_floats = 12;
+
+template <class T>
+std::unique_ptr<compute::Buffer> upload(compute::Backend& backend, std::span<const T> values) {
+    std::unique_ptr<compute::Buffer> buffer = backend.allocate(values.size_bytes());
+    backend.upload(*buffer, std::as_bytes(values));
+    return buffer;
+}
+
+std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) {
+    std::vector<std::uint32_t> result(shape.vertex_count);
+    for (std::size_t i = 0; i < shape.objects.size(); ++i) {
+        const LineObject& object = shape.objects[i];
+        std::ranges::fill(std::span{result}.subspan(object.first_vertex, object.vertex_count),
+                          static_cast<std::uint32_t>(i));
+    }
+    return result;
+}
+
+} // namespace
+
+MovingTables::MovingTables(compute::Backend& backend, interop::SharingMode mode, const Shape& shape)
+    : backend_(backend), handover_(backend), vertex_count_(shape.vertex_count),
+      cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
+      objects_(upload<std::uint32_t>(backend, object_of_vertices(shape))),
+      cluster_objects_(upload(backend, shape.cluster_objects)),
+      matrices_(backend.allocate(shape.objects.size() * matrix_floats * sizeof(float))),
+      jumped_(backend.allocate(shape.objects.size())),
+      vertices_(backend.allocate(vertex_count_ * sizeof(glm::vec3))),
+      clusters_(backend.allocate(cluster_count_ * sizeof(Cluster))),
+      drawn_(interop::make_shared_buffer(backend, mode, vertex_count_ * sizeof(glm::vec3))) {}
+
+void MovingTables::transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
+                             std::span<const glm::mat4> world_from_object) {
+    rows_.clear();
+    for (const glm::mat4& m : world_from_object) {
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 4; ++column) rows_.push_back(m[column][row]);
+        }
+    }
+    handover_.to_compute({{*drawn_, 0}});
+    backend_.upload(*matrices_, std::as_bytes(std::span{rows_}));
+    backend_.transform({.rest = rest,
+                        .objects = *objects_,
+                        .matrices = *matrices_,
+                        .vertex_count = vertex_count_,
+                        .vertices = *vertices_,
+                        .drawn = drawn_->compute(),
+                        .rest_clusters = rest_clusters,
+                        .cluster_objects = *cluster_objects_,
+                        .cluster_count = cluster_count_,
+                        .clusters = *clusters_});
+    handover_.to_gl({{*drawn_, vertex_count_ * sizeof(glm::vec3)}});
+}
+
+void MovingTables::forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
+                          compute::Buffer& ranges) {
+    backend_.upload(*jumped_, std::as_bytes(jumped));
+    backend_.forget({.segments = table.segments,
+                     .segment_count = table.segment_count,
+                     .objects = *objects_,
+                     .jumped = *jumped_,
+                     .ranges = ranges});
+}
+
+std::uint64_t MovingTables::bytes() const {
+    std::uint64_t sum = drawn_->size();
+    for (const auto* buffer :
+         {&objects_, &cluster_objects_, &matrices_, &jumped_, &vertices_, &clusters_}) {
+        sum += (*buffer)->size();
+    }
+    return sum;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "compute/backend.hpp"
+#include "glpasses/interop/connect.hpp"
+#include "glpasses/interop/handover.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+
+/// What the device has of a model that moves, beside the model as it was made: where its vertices
+/// are now. Kernels and GL read them at the same time, so each has its own.
+class MovingTables {
+  public:
+    struct Shape {
+        std::uint32_t vertex_count;
+        std::span<const LineObject> objects;
+        std::span<const std::uint32_t> cluster_objects; ///< per cluster
+    };
+    /// Throws DeviceError when memory runs out.
+    MovingTables(compute::Backend& backend, interop::SharingMode mode, const Shape& shape);
+
+    /// Moves what is made as in `rest` and `rest_clusters`.
+    void transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
+                   std::span<const glm::mat4> world_from_object);
+    /// Empties the `ranges` of `temporal` for segments of objects with a 1 in `jumped`.
+    void forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
+                compute::Buffer& ranges);
+
+    compute::Buffer& vertices() const { return *vertices_; }
+    GLuint gl_vertices() const { return drawn_->gl(); }
+    compute::Buffer& clusters() const { return *clusters_; }
+    std::uint64_t bytes() const;
+
+  private:
+    compute::Backend& backend_;
+    interop::Handover handover_;
+    std::uint32_t vertex_count_, cluster_count_;
+    std::unique_ptr<compute::Buffer> objects_, cluster_objects_, matrices_, jumped_;
+    std::unique_ptr<compute::Buffer> vertices_, clusters_;
+    std::unique_ptr<interop::SharedBuffer> drawn_;
+    std::vector<float> rows_; ///< of the matrices, kept for its memory
+};
+
+} // namespace lineatlas

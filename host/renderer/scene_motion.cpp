@@ -1,0 +1,160 @@
+#include "scene_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/objects.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+// Up to twice as many landmarks.
+constexpr std::size_t most_landmarks = 256;
+
+/// In pixels; nothing for a point outside the picture.
+std::optional<glm::vec2> window_position(glm::vec3 point, const glm::mat4& clip_from_object,
+                                         glm::vec2 size) {
+    const glm::vec4 clip = clip_from_object * glm::vec4{point, 1};
+    if (!(std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w)) return std::nullopt;
+    return (glm::vec2{clip} / clip.w + 1.0F) * 0.5F * size;
+}
+
+void include(Bounds& bounds, glm::vec3 point) {
+    bounds.min = glm::min(bounds.min, point);
+    bounds.max = glm::max(bounds.max, point);
+}
+
+/// How far the corners of a box move, at most; infinite if one is behind the eye.
+float largest_shift(const Bounds& box, const glm::mat4& clip_from, const glm::mat4& clip_to,
+                    glm::vec2 size) {
+    float largest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 point{(corner & 1) != 0 ? box.max.x : box.min.x,
+                              (corner & 2) != 0 ? box.max.y : box.min.y,
+                              (corner & 4) != 0 ? box.max.z : box.min.z, 1};
+        const glm::vec4 a = clip_from * point, b = clip_to * point;
+        if (!(a.w > 0 && b.w > 0)) return std::numeric_limits<float>::infinity();
+        const glm::vec2 shift = (glm::vec2{b} / b.w - glm::vec2{a} / a.w) * 0.5F * size;
+        largest = std::max(largest, glm::length(shift));
+    }
+    return largest;
+}
+
+} // namespace
+
+SceneMotion::SceneMotion(const LineSet& lines)
+    : objects_(lines.objects), vertex_count_(static_cast<std::uint32_t>(lines.vertices.size())),
+      bounds_(lines.bounds) {
+    if (objects_.empty()) objects_.push_back({.name = {}, .vertex_count = vertex_count_});
+    transforms_.assign(objects_.size(), glm::mat4{1});
+    for (const LineObject& object : objects_) {
+        Bounds& box = boxes_.emplace_back();
+        if (objects_.size() == 1) {
+            box = lines.bounds;
+            continue;
+        }
+        for (std::uint32_t i = 0; i < object.vertex_count; ++i) {
+            include(box, lines.vertices[object.first_vertex + i]);
+        }
+    }
+    const std::size_t every = std::max<std::size_t>(1, lines.vertices.size() / most_landmarks);
+    std::uint32_t object = 0;
+    for (std::size_t i = 0; i < lines.vertices.size(); i += every) {
+        while (i >= std::size_t{objects_[object].first_vertex} + objects_[object].vertex_count) {
+            ++object;
+        }
+        landmarks_.push_back({static_cast<std::uint32_t>(i), object, lines.vertices[i]});
+    }
+}
+
+void SceneMotion::set_transforms(std::span<const glm::mat4> world_from_object) {
+    check_transforms(world_from_object, objects_.size());
+    transforms_.assign(world_from_object.begin(), world_from_object.end());
+    update_bounds();
+}
+
+void SceneMotion::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+    if (first > vertex_count_ || positions.size() > vertex_count_ - first) {
+        throw UsageError("renderer: positions " + std::to_string(first) + " to " +
+                         std::to_string(first + positions.size()) + " of " +
+                         std::to_string(vertex_count_) + " vertices");
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::vec3 p = positions[i];
+        if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) {
+            throw UsageError("renderer: position " + std::to_string(first + i) + " is not finite");
+        }
+    }
+    const std::size_t end = first + positions.size();
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        const std::size_t own_first = objects_[i].first_vertex;
+        const std::size_t own_end = own_first + objects_[i].vertex_count;
+        const std::size_t low = std::max<std::size_t>(first, own_first);
+        const std::size_t high = std::min(end, own_end);
+        if (low >= high) continue;
+        // The host does not know the others: of an object that is given in parts it only grows.
+        if (low == own_first && high == own_end) boxes_[i] = {};
+        for (std::size_t v = low; v < high; ++v) include(boxes_[i], positions[v - first]);
+    }
+    for (Landmark& landmark : landmarks_) {
+        if (landmark.vertex >= first && landmark.vertex < end) {
+            landmark.position = positions[landmark.vertex - first];
+        }
+    }
+    ++shape_version_;
+    update_bounds();
+}
+
+void SceneMotion::update_bounds() {
+    bounds_ = {};
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        if (objects_[i].vertex_count == 0) continue;
+        const Bounds box = moved(boxes_[i], transforms_[i]);
+        include(bounds_, box.min);
+        include(bounds_, box.max);
+    }
+}
+
+float SceneMotion::typical_motion(const Camera& from, std::span<const glm::mat4> transforms_from,
+                                  const Camera& to) const {
+    const glm::mat4 clip_from = from.clip_from_world(), clip_to = to.clip_from_world();
+    if (clip_from == clip_to && std::ranges::equal(transforms_from, transforms_)) return 0;
+    std::array<float, 2 * most_landmarks> shifts;
+    std::size_t count = 0;
+    for (const Landmark& landmark : landmarks_) {
+        const auto a = window_position(
+            landmark.position, clip_from * transforms_from[landmark.object], glm::vec2{from.size});
+        const auto b = window_position(landmark.position, clip_to * transforms_[landmark.object],
+                                       glm::vec2{to.size});
+        if (a && b) shifts[count++] = glm::distance(*a, *b);
+    }
+    if (count == 0) return std::numeric_limits<float>::infinity();
+    const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(shifts.begin(), middle, shifts.begin() + static_cast<std::ptrdiff_t>(count));
+    return *middle;
+}
+
+std::vector<std::uint8_t> SceneMotion::jumped(std::span<const glm::mat4> transforms_from,
+                                              const Camera& to, float most_pixels) const {
+    std::vector<std::uint8_t> result;
+    const glm::mat4 clip = to.clip_from_world();
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        if (transforms_from[i] == transforms_[i] || objects_[i].vertex_count == 0) continue;
+        const float shift = largest_shift(boxes_[i], clip * transforms_from[i],
+                                          clip * transforms_[i], glm::vec2{to.size});
+        if (shift <= most_pixels) continue;
+        result.resize(objects_.size());
+        result[i] = 1;
+    }
+    return result;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+
+/// Where the objects of a model are, and how far they move on the screen: what the host knows of it
+/// without its vertices.
+class SceneMotion {
+  public:
+    explicit SceneMotion(const LineSet& lines);
+
+    /// These two throw UsageError and change nothing, see Renderer.
+    void set_transforms(std::span<const glm::mat4> world_from_object);
+    void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
+
+    std::span<const LineObject> objects() const { return objects_; }
+    std::uint32_t vertex_count() const { return vertex_count_; }
+    /// Per object.
+    const std::vector<glm::mat4>& transforms() const { return transforms_; }
+    /// Around all of the model where it is now.
+    const Bounds& bounds() const { return bounds_; }
+    /// Counts changes of positions.
+    std::uint64_t shape_version() const { return shape_version_; }
+
+    /// How far points of the model have moved on the screen: the median, in pixels; infinite if
+    /// none can be seen in both pictures.
+    float typical_motion(const Camera& from, std::span<const glm::mat4> transforms_from,
+                         const Camera& to) const;
+    /// Per object a 1 if by itself it has moved on the screen by more than `most_pixels`; empty if
+    /// none has.
+    std::vector<std::uint8_t> jumped(std::span<const glm::mat4> transforms_from, const Camera& to,
+                                     float most_pixels) const;
+
+  private:
+    /// Points by which the motion of a picture is judged: some of the vertices.
+    struct Landmark {
+        std::uint32_t vertex, object;
+        glm::vec3 position;
+    };
+    void update_bounds();
+
+    std::vector<LineObject> objects_; ///< one if nothing moves on its own
+    std::uint32_t vertex_count_;
+    std::vector<Bounds> boxes_; ///< per object, as it was made
+    std::vector<glm::mat4> transforms_;
+    std::vector<Landmark> landmarks_;
+    Bounds bounds_;
+    std::uint64_t shape_version_ = 0;
+};
+
+} // namespace lineatlas

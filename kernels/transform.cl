@@ -1,0 +1,89 @@
+/* transform: moves the objects of a model by a matrix each (§4.1). Runs only in frames after a
+ * change.
+ *
+ * transform: the vertices. transform_boxes: the boxes of the clusters. transform_bounds: those
+ * boxes anew, of a model whose shape has changed. transform_forget: what temporal must not average.
+ */
+
+#include "segment_table.h"
+
+#pragma OPENCL FP_CONTRACT OFF
+
+/* A row of an object's affine matrix, world from object. Products with 0 and 1 are exact: what
+ * stands where it was made stays there bit by bit. */
+static float moved(__global const float* row, const float3 v) {
+    return (row[0] * v.x + row[1] * v.y) + (row[2] * v.z + row[3]);
+}
+
+/* matrices: three rows of four for every object. vertices, drawn: the same, for kernels and for
+ * GL, which read them at the same time. One work-item per vertex. */
+__kernel void transform(__global const float* restrict rest, __global const uint* restrict objects,
+                        __global const float* restrict matrices, const uint count,
+                        __global float* restrict vertices, __global float* restrict drawn) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= count) return;
+    const float3 v = vload3(i, rest);
+    __global const float* m = matrices + 12 * objects[i];
+    const float3 at = (float3)(moved(m, v), moved(m + 4, v), moved(m + 8, v));
+    vstore3(at, i, vertices);
+    vstore3(at, i, drawn);
+}
+
+/* One axis of a box around a moved box: the middle moves, and half its size grows with the row. A
+ * little larger than that, so that no vertex that is rounded differently lies outside. */
+static float2 moved_extent(__global const float* row, const float3 middle, const float3 half_size) {
+    const float at = moved(row, middle);
+    const float reach =
+        (fabs(row[0]) * half_size.x + fabs(row[1]) * half_size.y) + fabs(row[2]) * half_size.z;
+    const float size = (fabs(row[0] * middle.x) + fabs(row[1] * middle.y)) +
+                       (fabs(row[2] * middle.z) + fabs(row[3]));
+    const float most = reach + LA_BOX_ROUNDING * (reach + size);
+    return (float2)(at - most, at + most);
+}
+
+/* The box around every cluster's moved box. objects: of the clusters, which lie in one each. */
+__kernel void transform_boxes(__global const Cluster* restrict rest,
+                              __global const uint* restrict objects,
+                              __global const float* restrict matrices, const uint count,
+                              __global Cluster* restrict clusters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= count) return;
+    const float3 low = vload3(0, rest[i].low), high = vload3(0, rest[i].high);
+    const float3 middle = (low + high) * 0.5f, half_size = (high - low) * 0.5f;
+    __global const float* m = matrices + 12 * objects[i];
+    for (int axis = 0; axis < 3; ++axis) {
+        const float2 extent = moved_extent(m + 4 * axis, middle, half_size);
+        clusters[i].low[axis] = extent.x;
+        clusters[i].high[axis] = extent.y;
+    }
+    clusters[i].first = rest[i].first;
+    clusters[i].count = rest[i].count;
+}
+
+/* The boxes of clusters from their vertices. triangles: in the order of the clusters. */
+__kernel void transform_bounds(__global const float* restrict vertices,
+                               __global const uint* restrict triangles, const uint count,
+                               __global Cluster* restrict clusters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= count) return;
+    const uint first = 3 * clusters[i].first, last = first + 3 * clusters[i].count;
+    float3 low = INFINITY, high = -INFINITY;
+    for (uint k = first; k < last; ++k) {
+        const float3 v = vload3(triangles[k], vertices);
+        low = fmin(low, v);
+        high = fmax(high, v);
+    }
+    vstore3(low, 0, clusters[i].low);
+    vstore3(high, 0, clusters[i].high);
+}
+
+/* ranges: of `temporal`; those of segments of jumped objects become empty, so that no sample is
+ * found in the frame before. One work-item per segment. */
+__kernel void transform_forget(__global const Segment* restrict segments, const uint count,
+                               __global const uint* restrict objects,
+                               __global const uchar* restrict jumped,
+                               __global uint* restrict ranges) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= count) return;
+    if (jumped[objects[segments[i].p]] != 0) ranges[i] = 0;
+}
