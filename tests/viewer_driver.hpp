@@ -26,6 +26,12 @@ class ViewerDriver {
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             session().changed();
+            panel_frames(1);
+        }
+    }
+    /// Frames that only show what there is, and take little time.
+    void panel_frames(int count) {
+        for (int i = 0; i < count; ++i) {
             app_.on_refresh();
             app_.step(0);
         }

@@ -1,9 +1,12 @@
 // The viewer's window: mouse, keys, loading, rest and end. Needs a display: xvfb-run gives one.
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <memory>
 #include <thread>
 
+#include "lineatlas/scenes.hpp"
 #include "viewer_support.hpp"
 
 namespace lineatlas::test {
@@ -66,25 +69,46 @@ TEST_F(Viewer, RestsWhenNothingChanges) {
     EXPECT_EQ(session().frames_drawn(), drawn) << "the picture is kept";
 }
 
+/// A reader that does not come to its end before it is let go.
+class HeldReader {
+  public:
+    viewer::Loader::Reader reader() {
+        return [go = go_](const viewer::ModelSource& source) {
+            while (!*go) std::this_thread::sleep_for(std::chrono::milliseconds{2});
+            auto model = std::make_shared<viewer::Model>();
+            model->source = source;
+            model->mesh = make_scene("house").mesh;
+            return model;
+        };
+    }
+    void let_go() { *go_ = true; }
+
+  private:
+    std::shared_ptr<std::atomic<bool>> go_ = std::make_shared<std::atomic<bool>>(false);
+};
+
 TEST_F(Viewer, LoadsInTheBackgroundAndCanBeCancelled) {
+    HeldReader held;
+    session().loader.set_reader(held.reader());
     session().open_scene("ship");
-    hand_.frames(2);
-    ASSERT_TRUE(session().loader.busy()) << "the ship takes a second";
+    hand_.panel_frames(2);
+    ASSERT_TRUE(session().loader.busy());
     hand_.screenshot("loading");
     ASSERT_TRUE(hand_.has("cancel"));
     const glm::dvec2 place = hand_.middle_of("cancel");
     for (const int action : {GLFW_PRESS, GLFW_RELEASE}) {
         app_.on_mouse_move(place);
-        hand_.frames(1);
+        hand_.panel_frames(1);
         app_.on_mouse_button(GLFW_MOUSE_BUTTON_LEFT, action, 0);
-        hand_.frames(1);
+        hand_.panel_frames(1);
     }
     EXPECT_FALSE(session().loader.busy());
+    held.let_go();
     while (viewer::Loader::any_thread()) app_.step(0.01);
     hand_.rest();
     EXPECT_EQ(session().model()->source.name(), "clevis") << "the ship is not taken";
     hand_.open_scene("house");
-    EXPECT_EQ(session().model()->source.name(), "house");
+    EXPECT_EQ(session().model()->source.name(), "house") << "the next one is";
 }
 
 TEST(ViewerEnd, DoesNotWaitForAReader) {
@@ -92,11 +116,13 @@ TEST(ViewerEnd, DoesNotWaitForAReader) {
     ImageWriter writer;
     auto app = std::make_unique<viewer::Application>(
         viewer::ApplicationOptions{.size = {640, 400}, .scripted = true}, writer);
+    HeldReader held;
+    app->session().loader.set_reader(held.reader());
     app->session().open_scene("ship");
     app->step(0);
-    ASSERT_TRUE(viewer::Loader::any_thread());
-    app.reset();
-    EXPECT_TRUE(viewer::Loader::any_thread()) << "the window was closed after the reader's end";
+    app.reset(); // would hang here
+    EXPECT_TRUE(viewer::Loader::any_thread());
+    held.let_go();
     const Clock::time_point start = Clock::now();
     while (viewer::Loader::any_thread() && Clock::now() - start < std::chrono::seconds{60}) {
         std::this_thread::sleep_for(std::chrono::milliseconds{20});

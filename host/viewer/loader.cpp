@@ -18,6 +18,7 @@ std::atomic<int> threads{0};
 
 struct Loader::Job {
     ModelSource source;
+    Reader reader;
     std::atomic<const char*> stage{""};
     std::atomic<bool> cancelled{false};
     std::mutex mutex; ///< of what follows
@@ -34,9 +35,7 @@ struct Loader::Job {
     }
 };
 
-namespace {
-
-std::shared_ptr<Model> read(const ModelSource& source) {
+std::shared_ptr<Model> Loader::read(const ModelSource& source) {
     auto model = std::make_shared<Model>();
     model->source = source;
     if (source.file.empty()) {
@@ -51,13 +50,11 @@ std::shared_ptr<Model> read(const ModelSource& source) {
     return model;
 }
 
-} // namespace
-
 void Loader::run(const std::shared_ptr<Job>& job) {
     Result result;
     try {
         job->say(job->source.file.empty() ? "Building the scene" : "Reading the file");
-        const std::shared_ptr<Model> model = read(job->source);
+        const std::shared_ptr<Model> model = job->reader(job->source);
         if (!job->cancelled) {
             job->say("Finding its lines");
             model->lines = extract_lines(model->mesh, job->source.lines);
@@ -77,6 +74,7 @@ void Loader::start(ModelSource source) {
     cancel();
     job_ = std::make_shared<Job>();
     job_->source = std::move(source);
+    job_->reader = reader_;
     job_->wake = wake_;
     ++threads;
     std::thread{[job = job_]() mutable {

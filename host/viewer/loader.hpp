@@ -40,6 +40,10 @@ class Loader {
     Loader(const Loader&) = delete;
     Loader& operator=(const Loader&) = delete;
 
+    /// How models are read from now on, on that thread; by default files and built-in scenes.
+    using Reader = std::function<std::shared_ptr<Model>(const ModelSource&)>;
+    void set_reader(Reader reader) { reader_ = std::move(reader); }
+
     /// In place of what is being read.
     void start(ModelSource source);
     /// What is being read will not be taken. Its thread reads on to the end: readers can't be
@@ -61,7 +65,10 @@ class Loader {
     struct Job;
     static void run(const std::shared_ptr<Job>& job);
 
+    static std::shared_ptr<Model> read(const ModelSource& source);
+
     std::function<void()> wake_;
+    Reader reader_ = read;
     std::shared_ptr<Job> job_;
 };
 
