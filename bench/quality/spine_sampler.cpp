@@ -30,7 +30,7 @@ AtlasLayout layout_for(const ClippedLines& lines) {
 
 SpineSampler::SpineSampler(const LineSet& lines)
     : connection_(interop::connect({.backend = "reference", .device = {}, .mode = std::nullopt})),
-      scene_(*connection_.backend, lines), depth_(connection_) {
+      scene_(*connection_.backend, connection_.mode, lines), depth_(connection_) {
     depth_.set_scene(scene_);
 }
 

@@ -8,6 +8,7 @@
 #include "apps/camera_path.hpp"
 #include "apps/style_options.hpp"
 #include "io/extension.hpp"
+#include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/style_files.hpp"
 #include "saving.hpp"
@@ -67,7 +68,7 @@ void Session::open_first_camera(const std::filesystem::path& file) {
 }
 
 void Session::load_pens(const Style& style) {
-    for (const auto& [mark, image] : apps::read_pen_images(style)) {
+    for (const auto& [mark, image] : read_pen_images(style)) {
         renderer_->set_pen_image(mark, image);
     }
 }
