@@ -33,10 +33,11 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_group; ///< per triangle, index into `groups`; or empty
     std::vector<MeshGroup> groups;             ///< empty when `triangle_group` is empty
     std::vector<std::vector<std::uint32_t>> polylines; ///< lines given in the file (OBJ `l`)
-    /// What moves on its own (LineOptions::separate_objects): per triangle and per polyline the
-    /// number of its object. Empty: triangles of groups of one name are an object, and polylines
-    /// are one, the last.
-    std::vector<std::uint32_t> triangle_object{}, polyline_object{};
+    /// What moves on its own (LineOptions::separate_objects): per triangle the number of its
+    /// object. Empty: triangles of groups of one name are an object.
+    std::vector<std::uint32_t> triangle_object{};
+    /// The same per polyline. Empty: polylines are one object, the last.
+    std::vector<std::uint32_t> polyline_object{};
 
     /// Whether it has nothing to draw.
     bool empty() const { return triangles.empty() && polylines.empty(); }
