@@ -40,6 +40,7 @@ using Rows = std::vector<Row>;
 
 // The rows of every stage. `backends` must outlive them.
 Rows copy_rows(const Backends& backends);
+Rows transform_rows(const Backends& backends);
 Rows pyramid_rows(const Backends& backends);
 Rows cull_rows(const Backends& backends);
 Rows facing_rows(const Backends& backends);

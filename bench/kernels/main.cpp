@@ -71,9 +71,9 @@ void time_goal(benchmark::State& state, Goal& goal, const Rows& rows) {
 
 Rows all_rows(const Backends& backends) {
     Rows result;
-    for (const auto rows_of :
-         {copy_rows, pyramid_rows, cull_rows, facing_rows, project_clip_rows, scan_rows, atlas_rows,
-          compact_rows, compact_runs_rows, intervals_rows, halo_rows, density_rows}) {
+    for (const auto rows_of : {copy_rows, transform_rows, pyramid_rows, cull_rows, facing_rows,
+                               project_clip_rows, scan_rows, atlas_rows, compact_rows,
+                               compact_runs_rows, intervals_rows, halo_rows, density_rows}) {
         for (Row& row : rows_of(backends)) result.push_back(std::move(row));
     }
     return result;

@@ -52,8 +52,10 @@ class HostPointerBuffer final : public SharedBuffer {
     }
     ~HostPointerBuffer() override {
         // The wrapper must be gone before GL takes its memory away, and so must what works on it:
-        // an error may have ended a frame with kernels on their way.
+        // an error may have ended a frame with kernels on their way. PoCL 3.1 keeps for ever what
+        // is released while it is mapped.
         try {
+            backend_.end_host_access(*compute_);
             backend_.finish();
         } catch (const Error&) {
             // A queue that failed runs nothing any more.

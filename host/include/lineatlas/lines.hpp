@@ -53,7 +53,7 @@ struct LineOptions {
 
 /// What moves on its own.
 struct LineObject {
-    std::string name; ///< MeshGroup::object; empty where objects are numbers
+    std::string name;               ///< MeshGroup::object; empty where objects are numbers
     std::uint32_t first_vertex = 0; ///< of its part of LineSet::vertices
     std::uint32_t vertex_count = 0; ///< in that part
 };
