@@ -52,7 +52,7 @@ FrameOptions all_effects(Method method) {
 class Fault : public testing::TestWithParam<std::string> {
   protected:
     Fault() {
-        opencl_faults() = {.live = opencl_faults().live};
+        opencl_faults() = {.references = opencl_faults().references};
         static const bool hooked = (hook_gl(), true);
         EXPECT_TRUE(hooked);
         gl_faults() = {.live = gl_faults().live};
@@ -81,7 +81,7 @@ class Fault : public testing::TestWithParam<std::string> {
     void fail_each_creation(int& fail, const int& creations, const FrameOptions& options) {
         const Picture expected = draw(*make_renderer(), options);
         const long live_gl = gl_faults().live;
-        const long live_cl = opencl_faults().live;
+        const ClCounts live_cl = opencl_faults().references;
         int failed = 0, survived = 0, n = 0;
         for (bool reached = true; reached;) {
             fail = ++n;
@@ -98,7 +98,8 @@ class Fault : public testing::TestWithParam<std::string> {
             }
             EXPECT_GT(creations, before);
             EXPECT_EQ(gl_faults().live, live_gl) << "objects of GL left after creation " << n;
-            EXPECT_EQ(opencl_faults().live, live_cl) << "OpenCL objects left after creation " << n;
+            EXPECT_EQ(opencl_faults().references, live_cl)
+                << "OpenCL objects left after creation " << n;
             fail = 0;
             if (HasFailure()) return;
         }

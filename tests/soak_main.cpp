@@ -74,7 +74,7 @@ long resident_memory() {
 long opencl_objects(const char* layer) {
     static auto* faults = reinterpret_cast<test::GetOpenClFaults*>(
         dlsym(dlopen(layer, RTLD_NOW), test::opencl_faults_symbol));
-    return faults()->live;
+    return faults()->live();
 }
 
 class Soak {

@@ -15,10 +15,7 @@ add_viewer_test(viewer_window_test SOURCES viewer_window_test.cpp)
 add_test_program(viewer_navigation_test SOURCES viewer_navigation_test.cpp LIBRARIES lineatlas_viewer)
 
 # What OpenCL objects the viewer leaves behind, a layer below it counts.
-add_library(cl_count_layer MODULE cl_count_layer/layer.cpp)
-target_compile_definitions(cl_count_layer PRIVATE CL_TARGET_OPENCL_VERSION=300)
-target_link_libraries(cl_count_layer PRIVATE lineatlas_options OpenCL::OpenCL)
 add_viewer_test(viewer_soak_test SOURCES viewer_soak_test.cpp LIBRARIES ${CMAKE_DL_LIBS})
 target_compile_definitions(viewer_soak_test PRIVATE
-    LINEATLAS_CL_COUNT_LAYER="$<TARGET_FILE:cl_count_layer>")
-add_dependencies(viewer_soak_test cl_count_layer)
+    LINEATLAS_FAULT_LAYER="$<TARGET_FILE:fault_layer>")
+add_dependencies(viewer_soak_test fault_layer)

@@ -11,7 +11,7 @@
 #include <epoxy/gl.h>
 #include <unistd.h>
 
-#include "cl_count_layer/layer.hpp"
+#include "fault_layer/fault_layer.hpp"
 #include "viewer_driver.hpp"
 
 namespace lineatlas::test {
@@ -28,12 +28,11 @@ struct Counts {
 };
 
 ClCounts count_cl() {
-    void* layer = dlopen(LINEATLAS_CL_COUNT_LAYER, RTLD_LAZY | RTLD_NOLOAD);
+    void* layer = dlopen(LINEATLAS_FAULT_LAYER, RTLD_LAZY | RTLD_NOLOAD);
     if (layer == nullptr) throw std::runtime_error{"the OpenCL loader has not taken the layer"};
-    const auto count =
-        reinterpret_cast<CountClReferences*>(dlsym(layer, count_cl_references_symbol));
+    const auto faults = reinterpret_cast<GetOpenClFaults*>(dlsym(layer, opencl_faults_symbol));
     dlclose(layer);
-    return count();
+    return faults()->references;
 }
 
 /// Names in use. Mesa gives the lowest that is free, so that none is beyond `most`.
@@ -73,7 +72,7 @@ void switch_everything(viewer::Session& session, int number) {
 }
 
 TEST(ViewerSoak, LeavesNothingBehind) {
-    ::setenv("OPENCL_LAYERS", LINEATLAS_CL_COUNT_LAYER, 1); // before the first OpenCL call
+    ::setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1); // before the first OpenCL call
     ImageWriter writer;
     viewer::Application app{{.size = {800, 500}, .scripted = true}, writer};
     ViewerDriver hand{app};

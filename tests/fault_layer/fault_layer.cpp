@@ -1,14 +1,14 @@
 #include "fault_layer.hpp"
 
-#include <cstring>
 #include <tuple>
+#include <type_traits>
 
 #include <CL/cl_icd.h>
-#include <CL/cl_layer.h>
 
+#include "opencl_layer_entry.hpp"
+
+namespace lineatlas::test {
 namespace {
-
-using lineatlas::test::OpenClFaults;
 
 OpenClFaults faults;
 const cl_icd_dispatch* driver = nullptr;
@@ -20,12 +20,20 @@ bool fails(int& count, int& wanted) {
     return true; // wanted is 0 now: those after it succeed
 }
 
-template <auto function>
+/// A command that was asked for its event made one.
+template <class Argument>
+void count_event(Argument argument) {
+    if constexpr (std::is_same_v<Argument, cl_event*>) {
+        if (argument != nullptr) ++faults.references[cl_events];
+    }
+}
+
+template <auto function, ClKind kind = cl_kinds>
 struct Hook;
 
 template <class Result, class... Arguments,
-          Result (CL_API_CALL* cl_icd_dispatch::*function)(Arguments...)>
-struct Hook<function> {
+          Result (CL_API_CALL* cl_icd_dispatch::*function)(Arguments...), ClKind kind>
+struct Hook<function, kind> {
     /// Of what makes an object and returns a status through its last argument.
     static Result CL_API_CALL create(Arguments... arguments) {
         if (fails(faults.creations, faults.fail_creation)) {
@@ -34,7 +42,7 @@ struct Hook<function> {
             return nullptr;
         }
         Result result = (driver->*function)(arguments...);
-        if (result != nullptr) ++faults.live;
+        if (result != nullptr) ++faults.references[kind];
         return result;
     }
     static Result CL_API_CALL build(Arguments... arguments) {
@@ -43,7 +51,9 @@ struct Hook<function> {
     }
     static Result CL_API_CALL command(Arguments... arguments) {
         if (fails(faults.commands, faults.fail_command)) return CL_OUT_OF_RESOURCES;
-        return (driver->*function)(arguments...);
+        const Result status = (driver->*function)(arguments...);
+        if (status == CL_SUCCESS) (count_event(arguments), ...);
+        return status;
     }
     /// Of what maps memory: a command with the status last.
     static Result CL_API_CALL map(Arguments... arguments) {
@@ -52,28 +62,49 @@ struct Hook<function> {
             if (status != nullptr) *status = CL_MAP_FAILURE;
             return nullptr;
         }
-        return (driver->*function)(arguments...);
+        Result memory = (driver->*function)(arguments...);
+        if (memory != nullptr) (count_event(arguments), ...);
+        return memory;
     }
     static Result CL_API_CALL retain(Arguments... arguments) {
         const Result status = (driver->*function)(arguments...);
-        if (status == CL_SUCCESS) ++faults.live;
+        if (status == CL_SUCCESS) ++faults.references[kind];
         return status;
     }
     static Result CL_API_CALL release(Arguments... arguments) {
         const Result status = (driver->*function)(arguments...);
-        if (status == CL_SUCCESS) --faults.live;
+        if (status == CL_SUCCESS) --faults.references[kind];
         return status;
     }
 };
 
-void add_hooks(cl_icd_dispatch& table) {
+} // namespace
+
+void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     using D = cl_icd_dispatch;
-    table.clCreateContext = Hook<&D::clCreateContext>::create;
-    table.clCreateCommandQueue = Hook<&D::clCreateCommandQueue>::create;
-    table.clCreateBuffer = Hook<&D::clCreateBuffer>::create;
-    table.clCreateProgramWithSource = Hook<&D::clCreateProgramWithSource>::create;
-    table.clCreateProgramWithBinary = Hook<&D::clCreateProgramWithBinary>::create;
-    table.clCreateKernel = Hook<&D::clCreateKernel>::create;
+    driver = &below;
+    table.clCreateContext = Hook<&D::clCreateContext, cl_contexts>::create;
+    table.clCreateContextFromType = Hook<&D::clCreateContextFromType, cl_contexts>::create;
+    table.clRetainContext = Hook<&D::clRetainContext, cl_contexts>::retain;
+    table.clReleaseContext = Hook<&D::clReleaseContext, cl_contexts>::release;
+    table.clCreateCommandQueue = Hook<&D::clCreateCommandQueue, cl_queues>::create;
+    table.clRetainCommandQueue = Hook<&D::clRetainCommandQueue, cl_queues>::retain;
+    table.clReleaseCommandQueue = Hook<&D::clReleaseCommandQueue, cl_queues>::release;
+    table.clCreateBuffer = Hook<&D::clCreateBuffer, cl_memory>::create;
+    table.clCreateSubBuffer = Hook<&D::clCreateSubBuffer, cl_memory>::create;
+    table.clCreateImage = Hook<&D::clCreateImage, cl_memory>::create;
+    table.clRetainMemObject = Hook<&D::clRetainMemObject, cl_memory>::retain;
+    table.clReleaseMemObject = Hook<&D::clReleaseMemObject, cl_memory>::release;
+    table.clCreateProgramWithSource = Hook<&D::clCreateProgramWithSource, cl_programs>::create;
+    table.clCreateProgramWithBinary = Hook<&D::clCreateProgramWithBinary, cl_programs>::create;
+    table.clRetainProgram = Hook<&D::clRetainProgram, cl_programs>::retain;
+    table.clReleaseProgram = Hook<&D::clReleaseProgram, cl_programs>::release;
+    table.clCreateKernel = Hook<&D::clCreateKernel, cl_kernels>::create;
+    table.clRetainKernel = Hook<&D::clRetainKernel, cl_kernels>::retain;
+    table.clReleaseKernel = Hook<&D::clReleaseKernel, cl_kernels>::release;
+    table.clCreateUserEvent = Hook<&D::clCreateUserEvent, cl_events>::create;
+    table.clRetainEvent = Hook<&D::clRetainEvent, cl_events>::retain;
+    table.clReleaseEvent = Hook<&D::clReleaseEvent, cl_events>::release;
     table.clBuildProgram = Hook<&D::clBuildProgram>::build;
     table.clEnqueueNDRangeKernel = Hook<&D::clEnqueueNDRangeKernel>::command;
     table.clEnqueueReadBuffer = Hook<&D::clEnqueueReadBuffer>::command;
@@ -81,47 +112,15 @@ void add_hooks(cl_icd_dispatch& table) {
     table.clEnqueueCopyBuffer = Hook<&D::clEnqueueCopyBuffer>::command;
     table.clEnqueueFillBuffer = Hook<&D::clEnqueueFillBuffer>::command;
     table.clEnqueueUnmapMemObject = Hook<&D::clEnqueueUnmapMemObject>::command;
+    table.clEnqueueMarkerWithWaitList = Hook<&D::clEnqueueMarkerWithWaitList>::command;
+    table.clEnqueueBarrierWithWaitList = Hook<&D::clEnqueueBarrierWithWaitList>::command;
     table.clEnqueueMapBuffer = Hook<&D::clEnqueueMapBuffer>::map;
     table.clFlush = Hook<&D::clFlush>::command;
     table.clFinish = Hook<&D::clFinish>::command;
-    table.clRetainContext = Hook<&D::clRetainContext>::retain;
-    table.clRetainCommandQueue = Hook<&D::clRetainCommandQueue>::retain;
-    table.clRetainMemObject = Hook<&D::clRetainMemObject>::retain;
-    table.clRetainProgram = Hook<&D::clRetainProgram>::retain;
-    table.clRetainKernel = Hook<&D::clRetainKernel>::retain;
-    table.clReleaseContext = Hook<&D::clReleaseContext>::release;
-    table.clReleaseCommandQueue = Hook<&D::clReleaseCommandQueue>::release;
-    table.clReleaseMemObject = Hook<&D::clReleaseMemObject>::release;
-    table.clReleaseProgram = Hook<&D::clReleaseProgram>::release;
-    table.clReleaseKernel = Hook<&D::clReleaseKernel>::release;
 }
 
-} // namespace
+} // namespace lineatlas::test
 
-extern "C" OpenClFaults* lineatlas_test_opencl_faults() {
-    return &faults;
-}
-
-cl_int CL_API_CALL clGetLayerInfo(cl_layer_info name, size_t size, void* value,
-                                  size_t* size_needed) {
-    if (name != CL_LAYER_API_VERSION) return CL_INVALID_VALUE;
-    constexpr cl_layer_api_version version = CL_LAYER_API_VERSION_100;
-    if (size_needed != nullptr) *size_needed = sizeof(version);
-    if (value == nullptr) return CL_SUCCESS;
-    if (size < sizeof(version)) return CL_INVALID_VALUE;
-    std::memcpy(value, &version, sizeof(version));
-    return CL_SUCCESS;
-}
-
-cl_int CL_API_CALL clInitLayer(cl_uint entries, const cl_icd_dispatch* below,
-                               cl_uint* entries_result, const cl_icd_dispatch** result) {
-    static cl_icd_dispatch table{};
-    constexpr auto own_entries = static_cast<cl_uint>(sizeof(table) / sizeof(table.clFinish));
-    if (entries < own_entries) return CL_INVALID_VALUE;
-    driver = below;
-    table = *below;
-    add_hooks(table);
-    *entries_result = own_entries;
-    *result = &table;
-    return CL_SUCCESS;
+extern "C" lineatlas::test::OpenClFaults* lineatlas_test_opencl_faults() {
+    return &lineatlas::test::faults;
 }

@@ -5,9 +5,8 @@
 #include <cstring>
 #include <utility>
 
-#include <CL/cl_layer.h>
-
 #include "gl_watch.hpp"
+#include "opencl_layer_entry.hpp"
 #include "sharing.hpp"
 #include "state.hpp"
 
@@ -75,36 +74,18 @@ void* CL_API_CALL get_function(cl_platform_id platform, const char* name) {
 }
 
 } // namespace
+
+void begin_layer(const cl_icd_dispatch& driver, cl_icd_dispatch& table) {
+    state().driver = &driver;
+    table.clGetDeviceInfo = get_device_info;
+    table.clGetExtensionFunctionAddressForPlatform = get_function;
+    add_sharing(table);
+    add_checks(table);
+    watch_gl();
+}
+
 } // namespace lineatlas::test
 
 lineatlas::test::LayerCounts lineatlas_test_take_layer_counts() {
     return std::exchange(lineatlas::test::state().counts, {});
-}
-
-cl_int CL_API_CALL clGetLayerInfo(cl_layer_info name, size_t size, void* value,
-                                  size_t* size_needed) {
-    if (name != CL_LAYER_API_VERSION) return CL_INVALID_VALUE;
-    constexpr cl_layer_api_version version = CL_LAYER_API_VERSION_100;
-    if (size_needed != nullptr) *size_needed = sizeof(version);
-    if (value == nullptr) return CL_SUCCESS;
-    if (size < sizeof(version)) return CL_INVALID_VALUE;
-    std::memcpy(value, &version, sizeof(version));
-    return CL_SUCCESS;
-}
-
-cl_int CL_API_CALL clInitLayer(cl_uint entries, const cl_icd_dispatch* driver,
-                               cl_uint* entries_result, const cl_icd_dispatch** result) {
-    static cl_icd_dispatch table{};
-    constexpr auto own_entries = static_cast<cl_uint>(sizeof(table) / sizeof(table.clFinish));
-    if (entries < own_entries) return CL_INVALID_VALUE;
-    lineatlas::test::state().driver = driver;
-    table = *driver;
-    table.clGetDeviceInfo = lineatlas::test::get_device_info;
-    table.clGetExtensionFunctionAddressForPlatform = lineatlas::test::get_function;
-    lineatlas::test::add_sharing(table);
-    lineatlas::test::add_checks(table);
-    lineatlas::test::watch_gl();
-    *entries_result = own_entries;
-    *result = &table;
-    return CL_SUCCESS;
 }
