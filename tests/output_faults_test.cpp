@@ -8,6 +8,8 @@
 #include <string_view>
 #include <thread>
 
+#include <linux/capability.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 #include "tool.hpp"
@@ -44,6 +46,7 @@ class OutputFaults : public Tool {
         const rlimit largest{limit, limit};
         ::setrlimit(RLIMIT_FSIZE, &largest);
         ::signal(SIGXFSZ, SIG_IGN); // the write fails, as on a full disk
+        ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions hold for the superuser, too
         const std::string command =
             std::string{"exec "} + LINEATLAS_TOOL + " " + arguments + " >/dev/null 2>&1";
         ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
@@ -118,6 +121,27 @@ TEST_F(OutputFaults, ADiskWithoutRoomLeavesWhatWasThere) {
     // The picture itself fits.
     const std::string small = "--size 8x8 -o " + path("other.png") + " --profile ";
     for (const char* name : {"x.json", "x.csv"}) expect_old(small, name);
+}
+
+TEST_F(OutputFaults, AReadOnlyFolderKeepsWhatItHas) {
+    fs::create_directory(path("closed"));
+    const auto expect_exit = [&](int code, const std::string& option, const std::string& name) {
+        EXPECT_EQ(wait_for(start("draw --scene clevis --size 64x48 " + option + path(name))), code)
+            << name;
+    };
+    std::vector<std::string> names;
+    for (const std::string& ending : endings) names.push_back("x" + ending);
+    const std::string profile = "-o " + path("other.png") + " --profile ";
+    for (const std::string& name : names) write("closed/" + name, old_content);
+    write("closed/x.csv", old_content);
+    const auto before = contents("closed");
+    fs::permissions(path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+    for (const std::string& name : names) expect_exit(1, "-o ", "closed/" + name);
+    expect_exit(1, profile, "closed/x.csv");
+    expect_exit(1, "-o ", "closed/new.png");
+    EXPECT_EQ(contents("closed"), before);
+    fs::permissions(path("closed"), fs::perms::owner_all);
+    expect_exit(0, "-o ", "closed/new.png"); // it was the permission that failed
 }
 
 TEST_F(OutputFaults, AFolderThatGoesAwayIsSaid) {
