@@ -45,7 +45,7 @@ class OutputFaults : public Tool {
         ::setpgid(0, 0);
         const rlimit largest{limit, limit};
         ::setrlimit(RLIMIT_FSIZE, &largest);
-        ::signal(SIGXFSZ, SIG_IGN); // the write fails, as on a full disk
+        ::signal(SIGXFSZ, SIG_IGN);                 // the write fails, as on a full disk
         ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions hold for the superuser, too
         const std::string command =
             std::string{"exec "} + LINEATLAS_TOOL + " " + arguments + " >/dev/null 2>&1";
