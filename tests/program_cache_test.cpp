@@ -1,7 +1,9 @@
 // The cache of built programs: its files may be damaged, swapped and half written at any time.
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <string>
 #include <thread>
 
@@ -116,11 +118,16 @@ TEST(ProgramCache, TwoHundredKillsLeaveWholeEntriesOnly) {
     const Bytes large[2] = {Bytes(2'000'000, 'a'), Bytes(1'500'001, 'b')};
     std::minstd_rand random{2};
     unsigned interrupted = 0, whole = 0;
+    // A writer lives for up to three files, however slow this machine and its sanitizers are.
+    const auto start = std::chrono::steady_clock::now();
+    ::waitpid(start_process([&] { cache.store(key_of(0), large[0]); }), nullptr, 0);
+    const std::chrono::duration<double> longest = 3 * (std::chrono::steady_clock::now() - start);
+    std::uniform_real_distribution<double> part{0, 1};
     for (unsigned round = 0; round < 200; ++round) {
         const pid_t child = start_process([&] {
             for (unsigned i = 0;; i ^= 1U) cache.store(key_of(i), large[i]);
         });
-        std::this_thread::sleep_for(std::chrono::microseconds{random() % 8000});
+        std::this_thread::sleep_for(part(random) * longest);
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
         for (unsigned i = 0; i < 2; ++i) {
