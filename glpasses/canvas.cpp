@@ -1,7 +1,6 @@
 #include "canvas.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -13,15 +12,13 @@ namespace lineatlas::gl {
 Canvas::Canvas(glm::ivec2 size, int bits)
     : size_(size), bits_(bits), texture_(Texture2D::create()), depth_(Renderbuffer::create()),
       framebuffer_(Framebuffer::create()) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
-        throw UsageError("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                         " can't be drawn: each side must be 1 to " + std::to_string(largest) +
-                         " pixels here");
+    if (size.x < 1 || size.y < 1) {
+        throw UsageError("a picture of " + written_size(size) +
+                         " can't be drawn: each side must have at least one pixel");
     }
-    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, "a picture");
-    allocate(depth_, GL_DEPTH_COMPONENT32F, size, "the depth of a picture");
+    check_side(size, purpose::picture);
+    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, purpose::picture);
+    allocate(depth_, GL_DEPTH_COMPONENT32F, size, purpose::picture);
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
     glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                    depth_.id());

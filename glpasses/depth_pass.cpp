@@ -34,7 +34,7 @@ DepthPass::DepthPass()
 void DepthPass::resize(glm::ivec2 size) {
     if (size == size_) return;
     Texture2D texture = Texture2D::create();
-    allocate(texture, GL_DEPTH_COMPONENT32F, size, "depth");
+    allocate(texture, GL_DEPTH_COMPONENT32F, size, purpose::depth);
     texture_ = std::move(texture);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -44,6 +44,7 @@ class AtlasMethod {
     SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
     }
+    void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
     void steady(Frame& frame);
@@ -57,9 +58,15 @@ class AtlasMethod {
     void draw_strokes(Frame& frame);
     FrameStats stats(Frame& frame);
 
-    std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
-        return interop::make_shared_buffer(backend_, mode_, bytes);
+    std::unique_ptr<SharedBuffer> shared(std::size_t bytes, const Purpose& purpose) const {
+        return interop::make_shared_buffer(backend_, mode_, bytes, purpose);
     }
+    /// Makes the atlas anew, for `sample_capacity_`.
+    void make_atlas();
+    /// What an atlas of the current layout can hold at most.
+    std::uint64_t most_samples() const;
+    /// Whether the current frame's atlas has more rows than GL can draw, and kernels may do it.
+    bool leaves_raster(const Frame& frame, std::uint32_t samples) const;
     /// Whether kernels need the current frame's depth.
     bool reads_depth() const { return !raster_ || cull_hidden_ || keeps_intervals_; }
     compute::ClippedTable clipped_table() {
@@ -70,7 +77,7 @@ class AtlasMethod {
     interop::SharingMode mode_;
     interop::Handover handover_;
     bool raster_is_faster_;
-    GLint largest_texture_ = 0;
+    GLint largest_side_ = 0; ///< of what GL draws to
     GLint largest_texture_buffer_ = 0;
 
     DepthStage depth_;

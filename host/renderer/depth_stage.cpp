@@ -38,7 +38,7 @@ DepthStage::DepthStage(const interop::Connection& connection)
 void DepthStage::set_scene(const SceneBuffers& scene) {
     seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
     appeared_.resize(seen_.size());
-    visible_ = backend_.allocate(seen_.size());
+    visible_ = compute::allocate(backend_, seen_.size(), purpose::model);
 }
 
 void DepthStage::prepare(const Frame& frame) {
@@ -46,14 +46,16 @@ void DepthStage::prepare(const Frame& frame) {
     prepare_depth(texels);
     const std::size_t tile_bytes = area(compute::tiles_for(texels)) * sizeof(float);
     if (!tiles_ || tiles_->size() < tile_bytes) {
-        tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes);
+        tiles_.reset(); // it may not fit beside another
+        tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes, purpose::depth);
     }
 }
 
 void DepthStage::prepare_depth(glm::ivec2 size) {
     const std::size_t bytes = area(size) * sizeof(float);
     if (!depth_ || depth_->size() < bytes) {
-        depth_ = interop::make_shared_buffer(backend_, mode_, bytes);
+        depth_.reset();
+        depth_ = interop::make_shared_buffer(backend_, mode_, bytes, purpose::depth);
     }
 }
 
