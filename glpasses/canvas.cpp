@@ -33,14 +33,22 @@ std::vector<std::uint8_t> Canvas::read(glm::ivec2 part) const {
         static_cast<std::size_t>(part.x) * 4 * static_cast<std::size_t>(bits_ / 8);
     std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(part.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureSubImage(texture_.id(), 0, 0, 0, 0, part.x, part.y, 1, GL_RGBA,
-                         bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
-                         static_cast<GLsizei>(pixels.size()), pixels.data());
+    // GL counts the bytes in 31 bits.
+    const int most_rows = static_cast<int>(std::max<std::size_t>((1U << 30U) / row, 1));
+    for (int low = 0; low < part.y; low += most_rows) {
+        const int rows = std::min(part.y - low, most_rows);
+        glGetTextureSubImage(texture_.id(), 0, 0, low, 0, part.x, rows, 1, GL_RGBA,
+                             bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
+                             static_cast<GLsizei>(row * static_cast<std::size_t>(rows)),
+                             pixels.data() + row * static_cast<std::size_t>(low));
+    }
+    const auto offset = [row](int y) {
+        return static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
+    };
     // GL's rows run from the bottom up.
     for (int top = 0, bottom = part.y - 1; top < bottom; ++top, --bottom) {
-        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(top * row),
-                         pixels.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
-                         pixels.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+        std::swap_ranges(pixels.begin() + offset(top), pixels.begin() + offset(top + 1),
+                         pixels.begin() + offset(bottom));
     }
     return pixels;
 }

@@ -71,9 +71,8 @@ std::span<ItemLine> ItemBufferPass::map_lines(std::uint32_t count) {
         line_capacity_ = capacity;
         glVertexArrayVertexBuffer(line_array_.id(), 0, lines_.id(), 0, sizeof(glm::vec3));
     }
-    void* memory =
-        map(lines_, std::size_t{count} * sizeof(ItemLine),
-            GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT, purpose::item_buffer);
+    void* memory = map(lines_, std::size_t{count} * sizeof(ItemLine),
+                       GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT, purpose::item_buffer);
     return {static_cast<ItemLine*>(memory), count};
 }
 

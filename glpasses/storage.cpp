@@ -87,8 +87,8 @@ void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, const Purp
 int largest_side() {
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
-    return std::min({limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_RENDERBUFFER_SIZE), viewport[0],
-                     viewport[1]});
+    return std::min(
+        {limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_RENDERBUFFER_SIZE), viewport[0], viewport[1]});
 }
 
 void check_side(glm::ivec2 size, const Purpose& purpose) {

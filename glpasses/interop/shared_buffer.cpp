@@ -37,6 +37,16 @@ class GlSharingBuffer final : public SharedBuffer {
     std::unique_ptr<compute::OpenClBuffer> compute_;
 };
 
+/// Runs what may fail with a device that is lost, where nothing can be done about that.
+template <class Action>
+void quietly(Action&& action) {
+    try {
+        action();
+    } catch (const Error&) {
+        return; // a queue that failed runs nothing any more
+    }
+}
+
 /// Host memory that GL keeps mapped and compute wraps.
 class HostPointerBuffer final : public SharedBuffer {
   public:
@@ -53,12 +63,8 @@ class HostPointerBuffer final : public SharedBuffer {
         // The wrapper must be gone before GL takes its memory away, and so must what works on it:
         // an error may have ended a frame with kernels on their way. PoCL 3.1 keeps for ever what
         // is released while it is mapped.
-        try {
-            backend_.end_host_access(*compute_);
-            backend_.finish();
-        } catch (const Error&) {
-            // A queue that failed runs nothing any more.
-        }
+        quietly([&] { backend_.end_host_access(*compute_); });
+        quietly([&] { backend_.finish(); });
         compute_.reset();
         if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
     }

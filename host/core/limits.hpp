@@ -36,8 +36,7 @@ inline constexpr Purpose intervals{"the table of intervals",
                                    "use a larger --step, a smaller --size or fewer --lines kinds"};
 inline constexpr Purpose density{"line density", "use a smaller --size or --density 0"};
 inline constexpr Purpose halos{"halos", "use a smaller --halo, a smaller --size or --halo 0"};
-inline constexpr Purpose depth{"the depth buffer",
-                               "use a smaller --size, --depth-scale or --tile"};
+inline constexpr Purpose depth{"the depth buffer", "use a smaller --size, --depth-scale or --tile"};
 inline constexpr Purpose picture{"the picture", "use a smaller --size or --tile"};
 inline constexpr Purpose item_buffer{"the item buffer",
                                      "use a smaller --size, fewer --probes or --method atlas"};

@@ -33,13 +33,16 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
 
-void AtlasMethod::set_scene(const SceneBuffers& scene) {
-    // The old tables first: a large model may not fit beside another.
+void AtlasMethod::release_scene() {
     front_.reset();
     arcs_.reset();
     past_ = {};
     clipped_.reset();
     offsets_.reset();
+}
+
+void AtlasMethod::set_scene(const SceneBuffers& scene) {
+    release_scene();
     segment_count_ = scene.segment_count();
     front_ = compute::allocate(backend_, scene.triangle_count(), purpose::model);
     clipped_ = shared(std::size_t{segment_count_} * sizeof(ClippedSegment), purpose::segments);
@@ -72,8 +75,8 @@ void AtlasMethod::make_atlas() {
 }
 
 std::uint64_t AtlasMethod::most_samples() const {
-    const std::uint64_t texels = std::min(static_cast<std::uint64_t>(largest_texture_buffer_),
-                                          backend_.largest_buffer());
+    const std::uint64_t texels =
+        std::min(static_cast<std::uint64_t>(largest_texture_buffer_), backend_.largest_buffer());
     return texels / layout_.pitch * layout_.width;
 }
 

@@ -21,6 +21,8 @@ class AtlasMethod {
   public:
     explicit AtlasMethod(const interop::Connection& connection);
 
+    /// Gives up the tables of a line set: a large one may not fit beside another.
+    void release_scene();
     /// Makes tables for another line set.
     void set_scene(const SceneBuffers& scene);
     FrameStats draw(Frame& frame);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture_limits.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -62,10 +64,7 @@ void DepthStage::prepare_depth(glm::ivec2 size) {
 compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) {
     const int scale = frame.depth_scale();
     const glm::ivec2 whole = frame.camera.size * scale;
-    // Probes lie half a sample along the line and a pixel across it from the sample's middle.
-    const auto reach =
-        static_cast<int>(std::ceil((0.5F * frame.options.step + 1) * static_cast<float>(scale))) +
-        1;
+    const int reach = probe_margin(frame.options.step, scale);
     const glm::ivec2 low = glm::max(tile.low * scale - reach, 0);
     const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
     check_depth_size(size);

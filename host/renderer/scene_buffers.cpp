@@ -11,6 +11,7 @@
 #include "core/clusters.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
+#include "model_limits.hpp"
 
 namespace lineatlas {
 namespace {
@@ -32,8 +33,14 @@ gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose) {
     return buffer;
 }
 
-std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
-                                        std::span<const std::byte> data, const Purpose& purpose) {
+/// The lines, if there are no more than can be drawn.
+const LineSet& checked(const LineSet& lines) {
+    check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
+    return lines;
+}
+
+std::unique_ptr<compute::Buffer> upload(compute::Backend& backend, std::span<const std::byte> data,
+                                        const Purpose& purpose) {
     std::unique_ptr<compute::Buffer> buffer = compute::allocate(backend, data.size(), purpose);
     backend.upload(*buffer, data);
     return buffer;
@@ -44,7 +51,8 @@ std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
 SceneBuffers::SceneBuffers(compute::Backend& backend, interop::SharingMode mode,
                            const LineSet& lines)
     : backend_(&backend),
-      mode_(mode), tables_{.vertices = upload(backend, bytes_of(lines.vertices), purpose::model),
+      mode_(mode), tables_{.vertices =
+                               upload(backend, bytes_of(checked(lines).vertices), purpose::model),
                            .triangles = upload(backend, bytes_of(lines.triangles), purpose::model),
                            .segments = upload(backend, bytes_of(lines.segments), purpose::segments),
                            .clusters = nullptr,
@@ -69,13 +77,15 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, interop::SharingMode mode,
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
+    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
     motion_.set_transforms(world_from_object);
-    start_moving();
+    start_moving(std::move(made));
 }
 
 void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
     motion_.set_positions(first, positions);
-    start_moving();
+    start_moving(std::move(made));
     backend_->upload_at(*tables_.vertices, first * sizeof(glm::vec3), std::as_bytes(positions));
     if (clusters_.empty()) return;
     if (!tables_.cluster_triangles) {
@@ -91,9 +101,13 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
                       .count = static_cast<std::uint32_t>(clusters_.size())});
 }
 
-void SceneBuffers::start_moving() {
-    if (!tables_.moving) {
-        tables_.moving = make_moving(*backend_, mode_);
+std::unique_ptr<MovingTables> SceneBuffers::make_moving_once() const {
+    return tables_.moving ? nullptr : make_moving(*backend_, mode_);
+}
+
+void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
+    if (made) {
+        tables_.moving = std::move(made);
         gl_vertices_ = {};
     }
     moved_ = true;
@@ -169,7 +183,8 @@ std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Backend& backend,
                                                interop::SharingMode mode) {
     const auto copy = [&](compute::Buffer& buffer) {
-        return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())), purpose::model);
+        return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())),
+                      purpose::model);
     };
     return {.vertices = copy(*tables_.vertices),
             .triangles = copy(*tables_.triangles),
@@ -188,11 +203,11 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
     if (!gl_segments_) {
         gl_segments_ = upload_gl(bytes_of(download_segments()), purpose::spine);
         // In the order that segments refer to; gl_indices_ may have another.
-        gl_table_triangles_ =
-            upload_gl(
+        gl_table_triangles_ = upload_gl(
             bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)), purpose::spine);
     }
-    return {gl_segments_.id(), gl_vertices(), gl_table_triangles_.id(), segment_count_};
+    return {gl_segments_.id(), gl_vertices(),          gl_table_triangles_.id(),
+            segment_count_,    motion_.vertex_count(), triangle_count_};
 }
 
 gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {

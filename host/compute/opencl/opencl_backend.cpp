@@ -272,7 +272,7 @@ class Implementation final : public OpenClBackend {
                                      sizeof(cl_uint), &total, nullptr, logged("read"));
         });
         constexpr std::size_t tables = 7; // of struct Lists
-        if (total == 0xFFFFFFFFU) { // where sums stop
+        if (total == 0xFFFFFFFFU) {       // where sums stop
             throw DeviceError(beyond_limit(purpose::halos, "over 4 billion pieces of lines",
                                            "kernels count to 4 billion"));
         }

@@ -32,7 +32,8 @@ constexpr std::array<std::pair<cl_int, const char*>, 16> names{{
 } // namespace
 
 std::string name_of(cl_int status) {
-    const auto found = std::ranges::find(names, status, [](const auto& name) { return name.first; });
+    const auto found =
+        std::ranges::find(names, status, [](const auto& name) { return name.first; });
     if (found == names.end()) return std::to_string(status);
     return std::string{found->second} + " (" + std::to_string(status) + ")";
 }
