@@ -3,10 +3,10 @@
 #include <array>
 #include <iostream>
 #include <map>
+#include <utility>
 
 #include "compare.hpp"
 #include "core/limits.hpp"
-#include "core/tiles.hpp"
 #include "fault_support.hpp"
 #include "renderer/model_limits.hpp"
 
@@ -15,15 +15,49 @@ namespace {
 
 constexpr std::uint64_t kib = 1024;
 
-/// What a message must say is short.
-using Words = std::vector<std::string_view>;
+struct LargeFrame {
+    const char* scene;
+    glm::ivec2 size;
+    FrameOptions options;
+};
+
+FrameOptions fine_steps() {
+    return {.step = 0.02F, .steady = false};
+}
+
+FrameOptions dense() {
+    FrameOptions options;
+    options.style.density.limit = 0.2F;
+    return options;
+}
+
+/// Frames in which each table is once larger than all others.
+std::vector<LargeFrame> large_frames() {
+    return {{"clevis", {160, 120}, all_effects(Method::atlas)},
+            {"clevis", {800, 600}, fine_steps()},
+            {"clevis", {1200, 900}, dense()},
+            {"clevis", {160, 120}, {.depth_scale = 4}},
+            {"house", {160, 120}, {.intervals = KeptIntervals::all}},
+            {"clevis", {160, 120}, {.method = Method::item_buffer}},
+            {"clevis", {160, 120}, {.method = Method::spine}},
+            {"clevis", {160, 120}, {.method = Method::opengl}}};
+}
 
 class Limits : public FaultFixture {
   protected:
+    /// Draws this from now on.
+    Picture use(const LargeFrame& frame) {
+        canvas_ = std::make_unique<gl::Canvas>(frame.size);
+        const Scene scene = make_scene(frame.scene);
+        lines_ = extract_lines(scene.mesh);
+        camera_ = make_camera(scene.view(0), frame.size, lines_.bounds);
+        return draw(*make_renderer(), frame.options);
+    }
+
     /// A picture, by tiles where it must be; empty if the device is too small, which was then said.
     Picture try_draw(Renderer& renderer, const FrameOptions& options) {
         try {
-            const int tile = renderer.tile_size(fault_size, options);
+            const int tile = renderer.tile_size(camera_.size, options);
             return tile == 0 ? draw(renderer, options) : draw_tiles(renderer, options, tile);
         } catch (const Error& error) {
             note(error.what());
@@ -32,22 +66,23 @@ class Limits : public FaultFixture {
     }
 
     Picture draw_tiles(Renderer& renderer, const FrameOptions& options, int tile_size) {
-        const gl::Canvas canvas{glm::min(fault_size, tile_size)};
-        Picture picture(std::size_t{4} * fault_size.x * fault_size.y);
+        const gl::Canvas canvas{glm::min(camera_.size, tile_size)};
+        const glm::ivec2 size = camera_.size;
+        Picture picture(static_cast<std::size_t>(4 * size.x * size.y));
         const auto begin = [&](const PictureTile&) {
             const std::array<float, 4> white{1, 1, 1, 1};
             glClearNamedFramebufferfv(canvas.framebuffer(), GL_COLOR, 0, white.data());
         };
         const auto end = [&](const PictureTile& tile) {
             const Picture part = canvas.read(tile.size);
-            const int top = fault_size.y - tile.low.y - tile.size.y;
+            const int top = size.y - tile.low.y - tile.size.y;
             for (int y = 0; y < tile.size.y; ++y) {
-                std::copy_n(part.begin() + std::ptrdiff_t{4} * tile.size.x * y, 4 * tile.size.x,
-                            picture.begin() +
-                                std::ptrdiff_t{4} * ((top + y) * fault_size.x + tile.low.x));
+                std::copy_n(part.begin() + 4 * tile.size.x * y, 4 * tile.size.x,
+                            picture.begin() + 4 * ((top + y) * size.x + tile.low.x));
             }
         };
         renderer.draw_tiles(camera_, options, {canvas.framebuffer(), tile_size, begin, end});
+        ++tiled_;
         return picture;
     }
 
@@ -57,115 +92,128 @@ class Limits : public FaultFixture {
                           help = message.find("; use ");
         EXPECT_TRUE(needs < there_is && there_is < help && help != std::string::npos) << message;
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-        const std::size_t device = message.find(" cannot share "); // before the cause
-        const std::size_t what = device < needs ? message.find(": ", device) + 2 : 0;
+        const std::size_t mode = message.find(" cannot share "); // that stands before the cause
+        const std::size_t what = mode < needs ? message.find(": ", mode) + 2 : 0;
         if (++said_[message.substr(what, needs - what)] == 1) std::cout << message << "\n";
     }
 
-    void expect_said(const Words& words) const {
-        for (const std::string_view word : words) {
-            EXPECT_TRUE(said_.contains(std::string{word})) << "nothing was said of " << word;
+    void expect_said(std::initializer_list<const Purpose*> purposes) const {
+        for (const Purpose* purpose : purposes) {
+            EXPECT_TRUE(said_.contains(std::string{purpose->what})) << purpose->what;
         }
     }
 
-    static void expect_same(const Picture& expected, const Picture& seen, std::uint64_t limit) {
+    void count(const Picture& expected, const Picture& seen, std::uint64_t limit) {
+        if (seen.empty()) {
+            ++refused_;
+            return;
+        }
+        ++drawn_;
         ASSERT_EQ(expected.size(), seen.size());
         EXPECT_LE(compare_bytes(expected, seen).share(), 1e-3) << "limit " << limit;
     }
 
     /// Draws with ever less: each frame is the one of a large device, or ends in a message with
-    /// all released; then the same renderer goes on as soon as it can.
-    void shrink(std::uint64_t& limit, std::uint64_t most, std::uint64_t least,
-                const FrameOptions& options) {
-        const Picture expected = draw(*make_renderer(), options);
+    /// all released; then the same renderer draws what is small enough.
+    template <class Limit>
+    void shrink(Limit& limit, std::uint64_t most, std::uint64_t least, const LargeFrame& frame) {
+        const Picture expected = use(frame);
         const long live_gl = gl_faults().live;
         const ClCounts live_cl = opencl_faults().references;
         for (std::uint64_t value = most; value >= least; value = value * 2 / 3) {
-            limit = value;
+            SCOPED_TRACE(std::string{frame.scene} + ", limit " + std::to_string(value));
+            limit = static_cast<Limit>(value);
             try {
                 const std::unique_ptr<Renderer> renderer = make_renderer();
-                const Picture picture = try_draw(*renderer, options);
-                if (!picture.empty()) {
-                    expect_same(expected, picture, value);
-                    ++drawn_;
-                } else {
-                    ++refused_;
-                }
-                limit = 0;
-                EXPECT_EQ(try_draw(*renderer, options).empty(),
-                          renderer_keeps_limits_ && picture.empty())
-                    << "limit " << value;
-            } catch (const Error& error) { // of a renderer without a frame
+                const Picture picture = try_draw(*renderer, frame.options);
+                count(expected, picture, value);
+                if (picture.empty()) draw_something_small(*renderer);
+            } catch (const Error& error) { // of a renderer too large without a frame
                 ++refused_;
                 note(error.what());
             }
             limit = 0;
-            EXPECT_EQ(gl_faults().live, live_gl) << "limit " << value;
-            EXPECT_EQ(opencl_faults().references, live_cl) << "limit " << value;
-            EXPECT_EQ(gl_faults().beyond, 0) << "limit " << value;
+            EXPECT_EQ(gl_faults().live, live_gl);
+            EXPECT_EQ(opencl_faults().references, live_cl);
+            EXPECT_EQ(gl_faults().beyond, 0);
             if (HasFailure()) return;
         }
     }
 
+    /// If that is possible: the first tables of a frame may be too large already.
+    void draw_something_small(Renderer& renderer) {
+        Camera small = camera_;
+        small.size = {40, 30};
+        try {
+            EXPECT_GT(renderer.draw(small, {.depth_scale = 1}, canvas_->framebuffer()).runs, 0U);
+            ++went_on_;
+        } catch (const Error& error) {
+            note(error.what());
+        }
+    }
+
     void report() const {
-        std::cout << drawn_ << " frames were drawn, " << refused_ << " refused:";
-        for (const auto& [what, count] : said_) std::cout << " " << count << " " << what << ",";
+        std::cout << drawn_ << " frames were drawn, " << tiled_ << " of them by tiles, " << refused_
+                  << " refused, after " << went_on_ << " of which a smaller one was drawn:";
+        for (const auto& [what, times] : said_) std::cout << " " << times << " " << what << ",";
         std::cout << "\n";
     }
 
     std::map<std::string, int> said_;
-    int drawn_ = 0, refused_ = 0;
-    bool renderer_keeps_limits_ = false;
+    int drawn_ = 0, tiled_ = 0, refused_ = 0, went_on_ = 0;
 };
 
-/// Frames that have one table each that is larger than all others.
-std::vector<FrameOptions> large_frames() {
-    std::vector<FrameOptions> frames{all_effects(Method::atlas)};
-    frames.push_back({.depth_scale = 4});
-    frames.push_back({.step = 0.02F, .steady = false});
-    frames.push_back({.step = 0.02F});
-    frames.push_back({.method = Method::item_buffer});
-    frames.push_back({.method = Method::spine});
-    frames.push_back({.method = Method::opengl});
-    return frames;
-}
-
 TEST_P(Limits, OfABufferAreSaidOrPassed) {
-    renderer_keeps_limits_ = true; // it has asked when it was made
-    for (const FrameOptions& options : large_frames()) {
-        shrink(opencl_faults().largest_buffer, 4096 * kib, 16 * kib, options);
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(opencl_faults().largest_buffer, 7600 * kib, 400 * kib, frame);
         if (HasFailure()) return;
     }
     report();
     EXPECT_GT(drawn_, 20);
-    EXPECT_GT(refused_, 20);
-    expect_said({"the segment atlas", "the table of strokes", "the depth buffer"});
+    EXPECT_GT(tiled_, 3);
+    EXPECT_GT(went_on_, 3);
+    expect_said({&purpose::atlas, &purpose::strokes, &purpose::segments, &purpose::intervals,
+                 &purpose::density});
 }
 
 TEST_P(Limits, OfADevicesMemoryAreSaidOrPassed) {
-    renderer_keeps_limits_ = true;
-    for (const FrameOptions& options : large_frames()) {
-        shrink(opencl_faults().memory, 16384 * kib, 64 * kib, options);
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(opencl_faults().memory, 16384 * kib, 400 * kib, frame);
         if (HasFailure()) return;
     }
     report();
     EXPECT_GT(drawn_, 20);
-    EXPECT_GT(refused_, 20);
-    expect_said({"the segment atlas", "the table of strokes", "the depth buffer"});
+    EXPECT_GT(went_on_, 3);
+    expect_said({&purpose::strokes, &purpose::depth, &purpose::segments});
 }
 
 TEST_P(Limits, ThatADriverKeepsToItselfAreSaid) {
     for (const bool memory : {false, true}) {
         opencl_faults().says_limits = false;
         std::uint64_t& limit = memory ? opencl_faults().memory : opencl_faults().largest_buffer;
-        for (const FrameOptions& options : large_frames()) {
-            shrink(limit, memory ? 16384 * kib : 4096 * kib, 16 * kib, options);
+        for (const LargeFrame& frame : large_frames()) {
+            shrink(limit, memory ? 16384 * kib : 7600 * kib, 400 * kib, frame);
             if (HasFailure()) return;
         }
     }
     report();
     EXPECT_GT(refused_, 20);
-    expect_said({"the segment atlas", "the table of strokes", "the depth buffer"});
+    expect_said({&purpose::segments, &purpose::strokes, &purpose::depth});
+}
+
+TEST_P(Limits, LeaveAModelThatCannotMoveWhereItWas) {
+    const FrameOptions options;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    const Picture expected = draw(*renderer, options);
+    const std::vector<glm::mat4> upside_down(std::max<std::size_t>(lines_.objects.size(), 1),
+                                             glm::mat4{glm::mat3{-1}});
+    opencl_faults().memory = opencl_faults().allocated + 1;
+    EXPECT_THROW(renderer->set_transforms(upside_down), DeviceError);
+    EXPECT_THROW(renderer->set_positions(0, lines_.vertices), DeviceError);
+    opencl_faults().memory = 0;
+    EXPECT_EQ(draw(*renderer, options), expected);
+    renderer->set_transforms(upside_down);
+    EXPECT_NE(draw(*renderer, options), expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Limits, testing::Values("copy", "host-pointer"), mode_name);
@@ -174,97 +222,93 @@ INSTANTIATE_TEST_SUITE_P(Modes, Limits, testing::Values("copy", "host-pointer"),
 class GlLimits : public Limits {};
 
 TEST_P(GlLimits, OfMemoryAreSaid) {
-    for (const FrameOptions& options : large_frames()) {
-        const Picture expected = draw(*make_renderer(), options);
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(gl_faults().largest_allocation, 16384 * kib, 400 * kib, frame);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 20);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+/// Of a renderer that stands already, so that what a frame makes is what is too large.
+TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
+    for (const LargeFrame& frame : large_frames()) {
+        const Picture expected = use(frame);
         const long live = gl_faults().live;
-        for (long bytes = 4096 * kib; bytes > 16; bytes /= 3) {
-            try {
-                const std::unique_ptr<Renderer> renderer = make_renderer();
-                gl_faults().largest_allocation = bytes;
-                const Picture picture = try_draw(*renderer, options);
-                gl_faults().largest_allocation = 0;
-                if (!picture.empty()) expect_same(expected, picture, static_cast<unsigned>(bytes));
-                ++(picture.empty() ? refused_ : drawn_);
-                EXPECT_EQ(draw(*renderer, options), expected);
-            } catch (const Error& error) {
-                ADD_FAILURE() << error.what();
-            }
+        for (long bytes = 4096 * kib; bytes > 16; bytes /= 5) {
+            SCOPED_TRACE(bytes);
+            std::unique_ptr<Renderer> renderer = make_renderer();
+            gl_faults().largest_allocation = bytes;
+            count(expected, try_draw(*renderer, frame.options), static_cast<std::uint64_t>(bytes));
+            gl_faults().largest_allocation = 0;
+            EXPECT_EQ(draw(*renderer, frame.options), expected);
+            renderer.reset();
             EXPECT_EQ(gl_faults().live, live);
             if (HasFailure()) return;
         }
     }
     report();
-    expect_said({"the segment atlas", "the depth buffer", "the item buffer", "the spine test",
-                 "the grain of paper", "the mark of a pen", "line density"});
+    expect_said({&purpose::atlas, &purpose::density, &purpose::depth, &purpose::item_buffer,
+                 &purpose::spine, &purpose::pen});
 }
 
 TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
-    const FrameOptions effects = all_effects(Method::atlas);
-    FrameOptions spine{.method = Method::spine}, items{.method = Method::item_buffer};
-    for (const FrameOptions& options : {effects, FrameOptions{}, spine, items}) {
-        FrameOptions still = options;
-        still.intervals = KeptIntervals::none; // depth is not kept for tiles
-        const Picture expected = draw(*make_renderer(), still);
-        for (const int side : {400, 300, 200, 128, 100, 64}) {
-            gl_faults().largest_side = side;
-            const std::unique_ptr<Renderer> renderer = make_renderer();
-            const Picture picture = try_draw(*renderer, still);
-            if (!picture.empty()) expect_same(expected, picture, static_cast<unsigned>(side));
-            ++(picture.empty() ? refused_ : drawn_);
-            if (still.method == Method::atlas && side >= 200) EXPECT_FALSE(picture.empty()) << side;
-            EXPECT_EQ(gl_faults().beyond, 0) << side;
-            gl_faults().largest_side = 0;
-            EXPECT_EQ(draw(*make_renderer(), still), expected);
-        }
+    FrameOptions effects = all_effects(Method::atlas);
+    effects.intervals = KeptIntervals::none; // need depth that tiles don't keep
+    effects.style.pen.mark = "solid";        // others are textures of 1024 texels
+    effects.style.hidden_pen.mark = "solid";
+    effects.style.paper.grain = 0;
+    for (const FrameOptions& options :
+         {effects, FrameOptions{}, FrameOptions{.method = Method::spine},
+          FrameOptions{.method = Method::item_buffer}, FrameOptions{.atlas = AtlasForm::raster}}) {
+        shrink(gl_faults().largest_side, 600, 20, {"clevis", {160, 120}, options});
     }
     report();
-    EXPECT_GT(drawn_, 12);
+    EXPECT_GT(drawn_, 15);
+    EXPECT_GT(tiled_, 5);
+    expect_said({&purpose::whole_picture, &purpose::depth});
 }
 
 TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(gl_faults().largest_buffer_texture, 1U << 20U, 4096, frame);
+        if (HasFailure()) return;
+    }
     LineSet coloured = lines_;
     coloured.colors = {{1, 0, 0}};
     coloured.triangle_color.assign(coloured.triangles.size(), 0);
-    for (const FrameOptions& options : large_frames()) {
-        const std::unique_ptr<Renderer> reference = make_renderer();
-        reference->set_lines(coloured);
-        const Picture expected = draw(*reference, options);
-        for (const int texels : {1 << 20, 1 << 18, 1 << 16, 1 << 14, 1 << 12, 1 << 10, 256}) {
-            gl_faults().largest_buffer_texture = texels;
-            const std::unique_ptr<Renderer> renderer = make_renderer();
-            renderer->set_lines(coloured);
-            const Picture picture = try_draw(*renderer, options);
-            if (!picture.empty()) expect_same(expected, picture, static_cast<unsigned>(texels));
-            ++(picture.empty() ? refused_ : drawn_);
-            EXPECT_EQ(gl_faults().beyond, 0) << texels;
-            gl_faults().largest_buffer_texture = 0;
-        }
-    }
+    gl_faults().largest_buffer_texture = static_cast<int>(coloured.triangles.size()) - 1;
+    EXPECT_TRUE(try_draw(*make_renderer(), {.method = Method::spine}).empty());
+    FrameOptions fill{.method = Method::opengl};
+    fill.style.fill.mode = FillMode::flat;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    renderer->set_lines(coloured);
+    EXPECT_TRUE(try_draw(*renderer, fill).empty());
     report();
-    expect_said({"the segment atlas", "the colours of the fill", "the spine test", "line density"});
+    expect_said({&purpose::atlas, &purpose::fill, &purpose::spine, &purpose::density});
 }
 
 /// GL that is not software draws the atlas; where it has too many rows for that, kernels do.
 TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
-    const FrameOptions options{.step = 0.05F, .steady = false};
-    const Picture expected = draw(*make_renderer(), options);
+    FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
+    options.atlas = AtlasForm::compute;
+    const Picture expected = use({"house", {100, 75}, options});
     gl_faults().renderer = "a GPU";
+    gl_faults().largest_side = 128;
+    options.atlas = AtlasForm::automatic;
     const std::unique_ptr<Renderer> renderer = make_renderer();
-    FrameOptions raster = options;
-    raster.depth_scale = 1;
-    const Picture expected_raster = draw(*renderer, raster);
-    gl_faults().largest_side = 4100; // of a row: 200 pixels in steps of 0.05
-    raster.atlas = AtlasForm::raster;
-    EXPECT_FALSE(draw(*make_renderer(), raster).empty());
-    gl_faults().largest_side = 0;
-    EXPECT_FALSE(expected.empty());
-    EXPECT_FALSE(expected_raster.empty());
+    EXPECT_EQ(draw(*renderer, options), expected);
+    EXPECT_EQ(draw(*renderer, options), expected); // where the atlas is large enough from the start
+    options.atlas = AtlasForm::raster;
+    EXPECT_TRUE(try_draw(*renderer, options).empty());
+    EXPECT_EQ(said_.size(), 1U);
+    expect_said({&purpose::atlas});
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, GlLimits, testing::Values("copy"), mode_name);
 
 TEST(ModelLimits, AreWhatGlCanCount) {
-    EXPECT_NO_THROW(check_counts({100, 100, 100}));
     EXPECT_NO_THROW(check_counts({0x7FFFFFFF, 715'827'882, 1'073'741'823}));
     for (const ModelCounts& counts : {ModelCounts{0x80000000, 1, 1},
                                       {1, 715'827'883, 1},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -283,10 +284,12 @@ class Backend {
     /// Device memory; its content is undefined. Never smaller than 16 bytes. Throws Shortage
     /// (core/limits.hpp) where there is not enough.
     virtual std::unique_ptr<Buffer> allocate(std::size_t bytes) = 0;
-    /// What one buffer can hold, in bytes.
+    /// What one buffer can hold, in bytes; always the same.
     virtual std::uint64_t largest_buffer() const {
         return std::numeric_limits<std::uint64_t>::max();
     }
+    /// What all buffers that are still to come can hold.
+    virtual std::uint64_t free_memory() const { return std::numeric_limits<std::uint64_t>::max(); }
     /// A buffer over memory of the caller (page-aligned), without a copy where the device can.
     virtual std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) = 0;
     /// Between these two, the memory behind a wrapped buffer is the host's to read and write.
@@ -324,6 +327,13 @@ class Backend {
     virtual std::shared_ptr<CommandLog> begin_log() { return nullptr; }
     virtual void end_log() {}
 };
+
+/// What a table gets that must hold `needed` bytes, or things of `size` bytes, and may have to grow
+/// again soon: room for that where there is some.
+inline std::uint64_t roomy(const Backend& backend, std::uint64_t needed, std::size_t size = 1) {
+    return with_room_to_grow(needed,
+                             std::min(backend.largest_buffer(), backend.free_memory()) / size);
+}
 
 /// As Backend::allocate; the message of a Shortage says what the memory was for.
 inline std::unique_ptr<Buffer> allocate(Backend& backend, std::size_t bytes,

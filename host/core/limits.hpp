@@ -35,8 +35,12 @@ inline constexpr Purpose strokes{"the table of strokes",
 inline constexpr Purpose intervals{"the table of intervals",
                                    "use a larger --step, a smaller --size or fewer --lines kinds"};
 inline constexpr Purpose density{"line density", "use a smaller --size or --density 0"};
-inline constexpr Purpose halos{"halos", "use a smaller --halo, a smaller --size or --halo 0"};
+inline constexpr Purpose halos{"the list of halos",
+                               "use a smaller --halo, a smaller --size or --halo 0"};
 inline constexpr Purpose depth{"the depth buffer", "use a smaller --size, --depth-scale or --tile"};
+inline constexpr Purpose whole_picture{"a depth buffer for the whole picture",
+                                       "use --method atlas with --atlas compute, which draws by "
+                                       "tiles, or a smaller --size or --depth-scale"};
 inline constexpr Purpose picture{"the picture", "use a smaller --size or --tile"};
 inline constexpr Purpose item_buffer{"the item buffer",
                                      "use a smaller --size, fewer --probes or --method atlas"};

@@ -19,6 +19,12 @@ constexpr std::uint32_t first_sample_capacity = 1U << 16U;
 // Faster motion doesn't sparkle: nobody follows a line through it.
 constexpr float slow_pixels = 4;
 
+/// In samples, at most.
+std::uint32_t longest_segment(const Frame& frame) {
+    const float diagonal = glm::length(frame.viewport());
+    return static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
+}
+
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
 }
@@ -53,13 +59,12 @@ void AtlasMethod::set_scene(const SceneBuffers& scene) {
 }
 
 void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
-    const float diagonal = glm::length(frame.viewport());
-    const auto longest = static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
+    const std::uint32_t longest = longest_segment(frame);
     const AtlasLayoutKind kind = frame.options.atlas_layout == AtlasLayoutChoice::wrap
                                      ? AtlasLayoutKind::wrap
                                      : AtlasLayoutKind::gutter;
-    const AtlasLayout layout =
-        make_atlas_layout(kind, longest, static_cast<std::uint32_t>(longest_row));
+    const auto row = std::min(static_cast<std::uint64_t>(longest_row), most_texels());
+    const AtlasLayout layout = make_atlas_layout(kind, longest, static_cast<std::uint32_t>(row));
     if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
     layout_ = layout;
     past_ = {};
@@ -70,23 +75,26 @@ void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
 }
 
 void AtlasMethod::make_atlas() {
-    alpha_.reset(); // it may not fit beside another
+    alpha_.reset();
     alpha_ = shared(layout_.texels(sample_capacity_), purpose::atlas);
 }
 
+std::uint64_t AtlasMethod::most_texels() const {
+    return std::min(static_cast<std::uint64_t>(largest_texture_buffer_), backend_.largest_buffer());
+}
+
 std::uint64_t AtlasMethod::most_samples() const {
-    const std::uint64_t texels =
-        std::min(static_cast<std::uint64_t>(largest_texture_buffer_), backend_.largest_buffer());
-    return texels / layout_.pitch * layout_.width;
+    return most_texels() / layout_.pitch * layout_.width;
 }
 
 void AtlasMethod::prepare(const Frame& frame) {
     check_depth_size(frame.camera.size * frame.depth_scale());
-    prepare_layout(frame, largest_side_);
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.atlas == AtlasForm::raster ||
-              (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
+              (frame.options.atlas == AtlasForm::automatic && raster_is_faster_ &&
+               longest_segment(frame) < static_cast<std::uint32_t>(largest_side_));
+    prepare_layout(frame, raster_ ? largest_side_ : no_texture);
     cull_hidden_ = frame.culls_hidden();
     keeps_intervals_ = IntervalStage::wanted(frame);
 }
@@ -248,7 +256,8 @@ bool AtlasMethod::grow_atlas(std::uint64_t needed) {
             purpose::atlas, (uncountable ? "over 4 billion" : std::to_string(needed)) + " samples",
             "this device's atlas holds " + std::to_string(most)));
     }
-    sample_capacity_ = static_cast<std::uint32_t>(with_room_to_grow(needed, most));
+    alpha_.reset(); // it may not fit beside another
+    sample_capacity_ = static_cast<std::uint32_t>(std::min(compute::roomy(backend_, needed), most));
     make_atlas();
     handover_.to_compute({{*alpha_, 0}});
     return true;

@@ -65,7 +65,8 @@ class AtlasMethod {
     }
     /// Makes the atlas anew, for `sample_capacity_`.
     void make_atlas();
-    /// What an atlas of the current layout can hold at most.
+    /// What an atlas can hold at most; of the current layout, in samples.
+    std::uint64_t most_texels() const;
     std::uint64_t most_samples() const;
     /// Whether the current frame's atlas has more rows than GL can draw, and kernels may do it.
     bool leaves_raster(const Frame& frame, std::uint32_t samples) const;
@@ -79,6 +80,8 @@ class AtlasMethod {
     interop::SharingMode mode_;
     interop::Handover handover_;
     bool raster_is_faster_;
+    /// The longest row of an atlas that is a plain buffer, which GL doesn't draw to.
+    static constexpr GLint no_texture = 1 << 24;
     GLint largest_side_ = 0; ///< of what GL draws to
     GLint largest_texture_buffer_ = 0;
 

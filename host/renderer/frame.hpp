@@ -23,8 +23,8 @@ namespace lineatlas {
 template <class Element>
 std::uint32_t capacity_for(const compute::Backend& backend, std::uint32_t needed) {
     constexpr std::uint64_t most_counted = std::numeric_limits<std::uint32_t>::max();
-    return static_cast<std::uint32_t>(with_room_to_grow(
-        needed, std::min(backend.largest_buffer() / sizeof(Element), most_counted)));
+    return static_cast<std::uint32_t>(
+        std::min(compute::roomy(backend, needed, sizeof(Element)), most_counted));
 }
 
 class Backdrop;

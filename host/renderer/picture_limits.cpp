@@ -53,6 +53,7 @@ int tile_size_for(glm::ivec2 size, const FrameOptions& options, const compute::B
     const bool by_tiles = options.method == Method::atlas && options.atlas != AtlasForm::raster;
     const bool depth_fits = !by_tiles || texels <= most_texels;
     if (std::max(size.x, size.y) <= largest / scale && depth_fits) return 0;
+    if (!by_tiles) gl::check_side(size * scale, purpose::whole_picture);
 
     constexpr double usual_side = 4096; // more take memory, fewer time
     constexpr int smallest_tile = 16;

@@ -213,8 +213,8 @@ void StrokeStage::density(Frame& frame, const SegmentAtlas& input) {
 
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
-    table.capacity = capacity_for<Run>(backend_, table.totals.run_total);
     table.runs.reset(); // it may not fit beside another
+    table.capacity = capacity_for<Run>(backend_, table.totals.run_total);
     table.runs = interop::make_shared_buffer(
         backend_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
     handover_.to_compute({{*table.runs, 0}});

@@ -17,7 +17,7 @@ DeviceMemory::Part DeviceMemory::take(std::uint64_t bytes) {
                                                  written_bytes(largest_buffer_) +
                                                  " (CL_DEVICE_MAX_MEM_ALLOC_SIZE)");
     }
-    if (taken_ > total_ || bytes > total_ - taken_) {
+    if (bytes > free()) {
         throw Shortage(written_bytes(bytes), "of the " + written_bytes(total_) +
                                                  " of this OpenCL device " + written_bytes(taken_) +
                                                  " are in use (CL_DEVICE_GLOBAL_MEM_SIZE)");

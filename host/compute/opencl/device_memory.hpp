@@ -40,6 +40,7 @@ class DeviceMemory {
     /// Throws Shortage where `status`, of making a buffer, says that memory has run out.
     void check(cl_int status, std::uint64_t bytes) const;
     std::uint64_t largest_buffer() const { return largest_buffer_; }
+    std::uint64_t free() const { return total_ > taken_ ? total_ - taken_ : 0; }
 
   private:
     std::uint64_t largest_buffer_, total_;

@@ -82,6 +82,7 @@ class Implementation final : public OpenClBackend {
     }
 
     std::uint64_t largest_buffer() const override { return memory_.largest_buffer(); }
+    std::uint64_t free_memory() const override { return memory_.free(); }
 
     void begin_host_access(Buffer& buffer) override {
         auto& own = static_cast<OpenClBuffer&>(buffer);
@@ -446,7 +447,7 @@ class Implementation final : public OpenClBackend {
         const std::size_t bytes = count * sizeof(cl_uint);
         if (buffer && buffer->size() >= bytes) return *buffer;
         buffer.reset(); // it may not fit beside another
-        buffer = allocate(with_room_to_grow(bytes, largest_buffer()));
+        buffer = allocate(roomy(*this, bytes));
         return *buffer;
     }
 
