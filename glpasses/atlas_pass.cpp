@@ -15,6 +15,9 @@ namespace {
 constexpr GLuint segment_binding = 0;
 constexpr GLuint offset_binding = 1;
 
+constexpr Purpose raster_atlas{"the segment atlas",
+                               "use --atlas compute, a larger --step or a smaller --size"};
+
 } // namespace
 
 void ProbeParams::bind(const Program& program, GLuint unit) const {
@@ -45,17 +48,15 @@ AtlasPass::AtlasPass(std::string_view fragment_shader)
 
 void AtlasPass::resize(glm::ivec2 size) {
     if (size_.x == size.x && size_.y >= size.y) return;
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    const int largest = largest_side();
     if (size.y > largest) {
-        throw DeviceError("the segment atlas needs " + std::to_string(size.y) +
-                          " rows, the device's textures have up to " + std::to_string(largest) +
-                          "; use --atlas compute, a larger --step or a smaller --size");
+        throw DeviceError(beyond_limit(raster_atlas, std::to_string(size.y) + " rows",
+                                       "GL draws up to " + std::to_string(largest) + " here"));
     }
     // Room to spare, so that a slowly growing atlas is not made anew in every frame.
     size.y = std::min(size.y + size.y / 2, largest);
     Texture2D texture = Texture2D::create();
-    allocate(texture, GL_R8, size, "the segment atlas");
+    allocate(texture, GL_R8, size, raster_atlas);
     texture_ = std::move(texture);
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
     size_ = size;

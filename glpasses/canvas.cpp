@@ -1,7 +1,6 @@
 #include "canvas.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -13,15 +12,13 @@ namespace lineatlas::gl {
 Canvas::Canvas(glm::ivec2 size, int bits)
     : size_(size), bits_(bits), texture_(Texture2D::create()), depth_(Renderbuffer::create()),
       framebuffer_(Framebuffer::create()) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
-        throw UsageError("a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                         " can't be drawn: each side must be 1 to " + std::to_string(largest) +
-                         " pixels here");
+    if (size.x < 1 || size.y < 1) {
+        throw UsageError("a picture of " + written_size(size) +
+                         " can't be drawn: each side must have at least one pixel");
     }
-    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, "a picture");
-    allocate(depth_, GL_DEPTH_COMPONENT32F, size, "the depth of a picture");
+    check_side(size, purpose::picture);
+    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, purpose::picture);
+    allocate(depth_, GL_DEPTH_COMPONENT32F, size, purpose::picture);
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
     glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                    depth_.id());
@@ -36,14 +33,22 @@ std::vector<std::uint8_t> Canvas::read(glm::ivec2 part) const {
         static_cast<std::size_t>(part.x) * 4 * static_cast<std::size_t>(bits_ / 8);
     std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(part.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureSubImage(texture_.id(), 0, 0, 0, 0, part.x, part.y, 1, GL_RGBA,
-                         bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
-                         static_cast<GLsizei>(pixels.size()), pixels.data());
+    // GL counts the bytes in 31 bits.
+    const int most_rows = static_cast<int>(std::max<std::size_t>((1U << 30U) / row, 1));
+    for (int low = 0; low < part.y; low += most_rows) {
+        const int rows = std::min(part.y - low, most_rows);
+        glGetTextureSubImage(texture_.id(), 0, 0, low, 0, part.x, rows, 1, GL_RGBA,
+                             bits_ == 16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
+                             static_cast<GLsizei>(row * static_cast<std::size_t>(rows)),
+                             pixels.data() + row * static_cast<std::size_t>(low));
+    }
+    const auto offset = [row](int y) {
+        return static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
+    };
     // GL's rows run from the bottom up.
     for (int top = 0, bottom = part.y - 1; top < bottom; ++top, --bottom) {
-        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(top * row),
-                         pixels.begin() + static_cast<std::ptrdiff_t>((top + 1) * row),
-                         pixels.begin() + static_cast<std::ptrdiff_t>(bottom * row));
+        std::swap_ranges(pixels.begin() + offset(top), pixels.begin() + offset(top + 1),
+                         pixels.begin() + offset(bottom));
     }
     return pixels;
 }

@@ -1,5 +1,7 @@
 #include "depth_pass.hpp"
 
+#include <algorithm>
+
 #include "storage.hpp"
 #include "viewport.hpp"
 
@@ -12,11 +14,16 @@ void copy_texels(GLuint texture, GLenum format, glm::ivec2 whole, const TexelRec
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_PACK_ROW_LENGTH, whole.x);
-    const std::size_t texels = std::size_t(whole.x) * whole.y;
-    const std::size_t first = std::size_t(part.low.y) * whole.x + part.low.x;
-    glGetTextureSubImage(texture, 0, part.low.x, part.low.y, 0, size.x, size.y, 1, format, GL_FLOAT,
-                         static_cast<GLsizei>((texels - first) * sizeof(float)),
-                         reinterpret_cast<void*>(first * sizeof(float)));
+    const std::size_t row = static_cast<std::size_t>(whole.x) * sizeof(float);
+    const std::size_t left = static_cast<std::size_t>(part.low.x) * sizeof(float);
+    // GL counts the bytes in 31 bits.
+    const int most_rows = static_cast<int>(std::max<std::size_t>((1U << 30U) / row, 1));
+    for (int low = part.low.y; low < part.high.y; low += most_rows) {
+        const int rows = std::min(part.high.y - low, most_rows);
+        glGetTextureSubImage(texture, 0, part.low.x, low, 0, size.x, rows, 1, format, GL_FLOAT,
+                             static_cast<GLsizei>(row * static_cast<std::size_t>(rows) - left),
+                             reinterpret_cast<void*>(row * static_cast<std::size_t>(low) + left));
+    }
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
@@ -34,7 +41,7 @@ DepthPass::DepthPass()
 void DepthPass::resize(glm::ivec2 size) {
     if (size == size_) return;
     Texture2D texture = Texture2D::create();
-    allocate(texture, GL_DEPTH_COMPONENT32F, size, "depth");
+    allocate(texture, GL_DEPTH_COMPONENT32F, size, purpose::depth);
     texture_ = std::move(texture);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);

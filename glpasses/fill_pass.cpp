@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 
 #include <glm/geometric.hpp>
 
-#include "lineatlas/error.hpp"
+#include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
@@ -25,7 +24,6 @@ FillPass::FillPass()
     glVertexArrayAttribIFormat(array, 1, 1, GL_UNSIGNED_INT, offsetof(Command, first_index));
     glVertexArrayAttribBinding(array, 1, 1);
     glVertexArrayBindingDivisor(array, 1, 1);
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_colors_);
 }
 
 void FillPass::set_light(const FillView& view, const Fill& fill) const {
@@ -61,16 +59,10 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
                              .base_instance = static_cast<GLuint>(commands_.size())});
     }
     if (commands_.empty()) return;
-    glNamedBufferData(command_buffer_.id(),
-                      static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)), commands_.data(),
-                      GL_STREAM_DRAW);
+    refill(command_buffer_, commands_.size() * sizeof(Command), commands_.data(), purpose::fill);
 
     if (colors.indices != 0) {
-        if (triangles.triangle_count > static_cast<GLuint>(most_colors_)) {
-            throw DeviceError("fills: this device reads the colours of up to " +
-                              std::to_string(most_colors_) + " triangles, the model has " +
-                              std::to_string(triangles.triangle_count));
-        }
+        check_buffer_texture(triangles.triangle_count, purpose::fill);
         glTextureBuffer(indices_.id(), colors.index_format, colors.indices);
         glTextureBuffer(table_.id(), GL_RGBA8, colors.colors);
         glBindTextureUnit(0, indices_.id());

@@ -55,7 +55,6 @@ class FillPass {
     Buffer command_buffer_;
     TextureBuffer indices_, table_; ///< views of the buffers of a draw
     std::vector<Command> commands_;
-    GLint most_colors_ = 0; ///< triangles whose colours a shader can read
 };
 
 } // namespace lineatlas::gl

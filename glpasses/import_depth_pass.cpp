@@ -70,7 +70,7 @@ ImportDepthPass::ImportDepthPass()
 void ImportDepthPass::resize(glm::ivec2 size) {
     if (size == size_) return;
     Texture2D texture = Texture2D::create();
-    allocate(texture, GL_R32F, size, "depth");
+    allocate(texture, GL_R32F, size, purpose::depth);
     texture_ = std::move(texture);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);

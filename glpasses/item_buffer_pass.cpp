@@ -1,9 +1,7 @@
 #include "item_buffer_pass.hpp"
 
 #include <algorithm>
-#include <string>
 
-#include "lineatlas/error.hpp"
 #include "storage.hpp"
 #include "viewport.hpp"
 
@@ -20,7 +18,7 @@ std::size_t bytes_of(glm::ivec2 size) {
 
 Texture2D make_texture(GLenum format, glm::ivec2 size) {
     Texture2D texture = Texture2D::create();
-    allocate(texture, format, size, "an item buffer");
+    allocate(texture, format, size, purpose::item_buffer);
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
@@ -34,15 +32,6 @@ int widest_line() {
     std::array<GLfloat, 2> range{1, 1};
     glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
     return std::max(1, static_cast<int>(range[1]));
-}
-
-void check_size(glm::ivec2 size) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (size.x <= largest && size.y <= largest) return;
-    throw UsageError("an item buffer of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                     " is larger than this device's limit of " + std::to_string(largest) +
-                     "; choose a smaller --size or fewer --probes");
 }
 
 void draw_depth_alone(GLuint framebuffer) {
@@ -73,24 +62,24 @@ std::span<ItemLine> ItemBufferPass::map_lines(std::uint32_t count) {
     line_count_ = count;
     if (count == 0) return {};
     if (count > line_capacity_) {
-        const std::uint32_t capacity = count + count / 4;
+        constexpr std::uint32_t most = (1U << 31U) / 2 - 1; // glDrawArrays counts their ends
+        const auto capacity = static_cast<std::uint32_t>(with_room_to_grow(count, most));
         line_capacity_ = 0; // until it is there
         lines_ = Buffer::create();
         allocate(lines_, std::size_t{capacity} * sizeof(ItemLine), nullptr, GL_MAP_WRITE_BIT,
-                 "the lines of an item buffer");
+                 purpose::item_buffer);
         line_capacity_ = capacity;
         glVertexArrayVertexBuffer(line_array_.id(), 0, lines_.id(), 0, sizeof(glm::vec3));
     }
-    void* memory =
-        map(lines_, std::size_t{count} * sizeof(ItemLine),
-            GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT, "the lines of an item buffer");
+    void* memory = map(lines_, std::size_t{count} * sizeof(ItemLine),
+                       GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT, purpose::item_buffer);
     return {static_cast<ItemLine*>(memory), count};
 }
 
 void ItemBufferPass::resize(const ItemBufferShape& shape) {
     if (shape == shape_) return;
     const glm::ivec2 size = shape.size();
-    check_size(size);
+    check_side(size, purpose::item_buffer);
     shape_ = {{0, 0}, 1, 0}; // until all of it is made
     polygon_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     line_depth_ = shape.layers > 1 ? make_texture(GL_DEPTH_COMPONENT32F, size) : Texture2D{};
@@ -104,7 +93,7 @@ void ItemBufferPass::resize(const ItemBufferShape& shape) {
         layer.ids = make_texture(GL_R32UI, size);
         layer.readback = Buffer::create();
         allocate(layer.readback, bytes_of(size), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT,
-                 "an item buffer read back");
+                 purpose::item_buffer);
         // The last layer may spoil the polygons' depth, all before it need a copy.
         const bool last = i + 1 == shape.layers;
         glNamedFramebufferTexture(layer.framebuffer.id(), GL_COLOR_ATTACHMENT0, layer.ids.id(), 0);
@@ -181,7 +170,7 @@ ItemImages ItemBufferPass::draw(const TriangleBuffers& triangles, const glm::mat
 
     for (std::uint32_t i = 0; i < shape.layers; ++i) {
         images.texels[i] = static_cast<const std::uint32_t*>(
-            map(layers_[i].readback, bytes_of(size), GL_MAP_READ_BIT, "an item buffer read back"));
+            map(layers_[i].readback, bytes_of(size), GL_MAP_READ_BIT, purpose::item_buffer));
     }
     return images;
 }

@@ -8,7 +8,7 @@ namespace lineatlas::gl {
 PaperPass::PaperPass(const PaperTile& tile)
     : program_({"paper.vert", "paper.frag"}), vertex_array_(VertexArray::create()),
       tile_(Texture2D::create()) {
-    allocate(tile_, GL_R8, {PaperTile::size, PaperTile::size}, "the grain of paper");
+    allocate(tile_, GL_R8, {PaperTile::size, PaperTile::size}, purpose::paper);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(tile_.id(), 0, 0, 0, PaperTile::size, PaperTile::size, GL_RED,
                         GL_UNSIGNED_BYTE, tile.depth.data());

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "segment_table.h"
+#include "storage.hpp"
 
 namespace lineatlas::gl {
 namespace {
@@ -30,6 +31,12 @@ SpinePass::SpinePass()
 
 void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
                      const ProbeParams& probes, const StrokeParams& stroke) {
+    for (const std::uint64_t texels :
+         {std::uint64_t{segments.vertex_count}, std::uint64_t{segments.triangle_count},
+          static_cast<std::uint64_t>(spine.tile_count.x) *
+              static_cast<std::uint64_t>(spine.tile_count.y)}) {
+        check_buffer_texture(texels, purpose::spine);
+    }
     glTextureBuffer(vertices_.id(), GL_RGB32F, segments.vertices);
     glTextureBuffer(triangles_.id(), GL_RGB32UI, segments.triangles);
     if (spine.tiles != 0) glTextureBuffer(tiles_.id(), GL_R32F, spine.tiles);

@@ -17,7 +17,7 @@ struct SegmentBuffers {
     GLuint segments;  ///< `Segment` each
     GLuint vertices;  ///< 3 floats each
     GLuint triangles; ///< 3 uint32 each
-    std::uint32_t segment_count;
+    std::uint32_t segment_count, vertex_count, triangle_count;
 };
 
 struct SpineParams {

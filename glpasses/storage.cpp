@@ -1,5 +1,7 @@
 #include "storage.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "lineatlas/error.hpp"
@@ -7,16 +9,12 @@
 namespace lineatlas::gl {
 namespace {
 
-DeviceError no_memory(std::string_view what, const std::string& size) {
-    return DeviceError("GL has no memory for " + std::string{what} + " (" + size +
-                       "); choose a smaller --size or --depth-scale, or fewer --lines kinds");
-}
+constexpr const char* no_memory = "GL has no memory left for that";
 
-std::string written(std::size_t bytes) {
-    return std::to_string((bytes + 1023) >> 10U) + " KiB";
-}
-std::string written(glm::ivec2 size) {
-    return std::to_string(size.x) + "x" + std::to_string(size.y);
+GLint limit(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
 }
 
 void forget_errors() {
@@ -25,35 +23,85 @@ void forget_errors() {
     }
 }
 
+std::string written(std::size_t bytes) {
+    return written_bytes(bytes);
+}
+std::string written(glm::ivec2 size) {
+    return written_size(size) + " texels";
+}
+
+std::string too_large(glm::ivec2 size, int largest, const Purpose& purpose) {
+    return beyond_limit(purpose, written(size),
+                        "GL draws up to " + std::to_string(largest) + " a side here");
+}
+
 /// Runs what gives an object its memory; `size`: how much.
 template <class Size, class Action>
-void checked(std::string_view what, Size size, Action&& action) {
+void checked(const Purpose& purpose, Size size, Action&& action) {
     forget_errors();
     action();
-    if (glGetError() != GL_NO_ERROR) throw no_memory(what, written(size));
+    if (glGetError() != GL_NO_ERROR) {
+        throw DeviceError(beyond_limit(purpose, written(size), no_memory));
+    }
+}
+
+void check_limit(glm::ivec2 size, GLenum name, const Purpose& purpose) {
+    const GLint largest = limit(name);
+    if (std::max(size.x, size.y) > largest) throw DeviceError(too_large(size, largest, purpose));
 }
 
 } // namespace
 
 void allocate(const Buffer& buffer, std::size_t bytes, const void* data, GLbitfield flags,
-              std::string_view what) {
-    checked(what, bytes, [&] {
+              const Purpose& purpose) {
+    checked(purpose, bytes, [&] {
         glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(bytes), data, flags);
     });
 }
 
-void allocate(const Texture2D& texture, GLenum format, glm::ivec2 size, std::string_view what) {
-    checked(what, size, [&] { glTextureStorage2D(texture.id(), 1, format, size.x, size.y); });
+void refill(const Buffer& buffer, std::size_t bytes, const void* data, const Purpose& purpose) {
+    checked(purpose, bytes, [&] {
+        glNamedBufferData(buffer.id(), static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+    });
 }
 
-void allocate(const Renderbuffer& buffer, GLenum format, glm::ivec2 size, std::string_view what) {
-    checked(what, size, [&] { glNamedRenderbufferStorage(buffer.id(), format, size.x, size.y); });
+void allocate(const Texture2D& texture, GLenum format, glm::ivec2 size, const Purpose& purpose) {
+    check_limit(size, GL_MAX_TEXTURE_SIZE, purpose);
+    checked(purpose, size, [&] { glTextureStorage2D(texture.id(), 1, format, size.x, size.y); });
 }
 
-void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, std::string_view what) {
+void allocate(const Renderbuffer& buffer, GLenum format, glm::ivec2 size, const Purpose& purpose) {
+    check_limit(size, GL_MAX_RENDERBUFFER_SIZE, purpose);
+    checked(purpose, size,
+            [&] { glNamedRenderbufferStorage(buffer.id(), format, size.x, size.y); });
+}
+
+void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, const Purpose& purpose) {
     void* memory = glMapNamedBufferRange(buffer.id(), 0, static_cast<GLsizeiptr>(bytes), access);
-    if (memory == nullptr) throw no_memory(what, written(bytes));
+    if (memory == nullptr) {
+        throw DeviceError(beyond_limit(purpose, written_bytes(bytes), no_memory));
+    }
     return memory;
+}
+
+int largest_side() {
+    std::array<GLint, 2> viewport{};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    return std::min(
+        {limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_RENDERBUFFER_SIZE), viewport[0], viewport[1]});
+}
+
+void check_side(glm::ivec2 size, const Purpose& purpose) {
+    const int largest = largest_side();
+    if (std::max(size.x, size.y) > largest) throw UsageError(too_large(size, largest, purpose));
+}
+
+void check_buffer_texture(std::uint64_t texels, const Purpose& purpose) {
+    const auto most = static_cast<std::uint64_t>(limit(GL_MAX_TEXTURE_BUFFER_SIZE));
+    if (texels <= most) return;
+    throw DeviceError(beyond_limit(purpose, std::to_string(texels) + " values in GL",
+                                   "a shader reads up to " + std::to_string(most) +
+                                       " here (GL_MAX_TEXTURE_BUFFER_SIZE)"));
 }
 
 } // namespace lineatlas::gl

@@ -1,23 +1,35 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
+#include <cstdint>
 
 #include <glm/vec2.hpp>
 
+#include "core/limits.hpp"
 #include "objects.hpp"
 
 namespace lineatlas::gl {
 
-/// Memory for GL's objects. `what` it is for stands in the DeviceError that each throws where GL
-/// has none; the object is as it was then. Errors of GL's from before are taken off its list:
-/// drivers note only one.
+/// Memory for GL's objects. Each throws DeviceError where GL has none, or where the object would be
+/// larger than this device's may be; the object is as it was then. Errors of GL's from before are
+/// taken off its list: drivers note only one.
 void allocate(const Buffer& buffer, std::size_t bytes, const void* data, GLbitfield flags,
-              std::string_view what);
-void allocate(const Texture2D& texture, GLenum format, glm::ivec2 size, std::string_view what);
-void allocate(const Renderbuffer& buffer, GLenum format, glm::ivec2 size, std::string_view what);
+              const Purpose& purpose);
+/// Another content, perhaps larger, for a buffer whose size may change.
+void refill(const Buffer& buffer, std::size_t bytes, const void* data, const Purpose& purpose);
+void allocate(const Texture2D& texture, GLenum format, glm::ivec2 size, const Purpose& purpose);
+void allocate(const Renderbuffer& buffer, GLenum format, glm::ivec2 size, const Purpose& purpose);
 
 /// The first `bytes` of a buffer as host memory. Throws as above.
-void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, std::string_view what);
+void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, const Purpose& purpose);
+
+/// The longest side of a texture that can be drawn to: of textures, renderbuffers and viewports.
+int largest_side();
+/// Throws UsageError for a picture that is larger.
+void check_side(glm::ivec2 size, const Purpose& purpose);
+
+/// Throws DeviceError if a texture over a buffer cannot show that many texels: GL would leave out
+/// those beyond without a word.
+void check_buffer_texture(std::uint64_t texels, const Purpose& purpose);
 
 } // namespace lineatlas::gl

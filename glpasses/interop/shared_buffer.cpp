@@ -11,14 +11,13 @@
 namespace lineatlas::interop {
 namespace {
 
-constexpr std::string_view use = "a table that it shares with compute";
-
 /// One GL buffer opened by OpenCL.
 class GlSharingBuffer final : public SharedBuffer {
   public:
-    GlSharingBuffer(const compute::OpenClBackend& backend, std::size_t bytes)
+    GlSharingBuffer(const compute::OpenClBackend& backend, std::size_t bytes,
+                    const Purpose& purpose)
         : SharedBuffer(bytes), gl_(gl::Buffer::create()) {
-        gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, use);
+        gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
         try {
             cl::BufferGL opened{backend.context(), CL_MEM_READ_WRITE, gl_.id()};
             compute_ = std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes);
@@ -38,15 +37,25 @@ class GlSharingBuffer final : public SharedBuffer {
     std::unique_ptr<compute::OpenClBuffer> compute_;
 };
 
+/// Runs what may fail with a device that is lost, where nothing can be done about that.
+template <class Action>
+void quietly(Action&& action) {
+    try {
+        action();
+    } catch (const Error&) {
+        return; // a queue that failed runs nothing any more
+    }
+}
+
 /// Host memory that GL keeps mapped and compute wraps.
 class HostPointerBuffer final : public SharedBuffer {
   public:
-    HostPointerBuffer(compute::Backend& backend, std::size_t bytes)
+    HostPointerBuffer(compute::Backend& backend, std::size_t bytes, const Purpose& purpose)
         : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()) {
         constexpr GLbitfield access =
             GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-        gl::allocate(gl_, bytes, nullptr, access | GL_DYNAMIC_STORAGE_BIT, use);
-        void* memory = gl::map(gl_, bytes, access, use);
+        gl::allocate(gl_, bytes, nullptr, access | GL_DYNAMIC_STORAGE_BIT, purpose);
+        void* memory = gl::map(gl_, bytes, access, purpose);
         compute_ = backend.wrap({static_cast<std::byte*>(memory), bytes});
         backend.begin_host_access(*compute_);
     }
@@ -54,12 +63,8 @@ class HostPointerBuffer final : public SharedBuffer {
         // The wrapper must be gone before GL takes its memory away, and so must what works on it:
         // an error may have ended a frame with kernels on their way. PoCL 3.1 keeps for ever what
         // is released while it is mapped.
-        try {
-            backend_.end_host_access(*compute_);
-            backend_.finish();
-        } catch (const Error&) {
-            // A queue that failed runs nothing any more.
-        }
+        quietly([&] { backend_.end_host_access(*compute_); });
+        quietly([&] { backend_.finish(); });
         compute_.reset();
         if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
     }
@@ -79,10 +84,10 @@ class HostPointerBuffer final : public SharedBuffer {
 /// A buffer on each side and a staging area on the host between them.
 class CopyBuffer final : public SharedBuffer {
   public:
-    CopyBuffer(compute::Backend& backend, std::size_t bytes)
+    CopyBuffer(compute::Backend& backend, std::size_t bytes, const Purpose& purpose)
         : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()),
           compute_(backend.allocate(bytes)) {
-        gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, use);
+        gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
     }
 
     GLuint gl() const override { return gl_.id(); }
@@ -127,22 +132,24 @@ std::string_view name_of(SharingMode mode) {
 }
 
 std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
-                                                 std::size_t bytes) {
+                                                 std::size_t bytes, const Purpose& purpose) {
     bytes = std::max<std::size_t>(bytes, 64);
-    switch (mode) {
-    case SharingMode::gl_sharing: {
-        auto* opencl = dynamic_cast<compute::OpenClBackend*>(&backend);
-        if (opencl == nullptr) {
-            throw DeviceError(backend.description() + " has no gl-sharing; use --interop copy");
+    return for_purpose(purpose, [&]() -> std::unique_ptr<SharedBuffer> {
+        switch (mode) {
+        case SharingMode::gl_sharing: {
+            auto* opencl = dynamic_cast<compute::OpenClBackend*>(&backend);
+            if (opencl == nullptr) {
+                throw DeviceError(backend.description() + " has no gl-sharing; use --interop copy");
+            }
+            return std::make_unique<GlSharingBuffer>(*opencl, bytes, purpose);
         }
-        return std::make_unique<GlSharingBuffer>(*opencl, bytes);
-    }
-    case SharingMode::host_pointer:
-        return std::make_unique<HostPointerBuffer>(backend, bytes);
-    case SharingMode::copy:
-        break;
-    }
-    return std::make_unique<CopyBuffer>(backend, bytes);
+        case SharingMode::host_pointer:
+            return std::make_unique<HostPointerBuffer>(backend, bytes, purpose);
+        case SharingMode::copy:
+            break;
+        }
+        return std::make_unique<CopyBuffer>(backend, bytes, purpose);
+    });
 }
 
 } // namespace lineatlas::interop

@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "compute/backend.hpp"
+#include "core/limits.hpp"
 #include "shared.hpp"
 
 namespace lineatlas::interop {
@@ -37,6 +38,7 @@ class SharedBuffer : public Shared {
 
 /// Throws DeviceError when memory runs out or the mode does not work with this backend.
 std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
-                                                 std::size_t bytes);
+                                                 std::size_t bytes,
+                                                 const Purpose& purpose = purpose::scratch);
 
 } // namespace lineatlas::interop

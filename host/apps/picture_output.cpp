@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 
 #include "description.hpp"
-#include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -17,35 +16,19 @@ int canvas_bits(const PictureFrame& frame) {
     return frame.settings.bits > 8 || frame.transparent ? 16 : 8;
 }
 
-/// Tile size of a frame; 0 if it is drawn in one piece.
-int tile_size(const PictureFrame& frame) {
-    constexpr int most_pixels = 65536; // a side; beyond that floats can't tell texels apart
-    if (frame.size.x > most_pixels || frame.size.y > most_pixels) {
-        throw UsageError(fmt::format("--size {}x{}: each side must be 1 to {} pixels", frame.size.x,
-                                     frame.size.y, most_pixels));
-    }
-    if (frame.tile_size != 0) return frame.tile_size;
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const int scale = frame.options.method == Method::opengl ? 1 : frame.options.depth_scale;
-    if (std::max(frame.size.x, frame.size.y) * scale <= largest) return 0;
-    constexpr int depth_texels = 4096; // more take memory, fewer time
-    return depth_texels / frame.options.depth_scale;
-}
-
 glm::ivec2 canvas_size(const PictureFrame& frame) {
     return frame.tile_size == 0 ? frame.size : glm::min(frame.size, frame.tile_size);
 }
 
-PictureFrame with_tiles(PictureFrame frame) {
-    frame.tile_size = tile_size(frame);
+PictureFrame with_tiles(PictureFrame frame, const Renderer& renderer) {
+    if (frame.tile_size == 0) frame.tile_size = renderer.tile_size(frame.size, frame.options);
     return frame;
 }
 
 } // namespace
 
 PictureOutput::PictureOutput(PictureFrame frame, Renderer& renderer, ImageWriter& writer)
-    : frame_(with_tiles(std::move(frame))), renderer_(renderer), writer_(writer),
+    : frame_(with_tiles(std::move(frame), renderer)), renderer_(renderer), writer_(writer),
       canvas_(canvas_size(frame_), canvas_bits(frame_)) {}
 
 void PictureOutput::clear() {

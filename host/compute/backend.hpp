@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,6 +15,7 @@
 
 #include "command_log.hpp"
 #include "core/atlas_layout.hpp"
+#include "core/limits.hpp"
 #include "segment_table.h"
 
 namespace lineatlas::compute {
@@ -278,8 +281,15 @@ class Backend {
     /// "reference", or "opencl: <device> (<platform>)".
     virtual std::string description() const = 0;
 
-    /// Device memory; its content is undefined. Never smaller than 16 bytes.
+    /// Device memory; its content is undefined. Never smaller than 16 bytes. Throws Shortage
+    /// (core/limits.hpp) where there is not enough.
     virtual std::unique_ptr<Buffer> allocate(std::size_t bytes) = 0;
+    /// What one buffer can hold, in bytes; always the same.
+    virtual std::uint64_t largest_buffer() const {
+        return std::numeric_limits<std::uint64_t>::max();
+    }
+    /// What all buffers that are still to come can hold.
+    virtual std::uint64_t free_memory() const { return std::numeric_limits<std::uint64_t>::max(); }
     /// A buffer over memory of the caller (page-aligned), without a copy where the device can.
     virtual std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) = 0;
     /// Between these two, the memory behind a wrapped buffer is the host's to read and write.
@@ -317,6 +327,19 @@ class Backend {
     virtual std::shared_ptr<CommandLog> begin_log() { return nullptr; }
     virtual void end_log() {}
 };
+
+/// What a table gets that must hold `needed` bytes, or things of `size` bytes, and may have to grow
+/// again soon: room for that where there is some.
+inline std::uint64_t roomy(const Backend& backend, std::uint64_t needed, std::size_t size = 1) {
+    return with_room_to_grow(needed,
+                             std::min(backend.largest_buffer(), backend.free_memory()) / size);
+}
+
+/// As Backend::allocate; the message of a Shortage says what the memory was for.
+inline std::unique_ptr<Buffer> allocate(Backend& backend, std::size_t bytes,
+                                        const Purpose& purpose) {
+    return for_purpose(purpose, [&] { return backend.allocate(bytes); });
+}
 
 /// Plain C++ on the calling thread: the oracle that kernels are tested against.
 std::unique_ptr<Backend> make_reference_backend();

@@ -4,7 +4,7 @@
 #include <bit>
 #include <string>
 
-#include "lineatlas/error.hpp"
+#include "limits.hpp"
 
 namespace lineatlas {
 
@@ -13,9 +13,9 @@ AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest,
     // Long rows waste less of a gutter; a power of two makes eq. 2 cheap.
     constexpr std::uint32_t usual_row = 8192;
     if (longest >= largest_row) {
-        throw UsageError("a segment may need " + std::to_string(longest) +
-                         " visibility samples, an atlas row holds " + std::to_string(largest_row) +
-                         "; use a larger --step or a smaller --size");
+        throw UsageError(beyond_limit(purpose::atlas,
+                                      "rows of over " + std::to_string(longest) + " samples",
+                                      "a row holds " + std::to_string(largest_row) + " here"));
     }
     const std::uint32_t wanted =
         std::max(usual_row, longest < (1U << 30U) ? std::bit_ceil(longest + 1) * 2 : largest_row);

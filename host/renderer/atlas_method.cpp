@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "backdrop.hpp"
+#include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -18,6 +19,12 @@ constexpr std::uint32_t first_sample_capacity = 1U << 16U;
 // Faster motion doesn't sparkle: nobody follows a line through it.
 constexpr float slow_pixels = 4;
 
+/// In samples, at most.
+std::uint32_t longest_segment(const Frame& frame) {
+    const float diagonal = glm::length(frame.viewport());
+    return static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
+}
+
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
 }
@@ -28,47 +35,66 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
       raster_is_faster_(!interop::gl_is_software()), depth_(connection), strokes_(connection),
       intervals_(backend_) {
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest_texture_);
+    largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
 
-void AtlasMethod::set_scene(const SceneBuffers& scene) {
-    // The old tables first: a large model may not fit beside another.
+void AtlasMethod::release_scene() {
     front_.reset();
     arcs_.reset();
     past_ = {};
     clipped_.reset();
     offsets_.reset();
+}
+
+void AtlasMethod::set_scene(const SceneBuffers& scene) {
+    release_scene();
     segment_count_ = scene.segment_count();
-    front_ = backend_.allocate(scene.triangle_count());
-    clipped_ = shared(std::size_t{segment_count_} * sizeof(ClippedSegment));
-    offsets_ = shared((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
-    arcs_ = backend_.allocate((std::size_t{segment_count_} + 1) * sizeof(std::uint32_t));
+    front_ = compute::allocate(backend_, scene.triangle_count(), purpose::model);
+    clipped_ = shared(std::size_t{segment_count_} * sizeof(ClippedSegment), purpose::segments);
+    const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(std::uint32_t);
+    offsets_ = shared(sums, purpose::segments);
+    arcs_ = compute::allocate(backend_, sums, purpose::segments);
     depth_.set_scene(scene);
 }
 
 void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
-    const float diagonal = glm::length(frame.viewport());
-    const auto longest = static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
+    const std::uint32_t longest = longest_segment(frame);
     const AtlasLayoutKind kind = frame.options.atlas_layout == AtlasLayoutChoice::wrap
                                      ? AtlasLayoutKind::wrap
                                      : AtlasLayoutKind::gutter;
-    const AtlasLayout layout =
-        make_atlas_layout(kind, longest, static_cast<std::uint32_t>(longest_row));
+    const auto row = std::min(static_cast<std::uint64_t>(longest_row), most_texels());
+    const AtlasLayout layout = make_atlas_layout(kind, longest, static_cast<std::uint32_t>(row));
     if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
     layout_ = layout;
     past_ = {};
-    sample_capacity_ = std::max(sample_capacity_, first_sample_capacity);
-    alpha_ = shared(layout_.texels(sample_capacity_));
+    const std::uint64_t most = std::max<std::uint64_t>(most_samples(), 1);
+    sample_capacity_ = static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(std::max(sample_capacity_, first_sample_capacity), most));
+    make_atlas();
+}
+
+void AtlasMethod::make_atlas() {
+    alpha_.reset();
+    alpha_ = shared(layout_.texels(sample_capacity_), purpose::atlas);
+}
+
+std::uint64_t AtlasMethod::most_texels() const {
+    return std::min(static_cast<std::uint64_t>(largest_texture_buffer_), backend_.largest_buffer());
+}
+
+std::uint64_t AtlasMethod::most_samples() const {
+    return most_texels() / layout_.pitch * layout_.width;
 }
 
 void AtlasMethod::prepare(const Frame& frame) {
     check_depth_size(frame.camera.size * frame.depth_scale());
-    prepare_layout(frame, largest_texture_);
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.atlas == AtlasForm::raster ||
-              (frame.options.atlas == AtlasForm::automatic && raster_is_faster_);
+              (frame.options.atlas == AtlasForm::automatic && raster_is_faster_ &&
+               longest_segment(frame) < static_cast<std::uint32_t>(largest_side_));
+    prepare_layout(frame, raster_ ? largest_side_ : no_texture);
     cull_hidden_ = frame.culls_hidden();
     keeps_intervals_ = IntervalStage::wanted(frame);
 }
@@ -108,7 +134,16 @@ void AtlasMethod::project(Frame& frame) {
 void AtlasMethod::sample(Frame& frame) {
     if (frame.options.method == Method::item_buffer) return sample_item_buffer(frame);
     if (raster_) return sample_raster(frame);
+    sample_compute(frame);
+}
+
+void AtlasMethod::sample_compute(Frame& frame) {
     frame.clock("atlas", [&] { backend_.atlas(atlas_args(frame, depth_.size())); });
+}
+
+bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
+    return frame.options.atlas == AtlasForm::automatic &&
+           layout_.rows(samples) > static_cast<std::uint32_t>(largest_side_);
 }
 
 compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth) {
@@ -137,15 +172,20 @@ void AtlasMethod::sample_raster(Frame& frame) {
                                 static_cast<GLintptr>(segment_count_ * sizeof(total)),
                                 sizeof(total), &total);
         if (total > sample_capacity_) return; // grow() sees to it
+        if (leaves_raster(frame, total)) return;
         atlas_pass_.draw(
             {.clipped = clipped_->gl(), .offsets = offsets_->gl(), .segment_count = segment_count_},
             frame.probe_params(depth_.texture()), layout_, total, alpha_->gl());
     });
     frame.clock.handover([&] {
-        const bool fits = total <= sample_capacity_;
+        const bool drawn = total <= sample_capacity_ && !leaves_raster(frame, total);
         handover_.to_compute(
-            {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, fits ? layout_.texels(total) : 0}});
+            {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, drawn ? layout_.texels(total) : 0}});
     });
+    if (total > sample_capacity_ || !leaves_raster(frame, total)) return;
+    if (!reads_depth()) depth_.draw_for_compute(frame);
+    raster_ = false;
+    sample_compute(frame);
 }
 
 void AtlasMethod::sample_item_buffer(Frame& frame) {
@@ -177,11 +217,14 @@ void AtlasMethod::steady(Frame& frame) {
     }
     frame.clock("temporal", [&] {
         if (!past_.offsets) {
-            past_.offsets = backend_.allocate((std::size_t{segment_count_} + 1) * sizeof(la_uint));
-            past_.ranges = backend_.allocate(std::size_t{segment_count_} * sizeof(la_uint));
+            const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(la_uint);
+            past_.offsets = compute::allocate(backend_, sums, purpose::segments);
+            past_.ranges = compute::allocate(
+                backend_, std::size_t{segment_count_} * sizeof(la_uint), purpose::segments);
         }
         if (!past_.alpha || past_.alpha->size() != alpha_->size()) {
-            past_.alpha = backend_.allocate(alpha_->size());
+            past_.alpha.reset(); // it may not fit beside another
+            past_.alpha = compute::allocate(backend_, alpha_->size(), purpose::atlas);
             past_.camera.reset();
         }
         const bool follows = follows_past(frame);
@@ -206,17 +249,16 @@ void AtlasMethod::steady(Frame& frame) {
 
 bool AtlasMethod::grow_atlas(std::uint64_t needed) {
     if (needed <= sample_capacity_) return false;
-    const std::uint64_t limit =
-        static_cast<std::uint64_t>(largest_texture_buffer_) / layout_.pitch * layout_.width;
-    if (needed > limit) {
+    const std::uint64_t most = most_samples();
+    if (needed > most) {
         const bool uncountable = needed == 0xFFFFFFFFU;
-        throw DeviceError((uncountable ? "over 4 billion" : std::to_string(needed)) +
-                          " visibility samples are needed, this device's atlas holds " +
-                          std::to_string(limit) +
-                          "; use a larger --step, a smaller --size or fewer --lines kinds");
+        throw DeviceError(beyond_limit(
+            purpose::atlas, (uncountable ? "over 4 billion" : std::to_string(needed)) + " samples",
+            "this device's atlas holds " + std::to_string(most)));
     }
-    sample_capacity_ = static_cast<std::uint32_t>(std::min(needed + needed / 4, limit));
-    alpha_ = shared(layout_.texels(sample_capacity_));
+    alpha_.reset(); // it may not fit beside another
+    sample_capacity_ = static_cast<std::uint32_t>(std::min(compute::roomy(backend_, needed), most));
+    make_atlas();
     handover_.to_compute({{*alpha_, 0}});
     return true;
 }

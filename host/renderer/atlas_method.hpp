@@ -21,6 +21,8 @@ class AtlasMethod {
   public:
     explicit AtlasMethod(const interop::Connection& connection);
 
+    /// Gives up the tables of a line set: a large one may not fit beside another.
+    void release_scene();
     /// Makes tables for another line set.
     void set_scene(const SceneBuffers& scene);
     FrameStats draw(Frame& frame);
@@ -44,6 +46,7 @@ class AtlasMethod {
     SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
     }
+    void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
     void steady(Frame& frame);
@@ -57,9 +60,16 @@ class AtlasMethod {
     void draw_strokes(Frame& frame);
     FrameStats stats(Frame& frame);
 
-    std::unique_ptr<SharedBuffer> shared(std::size_t bytes) const {
-        return interop::make_shared_buffer(backend_, mode_, bytes);
+    std::unique_ptr<SharedBuffer> shared(std::size_t bytes, const Purpose& purpose) const {
+        return interop::make_shared_buffer(backend_, mode_, bytes, purpose);
     }
+    /// Makes the atlas anew, for `sample_capacity_`.
+    void make_atlas();
+    /// What an atlas can hold at most; of the current layout, in samples.
+    std::uint64_t most_texels() const;
+    std::uint64_t most_samples() const;
+    /// Whether the current frame's atlas has more rows than GL can draw, and kernels may do it.
+    bool leaves_raster(const Frame& frame, std::uint32_t samples) const;
     /// Whether kernels need the current frame's depth.
     bool reads_depth() const { return !raster_ || cull_hidden_ || keeps_intervals_; }
     compute::ClippedTable clipped_table() {
@@ -70,7 +80,9 @@ class AtlasMethod {
     interop::SharingMode mode_;
     interop::Handover handover_;
     bool raster_is_faster_;
-    GLint largest_texture_ = 0;
+    /// The longest row of an atlas that is a plain buffer, which GL doesn't draw to.
+    static constexpr GLint no_texture = 1 << 24;
+    GLint largest_side_ = 0; ///< of what GL draws to
     GLint largest_texture_buffer_ = 0;
 
     DepthStage depth_;

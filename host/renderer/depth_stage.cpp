@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture_limits.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -38,7 +40,7 @@ DepthStage::DepthStage(const interop::Connection& connection)
 void DepthStage::set_scene(const SceneBuffers& scene) {
     seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
     appeared_.resize(seen_.size());
-    visible_ = backend_.allocate(seen_.size());
+    visible_ = compute::allocate(backend_, seen_.size(), purpose::model);
 }
 
 void DepthStage::prepare(const Frame& frame) {
@@ -46,24 +48,23 @@ void DepthStage::prepare(const Frame& frame) {
     prepare_depth(texels);
     const std::size_t tile_bytes = area(compute::tiles_for(texels)) * sizeof(float);
     if (!tiles_ || tiles_->size() < tile_bytes) {
-        tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes);
+        tiles_.reset(); // it may not fit beside another
+        tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes, purpose::depth);
     }
 }
 
 void DepthStage::prepare_depth(glm::ivec2 size) {
     const std::size_t bytes = area(size) * sizeof(float);
     if (!depth_ || depth_->size() < bytes) {
-        depth_ = interop::make_shared_buffer(backend_, mode_, bytes);
+        depth_.reset();
+        depth_ = interop::make_shared_buffer(backend_, mode_, bytes, purpose::depth);
     }
 }
 
 compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) {
     const int scale = frame.depth_scale();
     const glm::ivec2 whole = frame.camera.size * scale;
-    // Probes lie half a sample along the line and a pixel across it from the sample's middle.
-    const auto reach =
-        static_cast<int>(std::ceil((0.5F * frame.options.step + 1) * static_cast<float>(scale))) +
-        1;
+    const int reach = probe_margin(frame.options.step, scale);
     const glm::ivec2 low = glm::max(tile.low * scale - reach, 0);
     const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
     check_depth_size(size);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/depth_tolerance.hpp"
+#include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -54,12 +55,7 @@ bool has_depth_attachment(GLuint framebuffer) {
 }
 
 void check_depth_size(glm::ivec2 size) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (size.x <= largest && size.y <= largest) return;
-    throw UsageError("a depth buffer of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                     " is larger than this device's limit of " + std::to_string(largest) +
-                     "; choose a smaller --size or --depth-scale");
+    gl::check_side(size, purpose::depth);
 }
 
 } // namespace lineatlas

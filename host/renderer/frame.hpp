@@ -1,9 +1,12 @@
 #pragma once
 
+#include <limits>
+
 #include <epoxy/gl.h>
 #include <glm/vec2.hpp>
 
 #include "core/atlas_layout.hpp"
+#include "core/limits.hpp"
 #include "core/standard_camera.hpp"
 #include "core/tiles.hpp"
 #include "glpasses/atlas_pass.hpp"
@@ -15,6 +18,14 @@
 #include "stage_clock.hpp"
 
 namespace lineatlas {
+
+/// How many elements a table gets that must hold `needed` of them and may have to grow again.
+template <class Element>
+std::uint32_t capacity_for(const compute::Backend& backend, std::uint32_t needed) {
+    constexpr std::uint64_t most_counted = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(
+        std::min(compute::roomy(backend, needed, sizeof(Element)), most_counted));
+}
 
 class Backdrop;
 

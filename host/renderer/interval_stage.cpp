@@ -11,9 +11,14 @@ void IntervalStage::find(Frame& frame, const SegmentAtlas& input, const DepthSta
     kept_ = wanted(frame);
     total_ = 0;
     if (!kept_) return;
-    if (!total_buffer_) total_buffer_ = backend_.allocate(sizeof(std::uint32_t));
+    if (!total_buffer_) {
+        total_buffer_ = compute::allocate(backend_, sizeof(std::uint32_t), purpose::intervals);
+    }
     const std::size_t bytes = std::size_t{capacity_} * sizeof(Interval);
-    if (!table_ || table_->size() < bytes) table_ = backend_.allocate(bytes);
+    if (!table_ || table_->size() < bytes) {
+        table_.reset(); // it may not fit beside another
+        table_ = compute::allocate(backend_, bytes, purpose::intervals);
+    }
     frame.clock("intervals", [&] {
         backend_.intervals({.table = frame.scene.table(),
                             .clipped = input.clipped,
@@ -35,7 +40,7 @@ void IntervalStage::find(Frame& frame, const SegmentAtlas& input, const DepthSta
 
 bool IntervalStage::grow() {
     if (total_ <= capacity_) return false;
-    capacity_ = total_ + total_ / 4;
+    capacity_ = capacity_for<Interval>(backend_, total_);
     return true;
 }
 

@@ -12,7 +12,8 @@ constexpr std::size_t matrix_floats = 12;
 
 template <class T>
 std::unique_ptr<compute::Buffer> upload(compute::Backend& backend, std::span<const T> values) {
-    std::unique_ptr<compute::Buffer> buffer = backend.allocate(values.size_bytes());
+    std::unique_ptr<compute::Buffer> buffer =
+        compute::allocate(backend, values.size_bytes(), purpose::motion);
     backend.upload(*buffer, std::as_bytes(values));
     return buffer;
 }
@@ -34,11 +35,13 @@ MovingTables::MovingTables(compute::Backend& backend, interop::SharingMode mode,
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
       objects_(upload<std::uint32_t>(backend, object_of_vertices(shape))),
       cluster_objects_(upload(backend, shape.cluster_objects)),
-      matrices_(backend.allocate(shape.objects.size() * matrix_floats * sizeof(float))),
-      jumped_(backend.allocate(shape.objects.size())),
-      vertices_(backend.allocate(vertex_count_ * sizeof(glm::vec3))),
-      clusters_(backend.allocate(cluster_count_ * sizeof(Cluster))),
-      drawn_(interop::make_shared_buffer(backend, mode, vertex_count_ * sizeof(glm::vec3))) {}
+      matrices_(compute::allocate(backend, shape.objects.size() * matrix_floats * sizeof(float),
+                                  purpose::motion)),
+      jumped_(compute::allocate(backend, shape.objects.size(), purpose::motion)),
+      vertices_(compute::allocate(backend, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
+      clusters_(compute::allocate(backend, cluster_count_ * sizeof(Cluster), purpose::motion)),
+      drawn_(interop::make_shared_buffer(backend, mode, vertex_count_ * sizeof(glm::vec3),
+                                         purpose::motion)) {}
 
 void MovingTables::transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
                              std::span<const glm::mat4> world_from_object) {

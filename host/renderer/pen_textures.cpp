@@ -10,7 +10,7 @@ namespace {
 gl::Texture2D upload(const PenMark& mark) {
     if (mark.size.x == 0) return {};
     gl::Texture2D texture = gl::Texture2D::create();
-    gl::allocate(texture, GL_R8, mark.size, "the mark of a pen");
+    gl::allocate(texture, GL_R8, mark.size, purpose::pen);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(texture.id(), 0, 0, 0, mark.size.x, mark.size.y, GL_RED, GL_UNSIGNED_BYTE,
                         mark.coverage.data());

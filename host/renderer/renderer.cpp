@@ -18,6 +18,7 @@
 #include "lineatlas/error.hpp"
 #include "opengl_method.hpp"
 #include "pen_textures.hpp"
+#include "picture_limits.hpp"
 #include "spine_method.hpp"
 
 namespace lineatlas {
@@ -162,6 +163,9 @@ class Renderer::State {
     void set_lines(const LineSet& lines) {
         scene_.reset();
         samples_drawn_ = false;
+        mend();
+        broken_ = false;
+        atlas_->release_scene();
         scene_.emplace(*connection_.backend, connection_.mode, lines);
         try {
             atlas_->set_scene(*scene_);
@@ -188,6 +192,12 @@ class Renderer::State {
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
         if (profiled) profiled->finish(stats);
         return stats;
+    }
+
+    int tile_size(glm::ivec2 size, const FrameOptions& options) const {
+        check(options);
+        check_picture(size);
+        return tile_size_for(size, options, *connection_.backend);
     }
 
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
@@ -224,13 +234,19 @@ class Renderer::State {
     }
 
   private:
+    /// New tables in place of those that a frame has left half made.
+    void mend() {
+        if (!broken_) return;
+        spine_.reset();
+        atlas_ = std::make_unique<AtlasMethod>(connection_);
+    }
+
     /// Runs what draws. If it fails, tables may be on either side of GL and compute, or half made:
     /// the next frame starts with new ones.
     template <class Action>
     FrameStats unbroken(Action&& action) {
         if (broken_) {
-            spine_.reset();
-            atlas_ = std::make_unique<AtlasMethod>(connection_);
+            mend();
             atlas_->set_scene(*scene_);
         }
         broken_ = true;
@@ -264,9 +280,7 @@ class Renderer::State {
     Frame begin(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
-        if (camera.size.x < 1 || camera.size.y < 1) {
-            throw UsageError("renderer: the camera's size must be positive");
-        }
+        check_picture(camera.size);
         camera_ = standard_camera(camera, options);
         Frame frame{.camera = camera_.camera,
                     .depth_mapping = camera_.depth,
@@ -369,6 +383,10 @@ std::vector<Interval> Renderer::read_intervals() {
 std::vector<FrameProfile> Renderer::take_profiles(bool wait) {
     const gl::StateGuard guard = state_->enter();
     return state_->take_profiles(wait);
+}
+int Renderer::tile_size(glm::ivec2 size, const FrameOptions& options) const {
+    const gl::StateGuard guard = state_->enter();
+    return state_->tile_size(size, options);
 }
 FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
                                 const TileTarget& target) {

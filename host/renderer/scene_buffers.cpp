@@ -11,6 +11,7 @@
 #include "core/clusters.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
+#include "model_limits.hpp"
 
 namespace lineatlas {
 namespace {
@@ -24,17 +25,23 @@ std::span<const std::byte> bytes_of(const std::vector<T>& values) {
     return std::as_bytes(std::span{values});
 }
 
-gl::Buffer upload_gl(std::span<const std::byte> data) {
+gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose) {
     gl::Buffer buffer = gl::Buffer::create();
     const std::byte nothing{};
     gl::allocate(buffer, std::max<std::size_t>(data.size(), 1),
-                 data.empty() ? &nothing : data.data(), 0, "a model");
+                 data.empty() ? &nothing : data.data(), 0, purpose);
     return buffer;
 }
 
-std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
-                                        std::span<const std::byte> data) {
-    std::unique_ptr<compute::Buffer> buffer = backend.allocate(data.size());
+/// The lines, if there are no more than can be drawn.
+const LineSet& checked(const LineSet& lines) {
+    check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
+    return lines;
+}
+
+std::unique_ptr<compute::Buffer> upload(compute::Backend& backend, std::span<const std::byte> data,
+                                        const Purpose& purpose) {
+    std::unique_ptr<compute::Buffer> buffer = compute::allocate(backend, data.size(), purpose);
     backend.upload(*buffer, data);
     return buffer;
 }
@@ -44,38 +51,41 @@ std::unique_ptr<compute::Buffer> upload(compute::Backend& backend,
 SceneBuffers::SceneBuffers(compute::Backend& backend, interop::SharingMode mode,
                            const LineSet& lines)
     : backend_(&backend),
-      mode_(mode), tables_{.vertices = upload(backend, bytes_of(lines.vertices)),
-                           .triangles = upload(backend, bytes_of(lines.triangles)),
-                           .segments = upload(backend, bytes_of(lines.segments)),
+      mode_(mode), tables_{.vertices =
+                               upload(backend, bytes_of(checked(lines).vertices), purpose::model),
+                           .triangles = upload(backend, bytes_of(lines.triangles), purpose::model),
+                           .segments = upload(backend, bytes_of(lines.segments), purpose::segments),
                            .clusters = nullptr,
                            .cluster_triangles = nullptr,
                            .moving = nullptr},
       motion_(lines), diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
-      gl_vertices_(upload_gl(bytes_of(lines.vertices))),
+      gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
     if (triangle_count_ < fewest_triangles_culled) {
-        gl_indices_ = upload_gl(bytes_of(lines.triangles));
+        gl_indices_ = upload_gl(bytes_of(lines.triangles), purpose::model);
         upload_colors(lines, {});
     } else {
         TriangleClusters parts =
             build_clusters(lines.vertices, lines.triangles, cluster_size, lines.objects);
-        gl_indices_ = upload_gl(bytes_of(parts.triangles));
+        gl_indices_ = upload_gl(bytes_of(parts.triangles), purpose::model);
         clusters_ = std::move(parts.clusters);
         cluster_objects_ = std::move(parts.objects);
         upload_colors(lines, parts.order);
     }
-    tables_.clusters = upload(backend, bytes_of(clusters_));
+    tables_.clusters = upload(backend, bytes_of(clusters_), purpose::model);
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
+    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
     motion_.set_transforms(world_from_object);
-    start_moving();
+    start_moving(std::move(made));
 }
 
 void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
     motion_.set_positions(first, positions);
-    start_moving();
+    start_moving(std::move(made));
     backend_->upload_at(*tables_.vertices, first * sizeof(glm::vec3), std::as_bytes(positions));
     if (clusters_.empty()) return;
     if (!tables_.cluster_triangles) {
@@ -83,7 +93,7 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
         glGetNamedBufferSubData(gl_indices_.id(), 0,
                                 static_cast<GLsizeiptr>(bytes_of(triangles).size()),
                                 triangles.data());
-        tables_.cluster_triangles = upload(*backend_, bytes_of(triangles));
+        tables_.cluster_triangles = upload(*backend_, bytes_of(triangles), purpose::motion);
     }
     backend_->bounds({.vertices = *tables_.vertices,
                       .triangles = *tables_.cluster_triangles,
@@ -91,9 +101,13 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
                       .count = static_cast<std::uint32_t>(clusters_.size())});
 }
 
-void SceneBuffers::start_moving() {
-    if (!tables_.moving) {
-        tables_.moving = make_moving(*backend_, mode_);
+std::unique_ptr<MovingTables> SceneBuffers::make_moving_once() const {
+    return tables_.moving ? nullptr : make_moving(*backend_, mode_);
+}
+
+void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
+    if (made) {
+        tables_.moving = std::move(made);
         gl_vertices_ = {};
     }
     moved_ = true;
@@ -146,14 +160,14 @@ void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint
                 std::min<std::size_t>(lines.triangle_color[source], lines.colors.size());
             indices[i] = static_cast<Index>(index);
         }
-        gl_color_indices_ = upload_gl(bytes_of(indices));
+        gl_color_indices_ = upload_gl(bytes_of(indices), purpose::fill);
     };
     const bool fits_a_byte = table.size() <= 256;
     if (fits_a_byte)
         upload_indices(std::uint8_t{});
     else
         upload_indices(std::uint16_t{});
-    gl_colors_ = upload_gl(bytes_of(table));
+    gl_colors_ = upload_gl(bytes_of(table), purpose::fill);
     colors_ = {.indices = gl_color_indices_.id(),
                .index_format = static_cast<GLenum>(fits_a_byte ? GL_R8UI : GL_R16UI),
                .colors = gl_colors_.id()};
@@ -169,7 +183,8 @@ std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Backend& backend,
                                                interop::SharingMode mode) {
     const auto copy = [&](compute::Buffer& buffer) {
-        return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())));
+        return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())),
+                      purpose::model);
     };
     return {.vertices = copy(*tables_.vertices),
             .triangles = copy(*tables_.triangles),
@@ -186,12 +201,13 @@ std::vector<Segment> SceneBuffers::download_segments() {
 
 gl::SegmentBuffers SceneBuffers::gl_segments() {
     if (!gl_segments_) {
-        gl_segments_ = upload_gl(bytes_of(download_segments()));
+        gl_segments_ = upload_gl(bytes_of(download_segments()), purpose::spine);
         // In the order that segments refer to; gl_indices_ may have another.
-        gl_table_triangles_ =
-            upload_gl(bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)));
+        gl_table_triangles_ = upload_gl(
+            bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)), purpose::spine);
     }
-    return {gl_segments_.id(), gl_vertices(), gl_table_triangles_.id(), segment_count_};
+    return {gl_segments_.id(), gl_vertices(),          gl_table_triangles_.id(),
+            segment_count_,    motion_.vertex_count(), triangle_count_};
 }
 
 gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
@@ -203,7 +219,7 @@ gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
             ends.push_back(segment.p);
             ends.push_back(segment.q);
         }
-        gl_lines_ = upload_gl(bytes_of(ends));
+        gl_lines_ = upload_gl(bytes_of(ends), purpose::segments);
         line_kinds_ = kinds;
         line_count_ = static_cast<std::uint32_t>(ends.size() / 2);
     }

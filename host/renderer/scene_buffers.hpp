@@ -24,7 +24,7 @@ namespace lineatlas {
 /// passes.
 class SceneBuffers {
   public:
-    /// Throws DeviceError when memory runs out.
+    /// Throws DeviceError when memory runs out, or where there is more than GL can count.
     SceneBuffers(compute::Backend& backend, interop::SharingMode mode, const LineSet& lines);
 
     /// See Renderer. What they change is there after move().
@@ -92,7 +92,9 @@ class SceneBuffers {
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
-    void start_moving();
+    /// Null if they are there already.
+    std::unique_ptr<MovingTables> make_moving_once() const;
+    void start_moving(std::unique_ptr<MovingTables> made);
     std::unique_ptr<MovingTables> make_moving(compute::Backend& backend,
                                               interop::SharingMode mode) const;
     GLuint gl_vertices() const {

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "glpasses/storage.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -49,15 +51,16 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 
 StrokeStage::StrokeStage(const interop::Connection& connection)
     : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raw_record_(backend_.allocate(sizeof(FrameRecord))) {
+      raw_record_(compute::allocate(backend_, sizeof(FrameRecord), purpose::strokes)) {
     make_table(visible_);
 }
 
 void StrokeStage::make_table(RunTable& table) {
     table.capacity = first_run_capacity;
-    table.runs =
-        interop::make_shared_buffer(backend_, mode_, std::size_t{table.capacity} * sizeof(Run));
-    table.record = interop::make_shared_buffer(backend_, mode_, sizeof(FrameRecord));
+    table.runs = interop::make_shared_buffer(
+        backend_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
+    table.record =
+        interop::make_shared_buffer(backend_, mode_, sizeof(FrameRecord), purpose::strokes);
 }
 
 void StrokeStage::add_unread(std::vector<interop::Passed>& buffers) {
@@ -67,6 +70,13 @@ void StrokeStage::add_unread(std::vector<interop::Passed>& buffers) {
         buffers.push_back({*table->record, 0});
     }
     if (weights_) buffers.push_back({*weights_, 0});
+}
+
+void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
+                            const Purpose& purpose) {
+    if (buffer && buffer->size() >= bytes) return;
+    buffer.reset(); // it may not fit beside another
+    buffer = compute::allocate(backend_, bytes, purpose);
 }
 
 void StrokeStage::prepare(const Frame& frame) {
@@ -80,10 +90,9 @@ void StrokeStage::prepare(const Frame& frame) {
     if (filters_) {
         raw_capacity_ = std::max(raw_capacity_, first_run_capacity);
         const std::size_t bytes = std::size_t{raw_capacity_} * sizeof(Run);
-        if (!raw_runs_ || raw_runs_->size() < bytes) raw_runs_ = backend_.allocate(bytes);
+        make_room(raw_runs_, bytes, purpose::strokes);
         const std::size_t cut_bytes = std::size_t{raw_capacity_} * sizeof(RunCuts);
-        const bool cuts = style.filter.halo > 0;
-        if (cuts && (!cuts_ || cuts_->size() < cut_bytes)) cuts_ = backend_.allocate(cut_bytes);
+        if (style.filter.halo > 0) make_room(cuts_, cut_bytes, purpose::halos);
     }
     limits_density_ = frame.options.draw && style.density.limit > 0;
     if (limits_density_) {
@@ -91,7 +100,9 @@ void StrokeStage::prepare(const Frame& frame) {
         const std::size_t bytes = std::size_t{LA_DENSITY_BINS} *
                                   static_cast<std::size_t>(cells_.x * cells_.y) * sizeof(float);
         if (!weights_ || weights_->size() < bytes) {
-            weights_ = interop::make_shared_buffer(backend_, mode_, bytes);
+            gl::check_buffer_texture(bytes / sizeof(float), purpose::density);
+            weights_.reset(); // it may not fit beside another
+            weights_ = interop::make_shared_buffer(backend_, mode_, bytes, purpose::density);
             handover_.to_compute({{*weights_, 0}});
         }
     }
@@ -202,9 +213,10 @@ void StrokeStage::density(Frame& frame, const SegmentAtlas& input) {
 
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
-    table.capacity = table.totals.run_total + table.totals.run_total / 4;
-    table.runs =
-        interop::make_shared_buffer(backend_, mode_, std::size_t{table.capacity} * sizeof(Run));
+    table.runs.reset(); // it may not fit beside another
+    table.capacity = capacity_for<Run>(backend_, table.totals.run_total);
+    table.runs = interop::make_shared_buffer(
+        backend_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
     handover_.to_compute({{*table.runs, 0}});
     return true;
 }
@@ -214,7 +226,7 @@ bool StrokeStage::grow() {
     if (has_hidden_ && grow(hidden_)) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
-        raw_capacity_ = raw_total + raw_total / 4;
+        raw_capacity_ = capacity_for<Run>(backend_, raw_total);
         grown = true;
     }
     return grown;

@@ -51,6 +51,8 @@ class StrokeStage {
 
     void prepare(const Frame& frame);
     void make_table(RunTable& table);
+    void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
+                   const Purpose& purpose);
     bool grow(RunTable& table);
     void compact(Frame& frame, const SegmentAtlas& input, bool hidden, compute::Buffer& runs,
                  std::uint32_t capacity, compute::Buffer& record);

@@ -1,5 +1,7 @@
 #include "fault_layer.hpp"
 
+#include <cstdlib>
+#include <cstring>
 #include <tuple>
 #include <type_traits>
 
@@ -10,14 +12,39 @@
 namespace lineatlas::test {
 namespace {
 
-OpenClFaults faults;
+std::uint64_t bytes_from(const char* variable) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
+}
+
+OpenClFaults faults{.memory = bytes_from("LINEATLAS_TEST_MEMORY"),
+                    .largest_buffer = bytes_from("LINEATLAS_TEST_BUFFER")};
 const cl_icd_dispatch* driver = nullptr;
+bool is_lost = false;           ///< from the failed command on, where that is wanted
+cl_int late_error = CL_SUCCESS; ///< for the next wait
 
 /// Counts a call; whether it is the one that fails.
 bool fails(int& count, int& wanted) {
     ++count;
+    is_lost = is_lost && faults.lost;
+    if (is_lost) return true;
     if (wanted == 0 || --wanted > 0) return false;
+    is_lost = faults.lost;
     return true; // wanted is 0 now: those after it succeed
+}
+
+/// Whether a command fails at once.
+bool command_fails() {
+    if (!fails(faults.commands, faults.fail_command)) return false;
+    if (faults.late) late_error = CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST;
+    return !faults.late;
+}
+
+/// What a wait returns.
+cl_int wait_status(cl_int status) {
+    const cl_int error = late_error;
+    late_error = CL_SUCCESS;
+    return error != CL_SUCCESS ? error : status;
 }
 
 /// A command that was asked for its event made one.
@@ -50,14 +77,26 @@ struct Hook<function, kind> {
         return (driver->*function)(arguments...);
     }
     static Result CL_API_CALL command(Arguments... arguments) {
-        if (fails(faults.commands, faults.fail_command)) return CL_OUT_OF_RESOURCES;
+        if (command_fails()) return faults.status;
         const Result status = (driver->*function)(arguments...);
         if (status == CL_SUCCESS) (count_event(arguments), ...);
         return status;
     }
+    /// Of a command that waits for those before it. What a lost device was at has ended.
+    static Result CL_API_CALL wait(Arguments... arguments) {
+        const Result status = wait_status(command(arguments...));
+        if (is_lost) (driver->*function)(arguments...);
+        return status;
+    }
+    /// Of one that does so if its third argument says so.
+    static Result CL_API_CALL transfer(Arguments... arguments) {
+        const bool waits = std::get<2>(std::tie(arguments...)) == CL_TRUE;
+        const Result status = command(arguments...);
+        return waits ? wait_status(status) : status;
+    }
     /// Of what maps memory: a command with the status last.
     static Result CL_API_CALL map(Arguments... arguments) {
-        if (fails(faults.commands, faults.fail_command)) {
+        if (command_fails()) {
             auto* status = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
             if (status != nullptr) *status = CL_MAP_FAILURE;
             return nullptr;
@@ -78,6 +117,39 @@ struct Hook<function, kind> {
     }
 };
 
+bool is_too_large(size_t bytes, cl_int* status) {
+    const bool for_a_buffer = faults.largest_buffer != 0 && bytes > faults.largest_buffer;
+    const bool for_all = faults.memory != 0 && faults.allocated + bytes > faults.memory;
+    if (status != nullptr && for_all) *status = CL_MEM_OBJECT_ALLOCATION_FAILURE;
+    if (status != nullptr && for_a_buffer) *status = CL_INVALID_BUFFER_SIZE;
+    return for_a_buffer || for_all;
+}
+
+cl_mem CL_API_CALL create_buffer(cl_context context, cl_mem_flags flags, size_t size, void* host,
+                                 cl_int* status) {
+    if (is_too_large(size, status)) return nullptr;
+    cl_mem buffer = Hook<&cl_icd_dispatch::clCreateBuffer, cl_memory>::create(context, flags, size,
+                                                                              host, status);
+    if (buffer == nullptr) return nullptr;
+    faults.allocated += size;
+    driver->clSetMemObjectDestructorCallback(
+        buffer,
+        [](cl_mem, void* bytes) { faults.allocated -= reinterpret_cast<std::uintptr_t>(bytes); },
+        reinterpret_cast<void*>(size));
+    return buffer;
+}
+
+cl_int CL_API_CALL device_info(cl_device_id device, cl_device_info name, size_t size, void* value,
+                               size_t* size_needed) {
+    const cl_int status = driver->clGetDeviceInfo(device, name, size, value, size_needed);
+    const cl_ulong limit = name == CL_DEVICE_GLOBAL_MEM_SIZE      ? faults.memory
+                           : name == CL_DEVICE_MAX_MEM_ALLOC_SIZE ? faults.largest_buffer
+                                                                  : 0;
+    const bool changed = limit != 0 && faults.says_limits && value != nullptr;
+    if (status == CL_SUCCESS && changed) std::memcpy(value, &limit, sizeof(limit));
+    return status;
+}
+
 } // namespace
 
 void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
@@ -90,7 +162,8 @@ void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     table.clCreateCommandQueue = Hook<&D::clCreateCommandQueue, cl_queues>::create;
     table.clRetainCommandQueue = Hook<&D::clRetainCommandQueue, cl_queues>::retain;
     table.clReleaseCommandQueue = Hook<&D::clReleaseCommandQueue, cl_queues>::release;
-    table.clCreateBuffer = Hook<&D::clCreateBuffer, cl_memory>::create;
+    table.clCreateBuffer = create_buffer;
+    table.clGetDeviceInfo = device_info;
     table.clCreateSubBuffer = Hook<&D::clCreateSubBuffer, cl_memory>::create;
     table.clCreateImage = Hook<&D::clCreateImage, cl_memory>::create;
     table.clRetainMemObject = Hook<&D::clRetainMemObject, cl_memory>::retain;
@@ -107,8 +180,8 @@ void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     table.clReleaseEvent = Hook<&D::clReleaseEvent, cl_events>::release;
     table.clBuildProgram = Hook<&D::clBuildProgram>::build;
     table.clEnqueueNDRangeKernel = Hook<&D::clEnqueueNDRangeKernel>::command;
-    table.clEnqueueReadBuffer = Hook<&D::clEnqueueReadBuffer>::command;
-    table.clEnqueueWriteBuffer = Hook<&D::clEnqueueWriteBuffer>::command;
+    table.clEnqueueReadBuffer = Hook<&D::clEnqueueReadBuffer>::transfer;
+    table.clEnqueueWriteBuffer = Hook<&D::clEnqueueWriteBuffer>::transfer;
     table.clEnqueueCopyBuffer = Hook<&D::clEnqueueCopyBuffer>::command;
     table.clEnqueueFillBuffer = Hook<&D::clEnqueueFillBuffer>::command;
     table.clEnqueueUnmapMemObject = Hook<&D::clEnqueueUnmapMemObject>::command;
@@ -116,7 +189,7 @@ void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     table.clEnqueueBarrierWithWaitList = Hook<&D::clEnqueueBarrierWithWaitList>::command;
     table.clEnqueueMapBuffer = Hook<&D::clEnqueueMapBuffer>::map;
     table.clFlush = Hook<&D::clFlush>::command;
-    table.clFinish = Hook<&D::clFinish>::command;
+    table.clFinish = Hook<&D::clFinish>::wait;
 }
 
 } // namespace lineatlas::test

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <numeric>
 
-/// A layer between the OpenCL loader and the drivers (OPENCL_LAYERS) that lets chosen calls fail
-/// and counts references: what was created or retained and not released yet.
+/// A layer between the OpenCL loader and the drivers (OPENCL_LAYERS) that lets chosen calls fail,
+/// makes devices smaller than they are, and counts references: what was created or retained and not
+/// released yet.
 namespace lineatlas::test {
 
 enum ClKind { cl_contexts, cl_queues, cl_memory, cl_programs, cl_kernels, cl_events, cl_kinds };
@@ -17,6 +19,21 @@ struct OpenClFaults {
     int creations = 0;     ///< since it was set to 0, failed ones too
     int commands = 0;      ///< since it was set to 0, failed ones too
     ClCounts references{};
+    /// What a failed command returns.
+    int status = -5; // CL_OUT_OF_RESOURCES
+    /// The failed command seems to succeed: the next wait for it says that something went wrong.
+    bool late = false;
+    /// All commands after the failed one, and all creations, fail too.
+    bool lost = false;
+
+    /// The device's memory, and what one buffer of it holds, in bytes; 0: the driver's own. The
+    /// layer's first values are those of LINEATLAS_TEST_MEMORY and LINEATLAS_TEST_BUFFER.
+    std::uint64_t memory = 0, largest_buffer = 0;
+    bool says_limits = true;     ///< programs can ask for these two
+    std::uint64_t allocated = 0; ///< of the memory, by buffers
+
+    /// As it began, but for what is still there.
+    void reset() { *this = {.references = references, .allocated = allocated}; }
 
     long live() const { return std::accumulate(references.begin(), references.end(), 0L); }
 };

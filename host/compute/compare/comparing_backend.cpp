@@ -84,6 +84,12 @@ class Implementation final : public ComparingBackend {
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
         return std::make_unique<PairBuffer>(first_->allocate(bytes), second_->allocate(bytes));
     }
+    std::uint64_t largest_buffer() const override {
+        return std::min(first_->largest_buffer(), second_->largest_buffer());
+    }
+    std::uint64_t free_memory() const override {
+        return std::min(first_->free_memory(), second_->free_memory());
+    }
     std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
         return std::make_unique<PairBuffer>(first_->wrap(memory), second_->allocate(memory.size()));
     }

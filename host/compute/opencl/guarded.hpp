@@ -5,6 +5,7 @@
 
 #include "devices.hpp"
 #include "lineatlas/error.hpp"
+#include "status.hpp"
 
 namespace lineatlas::compute {
 
@@ -17,7 +18,8 @@ auto guarded(const OpenClDevice& device, std::string_view doing, Action&& action
         return action();
     } catch (const cl::Error& error) {
         throw DeviceError(device.description() + ": " + std::string{doing} + std::string{what} +
-                          " failed: " + error.what() + " returned " + std::to_string(error.err()));
+                          " failed: " + error.what() + " returned " + name_of(error.err()) +
+                          advice_on(error.err()));
     }
 }
 

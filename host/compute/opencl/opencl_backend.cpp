@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/limits.hpp"
 #include "guarded.hpp"
 #include "lineatlas/error.hpp"
 #include "opencl_command_log.hpp"
@@ -73,27 +74,15 @@ class Implementation final : public OpenClBackend {
     const cl::CommandQueue& queue() const override { return queue_; }
 
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
-        const std::size_t size = std::max<std::size_t>(bytes, 16);
-        const cl_ulong largest = device_.device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-        if (size > largest) {
-            throw DeviceError(description() + ": a buffer of " + std::to_string(size >> 20U) +
-                              " MiB is needed, the device allows " +
-                              std::to_string(largest >> 20U) +
-                              " MiB; draw fewer --lines kinds or choose another --device");
-        }
-        return guarded("allocating " + std::to_string(size >> 10U) + " KiB", [&] {
-            return std::make_unique<OpenClBuffer>(cl::Buffer{context_, CL_MEM_READ_WRITE, size},
-                                                  size);
-        });
+        return make_buffer(std::max<std::size_t>(bytes, 16), nullptr);
     }
 
     std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
-        return guarded("wrapping host memory", [&] {
-            cl::Buffer buffer{context_, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, memory.size(),
-                              memory.data()};
-            return std::make_unique<OpenClBuffer>(std::move(buffer), memory.size());
-        });
+        return make_buffer(memory.size(), memory.data());
     }
+
+    std::uint64_t largest_buffer() const override { return memory_.largest_buffer(); }
+    std::uint64_t free_memory() const override { return memory_.free(); }
 
     void begin_host_access(Buffer& buffer) override {
         auto& own = static_cast<OpenClBuffer&>(buffer);
@@ -284,7 +273,13 @@ class Implementation final : public OpenClBackend {
                                      sizeof(cl_uint), &total, nullptr, logged("read"));
         });
         constexpr std::size_t tables = 7; // of struct Lists
-        Buffer& lists = scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
+        if (total == 0xFFFFFFFFU) {       // where sums stop
+            throw DeviceError(beyond_limit(purpose::halos, "over 4 billion pieces of lines",
+                                           "kernels count to 4 billion"));
+        }
+        Buffer& lists = for_purpose(purpose::halos, [&]() -> Buffer& {
+            return scratch(halo_lists_, (total + std::size_t{tuning_.halo_lanes}) * tables);
+        });
         launch(halo_fill_, items, tuning_.local_size, args.runs, args.record, to_cl(tiles), ends,
                total, lists);
         launch(halo_cut_, items, tuning_.local_size, args.table.segments, args.clipped.clipped,
@@ -369,6 +364,22 @@ class Implementation final : public OpenClBackend {
     void end_log() override { log_.reset(); }
 
   private:
+    /// `host`: memory to wrap, or null.
+    std::unique_ptr<Buffer> make_buffer(std::size_t size, void* host) {
+        DeviceMemory::Part part = memory_.take(size);
+        const cl_mem_flags flags =
+            CL_MEM_READ_WRITE | (host != nullptr ? CL_MEM_USE_HOST_PTR : cl_mem_flags{});
+        return guarded("making a buffer", [&] {
+            try {
+                return std::make_unique<OpenClBuffer>(cl::Buffer{context_, flags, size, host}, size,
+                                                      std::move(part));
+            } catch (const cl::Error& error) {
+                memory_.check(error.err(), size);
+                throw;
+            }
+        });
+    }
+
     /// From the first profiled frame on.
     void keep_times() {
         guarded("creating a queue that keeps times", [&] {
@@ -434,7 +445,9 @@ class Implementation final : public OpenClBackend {
     /// A buffer of the backend's own for at least `count` uint32, kept from call to call.
     Buffer& scratch(std::unique_ptr<Buffer>& buffer, std::size_t count) {
         const std::size_t bytes = count * sizeof(cl_uint);
-        if (!buffer || buffer->size() < bytes) buffer = allocate(bytes + bytes / 2);
+        if (buffer && buffer->size() >= bytes) return *buffer;
+        buffer.reset(); // it may not fit beside another
+        buffer = allocate(roomy(*this, bytes));
         return *buffer;
     }
 
@@ -447,6 +460,7 @@ class Implementation final : public OpenClBackend {
     }
 
     OpenClDevice device_;
+    DeviceMemory memory_{device_.device};
     Tuning tuning_;
     cl::Context context_;
     cl::CommandQueue queue_;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "compute/backend.hpp"
+#include "device_memory.hpp"
 #include "devices.hpp"
 #include "tuning.hpp"
 
@@ -12,8 +13,10 @@ namespace lineatlas::compute {
 /// A buffer on an OpenCL device.
 class OpenClBuffer final : public Buffer {
   public:
-    OpenClBuffer(cl::Buffer buffer, std::size_t size) : Buffer(size), memory(std::move(buffer)) {}
+    OpenClBuffer(cl::Buffer buffer, std::size_t size, DeviceMemory::Part taken = {})
+        : Buffer(size), part(std::move(taken)), memory(std::move(buffer)) {}
 
+    DeviceMemory::Part part; ///< of the device's memory; none if GL has made the buffer
     cl::Buffer memory;
     void* mapped = nullptr; ///< while the host has access to a wrapped buffer
 };

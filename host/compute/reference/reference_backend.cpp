@@ -1,7 +1,9 @@
 #include "reference_backend.hpp"
 
 #include <algorithm>
+#include <exception>
 
+#include "core/limits.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {
@@ -11,7 +13,11 @@ std::string ReferenceBackend::description() const {
 }
 
 std::unique_ptr<Buffer> ReferenceBackend::allocate(std::size_t bytes) {
-    return std::make_unique<HostBuffer>(std::max<std::size_t>(bytes, 16));
+    try {
+        return std::make_unique<HostBuffer>(std::max<std::size_t>(bytes, 16));
+    } catch (const std::exception&) { // bad_alloc, or length_error of a vector
+        throw Shortage(written_bytes(bytes), "the host has not that much");
+    }
 }
 
 std::unique_ptr<Buffer> ReferenceBackend::wrap(std::span<std::byte> memory) {

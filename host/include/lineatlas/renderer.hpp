@@ -205,6 +205,10 @@ class LINEATLAS_API Renderer {
     /// viewport, premultiplied. Fills and method opengl clear the depth there.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
+    /// What TileTarget::tile_size must be at most for a picture of this size to be drawn here; 0 if
+    /// draw() can draw it whole. Throws UsageError for a size that nothing can.
+    int tile_size(glm::ivec2 size, const FrameOptions& options) const;
+
     /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that
     /// of the whole picture, and strokes run on over the borders of tiles. Rows of tiles come from
     /// top to bottom. Method atlas in its compute form only; `cull_hidden` and `steady` are off.

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "opencl.hpp"
+
+namespace lineatlas::compute {
+
+/// What a device has for buffers, and how much of it one context has taken. Asked before a driver
+/// is: some only notice in the middle of a frame, or take the machine's last memory.
+class DeviceMemory {
+  public:
+    explicit DeviceMemory(const cl::Device& device);
+    DeviceMemory(const DeviceMemory&) = delete;
+    DeviceMemory& operator=(const DeviceMemory&) = delete;
+
+    /// What one buffer takes, until this is destroyed.
+    class Part {
+      public:
+        Part() = default;
+        Part(Part&& other) noexcept
+            : memory_(std::exchange(other.memory_, nullptr)), bytes_(other.bytes_) {}
+        Part& operator=(Part&&) = delete;
+        ~Part() {
+            if (memory_ != nullptr) memory_->taken_ -= bytes_;
+        }
+
+      private:
+        friend class DeviceMemory;
+        Part(DeviceMemory& memory, std::uint64_t bytes) : memory_(&memory), bytes_(bytes) {
+            memory.taken_ += bytes;
+        }
+        DeviceMemory* memory_ = nullptr;
+        std::uint64_t bytes_ = 0;
+    };
+
+    /// Throws Shortage where the device cannot hold another buffer of that size.
+    Part take(std::uint64_t bytes);
+    /// Throws Shortage where `status`, of making a buffer, says that memory has run out.
+    void check(cl_int status, std::uint64_t bytes) const;
+    std::uint64_t largest_buffer() const { return largest_buffer_; }
+    std::uint64_t free() const { return total_ > taken_ ? total_ - taken_ : 0; }
+
+  private:
+    std::uint64_t largest_buffer_, total_;
+    std::uint64_t taken_ = 0;
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+
+namespace lineatlas {
+
+/// How many there are of each in a model.
+struct ModelCounts {
+    std::uint64_t vertices, triangles, segments;
+};
+
+/// Throws DeviceError for a model with more than kernels and GL can count.
+void check_counts(const ModelCounts& counts);
+
+} // namespace lineatlas

@@ -1,0 +1,369 @@
+// Devices that are too small: what is drawn nevertheless, and what is said where nothing can be.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <utility>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "compare.hpp"
+#include "core/limits.hpp"
+#include "fault_support.hpp"
+#include "renderer/model_limits.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+constexpr std::uint64_t kib = 1024;
+
+struct LargeFrame {
+    const char* scene;
+    glm::ivec2 size;
+    FrameOptions options;
+};
+
+FrameOptions fine_steps() {
+    return {.step = 0.02F, .steady = false};
+}
+
+FrameOptions dense() {
+    FrameOptions options;
+    options.style.density.limit = 0.2F;
+    return options;
+}
+
+/// Frames in which each table is once larger than all others.
+std::vector<LargeFrame> large_frames() {
+    return {{"clevis", {160, 120}, all_effects(Method::atlas)},
+            {"clevis", {800, 600}, fine_steps()},
+            {"clevis", {1200, 900}, dense()},
+            {"clevis", {160, 120}, {.depth_scale = 4}},
+            {"house", {160, 120}, {.intervals = KeptIntervals::all}},
+            {"clevis", {160, 120}, {.method = Method::item_buffer}},
+            {"clevis", {160, 120}, {.method = Method::spine}},
+            {"clevis", {160, 120}, {.method = Method::opengl}}};
+}
+
+/// Some of them, for sweeps that find the same tables.
+std::vector<LargeFrame> some_frames() {
+    std::vector<LargeFrame> frames = large_frames();
+    return {frames[0], frames[3], frames[4], frames[6]};
+}
+
+class Limits : public FaultFixture {
+  protected:
+    /// Draws this from now on.
+    Picture use(const LargeFrame& frame) {
+        canvas_ = std::make_unique<gl::Canvas>(frame.size);
+        const Scene scene = make_scene(frame.scene);
+        lines_ = extract_lines(scene.mesh);
+        camera_ = make_camera(scene.view(0), frame.size, lines_.bounds);
+        return draw(*make_renderer(), frame.options);
+    }
+
+    /// A picture, by tiles where it must be; empty if the device is too small, which was then said.
+    Picture try_draw(Renderer& renderer, const FrameOptions& options) {
+        try {
+            const int tile = renderer.tile_size(camera_.size, options);
+            return tile == 0 ? draw(renderer, options) : draw_tiles(renderer, options, tile);
+        } catch (const Error& error) {
+            note(error.what());
+            return {};
+        }
+    }
+
+    Picture draw_tiles(Renderer& renderer, const FrameOptions& options, int tile_size) {
+        const gl::Canvas canvas{glm::min(camera_.size, tile_size)};
+        const glm::ivec2 size = camera_.size;
+        Picture picture(static_cast<std::size_t>(4 * size.x * size.y));
+        const auto begin = [&](const PictureTile&) {
+            const std::array<float, 4> white{1, 1, 1, 1};
+            glClearNamedFramebufferfv(canvas.framebuffer(), GL_COLOR, 0, white.data());
+        };
+        const auto end = [&](const PictureTile& tile) {
+            const Picture part = canvas.read(tile.size);
+            const int top = size.y - tile.low.y - tile.size.y;
+            for (int y = 0; y < tile.size.y; ++y) {
+                std::copy_n(part.begin() + 4 * tile.size.x * y, 4 * tile.size.x,
+                            picture.begin() + 4 * ((top + y) * size.x + tile.low.x));
+            }
+        };
+        renderer.draw_tiles(camera_, options, {canvas.framebuffer(), tile_size, begin, end});
+        ++tiled_;
+        return picture;
+    }
+
+    /// A message about a limit: what needs how much, what there is, and what helps.
+    void note(const std::string& message) {
+        const std::size_t needs = message.find(" needs "), there_is = message.find(", and "),
+                          help = message.find("; use ");
+        EXPECT_TRUE(needs < there_is && there_is < help && help != std::string::npos) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        const std::size_t mode = message.find(" cannot share "); // that stands before the cause
+        const std::size_t what = mode < needs ? message.find(": ", mode) + 2 : 0;
+        ++said_[message.substr(what, needs - what)];
+    }
+
+    void expect_said(std::initializer_list<const Purpose*> purposes) const {
+        for (const Purpose* purpose : purposes) {
+            EXPECT_TRUE(said_.contains(std::string{purpose->what})) << purpose->what;
+        }
+    }
+
+    void count(const Picture& expected, const Picture& seen, std::uint64_t limit) {
+        if (seen.empty()) {
+            ++refused_;
+            return;
+        }
+        ++drawn_;
+        ASSERT_EQ(expected.size(), seen.size());
+        EXPECT_LE(compare_bytes(expected, seen).share(), 1e-3) << "limit " << limit;
+    }
+
+    /// Draws with ever less: each frame is the one of a large device, or ends in a message with
+    /// all released; then the same renderer draws what is small enough.
+    template <class Limit>
+    void shrink(Limit& limit, std::uint64_t most, std::uint64_t least, const LargeFrame& frame,
+                double factor = 0.5) {
+        const Picture expected = use(frame);
+        const long live_gl = gl_faults().live;
+        const ClCounts live_cl = opencl_faults().references;
+        for (std::uint64_t value = most; value >= least;
+             value = static_cast<std::uint64_t>(factor * static_cast<double>(value))) {
+            SCOPED_TRACE(std::string{frame.scene} + ", limit " + std::to_string(value));
+            limit = static_cast<Limit>(value);
+            try {
+                const std::unique_ptr<Renderer> renderer = make_renderer();
+                const Picture picture = try_draw(*renderer, frame.options);
+                count(expected, picture, value);
+                if (picture.empty()) draw_something_small(*renderer);
+            } catch (const Error& error) { // of a renderer too large without a frame
+                ++refused_;
+                note(error.what());
+            }
+            limit = 0;
+            EXPECT_EQ(gl_faults().live, live_gl);
+            EXPECT_EQ(opencl_faults().references, live_cl);
+            EXPECT_EQ(gl_faults().beyond, 0);
+            if (HasFailure()) return;
+        }
+    }
+
+    /// If that is possible: the first tables of a frame may be too large already.
+    void draw_something_small(Renderer& renderer) {
+        Camera small = camera_;
+        small.size = {40, 30};
+        try {
+            EXPECT_GT(renderer.draw(small, {.depth_scale = 1}, canvas_->framebuffer()).runs, 0U);
+            ++went_on_;
+        } catch (const Error& error) {
+            note(error.what());
+        }
+    }
+
+    void report() const {
+        std::cout << drawn_ << " frames were drawn, " << tiled_ << " of them by tiles, " << refused_
+                  << " refused, after " << went_on_ << " of which a smaller one was drawn:";
+        for (const auto& [what, times] : said_) std::cout << " " << times << " " << what << ",";
+        std::cout << "\n";
+    }
+
+    std::map<std::string, int> said_;
+    int drawn_ = 0, tiled_ = 0, refused_ = 0, went_on_ = 0;
+};
+
+TEST_P(Limits, OfABufferAreSaidOrPassed) {
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(opencl_faults().largest_buffer, 7600 * kib, 400 * kib, frame, 2.0 / 3);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 20);
+    EXPECT_GT(tiled_, 3);
+    EXPECT_GT(went_on_, 3);
+    expect_said({&purpose::atlas, &purpose::strokes, &purpose::segments, &purpose::intervals,
+                 &purpose::density});
+}
+
+TEST_P(Limits, OfADevicesMemoryAreSaidOrPassed) {
+    for (const LargeFrame& frame : some_frames()) {
+        shrink(opencl_faults().memory, 16384 * kib, 400 * kib, frame);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 5);
+    EXPECT_GT(went_on_, 2);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+TEST_P(Limits, ThatADriverKeepsToItselfAreSaid) {
+    for (const bool memory : {false, true}) {
+        opencl_faults().says_limits = false;
+        std::uint64_t& limit = memory ? opencl_faults().memory : opencl_faults().largest_buffer;
+        for (const LargeFrame& frame : some_frames()) {
+            shrink(limit, memory ? 16384 * kib : 7600 * kib, 400 * kib, frame);
+            if (HasFailure()) return;
+        }
+    }
+    report();
+    EXPECT_GT(refused_, 10);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+TEST_P(Limits, LeaveAModelThatCannotMoveWhereItWas) {
+    const FrameOptions options;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    const Picture expected = draw(*renderer, options);
+    const std::vector<glm::mat4> upside_down(std::max<std::size_t>(lines_.objects.size(), 1),
+                                             glm::mat4{glm::mat3{-1}});
+    opencl_faults().memory = opencl_faults().allocated + 1;
+    EXPECT_THROW(renderer->set_transforms(upside_down), DeviceError);
+    EXPECT_THROW(renderer->set_positions(0, lines_.vertices), DeviceError);
+    opencl_faults().memory = 0;
+    EXPECT_EQ(draw(*renderer, options), expected);
+    renderer->set_transforms(upside_down);
+    EXPECT_NE(draw(*renderer, options), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Limits, testing::Values("copy", "host-pointer"), mode_name);
+
+/// Of GL: they do not depend on the mode.
+class GlLimits : public Limits {};
+
+TEST_P(GlLimits, OfMemoryAreSaid) {
+    for (const LargeFrame& frame : some_frames()) {
+        shrink(gl_faults().largest_allocation, 16384 * kib, 400 * kib, frame);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 5);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+/// Of a renderer that stands already, so that what a frame makes is what is too large.
+TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
+    for (const LargeFrame& frame : large_frames()) {
+        const Picture expected = use(frame);
+        const long live = gl_faults().live;
+        for (long bytes = 4096 * kib; bytes > 16; bytes /= 16) {
+            SCOPED_TRACE(bytes);
+            std::unique_ptr<Renderer> renderer = make_renderer();
+            gl_faults().largest_allocation = bytes;
+            count(expected, try_draw(*renderer, frame.options), static_cast<std::uint64_t>(bytes));
+            gl_faults().largest_allocation = 0;
+            EXPECT_EQ(draw(*renderer, frame.options), expected);
+            renderer.reset();
+            EXPECT_EQ(gl_faults().live, live);
+            if (HasFailure()) return;
+        }
+    }
+    report();
+    expect_said(
+        {&purpose::atlas, &purpose::depth, &purpose::item_buffer, &purpose::spine, &purpose::pen});
+}
+
+TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
+    FrameOptions effects = all_effects(Method::atlas);
+    effects.intervals = KeptIntervals::none; // need depth that tiles don't keep
+    effects.style.pen.mark = "solid";        // others are textures of 1024 texels
+    effects.style.hidden_pen.mark = "solid";
+    effects.style.paper.grain = 0;
+    for (const FrameOptions& options :
+         {effects, FrameOptions{}, FrameOptions{.method = Method::spine},
+          FrameOptions{.method = Method::item_buffer}, FrameOptions{.atlas = AtlasForm::raster}}) {
+        shrink(gl_faults().largest_side, 600, 20, {"clevis", {160, 120}, options}, 2.0 / 3);
+    }
+    report();
+    EXPECT_GT(drawn_, 15);
+    EXPECT_GT(tiled_, 5);
+    expect_said({&purpose::whole_picture, &purpose::depth});
+}
+
+TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(gl_faults().largest_buffer_texture, 1U << 20U, 4096, frame);
+        if (HasFailure()) return;
+    }
+    LineSet coloured = lines_;
+    coloured.colors = {{1, 0, 0}};
+    coloured.triangle_color.assign(coloured.triangles.size(), 0);
+    gl_faults().largest_buffer_texture = static_cast<int>(coloured.triangles.size()) - 1;
+    EXPECT_TRUE(try_draw(*make_renderer(), {.method = Method::spine}).empty());
+    FrameOptions fill{.method = Method::opengl};
+    fill.style.fill.mode = FillMode::flat;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    renderer->set_lines(coloured);
+    EXPECT_TRUE(try_draw(*renderer, fill).empty());
+    report();
+    expect_said({&purpose::atlas, &purpose::fill, &purpose::spine, &purpose::density});
+}
+
+/// GL that is not software draws the atlas; where it has too many rows for that, kernels do.
+TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
+    FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
+    options.atlas = AtlasForm::compute;
+    const Picture expected = use({"house", {100, 75}, options});
+    gl_faults().renderer = "a GPU";
+    gl_faults().largest_side = 128;
+    options.atlas = AtlasForm::automatic;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    EXPECT_EQ(draw(*renderer, options), expected);
+    EXPECT_EQ(draw(*renderer, options), expected); // where the atlas is large enough from the start
+    options.atlas = AtlasForm::raster;
+    EXPECT_TRUE(try_draw(*renderer, options).empty());
+    EXPECT_EQ(said_.size(), 1U);
+    expect_said({&purpose::atlas});
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, GlLimits, testing::Values("copy"), mode_name);
+
+/// The tool on a device whose buffers hold `bytes`: its exit code, and what it says.
+std::pair<int, std::string> run_tool(const std::string& bytes, const std::string& arguments) {
+    const std::string picture = std::filesystem::temp_directory_path() /
+                                ("lineatlas_limits_" + std::to_string(::getpid()) + ".png");
+    const std::string command =
+        "OPENCL_LAYERS=" LINEATLAS_FAULT_LAYER " LINEATLAS_TEST_BUFFER=" + bytes +
+        " " LINEATLAS_TOOL " draw --scene clevis -o " + picture + " " + arguments + " 2>&1";
+    FILE* tool = popen(command.c_str(), "r");
+    std::string said;
+    std::array<char, 4096> part{};
+    while (std::fgets(part.data(), part.size(), tool) != nullptr) said += part.data();
+    const int status = pclose(tool);
+    EXPECT_EQ(std::filesystem::remove(picture), status == 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
+}
+
+TEST(LimitsOfTheTool, ArePassedByTilesOrEndItWithOneLine) {
+    EXPECT_EQ(run_tool("2000000", "--size 1600x1200").first, 0); // its depth would take 31 MB
+    const auto [code, said] = run_tool("400000", "--size 400x300");
+    EXPECT_EQ(code, 1);
+    EXPECT_NE(said.find("lineatlas: the table of strokes needs 640 KiB, and "), std::string::npos);
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+}
+
+TEST(ModelLimits, AreWhatGlCanCount) {
+    EXPECT_NO_THROW(check_counts({0x7FFFFFFF, 715'827'882, 1'073'741'823}));
+    for (const ModelCounts& counts : {ModelCounts{0x80000000, 1, 1},
+                                      {1, 715'827'883, 1},
+                                      {1, 1, 1'073'741'824},
+                                      {1ULL << 33U, 1, 1}}) {
+        EXPECT_THROW(check_counts(counts), DeviceError);
+    }
+}
+
+TEST(Messages, NameSizesAsPeopleDo) {
+    EXPECT_EQ(written_bytes(512), "512 bytes");
+    EXPECT_EQ(written_bytes(1536), "1.50 KiB");
+    EXPECT_EQ(written_bytes(200 * kib * kib), "200 MiB");
+    EXPECT_EQ(written_bytes(std::uint64_t{1} << 60U), "1048576 TiB");
+    EXPECT_EQ(with_room_to_grow(100, 1000), 125U);
+    EXPECT_EQ(with_room_to_grow(100, 110), 110U);
+    EXPECT_EQ(with_room_to_grow(100, 50), 100U); // said when it is made
+}
+
+} // namespace
+} // namespace lineatlas::test
