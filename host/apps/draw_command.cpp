@@ -12,7 +12,7 @@
 #include "draw_stats.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/image_writer.hpp"
-#include "io/pen_images.hpp"
+#include "io/isolated.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
@@ -22,6 +22,7 @@
 #include "picture_options.hpp"
 #include "picture_output.hpp"
 #include "profile_output.hpp"
+#include "read_options.hpp"
 #include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
@@ -50,6 +51,7 @@ struct DrawArguments {
     std::string atlas_layout = "wrap";
     std::string stroke_shader = "geometry";
     StyleOptions style;
+    ReadOptions read;
     SequenceOptions sequence;
     PictureOptions picture;
     PathOptions paths;
@@ -129,7 +131,7 @@ Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
         const View view = scene.view(arguments.at);
         return {scene.name, std::move(scene.mesh), std::move(lines), view};
     }
-    LoadedMesh loaded = load_mesh(arguments.model);
+    LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
     for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
     Subject subject{arguments.model, std::move(loaded.mesh), {}, {}};
     subject.lines = extract_lines(subject.mesh, line_options);
@@ -173,6 +175,7 @@ void check_arguments(const DrawArguments& arguments) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
     arguments.profile.check();
+    arguments.read.check();
     arguments.paths.check(arguments.output);
     if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
@@ -262,7 +265,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const Style style = arguments.style.style();
     FrameOptions options = frame_options(arguments, style, size);
     ImageWriter writer; // before anything starts a thread
-    const std::map<std::string, Image> pen_images = read_pen_images(style);
+    const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
 
     Subject subject = load_subject(arguments, size);
     apply_camera(arguments, app, subject.view);
@@ -360,6 +363,7 @@ Command setup_draw(CLI::App& app) {
     a.sequence.declare(app);
     a.picture.declare(app);
     a.paths.declare(app);
+    a.read.declare(app);
 
     const std::string device = "Device";
     app.add_option("--compute", a.device.compute, "Backend: " + compute::backend_names())

@@ -5,8 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "io/isolated.hpp"
 #include "lineatlas/error.hpp"
-#include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
 
 namespace lineatlas::viewer {
@@ -44,7 +44,7 @@ std::shared_ptr<Model> Loader::read(const ModelSource& source) {
         model->view = scene.view(0);
         return model;
     }
-    LoadedMesh loaded = load_mesh(source.file);
+    LoadedMesh loaded = load_mesh_isolated(source.file, source.read);
     model->mesh = std::move(loaded.mesh);
     model->notes = std::move(loaded.notes);
     return model;

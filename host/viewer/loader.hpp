@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/reader_process.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -19,6 +20,8 @@ struct ModelSource {
     std::string scene; ///< if there is no file
     glm::vec3 up{0, 1, 0};
     LineOptions lines{};
+
+    ReadLimits read{}; ///< of the file
 
     std::string name() const { return file.empty() ? scene : file.filename().string(); }
 };

@@ -8,6 +8,7 @@
 #include "apps/camera_path.hpp"
 #include "apps/style_options.hpp"
 #include "io/extension.hpp"
+#include "io/isolated.hpp"
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/style_files.hpp"
@@ -46,7 +47,7 @@ void Session::open(const std::filesystem::path& file) {
     const std::string extension = lower_extension(file);
     if (extension == ".toml") return use_style(file.string());
     if (extension == ".json") return open_camera(file);
-    loader.start({.file = file, .scene = {}, .up = up, .lines = line_options});
+    loader.start({.file = file, .scene = {}, .up = up, .lines = line_options, .read = read_limits});
 }
 
 void Session::open_scene(const std::string& name) {
@@ -68,7 +69,8 @@ void Session::open_first_camera(const std::filesystem::path& file) {
 }
 
 void Session::load_pens(const Style& style) {
-    for (const auto& [mark, image] : read_pen_images(style)) {
+    const auto read = [&](const auto& path) { return read_image_isolated(path, read_limits); };
+    for (const auto& [mark, image] : read_pen_images(style, {}, read)) {
         renderer_->set_pen_image(mark, image);
     }
 }

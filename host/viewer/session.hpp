@@ -36,6 +36,7 @@ class Session {
     bool profile = false;       ///< keep timings
     glm::vec3 up{0, 1, 0};      ///< of files to be opened
     LineOptions line_options{}; ///< the same
+    ReadLimits read_limits{};   ///< of files, those of pens too
 
     /// A model, a style (.toml) or a camera (.json), by extension.
     void open(const std::filesystem::path& file);
