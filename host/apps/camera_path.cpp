@@ -64,13 +64,13 @@ class Reader {
                                 written(value)));
     }
 
-    glm::vec3 vector(const Json& value, const std::string& where) const {
-        glm::vec3 result{0};
+    glm::dvec3 vector(const Json& value, const std::string& where) const {
+        glm::dvec3 result{0};
         bool good = value.is_array() && value.size() == 3;
         for (int i = 0; good && i < 3; ++i) {
             const Json& part = value[static_cast<std::size_t>(i)];
             good = part.is_number() && std::isfinite(part.get<float>());
-            if (good) result[i] = part.get<float>();
+            if (good) result[i] = part.get<double>();
         }
         if (good) return result;
         throw error(fmt::format("{} must be three finite numbers, as in [1, 2.5, -3], not {}",
@@ -99,12 +99,13 @@ double key_frame(const Reader& reader, const Json& key, const std::string& where
     return reader.number(key["time"], where + ".time", 0, most_frames / fps) * fps;
 }
 
-View key_view(const Reader& reader, const Json& key, const std::string& where, View view) {
+View key_view(const Reader& reader, const Json& key, const std::string& where, glm::dvec3 origin,
+              View view) {
     view.near = view.far = 0;
     for (const auto& [name, member] :
          {std::pair{"eye", &View::eye}, std::pair{"target", &View::target}}) {
         if (!key.contains(name)) throw reader.error(fmt::format("{} needs \"{}\"", where, name));
-        view.*member = reader.vector(key[name], fmt::format("{}.{}", where, name));
+        view.*member = reader.vector(key[name], fmt::format("{}.{}", where, name)) - origin;
     }
     if (view.eye == view.target) {
         throw reader.error(where + ": eye and target must be two different points");
@@ -158,7 +159,7 @@ auto interpolate(const Value& value, const Time& time, std::size_t count, std::s
 
 } // namespace
 
-CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults) {
+CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults, glm::dvec3 origin) {
     const Reader reader{file};
     const Json root = reader.parse();
     reader.check_members(root, "the file", {"keys", "fps"});
@@ -175,7 +176,7 @@ CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults) 
         if (!keys_.empty() && frame <= keys_.back().frame) {
             throw reader.error(where + " must come later than the key before it");
         }
-        view = key_view(reader, key, where, view);
+        view = key_view(reader, key, where, origin, view);
         keys_.push_back({frame, view});
     }
     if (first_frame() > last_frame()) {

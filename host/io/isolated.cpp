@@ -33,6 +33,7 @@ void read_mesh(const std::filesystem::path& path, ReaderOutput& output) {
     output.value(reader::Answer::read);
     output.value(std::uint64_t{loaded.notes.size()});
     for (const std::string& note : loaded.notes) output.text(note);
+    output.value(loaded.origin);
     send(output, loaded.mesh);
 }
 
@@ -108,6 +109,7 @@ LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimit
     LoadedMesh loaded;
     for (auto left = process.value<std::uint64_t>(); left > 0; --left)
         loaded.notes.push_back(process.text());
+    loaded.origin = process.value<glm::dvec3>();
     loaded.mesh = receive_mesh(process);
     if (!is_sound(loaded.mesh)) process.refuse();
     return loaded;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/isolated.hpp"
+#include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/scenes.hpp"
 
@@ -46,6 +47,7 @@ std::shared_ptr<Model> Loader::read(const ModelSource& source) {
     }
     LoadedMesh loaded = load_mesh_isolated(source.file, source.read);
     model->mesh = std::move(loaded.mesh);
+    model->origin = loaded.origin;
     model->notes = std::move(loaded.notes);
     return model;
 }
@@ -58,6 +60,7 @@ void Loader::run(const std::shared_ptr<Job>& job) {
         if (!job->cancelled) {
             job->say("Finding its lines");
             model->lines = extract_lines(model->mesh, job->source.lines);
+            if (!job->source.file.empty()) add_notes(model->lines.odd, model->notes);
         }
         result = model;
     } catch (const std::bad_alloc&) {

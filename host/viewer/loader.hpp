@@ -30,6 +30,7 @@ struct Model {
     ModelSource source;
     Mesh mesh;
     LineSet lines;
+    glm::dvec3 origin{0};           ///< of `mesh`, in the file's coordinates
     std::vector<std::string> notes; ///< what was repaired in the file
     std::optional<View> view;       ///< a scene's own
 };

@@ -83,6 +83,8 @@ class Session {
   private:
     void show(std::shared_ptr<Model> model);
     void open_camera(const std::filesystem::path& file);
+    std::optional<View> take_first_camera();
+    glm::dvec3 origin() const;
     void load_pens(const Style& style);
     void draw_side(std::size_t side, const Camera& camera);
     bool attempt(const std::function<void()>& action);
@@ -94,7 +96,7 @@ class Session {
     glm::ivec2 size_{0, 0};
     std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
     FrameStats stats_;
-    std::optional<View> first_view_;
+    std::filesystem::path first_camera_;
     std::optional<View> drawn_view_;
     bool stale_ = true;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before

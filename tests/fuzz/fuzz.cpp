@@ -1,6 +1,7 @@
 #include "fuzz.hpp"
 
 #include <fstream>
+#include <iterator>
 
 #include <unistd.h>
 
@@ -44,6 +45,11 @@ fs::path put_file(std::string_view extension, std::span<const std::uint8_t> byte
     file.close();
     expect(!file.fail(), "the input could not be written to " + path.string());
     return path;
+}
+
+std::vector<unsigned char> read_file(const fs::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
 }
 
 } // namespace lineatlas::fuzz
