@@ -21,6 +21,10 @@ using Json = nlohmann::json;
 constexpr double usual_fps = 25;
 constexpr double most_frames = 1e6;
 
+// What a camera path may have, before it is parsed into memory.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{16} << 20U;
+constexpr int deepest = 8;
+
 /// Reads one file; every message names it.
 class Reader {
   public:
@@ -31,8 +35,14 @@ class Reader {
     }
 
     Json parse() const {
+        if (check_source(file_) > most_bytes)
+            throw error("it is larger than 16 MiB, which no camera path is");
+        const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
+            if (depth > deepest) throw error(fmt::format("it is nested deeper than {}", deepest));
+            return true;
+        };
         try {
-            return Json::parse(read_source(file_).bytes);
+            return Json::parse(read_source(file_).bytes, check_depth);
         } catch (const Json::exception& failure) {
             std::string cause =
                 failure.what(); // "[json.exception.parse_error.101] parse error ..."

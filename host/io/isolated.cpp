@@ -117,7 +117,11 @@ LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimit
 
 Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits) {
     if (!serves_as_reader()) return read_image(path);
-    ReaderProcess process{image_kind, path, limits};
+    // A picture of 4096 x 4096 floats. What is packed well need not be large to need far more.
+    constexpr std::uint64_t usual_memory = std::uint64_t{512} << 20U;
+    ReadLimits filled = limits;
+    if (filled.memory == 0) filled.memory = usual_memory;
+    ReaderProcess process{image_kind, path, filled};
     Image image;
     image.size = process.value<glm::ivec2>();
     image.channels = process.value<int>();
