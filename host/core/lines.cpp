@@ -194,7 +194,7 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
 
     LineSet result = std::move(builder.result);
     result.odd = welded.odd;
-    result.odd.flat = static_cast<std::size_t>(std::ranges::count(normals, glm::dvec3{0}));
+    result.odd.flat = flat_face_count(welded, normals);
     result.vertices = std::move(welded.vertices);
     result.triangles = std::move(welded.triangles);
     result.vertex_sources = std::move(welded.vertex_sources);

@@ -11,9 +11,9 @@ void add_notes(const OddTriangles& odd, std::vector<std::string>& notes) {
         if (count > 0)
             notes.push_back(counted(count, "triangle", "triangles") + ' ' + std::string(what));
     };
-    note(odd.repeated, "that stand twice left out");
+    note(odd.repeated, "over the corners of another left out");
     note(odd.collapsed, "with corners at one place left out");
-    note(odd.flat, "without area take the plane of a neighbour");
+    note(odd.flat, "without area seen as part of another");
 }
 
 } // namespace lineatlas
