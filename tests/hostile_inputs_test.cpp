@@ -1,6 +1,6 @@
 // The tool with hostile files: odd meshes whose picture must be that of the clean one; things that
-// are no files; styles, camera paths and pictures of pens. Exit code 0 and the right picture with at
-// most one line, or 1 and one line.
+// are no files; styles, camera paths and pictures of pens. Exit code 0 and the right picture with
+// at most one line, or 1 and one line.
 
 #include <algorithm>
 #include <cmath>
@@ -63,15 +63,15 @@ class HostileInputs : public Tool {
 
 TEST_F(HostileInputs, AModelFarFromZeroIsDrawnAsNearIt) {
     const std::string view = "--eye 3,2.5,4 --target 0.5,0.5,0.5 --lines crease";
-    const std::string far_view =
-        "--eye 10000000.03,-19999999.975,5000000.04 "
-        "--target 10000000.005,-19999999.995,5000000.005 --lines crease";
+    const std::string far_view = "--eye 10000000.03,-19999999.975,5000000.04 "
+                                 "--target 10000000.005,-19999999.995,5000000.005 --lines crease";
     for (const MeshType& type : mesh_types()) {
         if (!type.exact) continue;
         write("near" + type.extension, type.write(block_on_cube(), {}));
         write("far" + type.extension,
               type.write(block_on_cube().moved(0.01, {1e7, -2e7, 5e6}), {}));
-        const std::string note = "far from zero for its size, drawn about 10000000,-20000000,5000000";
+        const std::string note =
+            "far from zero for its size, drawn about 10000000,-20000000,5000000";
         expect_same(draw("near" + type.extension), draw("far" + type.extension, note), type.name);
         expect_same(draw("near" + type.extension, "", view),
                     draw("far" + type.extension, note, far_view), type.name);
@@ -86,7 +86,8 @@ TEST_F(HostileInputs, OddFacesChangeNothing) {
     Model twice = clean;
     for (const auto& face : clean.faces) twice.faces.push_back({face[0], face[2], face[1]});
     write_model("twice.off", twice);
-    expect_same(picture, draw("twice.off", "24 triangles over the corners of another left out"), "twice");
+    expect_same(picture, draw("twice.off", "24 triangles over the corners of another left out"),
+                "twice");
 
     Model mixed = clean;
     for (std::size_t i = 0; i < mixed.faces.size(); i += 3)
