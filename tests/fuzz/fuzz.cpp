@@ -39,12 +39,16 @@ class Folder {
 fs::path put_file(std::string_view extension, std::span<const std::uint8_t> bytes) {
     static const Folder folder;
     const fs::path path = folder.path() / ("input" + std::string{extension});
+    write_file(path, bytes);
+    return path;
+}
+
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     std::ofstream file{path, std::ios::binary};
     file.write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
     file.close();
     expect(!file.fail(), "the input could not be written to " + path.string());
-    return path;
 }
 
 std::vector<unsigned char> read_file(const fs::path& path) {

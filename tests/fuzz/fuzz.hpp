@@ -18,6 +18,7 @@ namespace lineatlas::fuzz {
 /// input: what is tried is what a user's file goes through, its way from the disk included.
 std::filesystem::path put_file(std::string_view extension, std::span<const std::uint8_t> bytes);
 
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 std::vector<unsigned char> read_file(const std::filesystem::path& path);
 
 /// Ends the program with a finding. Not assert(): findings count in every build.

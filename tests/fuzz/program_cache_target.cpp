@@ -13,15 +13,9 @@ using Bytes = std::vector<unsigned char>;
 constexpr std::string_view key = "a key";
 const Bytes program{'a', ' ', 'p', 'r', 'o', 'g', 'r', 'a', 'm', 0, 1, 2, 3, 0xFF};
 
-/// In place of the entry that stands under the key.
-void put_entry(const std::filesystem::path& entry, std::span<const std::uint8_t> bytes) {
-    std::filesystem::copy_file(fuzz::put_file(".entry", bytes), entry,
-                               std::filesystem::copy_options::overwrite_existing);
-}
-
 /// As a file of the cache: it is the program that was stored, or nothing.
 void try_as_entry(const compute::ProgramCache& cache, std::span<const std::uint8_t> bytes) {
-    put_entry(cache.file_of(key), bytes);
+    fuzz::write_file(cache.file_of(key), bytes);
     const std::optional<Bytes> found = cache.find(key);
     fuzz::expect(!found || *found == program, "a program that was not stored");
 }
@@ -38,7 +32,7 @@ void try_as_program(const compute::ProgramCache& cache, std::span<const std::uin
     const std::filesystem::path entry = cache.file_of(own_key);
     Bytes damaged = fuzz::read_file(entry);
     damaged[place % damaged.size()] ^= 1U;
-    put_entry(entry, damaged);
+    fuzz::write_file(entry, damaged);
     fuzz::expect(!cache.find(own_key), "a damaged program that is found");
     std::filesystem::remove(entry);
 }
