@@ -21,6 +21,10 @@ using Json = nlohmann::json;
 constexpr double usual_fps = 25;
 constexpr double most_frames = 1e6;
 
+// What a camera path may have, before it is parsed into memory.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{16} << 20U;
+constexpr int deepest = 8;
+
 /// Reads one file; every message names it.
 class Reader {
   public:
@@ -31,8 +35,14 @@ class Reader {
     }
 
     Json parse() const {
+        if (check_source(file_) > most_bytes)
+            throw error("it is larger than 16 MiB, which no camera path is");
+        const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
+            if (depth > deepest) throw error(fmt::format("it is nested deeper than {}", deepest));
+            return true;
+        };
         try {
-            return Json::parse(read_source(file_).bytes);
+            return Json::parse(read_source(file_).bytes, check_depth);
         } catch (const Json::exception& failure) {
             std::string cause =
                 failure.what(); // "[json.exception.parse_error.101] parse error ..."
@@ -64,13 +74,13 @@ class Reader {
                                 written(value)));
     }
 
-    glm::vec3 vector(const Json& value, const std::string& where) const {
-        glm::vec3 result{0};
+    glm::dvec3 vector(const Json& value, const std::string& where) const {
+        glm::dvec3 result{0};
         bool good = value.is_array() && value.size() == 3;
         for (int i = 0; good && i < 3; ++i) {
             const Json& part = value[static_cast<std::size_t>(i)];
             good = part.is_number() && std::isfinite(part.get<float>());
-            if (good) result[i] = part.get<float>();
+            if (good) result[i] = part.get<double>();
         }
         if (good) return result;
         throw error(fmt::format("{} must be three finite numbers, as in [1, 2.5, -3], not {}",
@@ -99,12 +109,13 @@ double key_frame(const Reader& reader, const Json& key, const std::string& where
     return reader.number(key["time"], where + ".time", 0, most_frames / fps) * fps;
 }
 
-View key_view(const Reader& reader, const Json& key, const std::string& where, View view) {
+View key_view(const Reader& reader, const Json& key, const std::string& where, glm::dvec3 origin,
+              View view) {
     view.near = view.far = 0;
     for (const auto& [name, member] :
          {std::pair{"eye", &View::eye}, std::pair{"target", &View::target}}) {
         if (!key.contains(name)) throw reader.error(fmt::format("{} needs \"{}\"", where, name));
-        view.*member = reader.vector(key[name], fmt::format("{}.{}", where, name));
+        view.*member = reader.vector(key[name], fmt::format("{}.{}", where, name)) - origin;
     }
     if (view.eye == view.target) {
         throw reader.error(where + ": eye and target must be two different points");
@@ -158,7 +169,7 @@ auto interpolate(const Value& value, const Time& time, std::size_t count, std::s
 
 } // namespace
 
-CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults) {
+CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults, glm::dvec3 origin) {
     const Reader reader{file};
     const Json root = reader.parse();
     reader.check_members(root, "the file", {"keys", "fps"});
@@ -175,7 +186,7 @@ CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults) 
         if (!keys_.empty() && frame <= keys_.back().frame) {
             throw reader.error(where + " must come later than the key before it");
         }
-        view = key_view(reader, key, where, view);
+        view = key_view(reader, key, where, origin, view);
         keys_.push_back({frame, view});
     }
     if (first_frame() > last_frame()) {

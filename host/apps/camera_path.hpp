@@ -11,8 +11,10 @@ namespace lineatlas::apps {
 class CameraPath {
   public:
     /// What the first key leaves out is taken from `defaults`, what others leave out from the key
-    /// before. Throws FileError that names the file, the key and the way out.
-    CameraPath(const std::filesystem::path& file, const View& defaults);
+    /// before. `origin` is taken off all points. Throws FileError that names the file, the key and
+    /// the way out.
+    CameraPath(const std::filesystem::path& file, const View& defaults,
+               glm::dvec3 origin = glm::dvec3{0});
 
     int first_frame() const;
     int last_frame() const;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <epoxy/gl.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "compute/backends.hpp"
@@ -12,7 +12,8 @@
 #include "draw_stats.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/image_writer.hpp"
-#include "io/pen_images.hpp"
+#include "io/isolated.hpp"
+#include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
@@ -22,6 +23,7 @@
 #include "picture_options.hpp"
 #include "picture_output.hpp"
 #include "profile_output.hpp"
+#include "read_options.hpp"
 #include "sequence_options.hpp"
 #include "style_options.hpp"
 #include "values.hpp"
@@ -50,6 +52,7 @@ struct DrawArguments {
     std::string atlas_layout = "wrap";
     std::string stroke_shader = "geometry";
     StyleOptions style;
+    ReadOptions read;
     SequenceOptions sequence;
     PictureOptions picture;
     PathOptions paths;
@@ -112,6 +115,7 @@ struct Subject {
     Mesh mesh;
     LineSet lines;
     View view;
+    glm::dvec3 origin{0}; ///< of the mesh and the view, in the file's coordinates
 };
 
 Axis vertical_axis(const Subject& subject, glm::vec3 up) {
@@ -127,12 +131,13 @@ Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
         Scene scene = make_scene(arguments.scene);
         LineSet lines = extract_lines(scene.mesh, line_options);
         const View view = scene.view(arguments.at);
-        return {scene.name, std::move(scene.mesh), std::move(lines), view};
+        return {scene.name, std::move(scene.mesh), std::move(lines), view, {}};
     }
-    LoadedMesh loaded = load_mesh(arguments.model);
-    for (const std::string& note : loaded.notes) fmt::print(stderr, "lineatlas: {}\n", note);
-    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}};
+    LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
+    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin};
     subject.lines = extract_lines(subject.mesh, line_options);
+    add_notes(subject.lines.odd, loaded.notes);
+    if (!loaded.notes.empty()) fmt::print(stderr, "lineatlas: {}\n", fmt::join(loaded.notes, "; "));
     const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
     const std::vector<glm::vec3>& points = subject.lines.vertices;
     subject.view = arguments.sequence.turns()
@@ -141,13 +146,15 @@ Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
     return subject;
 }
 
-void apply_camera(const DrawArguments& arguments, const CLI::App& app, View& view) {
+void apply_camera(const DrawArguments& arguments, const CLI::App& app, Subject& subject) {
+    View& view = subject.view;
     // A camera placed by hand sees planes fitted to it.
     if (!arguments.eye.empty()) {
-        view.eye = parse_vector("--eye", arguments.eye);
+        view.eye = parse_point("--eye", arguments.eye) - subject.origin;
         view.near = view.far = 0;
     }
-    if (!arguments.target.empty()) view.target = parse_vector("--target", arguments.target);
+    if (!arguments.target.empty())
+        view.target = parse_point("--target", arguments.target) - subject.origin;
     if (!arguments.up.empty()) view.up = parse_up("--up", arguments.up);
     if (app.count("--fov") > 0) view.fov_y = arguments.fov * radians_per_degree;
 }
@@ -159,7 +166,7 @@ std::optional<std::vector<SequenceFrame>> sequence_frames(const DrawArguments& a
     Axis axis = vertical_axis(subject, subject.view.up);
     if (!arguments.target.empty()) axis.point = subject.view.target;
     return arguments.sequence.frames(arguments.output, subject.view, axis, size,
-                                     subject.lines.bounds);
+                                     subject.lines.bounds, subject.origin);
 }
 
 /// Everything that can be wrong on the command line alone is found before any work starts.
@@ -173,6 +180,7 @@ void check_arguments(const DrawArguments& arguments) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
     arguments.profile.check();
+    arguments.read.check();
     arguments.paths.check(arguments.output);
     if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
@@ -247,7 +255,7 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
         {.options = drawing.options,
          .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
          .svg = svg,
-         .json = {.tags = paths.tags(), .description = {}},
+         .json = {.tags = paths.tags(), .description = {}, .origin = subject.origin},
          .description = drawing.description},
         subject.lines,
         renderer};
@@ -262,10 +270,10 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const Style style = arguments.style.style();
     FrameOptions options = frame_options(arguments, style, size);
     ImageWriter writer; // before anything starts a thread
-    const std::map<std::string, Image> pen_images = read_pen_images(style);
+    const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
 
     Subject subject = load_subject(arguments, size);
-    apply_camera(arguments, app, subject.view);
+    apply_camera(arguments, app, subject);
     const std::optional<std::vector<SequenceFrame>> frames =
         sequence_frames(arguments, subject, size);
     // A frame of a sequence is the same whatever was drawn before it.
@@ -360,6 +368,7 @@ Command setup_draw(CLI::App& app) {
     a.sequence.declare(app);
     a.picture.declare(app);
     a.paths.declare(app);
+    a.read.declare(app);
 
     const std::string device = "Device";
     app.add_option("--compute", a.device.compute, "Backend: " + compute::backend_names())

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "commands.hpp"
+#include "io/isolated.hpp"
 #include "lineatlas/error.hpp"
 #include "stop_signal.hpp"
 
@@ -67,6 +68,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (const std::optional<int> code = lineatlas::serve_as_reader(argc, argv)) return *code;
     try {
         return run(argc, argv);
     } catch (const lineatlas::UsageError& error) {

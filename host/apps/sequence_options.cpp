@@ -62,7 +62,7 @@ bool SequenceOptions::given(const std::string& output) const {
 
 std::vector<SequenceFrame> SequenceOptions::frames(const std::string& output, const View& view,
                                                    const Axis& axis, glm::ivec2 size,
-                                                   const Bounds& bounds) const {
+                                                   const Bounds& bounds, glm::dvec3 origin) const {
     int first = 0;
     int last = turntable_ - 1;
     std::function<View(int)> view_at = [&](int number) {
@@ -70,7 +70,7 @@ std::vector<SequenceFrame> SequenceOptions::frames(const std::string& output, co
     };
     std::optional<CameraPath> path;
     if (!camera_path_.empty()) {
-        path.emplace(camera_path_, view);
+        path.emplace(camera_path_, view, origin);
         first = path->first_frame();
         last = path->last_frame();
         view_at = [&](int number) { return path->view(number); };

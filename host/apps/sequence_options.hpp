@@ -25,9 +25,11 @@ class SequenceOptions {
     bool resume() const { return resume_; }
 
     /// Every frame that is asked for. A turntable carries `view` around `axis`; a camera path takes
-    /// from it what its file leaves out. Throws Error, naming the frame.
+    /// from it what its file leaves out, and is `origin` nearer to zero. Throws Error, naming the
+    /// frame.
     std::vector<SequenceFrame> frames(const std::string& output, const View& view, const Axis& axis,
-                                      glm::ivec2 size, const Bounds& bounds) const;
+                                      glm::ivec2 size, const Bounds& bounds,
+                                      glm::dvec3 origin) const;
 
   private:
     const CLI::App* app_ = nullptr;

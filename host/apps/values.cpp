@@ -73,12 +73,17 @@ glm::ivec2 parse_size(std::string_view option, const std::string& text) {
 }
 
 glm::vec3 parse_vector(std::string_view option, const std::string& text) {
+    return parse_point(option, text);
+}
+
+glm::dvec3 parse_point(std::string_view option, const std::string& text) {
     const std::vector<std::string> parts = split(text, ',');
-    glm::vec3 result{0};
+    glm::dvec3 result{0};
     bool good = parts.size() == 3;
     for (int i = 0; good && i < 3; ++i) {
-        const std::optional<float> value = parse_number<float>(parts[static_cast<std::size_t>(i)]);
-        good = value && std::isfinite(*value);
+        const std::optional<double> value =
+            parse_number<double>(parts[static_cast<std::size_t>(i)]);
+        good = value && std::isfinite(static_cast<float>(*value));
         if (good) result[i] = *value;
     }
     if (good) return result;

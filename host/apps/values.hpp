@@ -16,6 +16,7 @@ namespace lineatlas::apps {
 
 glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "1024x768"
 glm::vec3 parse_vector(std::string_view option, const std::string& text); ///< "1,-2.5,3"
+glm::dvec3 parse_point(std::string_view option, const std::string& text); ///< with all its digits
 glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", "y", "z" or a vector
 LineKindMask parse_lines(std::string_view option, const std::string& text); ///< "crease,silhouette"
 /// Numbers of frames from `first` to `last`: "7", "0-99", "0-99x5", "3-" and "3-x5" (to the end;

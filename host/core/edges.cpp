@@ -66,6 +66,11 @@ double squared_length(glm::dvec3 v) {
     return glm::dot(v, v);
 }
 
+double longest_edge(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    return std::sqrt(
+        std::max({squared_length(b - a), squared_length(c - a), squared_length(c - b)}));
+}
+
 /// The unit normal, or zero for a sliver.
 glm::dvec3 unit_normal(const WeldedMesh& mesh, std::uint32_t face) {
     const glm::dvec3 a = corner(mesh, face, 0);
@@ -73,8 +78,7 @@ glm::dvec3 unit_normal(const WeldedMesh& mesh, std::uint32_t face) {
     const glm::dvec3 c = corner(mesh, face, 2);
     const glm::dvec3 cross = glm::cross(b - a, c - a);
     const double twice_area = glm::length(cross);
-    const double longest =
-        std::sqrt(std::max({squared_length(b - a), squared_length(c - a), squared_length(c - b)}));
+    const double longest = longest_edge(a, b, c);
     const glm::dvec3 extent = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
     const double coordinate = std::max({extent.x, extent.y, extent.z});
     const double least_height = std::max(sliver_ratio * longest, rounding_ratio * coordinate);
@@ -190,6 +194,19 @@ std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh) {
         normals[face] = unit_normal(mesh, face);
     }
     return normals;
+}
+
+std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals) {
+    std::size_t count = 0;
+    for (std::uint32_t face = 0; face < normals.size(); ++face) {
+        if (!is_zero(normals[face])) continue;
+        const glm::dvec3 a = corner(mesh, face, 0);
+        const glm::dvec3 b = corner(mesh, face, 1);
+        const glm::dvec3 c = corner(mesh, face, 2);
+        const double longest = longest_edge(a, b, c);
+        count += glm::length(glm::cross(b - a, c - a)) <= sliver_ratio * longest * longest ? 1 : 0;
+    }
+    return count;
 }
 
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,

@@ -31,6 +31,10 @@ void replace_slivers(const WeldedMesh& mesh, std::vector<MeshEdge>& edges);
 /// Unit normals per triangle in double precision; zero for a triangle without area.
 std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh);
 
+/// How many of those without a normal have no area at all. Others are thin: large polygons are cut
+/// into such.
+std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals);
+
 /// The kind of line that the edge is under `options`; nothing if it is never one.
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,
                                  const std::vector<glm::dvec3>& normals,

@@ -193,6 +193,8 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     builder.append_candidates(candidates);
 
     LineSet result = std::move(builder.result);
+    result.odd = welded.odd;
+    result.odd.flat = flat_face_count(welded, normals);
     result.vertices = std::move(welded.vertices);
     result.triangles = std::move(welded.triangles);
     result.vertex_sources = std::move(welded.vertex_sources);

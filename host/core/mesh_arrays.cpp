@@ -46,7 +46,7 @@ Mesh make_mesh(const MeshArrays& arrays) {
     // Materials are numbers of any size: groups are counted up.
     std::vector<std::uint32_t> numbers{arrays.materials.begin(), arrays.materials.end()};
     std::ranges::sort(numbers);
-    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     for (const std::uint32_t number : numbers) {
         mesh.groups.push_back({.object = {}, .material = std::to_string(number)});
     }

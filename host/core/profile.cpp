@@ -27,8 +27,7 @@ std::vector<std::int64_t> borders(const FrameProfile& frame) {
         times.push_back(std::clamp(event.end, frame.start, frame.end));
     }
     std::ranges::sort(times);
-    const auto repeated = std::ranges::unique(times);
-    times.erase(repeated.begin(), repeated.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }
 

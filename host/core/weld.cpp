@@ -150,10 +150,16 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
         const glm::uvec3 triangle{weld_vertex(source.x, object), weld_vertex(source.y, object),
                                   weld_vertex(source.z, object)};
         const glm::uvec3 key = sorted(triangle);
-        if (key.x == key.y || key.y == key.z) continue;
+        if (key.x == key.y || key.y == key.z) {
+            ++result.odd.collapsed;
+            continue;
+        }
         const auto fresh = static_cast<std::uint32_t>(keys.size());
         const auto is_key = [&](std::uint32_t known) { return keys[known] == key; };
-        if (seen.find_or_add(fresh, mix(key.x, key.y, key.z), is_key) != fresh) continue;
+        if (seen.find_or_add(fresh, mix(key.x, key.y, key.z), is_key) != fresh) {
+            ++result.odd.repeated;
+            continue;
+        }
         keys.push_back(key);
         result.triangles.push_back(triangle);
         result.triangle_source.push_back(static_cast<std::uint32_t>(i));

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "lineatlas/lines.hpp"
 #include "lineatlas/mesh.hpp"
 #include "objects.hpp"
 
@@ -21,6 +22,7 @@ struct WeldedMesh {
     std::vector<std::vector<std::uint32_t>> polyline_sources;
     std::vector<std::uint32_t> vertex_sources; ///< index into Mesh::positions
     std::vector<std::uint32_t> object_ends;    ///< per object the end of its vertices
+    OddTriangles odd;                          ///< but not those without area
 };
 
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and

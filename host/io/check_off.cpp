@@ -12,7 +12,7 @@ namespace {
 
 /// OpenMesh finds neither a keyword behind comments nor counts beside it, takes a missing edge
 /// count from the first vertex, stops at `nan`, and reads on behind the end of the file. It gets
-/// plain `OFF` with three numbers a vertex and bare indices a face.
+/// plain `OFF` with three zeros a vertex and bare indices a face.
 class OffText {
   public:
     explicit OffText(const SourceFile& source) : source_(source), cursor_(source.bytes, '#') {}
@@ -75,22 +75,19 @@ class OffText {
     }
 
     void vertex(std::size_t number) {
-        float coordinates[3] = {};
-        bool finite = true;
-        for (float& coordinate : coordinates) {
+        glm::dvec3 point{0};
+        for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = cursor_.next();
             if (word.empty()) throw truncated("vertex", number, checked_.vertices);
             const auto value = parse_number(word);
             if (!value)
                 throw error_in("vertex", number,
                                "has \"" + printable(word) + "\" for a coordinate");
-            coordinate = static_cast<float>(*value);
-            finite = finite && std::isfinite(coordinate);
+            point[axis] = *value;
         }
         cursor_.skip_line();
-        if (!finite) checked_.not_finite.push_back(static_cast<std::uint32_t>(number));
-        for (const float coordinate : coordinates) append_number(finite ? coordinate : 0.0F);
-        checked_.bytes.back() = '\n';
+        checked_.exact.push_back(point);
+        checked_.bytes += "0 0 0\n"; // all that OpenMesh's floats are for is to be counted
     }
 
     void face(std::size_t number) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -106,6 +107,18 @@ class PlyFile {
         }
     }
 
+    bool has_more_than_floats(const PlyElement& element) const {
+        return header_.encoding == PlyEncoding::ascii ||
+               std::ranges::any_of(element.properties, [](const PlyProperty& property) {
+                   return is_coordinate(property) &&
+                          (property.type.kind != PlyKind::floating || property.type.size != 4);
+               });
+    }
+
+    static bool is_coordinate(const PlyProperty& property) {
+        return property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+    }
+
     void vertex(const PlyElement& element, std::size_t number) {
         std::array<double, 3> point{};
         for (const PlyProperty& property : element.properties) {
@@ -114,9 +127,11 @@ class PlyFile {
                 continue;
             }
             const double value = next(property.type, element, number);
-            if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
+            if (is_coordinate(property))
                 point[static_cast<std::size_t>(property.name[0] - 'x')] = value;
         }
+        if (has_more_than_floats(element))
+            checked_.exact.emplace_back(point[0], point[1], point[2]);
         for (const double coordinate : point)
             append_f32(checked_.bytes, static_cast<float>(coordinate));
     }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "checked.hpp"
+#include "exact_bounds.hpp"
 #include "little_endian.hpp"
 #include "text_cursor.hpp"
 
@@ -70,6 +71,8 @@ bool same_word(std::string_view token, std::string_view lower) {
     return true;
 }
 
+using Facet = std::array<glm::dvec3, 3>;
+
 /// Walks keywords rather than lines: OpenMesh expects one `vertex` on each of the three lines
 /// after `outer`, and takes anything else for zeros.
 class AsciiStl {
@@ -77,27 +80,44 @@ class AsciiStl {
     explicit AsciiStl(const SourceFile& source) : source_(source), cursor_(source.bytes) {}
 
     CheckedMesh check() {
-        CheckedMesh checked;
-        checked.bytes = empty_binary_stl();
         bool in_solid = false;
         for (std::string_view word = cursor_.next(); !word.empty(); word = cursor_.next()) {
             if (same_word(word, "solid") || same_word(word, "endsolid")) {
                 in_solid = same_word(word, "solid");
                 cursor_.skip_line();
             } else if (same_word(word, "facet")) {
-                add_facet(checked, facet());
+                facets_.push_back(facet());
             } else {
                 throw unexpected(word, "\"facet\"");
             }
         }
         if (in_solid) throw truncated();
-        if (checked.faces + checked.not_finite_faces == 0)
-            throw read_error(source_.path, "it holds no face");
+        if (facets_.empty()) throw read_error(source_.path, "it holds no face");
+        return about_origin();
+    }
+
+  private:
+    /// OpenMesh welds floats, which must be able to tell the corners apart.
+    CheckedMesh about_origin() const {
+        ExactBounds bounds;
+        for (const Facet& facet : facets_)
+            for (const glm::dvec3& corner : facet)
+                if (is_drawable(corner)) bounds.add(corner);
+        CheckedMesh checked;
+        checked.bytes = empty_binary_stl();
+        checked.origin = origin_for(bounds);
+        for (const Facet& facet : facets_) {
+            std::array<float, 9> coordinates{};
+            for (std::size_t i = 0; i < coordinates.size(); ++i) {
+                const auto axis = static_cast<int>(i % 3);
+                coordinates[i] = static_cast<float>(facet[i / 3][axis] - checked.origin[axis]);
+            }
+            add_facet(checked, coordinates);
+        }
         set_facet_count(checked);
         return checked;
     }
 
-  private:
     FileError truncated() const {
         return read_error(source_.path, "it is truncated: line " + std::to_string(cursor_.line()) +
                                             " is the last and no \"endsolid\" was met");
@@ -114,32 +134,33 @@ class AsciiStl {
         if (!same_word(word, wanted)) throw unexpected(word, '"' + std::string(wanted) + '"');
     }
 
-    float number() {
+    double number() {
         const std::string_view word = cursor_.next();
         if (word.empty()) throw truncated();
         const auto value = parse_number(word);
         if (!value) throw unexpected(word, "a number");
-        return static_cast<float>(*value);
+        return *value;
     }
 
-    std::array<float, 9> facet() {
-        std::array<float, 9> coordinates{};
+    Facet facet() {
+        Facet facet{};
         expect("normal");
         for (int i = 0; i < 3; ++i)
             if (cursor_.next().empty()) throw truncated();
         expect("outer");
         expect("loop");
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (glm::dvec3& corner : facet) {
             expect("vertex");
-            for (std::size_t i = 0; i < 3; ++i) coordinates[3 * corner + i] = number();
+            for (int axis = 0; axis < 3; ++axis) corner[axis] = number();
         }
         expect("endloop");
         expect("endfacet");
-        return coordinates;
+        return facet;
     }
 
     const SourceFile& source_;
     TextCursor cursor_;
+    std::vector<Facet> facets_;
 };
 
 bool starts_with_solid(std::string_view bytes) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "source_file.hpp"
 
 namespace lineatlas {
@@ -14,12 +16,13 @@ namespace lineatlas {
 /// their place at comments, `nan`, lists and colours they do not know; each check_* function says
 /// which.
 struct CheckedMesh {
-    std::string bytes;        ///< for OpenMesh
-    std::size_t vertices = 0; ///< that OpenMesh has to find; 0 for STL, which has no count
-    std::size_t faces = 0;    ///< that OpenMesh has to find
-    std::vector<std::uint32_t>
-        not_finite;                   ///< vertices written as zero, since text readers stop at nan
+    std::string bytes;                ///< for OpenMesh
+    std::size_t vertices = 0;         ///< that OpenMesh has to find; 0 for STL, which has no count
+    std::size_t faces = 0;            ///< that OpenMesh has to find
     std::size_t not_finite_faces = 0; ///< left out of `bytes`
+    /// The vertices as the file has them, where OpenMesh's floats can't hold them; else empty.
+    std::vector<glm::dvec3> exact{};
+    glm::dvec3 origin{0}; ///< taken off all vertices
 };
 
 /// Each throws FileError at the first thing that is wrong, a missing end included.

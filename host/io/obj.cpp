@@ -34,8 +34,8 @@ class ObjSoup {
 
     Soup read() {
         tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* self, float x, float y, float z, float) {
-            static_cast<ObjSoup*>(self)->soup_.positions.emplace_back(x, y, z);
+        callbacks.vertex_cb = [](void* self, float, float, float, float) {
+            static_cast<ObjSoup*>(self)->add_vertex();
         };
         callbacks.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
             static_cast<ObjSoup*>(self)->element({corners, static_cast<std::size_t>(count)});
@@ -64,6 +64,8 @@ class ObjSoup {
     }
 
   private:
+    void add_vertex() { soup_.positions.push_back(text_.positions.at(soup_.positions.size())); }
+
     void element(std::span<const tinyobj::index_t> corners) {
         corners_.clear();
         const bool nothing = corners.size() == 1 && corners[0].vertex_index == 0;

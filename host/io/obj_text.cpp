@@ -1,7 +1,7 @@
 #include "obj_text.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -29,19 +29,6 @@ std::string_view take_word(std::string_view& text) {
     const std::string_view word = text.substr(begin, end - begin);
     text.remove_prefix(end);
     return word;
-}
-
-/// Most coordinates are digits with one point, which is quicker to see than to convert.
-bool is_plain_number(std::string_view word) {
-    if (word.starts_with('-')) word.remove_prefix(1);
-    bool point = false;
-    for (const char c : word) {
-        if (c == '.' && !point)
-            point = true;
-        else if (!is_digit(c))
-            return false;
-    }
-    return word.size() > (point ? 1U : 0U);
 }
 
 /// `1`, `-1`, `1/2`, `1//3`, `1/2/3`, with empty places (`1//`) allowed behind the first.
@@ -118,32 +105,22 @@ class Reduction {
     }
 
     void vertex(std::string_view rest) {
-        result_.text += 'v';
-        for (int i = 0; i < 3; ++i) {
+        glm::dvec3 position{0};
+        for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = take_word(rest);
             if (word.empty() && last_) throw truncated();
             if (word.empty()) throw error("gives a vertex fewer than three coordinates");
-            result_.text += ' ';
-            coordinate(word);
+            position[axis] = coordinate(word);
         }
+        result_.positions.push_back(position);
+        result_.text += "v 0 0 0"; // tinyobjloader's floats are not used
     }
 
-    void coordinate(std::string_view word) {
-        if (is_plain_number(word)) {
-            result_.text += word;
-            return;
-        }
-        const auto value = parse_number(word);
+    double coordinate(std::string_view word) const {
+        if (const auto value = parse_number(word)) return *value;
         // Visual C++ prints 1.#INF, 1.#QNAN, -1.#IND.
-        const bool visual_c_nan = word.find(".#") != word.npos;
-        if (!value && !visual_c_nan)
-            throw error("has \"" + printable(word) + "\" for a coordinate");
-        if (visual_c_nan || !std::isfinite(static_cast<float>(*value)))
-            result_.text += "1e999";
-        else if (static_cast<float>(*value) == 0.0F)
-            result_.text += '0';
-        else
-            result_.text += word;
+        if (word.find(".#") != word.npos) return std::numeric_limits<double>::quiet_NaN();
+        throw error("has \"" + printable(word) + "\" for a coordinate");
     }
 
     void line_element(std::string_view rest) {

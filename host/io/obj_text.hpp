@@ -4,14 +4,18 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "source_file.hpp"
 
 namespace lineatlas {
 
 /// OBJ text reduced to what tinyobjloader reads right. It takes a word that is no number for zero,
-/// takes a comment behind a face for more corners, and its callback interface has no `l` elements.
+/// has floats, takes a comment behind a face for more corners, and its callback interface has no
+/// `l` elements.
 struct ObjText {
-    std::string text; ///< v, f, o, g and usemtl; one line for each in the file
+    std::string text;                  ///< v, f, o, g and usemtl; one line for each in the file
+    std::vector<glm::dvec3> positions; ///< of the v lines, which are all zeros in `text`
     std::vector<std::size_t> polyline_ends;  ///< ends in `text` of the f lines that were l lines
     std::vector<std::string> material_files; ///< what follows each mtllib
 };

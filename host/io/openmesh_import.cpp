@@ -1,6 +1,5 @@
 #include "openmesh_import.hpp"
 
-#include <limits>
 #include <mutex>
 #include <sstream>
 
@@ -125,8 +124,8 @@ Soup import_by_openmesh(CheckedMesh checked, std::string_view extension,
                          "OpenMesh finds other numbers of vertices and faces than its header");
 
     Soup soup = importer.take();
-    for (const std::uint32_t vertex : checked.not_finite)
-        soup.positions[vertex] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+    if (!checked.exact.empty()) soup.positions = std::move(checked.exact);
+    soup.origin = checked.origin;
     soup.not_finite_faces = checked.not_finite_faces;
     if (welds && found < checked.faces)
         soup.notes.push_back(counted(checked.faces - found, "face", "faces") +

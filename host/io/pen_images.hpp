@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -11,7 +13,8 @@ namespace lineatlas {
 
 /// The pictures of the pens that are image files, by the names of their marks; not those of `known`
 /// marks. Throws FileError.
-std::map<std::string, Image> read_pen_images(const Style& style,
-                                             const std::set<std::string>& known = {});
+std::map<std::string, Image>
+read_pen_images(const Style& style, const std::set<std::string>& known = {},
+                const std::function<Image(const std::filesystem::path&)>& read = read_image);
 
 } // namespace lineatlas

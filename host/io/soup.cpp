@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_bounds.hpp"
 #include "polygon.hpp"
 #include "source_file.hpp"
 
@@ -10,10 +11,12 @@ namespace lineatlas {
 
 namespace {
 
-constexpr std::uint32_t dropped = 0xFFFFFFFFU;
+// In place of the index of a position that can't be drawn.
+constexpr std::uint32_t not_finite = 0xFFFFFFFFU;
+constexpr std::uint32_t too_large = 0xFFFFFFFEU;
 
-bool is_finite(const glm::vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+bool is_dropped(std::uint32_t index) {
+    return index >= too_large;
 }
 
 struct FaceCounts {
@@ -21,7 +24,11 @@ struct FaceCounts {
     std::size_t few_corners = 0;
     std::size_t repeated = 0;
     std::size_t not_finite = 0;
+    std::size_t too_large = 0;
 };
+
+constexpr std::string_view why_not_finite = "with coordinates that are no finite numbers";
+constexpr std::string_view why_too_large = "with coordinates beyond 1e15";
 
 void check_indices(const Soup& soup, const std::filesystem::path& path) {
     const auto vertices = soup.positions.size();
@@ -35,16 +42,32 @@ void check_indices(const Soup& soup, const std::filesystem::path& path) {
                                counted(vertices, "vertex", "vertices") + " from 0");
 }
 
-/// Moves the finite positions together and returns where each one went.
-std::vector<std::uint32_t> keep_finite(std::vector<glm::vec3>& positions) {
-    std::vector<std::uint32_t> moved(positions.size(), dropped);
-    std::uint32_t kept = 0;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!is_finite(positions[i])) continue;
-        positions[kept] = positions[i];
-        moved[i] = kept++;
+/// The box of all positions that something uses and that can be drawn.
+ExactBounds bounds_of(const Soup& soup) {
+    ExactBounds bounds;
+    const auto add = [&](std::uint32_t index) {
+        if (is_drawable(soup.positions[index])) bounds.add(soup.positions[index]);
+    };
+    for (const std::uint32_t corner : soup.corners) add(corner);
+    for (const auto& polyline : soup.polylines)
+        for (const std::uint32_t index : polyline) add(index);
+    return bounds;
+}
+
+/// Moves the positions that can be drawn together, about `origin`. Returns where each one went.
+std::vector<std::uint32_t> keep_drawable(const Soup& soup, glm::dvec3 origin,
+                                         std::vector<glm::vec3>& positions) {
+    std::vector<std::uint32_t> moved;
+    moved.reserve(soup.positions.size());
+    positions.reserve(soup.positions.size());
+    for (const glm::dvec3& position : soup.positions) {
+        if (is_drawable(position)) {
+            moved.push_back(static_cast<std::uint32_t>(positions.size()));
+            positions.emplace_back(position - origin);
+        } else {
+            moved.push_back(is_finite(position) ? too_large : not_finite);
+        }
     }
-    positions.resize(kept);
     return moved;
 }
 
@@ -68,8 +91,8 @@ FaceCounts triangulate_faces(const Soup& soup, const std::vector<std::uint32_t>&
         face.clear();
         for (std::size_t c = begin; c < end; ++c) face.push_back(moved[soup.corners[c]]);
         begin = end;
-        if (std::find(face.begin(), face.end(), dropped) != face.end()) {
-            ++counts.not_finite;
+        if (const auto bad = std::ranges::find_if(face, is_dropped); bad != face.end()) {
+            ++(*bad == not_finite ? counts.not_finite : counts.too_large);
             continue;
         }
         if (face.size() < 3) {
@@ -94,7 +117,7 @@ std::size_t keep_polylines(Soup& soup, const std::vector<std::uint32_t>& moved, 
     std::size_t lost = 0;
     for (std::vector<std::uint32_t>& line : soup.polylines) {
         for (std::uint32_t& index : line) index = moved[index];
-        if (std::find(line.begin(), line.end(), dropped) != line.end()) {
+        if (std::ranges::any_of(line, is_dropped)) {
             ++lost;
             continue;
         }
@@ -110,9 +133,10 @@ std::size_t keep_polylines(Soup& soup, const std::vector<std::uint32_t>& moved, 
 /// Groups that no triangle is in are left out, so that a file with one `o` and no `usemtl` before
 /// its first face does not get a nameless group beside the real one.
 void keep_used_groups(const std::vector<MeshGroup>& groups, Mesh& mesh) {
-    std::vector<std::uint32_t> moved(groups.size(), dropped);
+    constexpr std::uint32_t unknown = 0xFFFFFFFFU;
+    std::vector<std::uint32_t> moved(groups.size(), unknown);
     for (std::uint32_t& group : mesh.triangle_group) {
-        if (moved[group] == dropped) {
+        if (moved[group] == unknown) {
             moved[group] = static_cast<std::uint32_t>(mesh.groups.size());
             mesh.groups.push_back(groups[group]);
         }
@@ -128,30 +152,24 @@ std::string why_empty(const FaceCounts& counts, const Soup& soup) {
            " can be drawn: corners are too few or equal";
 }
 
-} // namespace
+void refuse_if_most_are_bad(const FaceCounts& counts, const std::filesystem::path& path) {
+    if (2 * (counts.not_finite + counts.too_large) <= counts.faces) return;
+    const bool large = counts.too_large > counts.not_finite;
+    throw read_error(
+        path, std::to_string(large ? counts.too_large : counts.not_finite) + " of " +
+                  counted(counts.faces, "face", "faces") + " have coordinates " +
+                  (large ? "beyond 1e15; scale the model down" : "that are no finite numbers"));
+}
 
-LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
-    check_indices(soup, path);
+/// Of what is smaller, floats can't hold the squares of lengths.
+void refuse_if_too_small(const ExactBounds& bounds, const std::filesystem::path& path) {
+    constexpr double smallest = 1e-20;
+    const double extent = bounds.extent();
+    if (extent == 0.0) throw read_error(path, "all of its corners are at one place");
+    if (extent < smallest) throw read_error(path, "it is smaller than 1e-20; scale the model up");
+}
 
-    LoadedMesh loaded{.mesh = {}, .notes = std::move(soup.notes)};
-    Mesh& mesh = loaded.mesh;
-    const std::vector<std::uint32_t> moved = keep_finite(soup.positions);
-    mesh.positions = std::move(soup.positions);
-
-    FaceCounts counts = triangulate_faces(soup, moved, mesh);
-    counts.faces += soup.not_finite_faces;
-    counts.not_finite += soup.not_finite_faces;
-    if (2 * counts.not_finite > counts.faces)
-        throw read_error(path, std::to_string(counts.not_finite) + " of " +
-                                   counted(counts.faces, "face", "faces") +
-                                   " have coordinates that are no finite numbers");
-    const std::size_t lost_lines = keep_polylines(soup, moved, mesh);
-    if (mesh.empty()) {
-        soup.positions = std::move(mesh.positions);
-        throw read_error(path, why_empty(counts, soup));
-    }
-    keep_used_groups(soup.groups, mesh);
-
+void add_notes(LoadedMesh& loaded, const FaceCounts& counts, std::size_t lost_lines) {
     const auto note = [&](std::size_t count, std::string_view what) {
         if (count > 0)
             loaded.notes.push_back(counted(count, "face", "faces") + ' ' + std::string(what) +
@@ -159,11 +177,37 @@ LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
     };
     note(counts.few_corners, "with fewer than 3 corners");
     note(counts.repeated, "with equal corners");
-    note(counts.not_finite, "with coordinates that are no finite numbers");
+    note(counts.not_finite, why_not_finite);
+    note(counts.too_large, why_too_large);
     if (lost_lines > 0)
         loaded.notes.push_back(
             counted(lost_lines, "line", "lines") +
             " without length or with coordinates that are no finite numbers dropped");
+    if (loaded.origin != glm::dvec3{0})
+        loaded.notes.push_back("far from zero for its size, drawn about " + written(loaded.origin));
+}
+
+} // namespace
+
+LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
+    check_indices(soup, path);
+
+    LoadedMesh loaded{.mesh = {}, .notes = std::move(soup.notes)};
+    Mesh& mesh = loaded.mesh;
+    const ExactBounds bounds = bounds_of(soup);
+    const glm::dvec3 origin = origin_for(bounds);
+    loaded.origin = soup.origin + origin;
+    const std::vector<std::uint32_t> moved = keep_drawable(soup, origin, mesh.positions);
+
+    FaceCounts counts = triangulate_faces(soup, moved, mesh);
+    counts.faces += soup.not_finite_faces;
+    counts.not_finite += soup.not_finite_faces;
+    refuse_if_most_are_bad(counts, path);
+    const std::size_t lost_lines = keep_polylines(soup, moved, mesh);
+    if (mesh.empty()) throw read_error(path, why_empty(counts, soup));
+    refuse_if_too_small(bounds, path);
+    keep_used_groups(soup.groups, mesh);
+    add_notes(loaded, counts, lost_lines);
     return loaded;
 }
 

@@ -14,7 +14,8 @@ namespace lineatlas {
 
 /// Polygons as a reader finds them, before any of them is judged.
 struct Soup {
-    std::vector<glm::vec3> positions;      ///< may hold NaN and infinity
+    std::vector<glm::dvec3> positions;     ///< may hold NaN and infinity
+    glm::dvec3 origin{0};                  ///< taken off them by the reader already
     std::vector<std::uint32_t> corners;    ///< of all faces, one after another
     std::vector<std::size_t> face_ends;    ///< per face, one past its last corner in `corners`
     std::vector<std::uint32_t> face_group; ///< per face, or empty

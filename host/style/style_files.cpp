@@ -44,6 +44,9 @@ StyleText read_file(const fs::path& path) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) throw refuse("no such file");
     if (!fs::is_regular_file(path, ignored)) throw refuse("it is no file");
+    constexpr std::uintmax_t most_bytes = 1 << 20;
+    if (const std::uintmax_t size = fs::file_size(path, ignored); !ignored && size > most_bytes)
+        throw refuse("it is larger than 1 MiB, which no style is");
     std::ifstream file{path, std::ios::binary};
     std::ostringstream text;
     text << file.rdbuf();
@@ -93,7 +96,21 @@ StyleText find_style(const std::string& name, const fs::path& from) {
     throw UsageError(fmt::format("there is no style {}{}", in_quotes(name), advice));
 }
 
+/// The parser limits the depth of values, but not of keys (a.a.a.a = 1), and calls itself for each.
+void check_lines(const StyleText& file) {
+    constexpr std::size_t longest = 4096;
+    std::size_t line = 1;
+    for (std::size_t at = 0; at < file.text.size(); ++line) {
+        const std::size_t end = std::min(file.text.find('\n', at), file.text.size());
+        if (end - at > longest)
+            throw FileError(fmt::format("{} line {}: it is longer than {} characters", file.place,
+                                        line, longest));
+        at = end + 1;
+    }
+}
+
 toml::table parse(const StyleText& file) {
+    check_lines(file);
     try {
         return toml::parse(file.text);
     } catch (const toml::parse_error& error) {

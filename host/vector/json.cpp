@@ -53,8 +53,10 @@ Json path_json(const VectorPath& path, const JsonOptions& options) {
     for (const VectorPoint& point : path.points) {
         points.push_back({pixels(point.at.x), pixels(point.at.y)});
         depths.push_back(depth(point.depth));
-        world.push_back(
-            {short_float(point.world.x), short_float(point.world.y), short_float(point.world.z)});
+        const glm::dvec3 at =
+            options.origin + glm::dvec3{short_float(point.world.x), short_float(point.world.y),
+                                        short_float(point.world.z)};
+        world.push_back({at.x, at.y, at.z});
         arcs.push_back(pixels(point.arc));
     }
     json["points"] = std::move(points);

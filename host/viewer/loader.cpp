@@ -5,8 +5,9 @@
 #include <thread>
 #include <utility>
 
+#include "io/isolated.hpp"
+#include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
-#include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
 
 namespace lineatlas::viewer {
@@ -44,8 +45,9 @@ std::shared_ptr<Model> Loader::read(const ModelSource& source) {
         model->view = scene.view(0);
         return model;
     }
-    LoadedMesh loaded = load_mesh(source.file);
+    LoadedMesh loaded = load_mesh_isolated(source.file, source.read);
     model->mesh = std::move(loaded.mesh);
+    model->origin = loaded.origin;
     model->notes = std::move(loaded.notes);
     return model;
 }
@@ -58,6 +60,7 @@ void Loader::run(const std::shared_ptr<Job>& job) {
         if (!job->cancelled) {
             job->say("Finding its lines");
             model->lines = extract_lines(model->mesh, job->source.lines);
+            if (!job->source.file.empty()) add_notes(model->lines.odd, model->notes);
         }
         result = model;
     } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/reader_process.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -20,6 +21,8 @@ struct ModelSource {
     glm::vec3 up{0, 1, 0};
     LineOptions lines{};
 
+    ReadLimits read{}; ///< of the file
+
     std::string name() const { return file.empty() ? scene : file.filename().string(); }
 };
 
@@ -27,6 +30,7 @@ struct Model {
     ModelSource source;
     Mesh mesh;
     LineSet lines;
+    glm::dvec3 origin{0};           ///< of `mesh`, in the file's coordinates
     std::vector<std::string> notes; ///< what was repaired in the file
     std::optional<View> view;       ///< a scene's own
 };

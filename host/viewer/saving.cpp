@@ -59,6 +59,7 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     frame.options = options;
     frame.paths.mesh = &picture.model.mesh;
     frame.svg.title = std::filesystem::path{picture.model.source.name()}.stem().string();
+    frame.json.origin = picture.model.origin;
     frame.description = command_of(picture);
     apps::VectorOutput output{std::move(frame), picture.model.lines, renderer};
     output.draw(camera, path);
@@ -101,12 +102,17 @@ void save(const SavedPicture& picture, const std::filesystem::path& path, Render
         save_pixels(still, camera, path, renderer, writer);
 }
 
-std::string camera_file(const View& view) {
+std::string camera_file(const View& view, glm::dvec3 origin) {
     const auto vector = [](glm::vec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+    const auto point = [&](glm::vec3 v) {
+        if (origin == glm::dvec3{0}) return vector(v); // with no more digits than a float has
+        const glm::dvec3 at = origin + glm::dvec3{v};
+        return nlohmann::ordered_json{at.x, at.y, at.z};
+    };
     const double degrees = static_cast<double>(view.fov_y) * 180 / std::numbers::pi;
     const nlohmann::ordered_json key{{"frame", 0},
-                                     {"eye", vector(view.eye)},
-                                     {"target", vector(view.target)},
+                                     {"eye", point(view.eye)},
+                                     {"target", point(view.target)},
                                      {"up", vector(view.up)},
                                      {"fov", degrees}};
     return nlohmann::ordered_json{{"keys", {key}}}.dump(2) + "\n";

@@ -8,6 +8,7 @@
 #include "apps/camera_path.hpp"
 #include "apps/style_options.hpp"
 #include "io/extension.hpp"
+#include "io/isolated.hpp"
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/style_files.hpp"
@@ -46,7 +47,7 @@ void Session::open(const std::filesystem::path& file) {
     const std::string extension = lower_extension(file);
     if (extension == ".toml") return use_style(file.string());
     if (extension == ".json") return open_camera(file);
-    loader.start({.file = file, .scene = {}, .up = up, .lines = line_options});
+    loader.start({.file = file, .scene = {}, .up = up, .lines = line_options, .read = read_limits});
 }
 
 void Session::open_scene(const std::string& name) {
@@ -55,20 +56,37 @@ void Session::open_scene(const std::string& name) {
 
 void Session::open_camera(const std::filesystem::path& file) {
     attempt([&] {
-        const apps::CameraPath path{file, navigation.goal()};
+        const apps::CameraPath path{file, navigation.goal(), origin()};
         navigation.glide_to(path.view(path.first_frame()));
     });
 }
 
 void Session::open_first_camera(const std::filesystem::path& file) {
     attempt([&] {
-        const apps::CameraPath path{file, View{.up = up}};
-        first_view_ = path.view(path.first_frame());
+        const apps::CameraPath checked{file, View{.up = up}};
+        first_camera_ = file;
     });
 }
 
+/// Once, when the model is there whose origin its points are taken about.
+std::optional<View> Session::take_first_camera() {
+    std::optional<View> view;
+    const std::filesystem::path file = std::exchange(first_camera_, {});
+    if (file.empty()) return view;
+    attempt([&] {
+        const apps::CameraPath path{file, View{.up = up}, origin()};
+        view = path.view(path.first_frame());
+    });
+    return view;
+}
+
+glm::dvec3 Session::origin() const {
+    return model_ ? model_->origin : glm::dvec3{0};
+}
+
 void Session::load_pens(const Style& style) {
-    for (const auto& [mark, image] : read_pen_images(style)) {
+    const auto read = [&](const auto& path) { return read_image_isolated(path, read_limits); };
+    for (const auto& [mark, image] : read_pen_images(style, {}, read)) {
         renderer_->set_pen_image(mark, image);
     }
 }
@@ -107,8 +125,9 @@ void Session::show(std::shared_ptr<Model> model) {
     const auto framed = [&] {
         return frame_points(model_->lines.vertices, size, model_->source.up);
     };
-    if (!first_view_) first_view_ = model_->view ? *model_->view : framed();
-    navigation.set_view(*std::exchange(first_view_, std::nullopt));
+    std::optional<View> first = take_first_camera();
+    if (!first) first = model_->view ? *model_->view : framed();
+    navigation.set_view(*first);
     for (const std::string& note : model_->notes) messages.notice(note);
     timings.clear();
     changed();
@@ -162,7 +181,7 @@ bool Session::save_style(const std::filesystem::path& path) {
 
 bool Session::save_camera(const std::filesystem::path& path) {
     return attempt([&] {
-        save_text(camera_file(navigation.goal()), path);
+        save_text(camera_file(navigation.goal(), origin()), path);
         messages.notice("Saved " + path.string());
     });
 }

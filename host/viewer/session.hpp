@@ -36,6 +36,7 @@ class Session {
     bool profile = false;       ///< keep timings
     glm::vec3 up{0, 1, 0};      ///< of files to be opened
     LineOptions line_options{}; ///< the same
+    ReadLimits read_limits{};   ///< of files, those of pens too
 
     /// A model, a style (.toml) or a camera (.json), by extension.
     void open(const std::filesystem::path& file);
@@ -82,6 +83,8 @@ class Session {
   private:
     void show(std::shared_ptr<Model> model);
     void open_camera(const std::filesystem::path& file);
+    std::optional<View> take_first_camera();
+    glm::dvec3 origin() const;
     void load_pens(const Style& style);
     void draw_side(std::size_t side, const Camera& camera);
     bool attempt(const std::function<void()>& action);
@@ -93,7 +96,7 @@ class Session {
     glm::ivec2 size_{0, 0};
     std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
     FrameStats stats_;
-    std::optional<View> first_view_;
+    std::filesystem::path first_camera_;
     std::optional<View> drawn_view_;
     bool stale_ = true;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before

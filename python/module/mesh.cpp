@@ -98,7 +98,9 @@ std::shared_ptr<Model> load(const std::filesystem::path& path) {
     const py::gil_scoped_release release;
     LoadedMesh loaded = load_mesh(path);
     return std::make_shared<Model>(
-        Model{.mesh = std::move(loaded.mesh), .notes = std::move(loaded.notes)});
+        Model{.mesh = std::move(loaded.mesh),
+              .notes = std::move(loaded.notes),
+              .origin = {loaded.origin.x, loaded.origin.y, loaded.origin.z}});
 }
 
 py::array rows_of(const py::object& self, const glm::vec3* rows, std::size_t count) {
@@ -211,6 +213,9 @@ void bind_mesh(py::module_& module) {
                                "(k,) uint32 indices of positions for each; read-only, not copied.")
         .def_readonly("notes", &Model::notes,
                       "What was repaired or left out when the file was read.")
+        .def_readonly("origin", &Model::origin,
+                      "What was taken off the file's positions: zero, unless it lies so far from "
+                      "zero, compared with its size, that float32 could not hold it there.")
         .def("__repr__", &describe);
     module.def("load", &load, py::arg("path"),
                "Reads an OBJ, PLY, STL, OFF or OM file. Raises FileError.");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@ namespace lineatlas::python {
 struct Model {
     Mesh mesh;
     std::vector<std::string> notes{}; ///< what was repaired when it was read
+    std::array<double, 3> origin{};   ///< LoadedMesh::origin
 };
 
 /// Where a mesh or the name of its file will do.

@@ -1,6 +1,7 @@
 #include "fuzz.hpp"
 
 #include <fstream>
+#include <iterator>
 
 #include <unistd.h>
 
@@ -38,12 +39,21 @@ class Folder {
 fs::path put_file(std::string_view extension, std::span<const std::uint8_t> bytes) {
     static const Folder folder;
     const fs::path path = folder.path() / ("input" + std::string{extension});
+    write_file(path, bytes);
+    return path;
+}
+
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     std::ofstream file{path, std::ios::binary};
     file.write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
     file.close();
     expect(!file.fail(), "the input could not be written to " + path.string());
-    return path;
+}
+
+std::vector<unsigned char> read_file(const fs::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
 }
 
 } // namespace lineatlas::fuzz

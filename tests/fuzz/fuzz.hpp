@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lineatlas/error.hpp"
 
@@ -16,6 +17,9 @@ namespace lineatlas::fuzz {
 /// A file of this process, in memory where the system has such a folder, written anew for every
 /// input: what is tried is what a user's file goes through, its way from the disk included.
 std::filesystem::path put_file(std::string_view extension, std::span<const std::uint8_t> bytes);
+
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+std::vector<unsigned char> read_file(const std::filesystem::path& path);
 
 /// Ends the program with a finding. Not assert(): findings count in every build.
 inline void expect(bool condition, std::string_view what) {

@@ -1,8 +1,6 @@
 // Runs inputs through a fuzz target without a fuzzer: the files given, and all in folders given.
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <vector>
 
 #include "fuzz.hpp"
@@ -10,11 +8,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::uint8_t> read(const fs::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{}};
-}
 
 std::vector<fs::path> inputs(const std::vector<fs::path>& places) {
     std::vector<fs::path> files;
@@ -37,7 +30,7 @@ int main(int argc, char** argv) {
     const std::vector<fs::path> files = inputs({argv + 1, argv + argc});
     for (const fs::path& file : files) {
         std::cout << file.filename().string() << std::endl; // names the culprit if this crashes
-        const std::vector<std::uint8_t> bytes = read(file);
+        const std::vector<std::uint8_t> bytes = lineatlas::fuzz::read_file(file);
         LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
     }
     std::cout << files.size() << " inputs\n";

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
@@ -19,6 +20,9 @@ struct LoadedMesh {
     Mesh mesh; ///< what the file holds; indices are in range, positions finite
     std::vector<std::string>
         notes; ///< one line each, e.g. "12 faces with fewer than 3 corners dropped"
+    /// What was taken off every position: zero, unless the model lies so far from zero, compared
+    /// with its size, that floats there could not hold it.
+    glm::dvec3 origin{0};
 };
 
 /// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, chosen by
@@ -26,11 +30,12 @@ struct LoadedMesh {
 /// file is missing, empty, truncated, of another type than its name says, refers to vertices it
 /// does not have, or holds no triangle and no polyline. May be called from several threads.
 ///
-/// Polygons are triangulated, concave ones included. Positions are as in the file; only STL, which
-/// has no indices, comes welded at equal positions. A group is one pair of object and material in
-/// an OBJ file, its object named `o`, `g`, or `o/g` where both are given; its colour comes from the
-/// .mtl file when that is there, and a note says when it is not. Files that name nothing, and the
-/// other types, have no groups.
+/// Polygons are triangulated, concave ones included. Positions are as in the file, less
+/// LoadedMesh::origin; only STL, which has no indices, comes welded at equal positions. Faces with
+/// coordinates that are no finite numbers or beyond 1e15 are dropped. A group is one pair of object
+/// and material in an OBJ file, its object named `o`, `g`, or `o/g` where both are given; its
+/// colour comes from the .mtl file when that is there, and a note says when it is not. Files that
+/// name nothing, and the other types, have no groups.
 LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path);
 
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and

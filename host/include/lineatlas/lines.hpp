@@ -66,6 +66,13 @@ struct LineSource {
     std::uint32_t triangle = none; ///< into Mesh::triangles, has both; none for a file's polyline
 };
 
+/// What extract_lines() met beside proper triangles.
+struct OddTriangles {
+    std::size_t repeated = 0;  ///< over the same corners as another, in any winding: left out
+    std::size_t collapsed = 0; ///< two corners at one place: left out
+    std::size_t flat = 0;      ///< no area: taken to lie in the plane of a neighbour
+};
+
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
 /// pipeline.
 struct LineSet {
@@ -86,6 +93,7 @@ struct LineSet {
     std::vector<std::uint32_t> vertex_sources{};
     /// With LineOptions::separate_objects; their vertices come in this order.
     std::vector<LineObject> objects{};
+    OddTriangles odd{}; ///< what was left out or repaired
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.

@@ -137,6 +137,7 @@ LINEATLAS_API std::string to_svg(const VectorDrawing& drawing, const SvgOptions&
 struct JsonOptions {
     bool tags = true;          ///< the pieces of each path
     std::string description{}; ///< the settings that made it, for people
+    glm::dvec3 origin{0};      ///< added to points in space: LoadedMesh::origin
 };
 
 /// The drawing as JSON (docs/vector.md).

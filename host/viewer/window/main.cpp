@@ -10,8 +10,10 @@
 #include <fmt/core.h>
 
 #include "application.hpp"
+#include "apps/read_options.hpp"
 #include "apps/style_options.hpp"
 #include "apps/values.hpp"
+#include "io/isolated.hpp"
 #include "lineatlas/error.hpp"
 
 namespace {
@@ -25,6 +27,7 @@ struct Arguments {
     std::string model, scene, style, camera, up;
     std::string size = "1280x800";
     viewer::ApplicationOptions options;
+    apps::ReadOptions read;
 };
 
 void declare(CLI::App& app, Arguments& a) {
@@ -42,13 +45,16 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--ui-scale", a.options.scale,
                    "Size of letters and panels, 1 to 4; default as the display wants it")
         ->check(CLI::Range(0.5, 4.0));
+    a.read.declare(app);
     app.footer("F1 shows the keys. Models, styles and cameras can be dropped onto the window.");
 }
 
 void view(Arguments& arguments, ImageWriter& writer) {
+    arguments.read.check();
     arguments.options.size = apps::parse_size("--size", arguments.size);
     viewer::Application application{arguments.options, writer};
     viewer::Session& session = application.session();
+    session.read_limits = arguments.read.limits();
     if (!arguments.up.empty()) session.up = apps::parse_up("--up", arguments.up);
     if (!arguments.style.empty()) session.use_style(arguments.style);
     if (!arguments.camera.empty()) session.open_first_camera(arguments.camera);
@@ -88,6 +94,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (const std::optional<int> code = serve_as_reader(argc, argv)) return *code;
     try {
         return run(argc, argv);
     } catch (const UsageError& error) {

@@ -1,0 +1,50 @@
+#include "exact_bounds.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace lineatlas {
+
+double ExactBounds::extent() const {
+    const glm::dvec3 size = max - min;
+    return std::max({size.x, size.y, size.z});
+}
+
+bool is_finite(glm::dvec3 position) {
+    return std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z);
+}
+
+bool is_drawable(glm::dvec3 position) {
+    constexpr double largest = 1e15;
+    const glm::dvec3 size = glm::abs(position);
+    return size.x <= largest && size.y <= largest && size.z <= largest; // false for NaN
+}
+
+glm::dvec3 origin_for(const ExactBounds& bounds) {
+    constexpr double far = 1000;
+    const double extent = bounds.extent();
+    glm::dvec3 origin{0};
+    if (!(extent > 0)) return origin;
+    const double step = std::exp2(std::ceil(std::log2(extent)));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
+        if (std::abs(middle) > far * extent) origin[axis] = std::round(middle / step) * step;
+    }
+    return origin;
+}
+
+std::string written(glm::dvec3 position) {
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) {
+        char digits[512];
+        const auto end =
+            std::to_chars(digits, digits + sizeof digits, position[axis], std::chars_format::fixed)
+                .ptr;
+        if (axis > 0) text += ',';
+        text.append(digits, end);
+    }
+    return text;
+}
+
+} // namespace lineatlas

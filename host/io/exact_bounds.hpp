@@ -1,0 +1,37 @@
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+namespace lineatlas {
+
+/// A box around positions as a file has them.
+struct ExactBounds {
+    glm::dvec3 min{std::numeric_limits<double>::infinity()};
+    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
+
+    void add(glm::dvec3 position) {
+        min = glm::min(min, position);
+        max = glm::max(max, position);
+    }
+    /// The longest side; below zero if it holds nothing.
+    double extent() const;
+};
+
+bool is_finite(glm::dvec3 position);
+
+/// Whether floats can hold it, and squares of its distance from others.
+bool is_drawable(glm::dvec3 position);
+
+/// What to take off positions in the box so that floats can hold what is left: zero where it lies
+/// within a thousand times its size from zero, else near its middle. Chosen so that nothing is
+/// rounded when it is taken off positions that were floats.
+glm::dvec3 origin_for(const ExactBounds& bounds);
+
+/// "1000,0,-20.5"
+std::string written(glm::dvec3 position);
+
+} // namespace lineatlas

@@ -1,0 +1,133 @@
+#include "isolated.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reader_protocol.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+constexpr std::string_view mesh_kind = "mesh";
+constexpr std::string_view image_kind = "image";
+
+void send(ReaderOutput& output, const Mesh& mesh) {
+    output.values(mesh.positions);
+    output.values(mesh.triangles);
+    output.values(mesh.triangle_group);
+    output.value(std::uint64_t{mesh.groups.size()});
+    for (const MeshGroup& group : mesh.groups) {
+        output.text(group.object);
+        output.text(group.material);
+        output.value(group.color.has_value());
+        output.value(group.color.value_or(glm::vec3{0}));
+    }
+    output.value(std::uint64_t{mesh.polylines.size()});
+    for (const auto& polyline : mesh.polylines) output.values(polyline);
+}
+
+void read_mesh(const std::filesystem::path& path, ReaderOutput& output) {
+    const LoadedMesh loaded = load_mesh(path);
+    output.value(reader::Answer::read);
+    output.value(std::uint64_t{loaded.notes.size()});
+    for (const std::string& note : loaded.notes) output.text(note);
+    output.value(loaded.origin);
+    send(output, loaded.mesh);
+}
+
+void read_picture(const std::filesystem::path& path, ReaderOutput& output) {
+    const Image image = read_image(path);
+    output.value(reader::Answer::read);
+    output.value(image.size);
+    output.value(image.channels);
+    output.values(image.pixels);
+}
+
+constexpr std::array kinds{ReaderKind{mesh_kind, read_mesh}, ReaderKind{image_kind, read_picture}};
+
+Mesh receive_mesh(ReaderProcess& process) {
+    Mesh mesh;
+    mesh.positions = process.values<glm::vec3>();
+    mesh.triangles = process.values<glm::uvec3>();
+    mesh.triangle_group = process.values<std::uint32_t>();
+    // Lists whose elements have no fixed size grow as they come.
+    for (auto left = process.value<std::uint64_t>(); left > 0; --left) {
+        MeshGroup group{.object = process.text(), .material = process.text()};
+        const bool colored = process.value<std::uint8_t>() != 0;
+        const auto color = process.value<glm::vec3>();
+        if (colored) group.color = color;
+        mesh.groups.push_back(std::move(group));
+    }
+    for (auto left = process.value<std::uint64_t>(); left > 0; --left)
+        mesh.polylines.push_back(process.values<std::uint32_t>());
+    return mesh;
+}
+
+/// What load_mesh() promises.
+bool is_sound(const Mesh& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    const auto is_vertex = [&](std::uint32_t index) { return index < vertices; };
+    return !mesh.empty() &&
+           std::ranges::all_of(mesh.positions,
+                               [](glm::vec3 p) {
+                                   return std::isfinite(p.x) && std::isfinite(p.y) &&
+                                          std::isfinite(p.z);
+                               }) &&
+           std::ranges::all_of(mesh.triangles,
+                               [&](glm::uvec3 corners) {
+                                   return is_vertex(corners.x) && is_vertex(corners.y) &&
+                                          is_vertex(corners.z);
+                               }) &&
+           std::ranges::all_of(mesh.polylines,
+                               [&](const std::vector<std::uint32_t>& polyline) {
+                                   return std::ranges::all_of(polyline, is_vertex);
+                               }) &&
+           (mesh.triangle_group.empty() || mesh.triangle_group.size() == mesh.triangles.size()) &&
+           std::ranges::all_of(mesh.triangle_group,
+                               [&](std::uint32_t group) { return group < mesh.groups.size(); });
+}
+
+bool is_sound(const Image& image) {
+    const glm::ivec2 size = image.size;
+    return size.x > 0 && size.y > 0 && image.channels >= 1 && image.channels <= 4 &&
+           image.pixels.size() == static_cast<std::size_t>(size.x) *
+                                      static_cast<std::size_t>(size.y) *
+                                      static_cast<std::size_t>(image.channels);
+}
+
+} // namespace
+
+std::optional<int> serve_as_reader(int argc, char** argv) {
+    return serve_as_reader(argc, argv, kinds);
+}
+
+LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits) {
+    if (!serves_as_reader()) return load_mesh(path);
+    ReaderProcess process{mesh_kind, path, limits};
+    LoadedMesh loaded;
+    for (auto left = process.value<std::uint64_t>(); left > 0; --left)
+        loaded.notes.push_back(process.text());
+    loaded.origin = process.value<glm::dvec3>();
+    loaded.mesh = receive_mesh(process);
+    if (!is_sound(loaded.mesh)) process.refuse();
+    return loaded;
+}
+
+Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits) {
+    if (!serves_as_reader()) return read_image(path);
+    // A picture of 4096 x 4096 floats. What is packed well need not be large to need far more.
+    constexpr std::uint64_t usual_memory = std::uint64_t{512} << 20U;
+    ReadLimits filled = limits;
+    if (filled.memory == 0) filled.memory = usual_memory;
+    ReaderProcess process{image_kind, path, filled};
+    Image image;
+    image.size = process.value<glm::ivec2>();
+    image.channels = process.value<int>();
+    image.pixels = process.values<std::uint8_t>();
+    if (!is_sound(image)) process.refuse();
+    return image;
+}
+
+} // namespace lineatlas

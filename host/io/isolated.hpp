@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lineatlas/io.hpp"
+#include "reader_process.hpp"
+
+namespace lineatlas {
+
+// load_mesh() and read_image() by a ReaderProcess, in programs that call serve_as_reader(): the
+// tool and the viewer, which open what users give them. Others read here. Messages are the same.
+
+/// To be called first in main(), with its arguments: if it returns a code, main() ends with that.
+std::optional<int> serve_as_reader(int argc, char** argv);
+
+LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits = {});
+Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+} // namespace lineatlas

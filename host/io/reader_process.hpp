@@ -1,0 +1,122 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace lineatlas {
+
+// Files are read in a process of their own: whatever a parser does with a hostile one, it ends in
+// a FileError here. The process is this program itself, started again, so its main() begins with
+// serve_as_reader(). Not a fork: a copy of a process with several threads may find locks held.
+
+/// What reading one file may take. 0: by the size of the file.
+struct ReadLimits {
+    std::uint64_t memory = 0; ///< bytes
+    std::chrono::milliseconds time{0};
+};
+
+/// `limits` with everything filled in, for a file of `size` bytes.
+ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits);
+
+/// The other process: what it reads goes out here, after all of it has been read.
+class ReaderOutput {
+  public:
+    explicit ReaderOutput(int socket) : socket_(socket) {}
+
+    template <class T>
+    void value(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes(std::as_bytes(std::span{&value, 1}));
+    }
+    template <class T>
+    void values(std::span<const T> values) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        value(std::uint64_t{values.size()});
+        bytes(std::as_bytes(values));
+    }
+    template <class T>
+    void values(const std::vector<T>& list) {
+        values(std::span<const T>{list});
+    }
+    void text(std::string_view text) { values(std::span<const char>{text}); }
+
+  private:
+    void bytes(std::span<const std::byte> bytes) const;
+
+    int socket_;
+};
+
+/// Something that can be read: the name it is asked for by, and how it is read.
+struct ReaderKind {
+    std::string_view name;
+    void (*read)(const std::filesystem::path& path, ReaderOutput& output);
+};
+
+/// If this process was started by a ReaderProcess: reads the file and returns the exit code that
+/// main() is to end with.
+std::optional<int> serve_as_reader(int argc, char** argv, std::span<const ReaderKind> kinds);
+
+/// Whether this program has called it.
+bool serves_as_reader();
+
+/// A process that reads `path`. It never outlives this object, nor the thread that made it.
+/// Everything throws FileError: what the reader refuses; and how the process ended, if it crashed,
+/// needed too much memory or took too long.
+class ReaderProcess {
+  public:
+    /// Waits until the file has been read.
+    ReaderProcess(std::string_view kind, const std::filesystem::path& path,
+                  const ReadLimits& limits);
+    ~ReaderProcess();
+    ReaderProcess(const ReaderProcess&) = delete;
+    ReaderProcess& operator=(const ReaderProcess&) = delete;
+
+    // What the other side wrote, in the same order.
+
+    template <class T>
+    T value() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        T value{};
+        receive(std::as_writable_bytes(std::span{&value, 1}));
+        return value;
+    }
+    template <class T>
+    std::vector<T> values() {
+        std::vector<T> values(count(sizeof(T)));
+        receive(std::as_writable_bytes(std::span{values}));
+        return values;
+    }
+    std::string text();
+
+    /// Says that what came makes no sense.
+    [[noreturn]] void refuse() const;
+
+    int id() const { return process_; }
+
+  private:
+    void start(std::string_view kind);
+    void await_answer();
+    void receive(std::span<std::byte> bytes);
+    bool wait_for_bytes();
+    std::size_t count(std::size_t element_size);
+    [[noreturn]] void ended();
+    [[noreturn]] void fail(const std::string& cause) const;
+    void end();
+
+    std::filesystem::path path_;
+    ReadLimits limits_;
+    std::chrono::nanoseconds waited_{0};
+    std::uint64_t received_ = 0; ///< bytes
+    int process_ = -1;
+    int socket_ = -1;
+};
+
+} // namespace lineatlas

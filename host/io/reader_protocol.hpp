@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include <unistd.h>
+
+namespace lineatlas::reader {
+
+// What both ends of a ReaderProcess know.
+
+/// The first argument of a process that reads: then the kind, the path, the bytes of memory it may
+/// take, and the process that started it.
+inline constexpr std::string_view argument = "--read-one-file";
+inline constexpr int argument_count = 6;
+
+/// Where the process finds its socket.
+inline constexpr int socket = STDIN_FILENO;
+
+/// Comes first. Then: what was read; a message; nothing.
+enum class Answer : std::uint8_t { read = 1, refused, no_memory };
+
+/// Sanitizers reserve terabytes, so memory cannot be limited, and report on stderr.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) ||                         \
+    __has_feature(memory_sanitizer)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+} // namespace lineatlas::reader

@@ -1,0 +1,94 @@
+// The process that reads: the other end of ReaderProcess.
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "lineatlas/error.hpp"
+#include "message_socket.hpp"
+#include "reader_process.hpp"
+#include "reader_protocol.hpp"
+#include "source_file.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+constexpr int exit_failed = 1;
+
+bool called = false;
+
+std::uint64_t number_of(std::string_view word) {
+    std::uint64_t number = 0;
+    std::from_chars(word.data(), word.data() + word.size(), number);
+    return number;
+}
+
+void limit(__rlimit_resource resource, rlim_t most) {
+    const rlimit limits{.rlim_cur = most, .rlim_max = most};
+    ::setrlimit(resource, &limits);
+}
+
+/// Not address space: the libraries for pictures take half a gigabyte of it, unused.
+void limit_memory(std::uint64_t bytes) {
+    if (!reader::sanitized) limit(RLIMIT_DATA, bytes);
+}
+
+/// False if the parent has ended already.
+bool end_with_parent(std::uint64_t parent) {
+    return ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 &&
+           static_cast<std::uint64_t>(::getppid()) == parent;
+}
+
+/// Called by `new` when there is no memory, before a parser could make something else of it.
+void say_no_memory() {
+    ReaderOutput{reader::socket}.value(reader::Answer::no_memory);
+    ::_exit(exit_failed);
+}
+
+/// Answers by itself if the reader throws.
+void read_file(const ReaderKind& kind, const std::filesystem::path& path) {
+    ReaderOutput output{reader::socket};
+    const auto refuse = [&](std::string_view message) {
+        output.value(reader::Answer::refused);
+        output.text(message);
+    };
+    try {
+        kind.read(path, output);
+    } catch (const Error& error) {
+        refuse(error.what());
+    } catch (const std::exception& error) {
+        refuse(read_error(path, printable(error.what())).what());
+    }
+}
+
+} // namespace
+
+void ReaderOutput::bytes(std::span<const std::byte> bytes) const {
+    if (!send_all(socket_, bytes)) ::_exit(exit_failed); // nobody is there to hear why
+}
+
+bool serves_as_reader() {
+    return called;
+}
+
+std::optional<int> serve_as_reader(int argc, char** argv, std::span<const ReaderKind> kinds) {
+    called = true;
+    if (argc != reader::argument_count || argv[1] != reader::argument) return std::nullopt;
+    const auto kind = std::ranges::find(kinds, std::string_view{argv[2]}, &ReaderKind::name);
+    if (kind == kinds.end() || !end_with_parent(number_of(argv[5]))) return exit_failed;
+    limit(RLIMIT_CORE, 0);
+    ::setenv("OPENIMAGEIO_THREADS", "1", 0); // stacks of threads count as memory
+    limit_memory(number_of(argv[4]));
+    std::set_new_handler(say_no_memory);
+    read_file(*kind, argv[3]);
+    ::_exit(0); // giving the memory back takes time, and is done anyway
+}
+
+} // namespace lineatlas
