@@ -201,7 +201,7 @@ TEST_F(Tool, DrawsBigPicturesByTiles) {
         EXPECT_LE(different, whole.pixels.size() / 10'000) << options;
     }
     expect_refused(scene + "-o " + path("x.png") + " --size 20000x60 --method spine", 2,
-                   "only the method atlas");
+                   "use --method atlas");
     expect_refused(scene + "-o " + path("x.png") + " --size 70000x60", 2, "65536");
     expect_refused(scene + "-o " + path("x.png") + " --tile 5", 2, "--tile");
 }
