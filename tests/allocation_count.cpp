@@ -15,6 +15,11 @@ void* operator new(std::size_t bytes) {
     if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
     throw std::bad_alloc{};
 }
+// Replaced too, since that of a sanitizer would not come here.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+    if (counts) ++allocations;
+    return std::malloc(bytes == 0 ? 1 : bytes);
+}
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
