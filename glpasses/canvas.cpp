@@ -33,8 +33,7 @@ std::vector<std::uint8_t> Canvas::read(glm::ivec2 part) const {
         static_cast<std::size_t>(part.x) * 4 * static_cast<std::size_t>(bits_ / 8);
     std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(part.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    // GL counts the bytes in 31 bits.
-    const int most_rows = static_cast<int>(std::max<std::size_t>((1U << 30U) / row, 1));
+    const int most_rows = rows_at_once(row);
     for (int low = 0; low < part.y; low += most_rows) {
         const int rows = std::min(part.y - low, most_rows);
         glGetTextureSubImage(texture_.id(), 0, 0, low, 0, part.x, rows, 1, GL_RGBA,

@@ -16,8 +16,7 @@ void copy_texels(GLuint texture, GLenum format, glm::ivec2 whole, const TexelRec
     glPixelStorei(GL_PACK_ROW_LENGTH, whole.x);
     const std::size_t row = static_cast<std::size_t>(whole.x) * sizeof(float);
     const std::size_t left = static_cast<std::size_t>(part.low.x) * sizeof(float);
-    // GL counts the bytes in 31 bits.
-    const int most_rows = static_cast<int>(std::max<std::size_t>((1U << 30U) / row, 1));
+    const int most_rows = rows_at_once(row);
     for (int low = part.low.y; low < part.high.y; low += most_rows) {
         const int rows = std::min(part.high.y - low, most_rows);
         glGetTextureSubImage(texture, 0, part.low.x, low, 0, size.x, rows, 1, format, GL_FLOAT,

@@ -96,6 +96,10 @@ void check_side(glm::ivec2 size, const Purpose& purpose) {
     if (std::max(size.x, size.y) > largest) throw UsageError(too_large(size, largest, purpose));
 }
 
+int rows_at_once(std::size_t row_bytes) {
+    return static_cast<int>(std::max<std::size_t>((1U << 30U) / row_bytes, 1));
+}
+
 void check_buffer_texture(std::uint64_t texels, const Purpose& purpose) {
     const auto most = static_cast<std::uint64_t>(limit(GL_MAX_TEXTURE_BUFFER_SIZE));
     if (texels <= most) return;

@@ -28,6 +28,9 @@ int largest_side();
 /// Throws UsageError for a picture that is larger.
 void check_side(glm::ivec2 size, const Purpose& purpose);
 
+/// How many rows of so many bytes GL reads back at once: it counts bytes in 31 bits.
+int rows_at_once(std::size_t row_bytes);
+
 /// Throws DeviceError if a texture over a buffer cannot show that many texels: GL would leave out
 /// those beyond without a word.
 void check_buffer_texture(std::uint64_t texels, const Purpose& purpose);

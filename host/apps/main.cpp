@@ -1,24 +1,17 @@
 #include <algorithm>
-#include <cstdio>
-#include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
 #include "commands.hpp"
-#include "io/isolated.hpp"
 #include "lineatlas/error.hpp"
-#include "stop_signal.hpp"
+#include "program.hpp"
 
 namespace {
-
-constexpr int exit_failed = 1;
-constexpr int exit_usage = 2;
 
 int run(int argc, char** argv) {
     CLI::App app{"lineatlas: high-quality line drawings of 3D models"};
@@ -52,13 +45,7 @@ int run(int argc, char** argv) {
         throw lineatlas::UsageError(fmt::format(
             "there is no command \"{}\"; there is draw, view, styles, devices, bench", first));
     }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help
-        fmt::print(stderr, "lineatlas: {}\nRun with --help for more.\n", error.what());
-        return exit_usage;
-    }
+    if (const std::optional<int> code = lineatlas::apps::parse(app, argc, argv)) return *code;
     for (const auto& [command, run_command] : commands) {
         if (command->parsed()) run_command();
     }
@@ -68,20 +55,5 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (const std::optional<int> code = lineatlas::serve_as_reader(argc, argv)) return *code;
-    try {
-        return run(argc, argv);
-    } catch (const lineatlas::UsageError& error) {
-        fmt::print(stderr, "lineatlas: {}\n", error.what());
-        return exit_usage;
-    } catch (const lineatlas::apps::Stopped& stopped) {
-        fmt::print(stderr, "lineatlas: {}\n", stopped.what());
-        return stopped.exit_code();
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "lineatlas: the host has not enough memory for this model or picture\n");
-        return exit_failed;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas: {}\n", error.what());
-        return exit_failed;
-    }
+    return lineatlas::apps::run_program(argc, argv, run);
 }

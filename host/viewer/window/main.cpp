@@ -5,23 +5,17 @@
 #include <optional>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <fmt/core.h>
 
 #include "application.hpp"
+#include "apps/program.hpp"
 #include "apps/read_options.hpp"
 #include "apps/style_options.hpp"
 #include "apps/values.hpp"
-#include "io/isolated.hpp"
 #include "lineatlas/error.hpp"
 
 namespace {
 
 using namespace lineatlas;
-
-constexpr int exit_failed = 1;
-constexpr int exit_usage = 2;
 
 struct Arguments {
     std::string model, scene, style, camera, up;
@@ -69,13 +63,7 @@ int run(int argc, char** argv) {
     CLI::App app{"lineatlas view: look at a model in a window", "lineatlas view"};
     Arguments arguments;
     declare(app, arguments);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help
-        fmt::print(stderr, "lineatlas: {}\nRun with --help for more.\n", error.what());
-        return exit_usage;
-    }
+    if (const std::optional<int> code = apps::parse(app, argc, argv)) return *code;
     if (!arguments.model.empty() && !arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
@@ -94,14 +82,5 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (const std::optional<int> code = serve_as_reader(argc, argv)) return *code;
-    try {
-        return run(argc, argv);
-    } catch (const UsageError& error) {
-        fmt::print(stderr, "lineatlas: {}\n", error.what());
-        return exit_usage;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas: {}\n", error.what());
-        return exit_failed;
-    }
+    return lineatlas::apps::run_program(argc, argv, run);
 }
