@@ -214,6 +214,21 @@ TEST_P(Limits, ThatADriverKeepsToItselfAreSaid) {
     expect_said({&purpose::strokes, &purpose::depth});
 }
 
+TEST_P(Limits, OfWorkGroupsArePassed) {
+    for (const LargeFrame& frame : some_frames()) {
+        const Picture expected = use(frame);
+        for (const std::size_t group : {48, 1}) {
+            for (const bool says : {true, false}) {
+                opencl_faults().largest_group = group;
+                opencl_faults().says_limits = says;
+                const Picture seen = draw(*make_renderer(), frame.options);
+                opencl_faults().reset();
+                EXPECT_LE(compare_bytes(expected, seen).share(), 1e-3) << group;
+            }
+        }
+    }
+}
+
 TEST_P(Limits, LeaveAModelThatCannotMoveWhereItWas) {
     const FrameOptions options;
     const std::unique_ptr<Renderer> renderer = make_renderer();

@@ -2,9 +2,9 @@
 // memory, objects, frame times and the pictures of equal frames must not. ./run soak; the suite
 // runs a short one.
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -148,7 +148,7 @@ double median(std::vector<double> values) {
 
 struct Sample {
     long memory, gl, opencl; ///< KiB, objects, references
-    double frame;            ///< median milliseconds since the last
+    double frame;            ///< median since the last, milliseconds of all threads' time
 };
 
 int run(int frames, const char* layer) {
@@ -159,13 +159,11 @@ int run(int frames, const char* layer) {
     std::vector<Sample> samples;
     std::vector<double> times;
     bool equal = true;
-    std::cout << "frames   MiB   GL objects   OpenCL objects   ms a frame\n";
+    std::cout << "frames   MiB   GL objects   OpenCL objects   ms of processor time a frame\n";
     for (int frame = 0; frame < frames; ++frame) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         equal = soak.draw(frame) && equal;
-        const std::chrono::duration<double, std::milli> took =
-            std::chrono::steady_clock::now() - start;
-        times.push_back(took.count());
+        times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
         if ((frame + 1) % period != 0) continue;
         samples.push_back({resident_memory(), test::gl_faults().live, opencl_objects(layer),
                            median(std::exchange(times, {}))});

@@ -12,13 +12,14 @@
 namespace lineatlas::test {
 namespace {
 
-std::uint64_t bytes_from(const char* variable) {
+std::uint64_t number_from(const char* variable) {
     const char* text = std::getenv(variable);
     return text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
 }
 
-OpenClFaults faults{.memory = bytes_from("LINEATLAS_TEST_MEMORY"),
-                    .largest_buffer = bytes_from("LINEATLAS_TEST_BUFFER")};
+OpenClFaults faults{.memory = number_from("LINEATLAS_TEST_MEMORY"),
+                    .largest_buffer = number_from("LINEATLAS_TEST_BUFFER"),
+                    .largest_group = number_from("LINEATLAS_TEST_GROUP")};
 const cl_icd_dispatch* driver = nullptr;
 bool is_lost = false;           ///< from the failed command on, where that is wanted
 cl_int late_error = CL_SUCCESS; ///< for the next wait
@@ -139,15 +140,41 @@ cl_mem CL_API_CALL create_buffer(cl_context context, cl_mem_flags flags, size_t 
     return buffer;
 }
 
+/// What a program asked for and got, changed to `limit`, if there is one.
+template <class Value>
+void pretend(Value limit, void* value) {
+    if (limit != 0 && value != nullptr) std::memcpy(value, &limit, sizeof(limit));
+}
+
 cl_int CL_API_CALL device_info(cl_device_id device, cl_device_info name, size_t size, void* value,
                                size_t* size_needed) {
     const cl_int status = driver->clGetDeviceInfo(device, name, size, value, size_needed);
-    const cl_ulong limit = name == CL_DEVICE_GLOBAL_MEM_SIZE      ? faults.memory
-                           : name == CL_DEVICE_MAX_MEM_ALLOC_SIZE ? faults.largest_buffer
-                                                                  : 0;
-    const bool changed = limit != 0 && faults.says_limits && value != nullptr;
-    if (status == CL_SUCCESS && changed) std::memcpy(value, &limit, sizeof(limit));
+    if (status != CL_SUCCESS || !faults.says_limits) return status;
+    if (name == CL_DEVICE_GLOBAL_MEM_SIZE) pretend(faults.memory, value);
+    if (name == CL_DEVICE_MAX_MEM_ALLOC_SIZE) pretend(faults.largest_buffer, value);
+    if (name == CL_DEVICE_MAX_WORK_GROUP_SIZE) pretend(faults.largest_group, value);
     return status;
+}
+
+cl_int CL_API_CALL kernel_info(cl_kernel kernel, cl_device_id device,
+                               cl_kernel_work_group_info name, size_t size, void* value,
+                               size_t* size_needed) {
+    const cl_int status =
+        driver->clGetKernelWorkGroupInfo(kernel, device, name, size, value, size_needed);
+    if (status == CL_SUCCESS && name == CL_KERNEL_WORK_GROUP_SIZE) {
+        pretend(faults.largest_group, value);
+    }
+    return status;
+}
+
+cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
+                          const size_t* offset, const size_t* global, const size_t* local,
+                          cl_uint waits, const cl_event* wait_list, cl_event* event) {
+    if (faults.largest_group != 0 && local[0] > faults.largest_group) {
+        return CL_INVALID_WORK_GROUP_SIZE;
+    }
+    return Hook<&cl_icd_dispatch::clEnqueueNDRangeKernel>::command(
+        queue, kernel, dimensions, offset, global, local, waits, wait_list, event);
 }
 
 } // namespace
@@ -164,6 +191,7 @@ void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     table.clReleaseCommandQueue = Hook<&D::clReleaseCommandQueue, cl_queues>::release;
     table.clCreateBuffer = create_buffer;
     table.clGetDeviceInfo = device_info;
+    table.clGetKernelWorkGroupInfo = kernel_info;
     table.clCreateSubBuffer = Hook<&D::clCreateSubBuffer, cl_memory>::create;
     table.clCreateImage = Hook<&D::clCreateImage, cl_memory>::create;
     table.clRetainMemObject = Hook<&D::clRetainMemObject, cl_memory>::retain;
@@ -179,7 +207,7 @@ void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     table.clRetainEvent = Hook<&D::clRetainEvent, cl_events>::retain;
     table.clReleaseEvent = Hook<&D::clReleaseEvent, cl_events>::release;
     table.clBuildProgram = Hook<&D::clBuildProgram>::build;
-    table.clEnqueueNDRangeKernel = Hook<&D::clEnqueueNDRangeKernel>::command;
+    table.clEnqueueNDRangeKernel = launch;
     table.clEnqueueReadBuffer = Hook<&D::clEnqueueReadBuffer>::transfer;
     table.clEnqueueWriteBuffer = Hook<&D::clEnqueueWriteBuffer>::transfer;
     table.clEnqueueCopyBuffer = Hook<&D::clEnqueueCopyBuffer>::command;

@@ -29,7 +29,9 @@ struct OpenClFaults {
     /// The device's memory, and what one buffer of it holds, in bytes; 0: the driver's own. The
     /// layer's first values are those of LINEATLAS_TEST_MEMORY and LINEATLAS_TEST_BUFFER.
     std::uint64_t memory = 0, largest_buffer = 0;
-    bool says_limits = true;     ///< programs can ask for these two
+    /// Work-items of its work-groups, the same way, by LINEATLAS_TEST_GROUP.
+    std::size_t largest_group = 0;
+    bool says_limits = true;     ///< programs can ask the device for these; kernels say theirs
     std::uint64_t allocated = 0; ///< of the memory, by buffers
 
     /// As it began, but for what is still there.

@@ -54,9 +54,10 @@ class Implementation final : public OpenClBackend {
   public:
     Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
                    const Tuning& tuning)
-        : device_(device), tuning_(tuning), atlas_(make_atlas_kernels(tuning, "")),
-          tiled_atlas_(make_atlas_kernels(tuning, " -DTILED")), scan_{ScanKernels{tuning, false},
-                                                                      ScanKernels{tuning, true}} {
+        : device_(device), tuning_(within_groups(tuning, device.device)),
+          atlas_(make_atlas_kernels(tuning_, "")),
+          tiled_atlas_(make_atlas_kernels(tuning_, " -DTILED")), scan_{ScanKernels{tuning_, false},
+                                                                       ScanKernels{tuning_, true}} {
         guarded("creating a context", [&] {
             std::vector<cl_context_properties> all{
                 CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform())};
@@ -397,17 +398,18 @@ class Implementation final : public OpenClBackend {
         return compute::guarded(device_, doing, std::forward<Action>(action), what);
     }
 
-    /// Launches `items` work-items, rounded up to whole work-groups.
+    /// Launches `items` work-items, rounded up to whole work-groups of `local_size` or what fits.
     template <class... Args>
     void launch(LazyKernel& lazy, std::uint32_t items, std::uint32_t local_size, Args&&... args) {
         if (items == 0) return;
-        cl::Kernel& kernel = programs_->ready(lazy);
+        programs_->make_ready(lazy);
         const auto enqueue = [&] {
             cl_uint index = 0;
-            (kernel.setArg(index++, argument(args)), ...);
-            const std::size_t global = std::size_t{divide_up(items, local_size)} * local_size;
-            queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{global},
-                                        cl::NDRange{local_size}, nullptr, logged(lazy.name));
+            (lazy.kernel.setArg(index++, argument(args)), ...);
+            const std::size_t group = std::min<std::size_t>(local_size, lazy.largest_group);
+            const std::size_t global = (items + group - 1) / group * group;
+            queue_.enqueueNDRangeKernel(lazy.kernel, cl::NullRange, cl::NDRange{global},
+                                        cl::NDRange{group}, nullptr, logged(lazy.name));
         };
         guarded("launching ", enqueue, lazy.name);
     }

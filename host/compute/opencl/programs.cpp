@@ -100,8 +100,8 @@ Programs::Programs(const OpenClDevice& device, cl::Context context,
     : device_(device), context_(std::move(context)), cache_(std::move(cache)),
       common_options_(common_options(device.device)) {}
 
-cl::Kernel& Programs::ready(LazyKernel& lazy) {
-    if (lazy.kernel() != nullptr) return lazy.kernel;
+void Programs::make_ready(LazyKernel& lazy) {
+    if (lazy.kernel() != nullptr) return;
     const std::string key = std::string{lazy.file} + ' ' + lazy.defines;
     auto program = programs_.find(key);
     if (program == programs_.end()) {
@@ -113,9 +113,10 @@ cl::Kernel& Programs::ready(LazyKernel& lazy) {
                 .first;
     }
     guarded(device_, "creating a kernel", [&] {
-        lazy.kernel = cl::Kernel{program->second, lazy.name};
+        cl::Kernel kernel{program->second, lazy.name};
+        lazy.largest_group = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device);
+        lazy.kernel = kernel;
     });
-    return lazy.kernel;
 }
 
 } // namespace lineatlas::compute

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@ struct LazyKernel {
     const char* name;
     std::string defines{};
     cl::Kernel kernel{};
+    std::size_t largest_group = 0; ///< of its work-groups, by the registers that it needs
 };
 
 /// What a program is built from.
@@ -42,8 +44,8 @@ class Programs {
   public:
     Programs(const OpenClDevice& device, cl::Context context, std::optional<ProgramCache> cache);
 
-    /// The kernel, with its program if this is the first use. Throws as make_program does.
-    cl::Kernel& ready(LazyKernel& lazy);
+    /// Makes the kernel, with its program, if this is the first use. Throws as make_program does.
+    void make_ready(LazyKernel& lazy);
 
   private:
     OpenClDevice device_;

@@ -1,6 +1,7 @@
 #include "tuning.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -33,6 +34,19 @@ TuningTable user_table() {
 
 Tuning tuning_for(const OpenClDevice& device) {
     return within_quirks(user_table().values_for(device), device);
+}
+
+Tuning within_groups(Tuning tuning, const cl::Device& device) {
+    const std::size_t most = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    const std::size_t in_local_memory =
+        device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>() / sizeof(cl_uint);
+    const auto limit = [](std::uint32_t& size, std::size_t largest) {
+        size = static_cast<std::uint32_t>(std::min<std::size_t>(size, largest));
+    };
+    limit(tuning.local_size, most);
+    limit(tuning.block_local_size, most);
+    limit(tuning.scan_tile, std::bit_floor(std::min(most, in_local_memory)));
+    return tuning;
 }
 
 } // namespace lineatlas::compute
