@@ -25,6 +25,7 @@
 #include "gl_faults.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
+#include "io/reader_protocol.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
@@ -38,11 +39,8 @@ constexpr glm::ivec2 size{320, 240};
 constexpr int angles = 30;           // of the turntable
 constexpr int frames_per_change = 5; // of method and style
 // A sanitizer keeps what is freed, to find who still uses it.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double most_memory_growth_percent = std::numeric_limits<double>::infinity();
-#else
-constexpr double most_memory_growth_percent = 1;
-#endif
+constexpr double most_memory_growth_percent =
+    reader::sanitized ? std::numeric_limits<double>::infinity() : 1;
 
 struct Look {
     std::string name;

@@ -406,8 +406,9 @@ class Implementation final : public OpenClBackend {
         const auto enqueue = [&] {
             cl_uint index = 0;
             (lazy.kernel.setArg(index++, argument(args)), ...);
-            const std::size_t group = std::min<std::size_t>(local_size, lazy.largest_group);
-            const std::size_t global = (items + group - 1) / group * group;
+            const auto group =
+                static_cast<std::uint32_t>(std::min<std::size_t>(local_size, lazy.largest_group));
+            const std::size_t global = std::size_t{divide_up(items, group)} * group;
             queue_.enqueueNDRangeKernel(lazy.kernel, cl::NullRange, cl::NDRange{global},
                                         cl::NDRange{group}, nullptr, logged(lazy.name));
         };
