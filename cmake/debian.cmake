@@ -1,5 +1,5 @@
 # Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
-# rest, so that nobody installs OpenImageIO who has no use for it.
+# rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has.
 set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
     CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
@@ -56,6 +56,11 @@ describe_package(io-development liblineatlas-io-dev libdevel
                  "${io} ${same}, liblineatlas-dev ${same}"
                  "line drawings of 3D models - to develop with files")
 describe_package(tool lineatlas graphics "${io} ${same}, ${dispatcher}" "line drawings of 3D models")
+
+if(TARGET lineatlas-rays)
+    describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
+    set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lineatlas-rays)
+endif()
 
 # Drivers of OpenGL and OpenCL are not linked.
 set(drivers "libegl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, pocl-opencl-icd | opencl-icd")

@@ -1,6 +1,6 @@
 # Writes OUTPUT, a C++ file that defines lineatlas::TABLE: the name and text of every file in FILES.
 # Run as: cmake -DOUTPUT=... -DTABLE=... "-DFILES=a;b" -P embed_sources.cmake
-set(text "#include \"core/sources.hpp\"\n\nnamespace lineatlas {\n\n")
+set(text "#include \"sources/sources.hpp\"\n\nnamespace lineatlas {\n\n")
 string(APPEND text "const std::vector<EmbeddedSource>& ${TABLE}() {\n")
 string(APPEND text "    static const std::vector<EmbeddedSource> sources{\n")
 foreach(file IN LISTS FILES)

@@ -9,6 +9,10 @@ set(lineatlas_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lineatlas)
 function(add_shared_library target)
     cmake_parse_arguments(arg "" "NAME;FILE;RUNTIME;DEVELOPMENT" "ROOMS;PUBLIC;PRIVATE" ${ARGN})
     list(TRANSFORM arg_ROOMS REPLACE "(.+)" "$<TARGET_OBJECTS:lineatlas_\\1>" OUTPUT_VARIABLE objects)
+    if("compute" IN_LIST arg_ROOMS)
+        get_property(kernels GLOBAL PROPERTY lineatlas_kernel_objects)
+        list(APPEND objects ${kernels})
+    endif()
     add_library(${target} SHARED ${objects})
     add_library(lineatlas::${arg_NAME} ALIAS ${target})
     target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} ${CMAKE_DL_LIBS})
@@ -29,10 +33,10 @@ endfunction()
 
 add_shared_library(lineatlas_shared NAME lineatlas FILE lineatlas
     RUNTIME runtime DEVELOPMENT development
-    ROOMS core compute gl interop renderer style vector profile scenes
+    ROOMS core sources compute gl interop renderer style vector profile scenes
     PUBLIC glm::glm
     PRIVATE PkgConfig::epoxy OpenCL::OpenCL fmt::fmt pugixml::pugixml
-            tomlplusplus::tomlplusplus)
+            tomlplusplus::tomlplusplus TBB::tbb)
 target_include_directories(lineatlas_shared INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/host/include>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/kernels>)
@@ -41,14 +45,20 @@ add_shared_library(lineatlas_headless_shared NAME headless FILE lineatlas-headle
     ROOMS headless PUBLIC lineatlas_shared PRIVATE PkgConfig::epoxy)
 add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
     RUNTIME io DEVELOPMENT io-development
-    ROOMS io PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader)
+    ROOMS io PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader
+                                         $<TARGET_NAME_IF_EXISTS:PkgConfig::seccomp>)
 
 # The io room looks for it here, seen from the shared library and from the tool.
 install(TARGETS lineatlas-images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
+# What checks drawings, found by the tool in the same folder.
+if(TARGET lineatlas-rays)
+    install(TARGETS lineatlas-rays LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT rays)
+endif()
 
 install(DIRECTORY host/include/lineatlas DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development)
-install(FILES kernels/segment_table.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lineatlas
+install(FILES kernels/flags.h kernels/segment_table.h kernels/style_numbers.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lineatlas
         COMPONENT development)
 
 configure_package_config_file(cmake/lineatlas-config.cmake.in lineatlas-config.cmake
@@ -83,13 +93,13 @@ install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
 install(FILES README.md docs/styles.md docs/output.md docs/vector.md docs/devices.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
 install(DIRECTORY styles DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
-install(FILES docs/embedding.md docs/install.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(FILES docs/embedding.md docs/install.md docs/backends.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT development)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
 # All that is installed; tests and benchmarks need not be there.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
-                                    lineatlas-images lineatlas)
+                                    lineatlas-images lineatlas $<TARGET_NAME_IF_EXISTS:lineatlas-rays>)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 include(cmake/debian.cmake)

@@ -16,7 +16,8 @@ constexpr GLuint segment_binding = 0;
 constexpr GLuint offset_binding = 1;
 
 constexpr Purpose raster_atlas{"the segment atlas",
-                               "use --atlas compute, a larger --step or a smaller --size"};
+                               "use FrameOptions::atlas compute, a larger FrameOptions::step or a "
+                               "smaller Camera::size"};
 
 } // namespace
 

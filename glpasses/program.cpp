@@ -6,8 +6,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/sources.hpp"
 #include "lineatlas/error.hpp"
+#include "sources/sources.hpp"
 
 namespace lineatlas::gl {
 namespace {

@@ -41,7 +41,7 @@ void checked(const Purpose& purpose, Size size, Action&& action) {
     forget_errors();
     action();
     if (glGetError() != GL_NO_ERROR) {
-        throw DeviceError(beyond_limit(purpose, written(size), no_memory));
+        throw OutOfMemory(purpose, written(size), no_memory);
     }
 }
 

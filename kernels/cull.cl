@@ -4,17 +4,13 @@
  * One work-item per cluster. A cluster that is left out would not change a single depth value: all
  * of its box lies behind everything that is there already (Greene et al. 1993). */
 
-#include "segment_table.h"
-
-#pragma OPENCL FP_CONTRACT OFF
+#include "kernels.h"
 
 /* Whether the tiles under a rectangle of texels hold nothing as far away as `nearest`. */
 static bool tiles_hide(const float2 low, const float2 high, const float nearest,
                        __global const float* tiles, const int2 tile_count) {
-    const int2 first =
-        clamp(convert_int2_rtn(low * (1.0f / LA_TILE)), (int2)(0, 0), tile_count - 1);
-    const int2 last =
-        clamp(convert_int2_rtn(high * (1.0f / LA_TILE)), (int2)(0, 0), tile_count - 1);
+    const int2 first = clamp(convert_int2_rtn(low * (1.0f / LA_TILE)), int2(0, 0), tile_count - 1);
+    const int2 last = clamp(convert_int2_rtn(high * (1.0f / LA_TILE)), int2(0, 0), tile_count - 1);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
             if (tiles[y * tile_count.x + x] >= nearest) return false;
@@ -24,13 +20,10 @@ static bool tiles_hide(const float2 low, const float2 high, const float nearest,
 }
 
 /* visible[i]: 1 if cluster i may be seen, else 0. */
-__kernel void cull(__global const Cluster* restrict clusters, const uint count,
-                   const float16 clip_from_world, const int2 depth_size,
-                   __global const float* restrict tiles, const int2 tile_count,
-                   __global uchar* restrict visible) {
+KERNEL(cull, CullParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= count) return;
-    const float16 m = clip_from_world;
+    if (i >= args.count) return;
+    const Matrix m = to_matrix(args.clip_from_world);
     const float3 box_low = vload3(0, clusters[i].low);
     const float3 box_high = vload3(0, clusters[i].high);
     float3 low = INFINITY, high = -INFINITY; /* in normalised device coordinates */
@@ -40,11 +33,11 @@ __kernel void cull(__global const Cluster* restrict clusters, const uint count,
         const float x = (corner & 1) != 0 ? box_high.x : box_low.x;
         const float y = (corner & 2) != 0 ? box_high.y : box_low.y;
         const float z = (corner & 4) != 0 ? box_high.z : box_low.z;
-        const float4 c = (m.s0123 * x + m.s4567 * y) + (m.s89ab * z + m.scdef);
+        const float4 c = (m.x * x + m.y * y) + (m.z * z + m.w);
         outside &= (c.x < -c.w ? 1 : 0) | (c.x > c.w ? 2 : 0) | (c.y < -c.w ? 4 : 0) |
                    (c.y > c.w ? 8 : 0) | (c.z < -c.w ? 16 : 0) | (c.z > c.w ? 32 : 0);
         before_near = before_near || c.z < -c.w || c.w <= 0.0f;
-        const float3 n = c.xyz / c.w;
+        const float3 n = xyz(c) / c.w;
         low = fmin(low, n);
         high = fmax(high, n);
     }
@@ -56,10 +49,10 @@ __kernel void cull(__global const Cluster* restrict clusters, const uint count,
         visible[i] = 1;
         return;
     }
-    const float2 size = convert_float2(depth_size);
+    const float2 size = convert_float2(to_int2(args.depth_size));
     /* One texel to spare for the rasteriser's grid. */
-    const float2 first = (low.xy * 0.5f + 0.5f) * size - 1.0f;
-    const float2 last = (high.xy * 0.5f + 0.5f) * size + 1.0f;
+    const float2 first = (xy(low) * 0.5f + 0.5f) * size - 1.0f;
+    const float2 last = (xy(high) * 0.5f + 0.5f) * size + 1.0f;
     const float nearest = low.z * 0.5f + 0.5f - 4.0f * LA_DEPTH_ROUNDING;
-    visible[i] = tiles_hide(first, last, nearest, tiles, tile_count) ? 0 : 1;
+    visible[i] = tiles_hide(first, last, nearest, tiles, to_int2(args.tile_count)) ? 0 : 1;
 }

@@ -7,9 +7,7 @@
  * are summed as integers: the same in any order. Everything is continuous in what the camera moves,
  * so that lines fade and do not pop: length is shared out between cells and bins. */
 
-#include "segment_table.h"
-
-#pragma OPENCL FP_CONTRACT OFF
+#include "kernels.h"
 
 /* Length of the pieces in which a run without samples is added up, pixels. */
 #define SOLID_STEP 2.0f
@@ -32,10 +30,11 @@ static float chance(uint x) {
  * Edges of silhouettes are no paths in the table, though they are parts of long lines: all are
  * alike, or outlines would fall to pieces. */
 static uint priority_of(__global const Segment* segments, __global const uint* arcs, const uint i,
-                        const float8 of_kind) {
+                        const Density density) {
     const uint kind = segments[i].tag & LA_TAG_KIND_MASK;
-    const float weights[8] = {of_kind.s0, of_kind.s1, of_kind.s2, of_kind.s3,
-                              of_kind.s4, of_kind.s5, of_kind.s6, of_kind.s7};
+    const float weights[LA_KIND_COUNT] = {density.priority[0], density.priority[1],
+                                          density.priority[2], density.priority[3],
+                                          density.priority[4]};
     float length = 1.0f, tie = 0.5f;
     if (kind != LA_KIND_SILHOUETTE) {
         const uint first = i - segments[i].from_start;
@@ -75,16 +74,12 @@ static void add_to_cells(__global uint* grid, const int2 cells, const int2 low, 
 
 /* grid, zero before: drawn length per bin and cell. Sets the priority in the flags of every run.
  * Work-items take runs in turns: how many there are is known on the device alone. */
-__kernel void density_lines(__global const Segment* restrict segments,
-                            __global const uint* restrict arcs,
-                            __global const uchar* restrict alpha,
-                            __global const FrameRecord* restrict record, const float8 of_kind,
-                            const int2 cells, __global Run* restrict runs,
-                            __global uint* restrict grid) {
+KERNEL(density_lines, DensityParameters) {
+    const int2 cells = to_int2(args.cells);
     const uint count = record->points[0];
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         __global Run* run = runs + r;
-        const uint priority = priority_of(segments, arcs, run->segment, of_kind);
+        const uint priority = priority_of(segments, arcs, run->segment, args.density);
         run->flags =
             (run->flags & ~(LA_RUN_BIN_MASK << LA_RUN_BIN_SHIFT)) | priority << LA_RUN_BIN_SHIFT;
 
@@ -99,11 +94,12 @@ __kernel void density_lines(__global const Segment* restrict segments,
         __global const uchar* own = alpha + (solid ? 0 : run->address);
         const int last_own = (int)run->samples - 1;
         const int end = convert_int_rtp(last);
-        int2 low = (int2)(0, 0);
-        float4 sums = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+        int2 low = int2(0, 0);
+        float4 sums = float4(0.0f, 0.0f, 0.0f, 0.0f);
         for (int j = convert_int_rtn(first); j < end; ++j) {
             const float opacity =
-                solid ? 1.0f : fmin((float)own[clamp(j, 0, last_own)] * (3.0f / 255.0f), 1.0f);
+                solid ? 1.0f
+                      : fmin((float)own[clamp(j, 0, last_own)] * (1.0f / LA_FULLY_SHOWN), 1.0f);
             if (opacity == 0.0f) continue;
             const float from = fmax((float)j, first);
             const float to = fmin((float)(j + 1), last);
@@ -116,9 +112,9 @@ __kernel void density_lines(__global const Segment* restrict segments,
             if (here.x != low.x || here.y != low.y) {
                 add_to_cells(grid, cells, low, priority, sums);
                 low = here;
-                sums = (float4)(0.0f, 0.0f, 0.0f, 0.0f);
+                sums = float4(0.0f, 0.0f, 0.0f, 0.0f);
             }
-            sums += drawn * (float4)(down.x * down.y, up.x * down.y, down.x * up.y, up.x * up.y);
+            sums += drawn * float4(down.x * down.y, up.x * down.y, down.x * up.y, up.x * up.y);
         }
         add_to_cells(grid, cells, low, priority, sums);
     }
@@ -133,8 +129,9 @@ static uint tent(__global const uint* row, const int at, const int stride, const
 }
 
 /* The tent along the rows of all planes. */
-__kernel void density_smooth(__global const uint* restrict grid, const int2 cells, const int rows,
-                             __global uint* restrict smooth) {
+KERNEL(density_smooth, DensityParameters) {
+    const int2 cells = to_int2(args.cells);
+    const int rows = (int)LA_DENSITY_BINS * cells.y;
     const int i = (int)get_global_id(0);
     if (i >= rows * cells.x) return;
     const int row = i / cells.x;
@@ -144,7 +141,7 @@ __kernel void density_smooth(__global const uint* restrict grid, const int2 cell
 /* What the limit is multiplied with at a place. focus: centre, radius and falloff. */
 static float limit_factor(const float2 place, const float4 focus, const float far_limit) {
     if (!(focus.w > 0.0f)) return 1.0f;
-    const float2 away = place - focus.xy;
+    const float2 away = place - xy(focus);
     const float distance = sqrt(away.x * away.x + away.y * away.y);
     const float t = clamp((distance - focus.z) / focus.w, 0.0f, 1.0f);
     return 1.0f + (far_limit - 1.0f) * (t * t * (3.0f - 2.0f * t));
@@ -166,7 +163,7 @@ static float mean_weight(const float before, const float own, const float allowe
 /* The limit of a cell, in units of length per cell, as smoothed sums are. */
 static float allowed_in(const int x, const int y, const float limit, const float4 focus,
                         const float far_limit) {
-    const float2 place = ((float2)((float)x, (float)y) + 0.5f) * LA_DENSITY_CELL;
+    const float2 place = (float2((float)x, (float)y) + 0.5f) * LA_DENSITY_CELL;
     return limit * limit_factor(place, focus, far_limit) *
            (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
 }
@@ -184,19 +181,18 @@ static float excess_about(__global const float* excess, const int2 cells, const 
 /* The tent along the columns, then the weights of every bin: those of more priority come first.
  * drawn: the length that they leave in each cell. again 1: where the first weights left too much,
  * by `excess` of the limit; else that is not read. */
-__kernel void density_weights(__global const uint* restrict grid,
-                              __global const uint* restrict smooth, const int2 cells,
-                              const float limit, const float4 focus, const float far_limit,
-                              const uint again, __global const float* restrict excess,
-                              __global float* restrict weights, __global float* restrict drawn) {
+KERNEL(density_weights, DensityParameters) {
+    const int2 cells = to_int2(args.cells);
+    const float4 focus = to_float4(args.focus);
     const int cell = (int)get_global_id(0);
     const int plane = cells.x * cells.y;
     if (cell >= plane) return;
     const int y = cell / cells.x;
     const int x = cell - y * cells.x;
-    const float too_much = again != 0 ? excess_about(excess, cells, x, y) : 0.0f;
-    if (again != 0 && too_much == 0.0f) return;
-    const float allowed = allowed_in(x, y, limit, focus, far_limit) / (1.0f + too_much);
+    const float too_much = args.again != 0 ? excess_about(excess, cells, x, y) : 0.0f;
+    if (args.again != 0 && too_much == 0.0f) return;
+    const float allowed =
+        allowed_in(x, y, args.density.limit, focus, args.far_limit) / (1.0f + too_much);
     const float soft = allowed * LA_DENSITY_SOFTNESS;
     float before = 0.0f, left = 0.0f;
     for (int bin = (int)LA_DENSITY_BINS - 1; bin >= 0; --bin) {
@@ -211,9 +207,9 @@ __kernel void density_weights(__global const uint* restrict grid,
 
 /* excess: the share of the limit by which the weights leave too much about each cell. The edges of
  * a heap, where there are fewer lines, keep more of them than its middle. */
-__kernel void density_excess(__global const float* restrict drawn, const int2 cells,
-                             const float limit, const float4 focus, const float far_limit,
-                             __global float* restrict excess) {
+KERNEL(density_excess, DensityParameters) {
+    const int2 cells = to_int2(args.cells);
+    const float4 focus = to_float4(args.focus);
     const int cell = (int)get_global_id(0);
     if (cell >= cells.x * cells.y) return;
     const int y = cell / cells.x;
@@ -226,6 +222,6 @@ __kernel void density_excess(__global const float* restrict drawn, const int2 ce
             left += share * row[clamp(x + dx, 0, cells.x - 1)];
         }
     }
-    const float allowed = allowed_in(x, y, limit, focus, far_limit);
+    const float allowed = allowed_in(x, y, args.density.limit, focus, args.far_limit);
     excess[cell] = fmax(left / (allowed * LA_DENSITY_TOLERATED) - 1.0f, 0.0f);
 }

@@ -7,20 +7,13 @@
  * its path. Three steps: count the runs that result (and scan the counts), write them, show their
  * samples. */
 
-#include "atlas_address.h"
+#include "kernels.h"
 #include "run.h"
-#include "segment_table.h"
-
-#pragma OPENCL FP_CONTRACT OFF
 
 /* Nothing is shorter than this, in pixels: rounding of arc lengths. */
 #define SHORTEST 0.01f
 /* Samples that may fade out before an end. */
 #define FADING_SAMPLES 8u
-
-typedef struct Filter {
-    float fill, drop, overshoot, undershoot;
-} Filter;
 
 /* What all of it needs; `out` null: only count. */
 typedef struct Work {
@@ -29,7 +22,7 @@ typedef struct Work {
     uint run_count;
     __global const RunCuts* cuts; /* or null */
     __global const uchar* alpha;
-    uint width, pitch, capacity;
+    AtlasRows rows;
     uint first, last; /* segments of the path */
     uint first_run, last_run;
     /* The path is an edge of a silhouette, each of which is a path of its own but a part of a
@@ -44,17 +37,17 @@ typedef struct Work {
     uint count;
 } Work;
 
-/* A visible interval of a path. */
-typedef struct Stretch {
+/* A stroke: a visible interval of a path. */
+typedef struct Stroke {
     float start, end; /* arc lengths */
     uint start_kind, end_kind;
     uint first_run, last_run;
     float start_overshoot, end_overshoot;
-} Stretch;
+} Stroke;
 
 static float2 segment_span(const Frame frame, const uint i) {
     const float start = segment_arc(frame, i);
-    return (float2)(start, start + arc_pixels(frame.arcs[i + 1] - frame.arcs[i]));
+    return float2(start, start + arc_pixels(frame.arcs[i + 1] - frame.arcs[i]));
 }
 
 /* What an end of a run is as an end of a stroke. */
@@ -65,13 +58,17 @@ static uint stroke_end_kind(const uint kind) {
 /* The outermost samples of a run. */
 static uint2 end_samples(__global const Run* run) {
     const float start = run->start_sample, end = run->end_sample;
-    return (uint2)(start > 0.0f ? (uint)(start + 0.5f) : 0u,
-                   end < (float)run->samples ? (uint)(end - 0.5f) - 1u : run->samples - 1u);
+    return uint2(start > 0.0f ? (uint)(start + 0.5f) : 0u,
+                 end < (float)run->samples ? (uint)(end - 0.5f) - 1u : run->samples - 1u);
+}
+
+static bool has_samples(__global const Run* run) {
+    return (run->flags & LA_RUN_SOLID) == 0;
 }
 
 /* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
  * where in it the end lies. */
-static Stretch run_interval(const Work* work, const uint r) {
+static Stroke run_interval(const Work* work, const uint r) {
     __global const Run* run = work->runs + r;
     const float2 span = segment_span(work->frame, run->segment);
     const float l = (float)run->samples;
@@ -81,9 +78,13 @@ static Stretch run_interval(const Work* work, const uint r) {
     const bool ends = !shown_across(work->frame.segments, work->runs, work->run_count, r, true);
     const uint2 outermost = end_samples(run);
     const uint a = outermost.x, b = outermost.y;
-    const float share_a = (float)own[a] * (1.0f / 255.0f);
-    const float share_b = (float)own[b] * (1.0f / 255.0f);
-    if (starts && ends && a == b) {
+    const bool solid = !has_samples(run);
+    const float share_a = solid ? 1.0f : (float)own[a] * (1.0f / 255.0f);
+    const float share_b = solid ? 1.0f : (float)own[b] * (1.0f / 255.0f);
+    if (solid) {
+        start = run->start_sample;
+        end = run->end_sample;
+    } else if (starts && ends && a == b) {
         start = (float)a + 0.5f - 0.5f * share_a;
         end = (float)a + 0.5f + 0.5f * share_a;
     } else {
@@ -91,7 +92,7 @@ static Stretch run_interval(const Work* work, const uint r) {
         if (ends) end = (float)b + share_b;
     }
     const float per_sample = (span.y - span.x) / l;
-    Stretch interval;
+    Stroke interval;
     interval.start = starts ? span.x + start * per_sample : span.x;
     interval.end = ends ? span.x + end * per_sample : span.y;
     interval.start_kind = stroke_end_kind(run->flags >> LA_RUN_START_SHIFT & LA_END_MASK);
@@ -125,7 +126,8 @@ static float ink_of(const Work* work, const uint r, const float low, const float
     const float from = (low - span.x) / per_sample, to = (high - span.x) / per_sample;
     float sum = 0.0f;
     for (int j = clamp((int)from, 0, last); j <= last && (float)j < to; ++j) {
-        const float opacity = fmin((float)own[j] * (1.0f / LA_FULLY_SHOWN), 1.0f);
+        const float opacity =
+            has_samples(run) ? fmin((float)own[j] * (1.0f / LA_FULLY_SHOWN), 1.0f) : 1.0f;
         sum += (fmin((float)(j + 1), to) - fmax((float)j, from)) * opacity;
     }
     return fmax(sum, 0.0f) * per_sample;
@@ -139,7 +141,7 @@ static float ink_near(const Work* work, uint r, const float place, const bool fo
     const uint last = forward ? work->last_run : work->first_run;
     float sum = 0.0f, around = 0.0f;
     for (uint left = work->last_run - work->first_run + 1; left > 0; --left) {
-        const Stretch own = run_interval(work, r);
+        const Stroke own = run_interval(work, r);
         const float from = fmax(own.start, low - around), to = fmin(own.end, high - around);
         if (to < from) break;
         sum += ink_of(work, r, from, to);
@@ -168,6 +170,7 @@ static float overshoot_beside(const float ink, const float most) {
 static float overshoot_start(const Work* work, const uint r, const bool at_end, const float end) {
     if (shown_across(work->frame.segments, work->runs, work->run_count, r, at_end)) return end;
     __global const Run* run = work->runs + r;
+    if (!has_samples(run)) return end;
     const float2 span = segment_span(work->frame, run->segment);
     const float per_sample = (span.y - span.x) / (float)run->samples;
     __global const uchar* own = work->alpha + run->address;
@@ -187,7 +190,7 @@ static float overshoot_start(const Work* work, const uint r, const bool at_end, 
 }
 
 /* How far either end of an interval overshoots: never across a gap beside a nearer line. */
-static void set_overshoot(const Work* work, Stretch* interval, const float most) {
+static void set_overshoot(const Work* work, Stroke* interval, const float most) {
     interval->start_overshoot = interval->end_overshoot = 0.0f;
     if (!(most > 0.0f)) return;
     const uint first = interval->first_run, last = interval->last_run;
@@ -199,7 +202,7 @@ static void set_overshoot(const Work* work, Stretch* interval, const float most)
     interval->end_overshoot = fmax(after - (interval->end - end), 0.0f);
     for (uint r = first; work->cuts != 0 && r <= last; ++r) {
         for (int k = 0; k < LA_MOST_CUTS; ++k) {
-            const float2 cut = (float2)(work->cuts[r].from[k], work->cuts[r].to[k]);
+            const float2 cut = float2(work->cuts[r].from[k], work->cuts[r].to[k]);
             if (!(cut.y > cut.x)) continue;
             if (cut.x < interval->start)
                 interval->start_overshoot =
@@ -216,7 +219,7 @@ static void set_overshoot(const Work* work, Stretch* interval, const float most)
 static uint samples_of(const Work* work, const uint i) {
     const uint s = work->frame.offsets[i];
     const uint l = work->frame.offsets[i + 1] - s;
-    return l <= work->capacity && s <= work->capacity - l ? l : 0u;
+    return is_in_atlas(work->rows, s, l) ? l : 0u;
 }
 
 /* Runs for a part of the path between two arc lengths, from segment i on. `stroke`: the whole
@@ -243,7 +246,7 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
             const float from = lo == span.x ? 0.0f : (lo - span.x) * per_pixel;
             const float to = hi == span.y ? (float)counted : (hi - span.x) * per_pixel;
             const float2 direction = window_direction(frame.clipped + i, frame.viewport);
-            float2 start_corner = (float2)(0.0f, 0.0f), end_corner = start_corner;
+            float2 start_corner = float2(0.0f, 0.0f), end_corner = start_corner;
             uint run_start = start_kind, run_end = end_kind;
             if (!begins || start_kind == LA_END_JOIN)
                 run_start = segment_end(frame, i, 0, direction, &start_corner);
@@ -254,7 +257,7 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
             vstore2(end_corner, 0, run->end_corner);
             run->stroke_start = stroke.x;
             run->stroke_end = stroke.y;
-            run->address = l > 0 ? atlas_address(frame.offsets[i], work->width, work->pitch) : 0u;
+            run->address = l > 0 ? atlas_address(work->rows, frame.offsets[i]) : 0u;
             run->flags = run_start << LA_RUN_START_SHIFT | run_end << LA_RUN_END_SHIFT |
                          stroke_kinds | (l == 0 ? LA_RUN_SOLID : 0u) |
                          (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
@@ -274,7 +277,7 @@ static void emit_piece(Work* work, uint i, const float start, const float end, u
     const uint kinds = start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
     /* A loop without an end: all of it is the middle of its stroke. */
     const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
-    const float2 stroke = endless ? (float2)(-LA_ENDLESS, LA_ENDLESS) : (float2)(start, end);
+    const float2 stroke = endless ? float2(-LA_ENDLESS, LA_ENDLESS) : float2(start, end);
     const float around = 2.0f * work->half_length;
     const float to = end;
     float from = start;
@@ -310,12 +313,12 @@ static void emit_piece(Work* work, uint i, const float start, const float end, u
 }
 
 /* The next gap beside a nearer line that ends behind `from`; with x > y: none. */
-static float2 next_cut(const Work* work, const Stretch interval, const float from) {
-    float2 next = (float2)(INFINITY, -INFINITY);
+static float2 next_cut(const Work* work, const Stroke interval, const float from) {
+    float2 next = float2(INFINITY, -INFINITY);
     if (work->cuts == 0) return next;
     for (uint r = interval.first_run; r <= interval.last_run; ++r) {
         for (int k = 0; k < LA_MOST_CUTS; ++k) {
-            const float2 cut = (float2)(work->cuts[r].from[k], work->cuts[r].to[k]);
+            const float2 cut = float2(work->cuts[r].from[k], work->cuts[r].to[k]);
             if (cut.y > cut.x && cut.y > from && cut.x < next.x) next = cut;
         }
     }
@@ -323,7 +326,7 @@ static float2 next_cut(const Work* work, const Stretch interval, const float fro
 }
 
 /* A stroke to its final length, and the runs of it. */
-static void emit(Work* work, const Stretch interval, const Filter filter) {
+static void emit(Work* work, const Stroke interval, const StrokeFilter filter) {
     const Frame frame = work->frame;
     float start = interval.start, end = interval.end;
     uint start_kind = interval.start_kind, end_kind = interval.end_kind;
@@ -379,11 +382,11 @@ static float path_share(const uint path) {
 }
 
 /* All strokes of the path whose runs are r to r_end - 1. */
-static void filter_path(Work* work, const uint r_first, const uint r_end, Filter filter,
-                        const float variation) {
+static void filter_path(Work* work, const uint r_first, const uint r_end, StrokeFilter filter) {
     const Frame frame = work->frame;
     const uint tag = frame.segments[work->first].tag;
-    filter.overshoot *= 1.0f - variation * path_share(frame.segments[work->first].path);
+    filter.overshoot *=
+        1.0f - filter.overshoot_variation * path_share(frame.segments[work->first].path);
     work->half_length = arc_pixels(frame.arcs[work->last + 1] - frame.arcs[work->first]) * 0.5f;
     work->is_outline = (tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE && (tag & LA_TAG_LONE) == 0;
     work->seam = (tag & LA_TAG_CLOSED) != 0 && frame.clipped[work->last].t1 >= 1.0f &&
@@ -404,10 +407,10 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
     work->last_run = r_end - 1;
 
     bool has_stroke = false, has_current = false;
-    Stretch stroke, current;
+    Stroke stroke, current;
     stroke.end_overshoot = 0.0f;
     for (uint r = r_first; r <= r_end; ++r) {
-        Stretch next;
+        Stroke next;
         bool merges = false;
         if (r < r_end) {
             next = run_interval(work, r);
@@ -458,17 +461,15 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Filter
 
 /* out: null to count only. */
 static Work make_work(const Frame frame, __global const Run* runs, const uint run_count,
-                      __global const RunCuts* cuts, __global const uchar* alpha, const uint width,
-                      const uint pitch, const uint capacity, __global Run* out) {
+                      __global const RunCuts* cuts, __global const uchar* alpha,
+                      const AtlasRows rows, __global Run* out) {
     Work work;
     work.frame = frame;
     work.runs = runs;
     work.run_count = run_count;
     work.cuts = cuts;
     work.alpha = alpha;
-    work.width = width;
-    work.pitch = pitch;
-    work.capacity = capacity;
+    work.rows = rows;
     work.out = out;
     work.count = 0;
     return work;
@@ -487,83 +488,59 @@ static uint path_runs_end(const Frame frame, __global const Run* runs, const uin
 }
 
 /* Filters the path whose first run is r; nothing for every other run. */
-static void filter_path_of(Work* work, const uint r, const Filter filter, const float variation) {
+static void filter_path_of(Work* work, const uint r, const StrokeFilter filter) {
     const uint end =
         path_runs_end(work->frame, work->runs, work->run_count, r, &work->first, &work->last);
-    if (end > r) filter_path(work, r, end, filter, variation);
+    if (end > r) filter_path(work, r, end, filter);
 }
 
 /* counts[r]: runs that result of the path whose first run is r; 0 for every other run.
- * use_cuts 0: `cuts` is not read. */
-__kernel void
-filter_count(__global const Segment* restrict segments,
-             __global const ClippedSegment* restrict clipped, __global const uint* restrict offsets,
-             __global const uint* restrict arcs, __global const uchar* alpha, const uint width,
-             const uint pitch, const uint capacity, const float2 viewport, const float half_width,
-             const float fill, const float drop, const float overshoot, const float variation,
-             const float undershoot, __global const Run* restrict runs,
-             __global const FrameRecord* restrict record, __global const RunCuts* restrict cuts,
-             const uint use_cuts, const uint run_capacity, __global uint* restrict counts) {
+ */
+KERNEL(filter_count, FilterParameters) {
     const uint r = (uint)get_global_id(0);
-    if (r >= run_capacity) return;
+    if (r >= args.run_capacity) return;
     counts[r] = 0;
     const uint run_count = record->points[0];
     if (r >= run_count) return;
-    const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
-    Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch,
-                          capacity, 0);
-    const Filter filter = {fill, drop, overshoot, undershoot};
-    filter_path_of(&work, r, filter, variation);
+    const Frame frame = {segments,       clipped, offsets, arcs, to_float2(args.viewport),
+                         args.half_width};
+    Work work =
+        make_work(frame, runs, run_count, args.use_cuts != 0 ? cuts : 0, alpha, args.rows, 0);
+    filter_path_of(&work, r, args.filter);
     counts[r] = work.count;
 }
 
 /* Writes the runs of every path from its offset on, and (the first work-item) their record. */
-__kernel void
-filter_write(__global const Segment* restrict segments,
-             __global const ClippedSegment* restrict clipped, __global const uint* restrict offsets,
-             __global const uint* restrict arcs, __global const uchar* alpha, const uint width,
-             const uint pitch, const uint capacity, const float2 viewport, const float half_width,
-             const float fill, const float drop, const float overshoot, const float variation,
-             const float undershoot, __global const Run* restrict runs,
-             __global const FrameRecord* restrict record, __global const RunCuts* restrict cuts,
-             const uint use_cuts, const uint run_capacity,
-             __global const uint* restrict run_offsets, const uint filtered_capacity,
-             __global Run* restrict filtered, __global FrameRecord* restrict filtered_record) {
+KERNEL(filter_write, FilterParameters) {
     const uint r = (uint)get_global_id(0);
-    const uint total = run_offsets[run_capacity];
+    const uint total = run_offsets[args.run_capacity];
     if (r == 0) {
-        write_record(filtered_record, total, filtered_capacity, record->sample_total);
+        write_record(filtered_record, total, args.filtered_capacity, record->sample_total);
         /* A table of runs that was too small left nothing to filter; the host enlarges both. */
         filtered_record->raw_run_total = record->run_total;
     }
     const uint run_count = record->points[0];
-    if (r >= run_count || total > filtered_capacity) return;
-    const Frame frame = {segments, clipped, offsets, arcs, viewport, half_width};
-    Work work = make_work(frame, runs, run_count, use_cuts != 0 ? cuts : 0, alpha, width, pitch,
-                          capacity, filtered + run_offsets[r]);
-    const Filter filter = {fill, drop, overshoot, undershoot};
-    filter_path_of(&work, r, filter, variation);
+    if (r >= run_count || total > args.filtered_capacity) return;
+    const Frame frame = {segments,       clipped, offsets, arcs, to_float2(args.viewport),
+                         args.half_width};
+    Work work = make_work(frame, runs, run_count, args.use_cuts != 0 ? cuts : 0, alpha, args.rows,
+                          filtered + run_offsets[r]);
+    filter_path_of(&work, r, args.filter);
 }
 
 /* The first and last sample that a filtered run lies on; beyond an end of the segment its last
  * sample counts. */
 static int2 samples_under(__global const Run* run) {
     const int last = (int)run->samples - 1;
-    return (int2)(clamp((int)floor(run->start_sample - 0.5f), 0, last),
-                  clamp((int)floor(run->end_sample - 0.5f) + 1, 0, last));
-}
-
-static bool has_samples(__global const Run* run) {
-    return (run->flags & LA_RUN_SOLID) == 0;
+    return int2(clamp((int)floor(run->start_sample - 0.5f), 0, last),
+                clamp((int)floor(run->end_sample - 0.5f) + 1, 0, last));
 }
 
 /* A hidden sample that is drawn now becomes visible. A sample under two runs of a segment is the
  * first one's. */
-__kernel void filter_show(__global const Run* restrict filtered,
-                          __global const FrameRecord* restrict filtered_record, const uint n,
-                          __global uchar* restrict alpha) {
+KERNEL(filter_show, CountParameters) {
     const uint r = (uint)get_global_id(0);
-    if (r >= n || r >= filtered_record->points[0] || !has_samples(filtered + r)) return;
+    if (r >= args.count || r >= filtered_record->points[0] || !has_samples(filtered + r)) return;
     __global uchar* own = alpha + filtered[r].address;
     const int2 range = samples_under(filtered + r);
     int first = range.x;
@@ -576,13 +553,10 @@ __kernel void filter_show(__global const Run* restrict filtered,
 
 /* Where visibility ended a partly visible sample is drawn in full: the end of the stroke is cut at
  * its exact place instead. */
-__kernel void filter_show_ends(__global const Segment* restrict segments,
-                               __global const Run* restrict runs,
-                               __global const FrameRecord* restrict record, const uint n,
-                               __global uchar* restrict alpha) {
+KERNEL(filter_show_ends, CountParameters) {
     const uint r = (uint)get_global_id(0);
     const uint run_count = record->points[0];
-    if (r >= n || r >= run_count) return;
+    if (r >= args.count || r >= run_count || !has_samples(runs + r)) return;
     __global uchar* own = alpha + runs[r].address;
     const uint2 outermost = end_samples(runs + r);
     if (!shown_across(segments, runs, run_count, r, false))

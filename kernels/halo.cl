@@ -4,12 +4,12 @@
  * is then tested against the lists of its own tiles. Lists are in no particular order, and a pair
  * that shares several tiles is found several times: the cuts of a run are kept as a sorted set.
  *
- * Work-items take runs in turns: how many there are is known on the device alone. */
+ * Work-items take runs in turns: how many there are is known on the device alone.
+ *
+ * HALO_LANES: how many lines of a list are looked at in one go, 1 on GPUs. */
 
+#include "kernels.h"
 #include "run.h"
-#include "segment_table.h"
-
-#pragma OPENCL FP_CONTRACT OFF
 
 /* Tiles are found with this many pixels to spare, more than rounding can take away. */
 #define SLACK 0.125f
@@ -17,30 +17,8 @@
 /* Depths are compared roughly first, with more to spare than rounding can take away. */
 #define DEPTH_SLACK 2e-6f
 
-/* HALO_LANES: how many lines of a list are looked at in one go; 1 on GPUs. A comparison of vectors
- * gives -1 for true, of scalars 1. */
-#ifndef HALO_LANES
-#error "HALO_LANES must be 1, 8 or 16"
-#endif
-#if HALO_LANES == 1
-typedef float lanes_float;
-typedef int lanes_int;
-#define LOAD_LANES(from) (*(from))
-#define ANY(mask) ((mask) != 0)
-#define STORE_LANES(mask, to) (*(to) = (mask))
-#elif HALO_LANES == 8
-typedef float8 lanes_float;
-typedef int8 lanes_int;
-#define LOAD_LANES(from) vload8(0, from)
-#define ANY(mask) any(mask)
-#define STORE_LANES(mask, to) vstore8(mask, 0, to)
-#else
-typedef float16 lanes_float;
-typedef int16 lanes_int;
-#define LOAD_LANES(from) vload16(0, from)
-#define ANY(mask) any(mask)
-#define STORE_LANES(mask, to) vstore16(mask, 0, to)
-#endif
+#define LANES HALO_LANES
+#include "lanes.h"
 
 /* What a tile's list holds of a run: its ends, lengthened, and their depths in a table each, and
  * its index. Each table has room for HALO_LANES more: rows are read beyond a list's end. */
@@ -73,7 +51,7 @@ static float length_of(const float2 way) {
 static float4 lengthened(__global const Run* run, const float at_start, const float at_end) {
     const float2 way = run_way(run);
     const float2 along = way / length_of(way);
-    return (float4)(vload2(0, run->start) - along * at_start, vload2(0, run->end) + along * at_end);
+    return float4(vload2(0, run->start) - along * at_start, vload2(0, run->end) + along * at_end);
 }
 
 static int tile_of(const float pixels, const int count) {
@@ -83,13 +61,13 @@ static int tile_of(const float pixels, const int count) {
 /* The first and last row of tiles that a line passes. What lies outside the picture belongs to the
  * tiles at its border. */
 static int2 rows_of(const float4 line, const int2 tiles) {
-    return (int2)(tile_of(fmin(line.y, line.w) - SLACK, tiles.y),
-                  tile_of(fmax(line.y, line.w) + SLACK, tiles.y));
+    return int2(tile_of(fmin(line.y, line.w) - SLACK, tiles.y),
+                tile_of(fmax(line.y, line.w) + SLACK, tiles.y));
 }
 
 /* The first and last tile of a row that it passes. */
 static int2 columns_of(const float4 line, const int row, const int2 tiles) {
-    const float2 way = line.zw - line.xy;
+    const float2 way = zw(line) - xy(line);
     float u0 = 0.0f, u1 = 1.0f;
     if (fabs(way.y) > SLACK) {
         const float low = row == 0 ? -BEYOND_PICTURE : (float)(row * LA_HALO_TILE) - SLACK;
@@ -102,7 +80,7 @@ static int2 columns_of(const float4 line, const int row, const int2 tiles) {
     }
     const float x0 = line.x + way.x * u0;
     const float x1 = line.x + way.x * u1;
-    return (int2)(tile_of(fmin(x0, x1) - SLACK, tiles.x), tile_of(fmax(x0, x1) + SLACK, tiles.x));
+    return int2(tile_of(fmin(x0, x1) - SLACK, tiles.x), tile_of(fmax(x0, x1) + SLACK, tiles.x));
 }
 
 static bool has_length(__global const Run* run) {
@@ -111,9 +89,8 @@ static bool has_length(__global const Run* run) {
 }
 
 /* counts[t], zero before: runs that pass tile t. */
-__kernel void halo_count(__global const Run* restrict runs,
-                         __global const FrameRecord* restrict record, const int2 tiles,
-                         __global uint* restrict counts) {
+KERNEL(halo_count, HaloParameters) {
+    const int2 tiles = to_int2(args.tiles);
     const uint count = record->points[0];
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         if (!has_length(runs + r)) continue;
@@ -129,21 +106,19 @@ __kernel void halo_count(__global const Run* restrict runs,
 /* Window depths at both ends of a run lengthened by LA_HALO_REACH_OVER; on the line between them it
  * is nowhere farther away than it counts as, which is its end's depth beyond an end. */
 static float2 nearest_depths(__global const Run* run) {
-    const float2 own = (float2)(run->start_depth, run->end_depth);
+    const float2 own = float2(run->start_depth, run->end_depth);
     const float length = length_of(run_way(run));
-    if (length < LA_HALO_REACH_OVER) return (float2)(fmin(own.x, own.y));
+    if (length < LA_HALO_REACH_OVER) return float2(fmin(own.x, own.y));
     const float over = (own.y - own.x) / length * LA_HALO_REACH_OVER;
-    return (float2)(own.x - over, own.y + over) - fabs(over);
+    return float2(own.x - over, own.y + over) - fabs(over);
 }
 
 /* ends[t]: where the list of tile t starts; afterwards where it ends, which is where the next one
  * starts. */
-__kernel void halo_fill(__global const Run* restrict runs,
-                        __global const FrameRecord* restrict record, const int2 tiles,
-                        __global uint* restrict ends, const uint total,
-                        __global float* restrict memory) {
+KERNEL(halo_fill, HaloParameters) {
+    const int2 tiles = to_int2(args.tiles);
     const uint count = record->points[0];
-    const Lists lists = lists_in(memory, total);
+    const Lists lists = lists_in(memory, args.total);
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         if (!has_length(runs + r)) continue;
         const float4 line = lengthened(runs + r, LA_HALO_REACH_OVER, LA_HALO_REACH_OVER);
@@ -171,9 +146,9 @@ typedef struct Crossing {
 } Crossing;
 
 static bool find_crossing(const float4 r, const float length_r, const float4 c, Crossing* found) {
-    const float2 way_r = r.zw - r.xy;
-    const float2 way_c = c.zw - c.xy;
-    const float2 between = c.xy - r.xy;
+    const float2 way_r = zw(r) - xy(r);
+    const float2 way_c = zw(c) - xy(c);
+    const float2 between = xy(c) - xy(r);
     const float area = way_r.x * way_c.y - way_r.y * way_c.x;
     const float sign = area < 0.0f ? -1.0f : 1.0f;
     const float along_r = (between.x * way_c.y - between.y * way_c.x) * sign;
@@ -199,7 +174,7 @@ typedef struct Subject {
  * Most that cross are its neighbours, at its own depth: they need not be looked at one by one. */
 static lanes_int may_cut(const Subject subject, const Lists lists, const uint k) {
     const float4 r = subject.line;
-    const float2 way_r = r.zw - r.xy;
+    const float2 way_r = zw(r) - xy(r);
     const lanes_float x0 = LOAD_LANES(lists.x0 + k), y0 = LOAD_LANES(lists.y0 + k);
     const lanes_float way_x = LOAD_LANES(lists.x1 + k) - x0, way_y = LOAD_LANES(lists.y1 + k) - y0;
     const lanes_float between_x = x0 - r.x, between_y = y0 - r.y;
@@ -283,7 +258,7 @@ static void add_cut_of(const Scene scene, const Subject subject, const float4 li
     if (cuts->count == LA_MOST_CUTS && centre - half_gap > cuts->from[LA_MOST_CUTS - 1]) return;
     __global const Run* other = scene.runs + c;
     const float share = at / subject.own_length;
-    const float other_at = crossing.on_c * length_of(line.zw - line.xy) - LA_HALO_REACH_OVER;
+    const float other_at = crossing.on_c * length_of(zw(line) - xy(line)) - LA_HALO_REACH_OVER;
     const float other_share = clamp(other_at / length_of(run_way(other)), 0.0f, 1.0f);
     const float depth = run->start_depth + (run->end_depth - run->start_depth) * share;
     const float other_depth =
@@ -307,14 +282,14 @@ static void find_cuts(const Scene scene, __global const Run* run, const int2 til
     subject.before = hidden_before ? LA_HALO_REACH_HIDDEN : 0.0f;
     const float after = hidden_after ? LA_HALO_REACH_HIDDEN : 0.0f;
     subject.line = lengthened(run, subject.before, after);
-    subject.length = length_of(subject.line.zw - subject.line.xy);
+    subject.length = length_of(zw(subject.line) - xy(subject.line));
     subject.own_length = length_of(run_way(run));
     __global const ClippedSegment* clipped = scene.clipped + run->segment;
     const float least_apart =
         scene.tolerance * (1.0f / fmax(clipped->p[3], clipped->q[3])) + LA_DEPTH_ROUNDING;
     const float deeper = (run->end_depth - run->start_depth) / subject.own_length; /* per pixel */
     subject.farthest =
-        (float2)(run->start_depth - deeper * subject.before, run->end_depth + deeper * after) -
+        float2(run->start_depth - deeper * subject.before, run->end_depth + deeper * after) -
         2.0f * least_apart + DEPTH_SLACK;
     const int2 rows = rows_of(subject.line, tiles);
     for (int y = rows.x; y <= rows.y; ++y) {
@@ -328,25 +303,19 @@ static void find_cuts(const Scene scene, __global const Run* run, const int2 til
             STORE_LANES(crosses, mask);
             for (uint i = k; i < min(k + HALO_LANES, end); ++i) {
                 if (mask[i - k] == 0) continue;
-                const float4 line = (float4)(lists.x0[i], lists.y0[i], lists.x1[i], lists.y1[i]);
+                const float4 line = float4(lists.x0[i], lists.y0[i], lists.x1[i], lists.y1[i]);
                 add_cut_of(scene, subject, line, lists.run[i], cuts);
             }
         }
     }
 }
 
-/* cuts[r]: the gaps of run r. width: from the middle of the nearer stroke to the end of the gap.
- * tolerance: in window depth, times w. */
-__kernel void halo_cut(__global const Segment* restrict segments,
-                       __global const ClippedSegment* restrict clipped,
-                       __global const Run* restrict runs,
-                       __global const FrameRecord* restrict record, const int2 tiles,
-                       const float width, const float tolerance, __global const uint* restrict ends,
-                       const uint total, __global float* restrict memory,
-                       __global RunCuts* restrict cuts) {
+/* cuts[r]: the gaps of run r. */
+KERNEL(halo_cut, HaloParameters) {
+    const int2 tiles = to_int2(args.tiles);
     const uint count = record->points[0];
-    const Lists lists = lists_in(memory, total);
-    const Scene scene = {segments, clipped, runs, count, width, tolerance};
+    const Lists lists = lists_in(memory, args.total);
+    const Scene scene = {segments, clipped, runs, count, args.width, args.tolerance};
     for (uint r = (uint)get_global_id(0); r < count; r += (uint)get_global_size(0)) {
         Cuts found;
         found.count = 0;

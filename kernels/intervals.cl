@@ -6,24 +6,24 @@
  * buffer. Where two segments of a path differ, visibility may change on either side of their joint:
  * each gets an interval for its half sample there, of no length if the change is on the other side.
  *
- * PROBE_LANES: 1 or 16, see probe.h. */
+ * PROBE_VECTORS: as in atlas.cl. */
 
-#pragma OPENCL FP_CONTRACT OFF
-
-#if !defined(PROBE_LANES)
-#error "PROBE_LANES must be set"
-#endif
 #define PROBES 9
+#if PROBE_VECTORS
+#define LANES 16
+#define LANES_IN_USE PROBES
+#else
+#define LANES 1
+#endif
 
-#include "atlas_address.h"
+#include "kernels.h"
 #include "probe.h"
 #include "run.h"
-#include "segment_table.h"
 
 /* The atlas, and which intervals are wanted: bit 0 visible ones, bit 1 hidden ones. */
 typedef struct Atlas {
     __global const uchar* alpha;
-    uint width, pitch, capacity;
+    AtlasRows rows;
     uint wanted;
 } Atlas;
 
@@ -38,8 +38,7 @@ typedef struct Piece {
 static __global const uchar* samples_of(const Frame frame, const Atlas atlas, const uint i) {
     const uint s = frame.offsets[i];
     const uint l = frame.offsets[i + 1] - s;
-    if (l == 0 || l > atlas.capacity || s > atlas.capacity - l) return 0;
-    return atlas.alpha + atlas_address(s, atlas.width, atlas.pitch);
+    return is_in_atlas(atlas.rows, s, l) ? atlas.alpha + atlas_address(atlas.rows, s) : 0;
 }
 
 /* Visibility (of 255) from which on segment i counts as visible. */
@@ -134,19 +133,13 @@ static uint put_segment(const Frame frame, const Atlas atlas, const uint i,
 }
 
 /* counts[b]: intervals in block b of `block` segments. */
-__kernel void intervals_count(__global const Segment* restrict segments,
-                              __global const ClippedSegment* restrict clipped,
-                              __global const uint* restrict offsets,
-                              __global const uint* restrict arcs, const uint count,
-                              __global const uchar* restrict alpha, const uint width,
-                              const uint pitch, const uint capacity, const float2 viewport,
-                              const uint wanted, const uint block, __global uint* restrict counts) {
+KERNEL(intervals_count, IntervalsParameters) {
     const uint b = (uint)get_global_id(0);
-    const uint first = b * block;
-    if (first >= count) return;
-    const uint last = min(first + block, count);
-    const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
-    const Atlas atlas = {alpha, width, pitch, capacity, wanted};
+    const uint first = b * args.block;
+    if (first >= args.count) return;
+    const uint last = min(first + args.block, args.count);
+    const Frame frame = {segments, clipped, offsets, arcs, to_float2(args.viewport), 0.0f};
+    const Atlas atlas = {alpha, args.rows, args.wanted};
     uint total = 0;
     for (uint i = first; i < last; ++i) total += put_segment(frame, atlas, i, 0);
     counts[b] = total;
@@ -154,21 +147,15 @@ __kernel void intervals_count(__global const Segment* restrict segments,
 
 /* Writes the intervals of every block from its offset on, their places still missing. If they
  * exceed the table, none is written; the host sees the total. */
-__kernel void intervals_write(
-    __global const Segment* restrict segments, __global const ClippedSegment* restrict clipped,
-    __global const uint* restrict offsets, __global const uint* restrict arcs, const uint count,
-    __global const uchar* restrict alpha, const uint width, const uint pitch, const uint capacity,
-    const float2 viewport, const uint wanted, const uint block,
-    __global const uint* restrict block_offsets, const uint blocks, const uint interval_capacity,
-    __global Interval* restrict intervals, __global uint* restrict interval_total) {
+KERNEL(intervals_write, IntervalsParameters) {
     const uint b = (uint)get_global_id(0);
-    const uint total = block_offsets[blocks];
+    const uint total = block_offsets[args.blocks];
     if (b == 0) *interval_total = total;
-    const uint first = b * block;
-    if (first >= count || total > interval_capacity) return;
-    const uint last = min(first + block, count);
-    const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
-    const Atlas atlas = {alpha, width, pitch, capacity, wanted};
+    const uint first = b * args.block;
+    if (first >= args.count || total > args.interval_capacity) return;
+    const uint last = min(first + args.block, args.count);
+    const Frame frame = {segments, clipped, offsets, arcs, to_float2(args.viewport), 0.0f};
+    const Atlas atlas = {alpha, args.rows, args.wanted};
     uint next = block_offsets[b];
     for (uint i = first; i < last; ++i) next += put_segment(frame, atlas, i, intervals + next);
 }
@@ -176,7 +163,8 @@ __kernel void intervals_write(
 /* A segment along which a change of visibility is looked for. */
 typedef struct Line {
     Spine spine;
-    float l;     /* samples */
+    float l; /* samples */
+    float inverse_l;
     float pixel; /* length of a pixel in samples */
     uint least;  /* visibility (of 255) from which on it counts as visible */
 } Line;
@@ -186,14 +174,14 @@ typedef struct Line {
  */
 static bool shown_at(const Line line, const float sample, const Depth depth) {
     uint visible = 0;
-    for (int first = 0; first < PROBES; first += PROBE_LANES) {
+    for (int first = 0; first < PROBES; first += LANES) {
         const lanes_int probe = LANE_INDEX + first;
         const lanes_int row = probe / 3;
         const lanes_int column = probe - row * 3;
         const lanes_float across = TO_FLOAT(column) - 1.0f, ahead = TO_FLOAT(row) - 1.0f;
         const lanes_float side = across * (1.0f / 3.0f) + ahead * (1.0f / 9.0f);
         const lanes_float along = ahead * (1.0f / 3.0f) + across * (1.0f / 9.0f);
-        const lanes_float u = (sample + along * line.pixel) * line.spine.inverse_l;
+        const lanes_float u = (sample + along * line.pixel) * line.inverse_l;
         visible += (uint)COUNT(sees_line(line.spine, u, side, probe < PROBES, depth));
     }
     return 255u * visible >= line.least * PROBES;
@@ -223,53 +211,23 @@ static float narrow(const Line line, const uint change, const float around, cons
     return 0.5f * (low + high);
 }
 
-/* The point of the model at share u of what the screen shows of segment i. */
-static float3 world_point(const Frame frame, const uint i, const float u,
-                          __global const float* vertices) {
-    const float wp = frame.clipped[i].p[3], wq = frame.clipped[i].q[3];
-    const float t0 = frame.clipped[i].t0, t1 = frame.clipped[i].t1;
-    const float along = u * wp / ((1.0f - u) * wq + u * wp);
-    const float t = t0 + (t1 - t0) * along;
-    const float3 p = vload3(frame.segments[i].p, vertices);
-    const float3 q = vload3(frame.segments[i].q, vertices);
-    return p + (q - p) * t;
-}
-
 /* Puts the ends of every interval where they belong. */
-__kernel void intervals_refine(__global const Segment* restrict segments,
-                               __global const ClippedSegment* restrict clipped,
-                               __global const uint* restrict offsets,
-                               __global const uint* restrict arcs,
-                               __global const float* restrict vertices, const float2 viewport,
-                               __global const float* restrict texels, const int2 depth_size,
-                               const float depth_scale, const float tolerance,
-                               const uint interval_capacity, __global Interval* restrict intervals,
-                               __global const uint* restrict interval_total) {
+KERNEL(intervals_refine, IntervalsParameters) {
     const uint k = (uint)get_global_id(0);
-    if (*interval_total > interval_capacity || k >= *interval_total) return;
+    if (*interval_total > args.interval_capacity || k >= *interval_total) return;
     __global Interval* interval = intervals + k;
     const uint i = interval->segment;
-    const Frame frame = {segments, clipped, offsets, arcs, viewport, 0.0f};
-    const Depth depth = {texels, depth_size, depth_scale, tolerance};
+    const Frame frame = {segments, clipped, offsets, arcs, to_float2(args.viewport), 0.0f};
+    const Depth seen = {depth, to_int2(args.depth_size), args.depth_scale, args.tolerance};
     const uint l = max(offsets[i + 1] - offsets[i], 1u);
-    const Line line = {make_spine(clipped + i, viewport, depth_scale, l), (float)l,
-                       (float)l / arc_pixels(arcs[i + 1] - arcs[i]), least_shown(frame, i)};
+    const Line line = {spine_of(clipped + i, frame.viewport, args.depth_scale), (float)l,
+                       1.0f / (float)l, (float)l / arc_pixels(arcs[i + 1] - arcs[i]),
+                       least_shown(frame, i)};
     const bool visible = (interval->flags & LA_INTERVAL_VISIBLE) != 0;
     const uint start_change = interval->flags >> LA_INTERVAL_START_CHANGE_SHIFT & LA_CHANGE_MASK;
     const uint end_change = interval->flags >> LA_INTERVAL_END_CHANGE_SHIFT & LA_CHANGE_MASK;
-    const float start = narrow(line, start_change, interval->start_sample, !visible, depth);
-    const float end = narrow(line, end_change, interval->end_sample, visible, depth);
+    const float start = narrow(line, start_change, interval->start_sample, !visible, seen);
+    const float end = narrow(line, end_change, interval->end_sample, visible, seen);
 
-    const Place from = place_at(frame, i, start, l);
-    const Place to = place_at(frame, i, end, l);
-    interval->start_sample = start;
-    interval->end_sample = end;
-    vstore2(from.position, 0, interval->start);
-    vstore2(to.position, 0, interval->end);
-    interval->start_depth = from.depth;
-    interval->end_depth = to.depth;
-    interval->start_arc = from.arc;
-    interval->end_arc = to.arc;
-    vstore3(world_point(frame, i, start / (float)l, vertices), 0, interval->start_world);
-    vstore3(world_point(frame, i, end / (float)l, vertices), 0, interval->end_world);
+    place_interval(frame, i, start, end, l, vertices, interval);
 }

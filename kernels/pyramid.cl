@@ -4,11 +4,13 @@
  *
  * One work-item per tile of LA_TILE by LA_TILE texels. */
 
-#include "segment_table.h"
+#define LANES LA_TILE
+#include "kernels.h"
+#include "lanes.h"
 
 /* tiles: ceil(width / LA_TILE) per row, rows from the lower left like depth. */
-__kernel void pyramid(__global const float* restrict depth, const int2 depth_size,
-                      const int2 tile_count, __global float* restrict tiles) {
+KERNEL(pyramid, PyramidParameters) {
+    const int2 depth_size = to_int2(args.depth_size), tile_count = to_int2(args.tile_count);
     const int i = (int)get_global_id(0);
     if (i >= tile_count.x * tile_count.y) return;
     const int x = i % tile_count.x * LA_TILE;
@@ -16,13 +18,11 @@ __kernel void pyramid(__global const float* restrict depth, const int2 depth_siz
     const int rows = min(LA_TILE, depth_size.y - y);
     float farthest = 0.0f;
     if (x + LA_TILE <= depth_size.x) {
-        float16 row_farthest = 0.0f;
-        for (int row = 0; row < rows; ++row) {
-            row_farthest = fmax(row_farthest, vload16(0, depth + (y + row) * depth_size.x + x));
+        lanes_float row_farthest = LOAD_LANES(depth + y * depth_size.x + x);
+        for (int row = 1; row < rows; ++row) {
+            row_farthest = fmax(row_farthest, LOAD_LANES(depth + (y + row) * depth_size.x + x));
         }
-        const float8 eight = fmax(row_farthest.lo, row_farthest.hi);
-        const float4 four = fmax(eight.lo, eight.hi);
-        farthest = fmax(fmax(four.x, four.y), fmax(four.z, four.w));
+        farthest = LARGEST(row_farthest);
     } else {
         for (int row = 0; row < rows; ++row) {
             for (int column = x; column < depth_size.x; ++column) {

@@ -1,9 +1,9 @@
-/* What compact, halo and filter share: making a run of a piece of a segment, and its ends. OpenCL C
- * only. */
+/* What compact, halo and filter share: making a run of a piece of a segment, and its ends. */
 #ifndef LINEATLAS_RUN_H
 #define LINEATLAS_RUN_H
 
-#include "segment_table.h"
+#include "atlas_address.h"
+#include "kernels.h"
 
 /* The tables of a frame. */
 typedef struct Frame {
@@ -17,7 +17,7 @@ typedef struct Frame {
 
 static float2 window_position(__global const float* clip, const float2 viewport) {
     const float4 c = vload4(0, clip);
-    return (c.xy / c.w + 1.0f) * (viewport * 0.5f);
+    return (xy(c) / c.w + 1.0f) * (viewport * 0.5f);
 }
 
 static float window_depth(__global const float* clip) {
@@ -28,7 +28,7 @@ static float window_depth(__global const float* clip) {
 static float2 window_direction(__global const ClippedSegment* segment, const float2 viewport) {
     const float2 d = window_position(segment->q, viewport) - window_position(segment->p, viewport);
     const float length_px = sqrt(d.x * d.x + d.y * d.y);
-    return length_px > 0.0f ? d / length_px : (float2)(0.0f, 0.0f);
+    return length_px > 0.0f ? d / length_px : float2(0.0f, 0.0f);
 }
 
 /* Whether segment i and the one after it in the table are drawn as one line: same path, and no part
@@ -48,7 +48,7 @@ static uint join(const float2 own, const float2 other, const float room, const f
     const float cosine = own.x * other.x + own.y * other.y;
     if (cosine < LA_JOIN_LIMIT_COSINE) return LA_END_ROUND;
     const float2 sum = own + other;
-    const float2 left = (float2)(-sum.y, sum.x) * (2.0f / (sum.x * sum.x + sum.y * sum.y));
+    const float2 left = float2(-sum.y, sum.x) * (2.0f / (sum.x * sum.x + sum.y * sum.y));
     const float along = left.x * own.x + left.y * own.y;
     if (fabs(along) * half_width > room) return LA_END_ROUND; /* corners would cross */
     *corner = left;
@@ -72,7 +72,7 @@ static uint path_end(const Frame frame, const uint i, const uint at_end, uint* n
 /* One end of segment i as strokes meet it. */
 static uint segment_end(const Frame frame, const uint i, const uint at_end, const float2 direction,
                         float2* corner) {
-    *corner = (float2)(0.0f, 0.0f);
+    *corner = float2(0.0f, 0.0f);
     uint neighbour;
     const uint kind = path_end(frame, i, at_end, &neighbour);
     if (kind != LA_END_JOIN) return kind;
@@ -160,6 +160,66 @@ static void place_run(const Frame frame, const uint i, const float start_sample,
     run->end_depth = end.depth;
     run->samples = l;
     run->segment = i;
+}
+
+/* Whether a segment is a path of its own and shorter than a pixel: the thickness of a board. Hidden
+ * ones are left out, of a large model they are many and add nothing to the lines that they touch.
+ * An edge of a silhouette is a part of a longer line though it has no path. */
+static bool is_dot(__global const Segment* segments, __global const uint* arcs, const uint i) {
+    return (segments[i].from_start | segments[i].to_end) == 0 &&
+           (segments[i].tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE &&
+           (float)(arcs[i + 1] - arcs[i]) < LA_ARC_UNITS_PER_PIXEL;
+}
+
+/* The run of a segment between two positions counted in its l samples. */
+static void write_run(const Frame frame, const uint i, const float start_sample,
+                      const float end_sample, const uint address, const uint l, const uint flags,
+                      __global Run* run) {
+    const float2 direction = window_direction(frame.clipped + i, frame.viewport);
+    float2 start_corner = float2(0.0f, 0.0f), end_corner = start_corner;
+    uint start_style = LA_END_HIDDEN, end_style = LA_END_HIDDEN;
+    if (start_sample == 0.0f) start_style = segment_end(frame, i, 0, direction, &start_corner);
+    if (end_sample == (float)l) end_style = segment_end(frame, i, 1, direction, &end_corner);
+    place_run(frame, i, start_sample, end_sample, l, run);
+    vstore2(start_corner, 0, run->start_corner);
+    vstore2(end_corner, 0, run->end_corner);
+    run->stroke_start = run->start_arc;
+    run->stroke_end = run->end_arc;
+    run->address = address;
+    run->flags = start_style << LA_RUN_START_SHIFT | end_style << LA_RUN_END_SHIFT |
+                 start_style << LA_STROKE_START_SHIFT | end_style << LA_STROKE_END_SHIFT |
+                 (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT | flags;
+}
+
+/* The point of the model at share u of what the screen shows of segment i. */
+static float3 world_point(const Frame frame, const uint i, const float u,
+                          __global const float* vertices) {
+    const float wp = frame.clipped[i].p[3], wq = frame.clipped[i].q[3];
+    const float t0 = frame.clipped[i].t0, t1 = frame.clipped[i].t1;
+    const float along = u * wp / ((1.0f - u) * wq + u * wp);
+    const float t = t0 + (t1 - t0) * along;
+    const float3 p = vload3(frame.segments[i].p, vertices);
+    const float3 q = vload3(frame.segments[i].q, vertices);
+    return p + (q - p) * t;
+}
+
+/* Fills in the places of an interval from `start` to `end`, counted in `l` samples of segment i;
+ * the rest is the caller's. */
+static void place_interval(const Frame frame, const uint i, const float start, const float end,
+                           const uint l, __global const float* vertices,
+                           __global Interval* interval) {
+    const Place from = place_at(frame, i, start, l);
+    const Place to = place_at(frame, i, end, l);
+    interval->start_sample = start;
+    interval->end_sample = end;
+    vstore2(from.position, 0, interval->start);
+    vstore2(to.position, 0, interval->end);
+    interval->start_depth = from.depth;
+    interval->end_depth = to.depth;
+    interval->start_arc = from.arc;
+    interval->end_arc = to.arc;
+    vstore3(world_point(frame, i, start / (float)l, vertices), 0, interval->start_world);
+    vstore3(world_point(frame, i, end / (float)l, vertices), 0, interval->end_world);
 }
 
 static void write_record(__global FrameRecord* record, const uint run_total,

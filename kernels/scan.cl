@@ -13,6 +13,8 @@
 #error "SCAN_SATURATE must be 0 or 1"
 #endif
 
+#include "kernels.h"
+
 #if SCAN_SATURATE
 #define SCAN_ADD(a, b) add_sat((uint)(a), (uint)(b))
 #else
@@ -22,8 +24,8 @@
 /* Chunks, step 1: sums[c] = sum of chunk c. One work-item per chunk of `chunk` values. Summed in 64
  * bits, which no chunk exceeds: unlike a saturating sum, that is one vector addition for several
  * values. */
-__kernel void scan_chunks_reduce(__global const uint* restrict values, const uint n,
-                                 const uint chunk, __global uint* restrict sums) {
+KERNEL(scan_chunks_reduce, ScanParameters) {
+    const uint n = args.n, chunk = args.chunk;
     const uint c = (uint)get_global_id(0);
     const uint begin = min(c * chunk, n);
     const uint end = n - begin < chunk ? n : begin + chunk;
@@ -39,8 +41,8 @@ __kernel void scan_chunks_reduce(__global const uint* restrict values, const uin
 }
 
 /* Chunks, step 2: each work-item adds up the chunks before its own (there are few) and scans it. */
-__kernel void scan_chunks_apply(__global uint* restrict values, const uint n, const uint chunk,
-                                __global const uint* restrict sums) {
+KERNEL(scan_chunks_apply, ScanParameters) {
+    const uint n = args.n, chunk = args.chunk;
     const uint c = (uint)get_global_id(0);
     uint sum = 0;
     for (uint i = 0; i < c; ++i) sum = SCAN_ADD(sum, sums[i]);
@@ -101,9 +103,8 @@ static uint sum_own(__global const uint* values, const uint n, const uint begin)
 }
 
 /* Tiles, step 1: sums[g] = sum of tile g, of SCAN_TILE * SCAN_PER_ITEM values. */
-__kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
-scan_tiles_reduce(__global const uint* restrict values, const uint n,
-                  __global uint* restrict sums) {
+KERNEL(scan_tiles_reduce, ScanParameters) {
+    const uint n = args.n;
     __local uint scratch[SCAN_TILE];
     uint total;
     const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;
@@ -112,8 +113,8 @@ scan_tiles_reduce(__global const uint* restrict values, const uint n,
 }
 
 /* Tiles, step 2: one work-group scans the sums of all tiles in place. */
-__kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
-scan_tiles_sums(__global uint* restrict sums, const uint tiles) {
+KERNEL(scan_tiles_sums, ScanParameters) {
+    const uint tiles = args.n;
     __local uint scratch[SCAN_TILE];
     const uint lane = (uint)get_local_id(0);
     uint carry = 0;
@@ -127,8 +128,8 @@ scan_tiles_sums(__global uint* restrict sums, const uint tiles) {
 }
 
 /* Tiles, step 3: every tile scanned, from the sum of the tiles before it. */
-__kernel __attribute__((reqd_work_group_size(SCAN_TILE, 1, 1))) void
-scan_tiles_apply(__global uint* restrict values, const uint n, __global const uint* restrict sums) {
+KERNEL(scan_tiles_apply, ScanParameters) {
+    const uint n = args.n;
     __local uint scratch[SCAN_TILE];
     uint total;
     const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;

@@ -7,11 +7,11 @@
  * One work-item per block of `block` neighbouring segments. */
 
 #include "atlas_address.h"
-#include "segment_table.h"
+#include "kernels.h"
 
-#pragma OPENCL FP_CONTRACT OFF
-
-static uchar average(const uchar now, const float past) {
+static uchar average(const uchar now, const float past, const uint history) {
+    /* An object that came before the line would leave a ghost of it. */
+    if (now == 0 && history == LA_HISTORY_SCENE) return 0;
     const float change = (float)now - past;
     if (fabs(change) > LA_TEMPORAL_LARGEST_CHANGE) return now;
     /* What is all hidden or all visible gets there in the end. */
@@ -22,34 +22,31 @@ static uchar average(const uchar now, const float past) {
 
 /* alpha: of this frame, in and out; before: of the frame before, at the addresses of
  * offsets_before. ranges: clip parameters t0 and t1 of every segment in the frame before, 16 bits
- * each; those of this frame when the kernel is done. use_history 0: only remember the ranges. */
-__kernel void temporal(__global const ClippedSegment* restrict clipped,
-                       __global const uint* restrict offsets,
-                       __global const uint* restrict offsets_before, const uint count,
-                       const uint width, const uint pitch, const uint capacity, const uint block,
-                       const uint use_history, __global const uchar* restrict before,
-                       __global uint* restrict ranges, __global uchar* restrict alpha) {
+ * each; those of this frame when the kernel is done. */
+KERNEL(temporal, TemporalParameters) {
     const uint b = (uint)get_global_id(0);
-    const uint first = b * block;
-    if (first >= count) return;
-    const uint last = min(first + block, count);
+    const uint first = b * args.block;
+    if (first >= args.count) return;
+    const uint last = min(first + args.block, args.count);
     for (uint i = first; i < last; ++i) {
         const uint s = offsets[i];
         const uint l = offsets[i + 1] - s;
-        if (l == 0 || l > capacity || s > capacity - l) continue;
+        if (!is_in_atlas(args.rows, s, l)) continue;
         const float t0 = clipped[i].t0;
         const float t1 = clipped[i].t1;
         const uint range = ranges[i];
         const uint range_now = (uint)(t0 * 65535.0f + 0.5f) | (uint)(t1 * 65535.0f + 0.5f) << 16;
         ranges[i] = range_now;
-        const uint s_before = use_history != 0 ? offsets_before[i] : 0;
-        const uint l_before = use_history != 0 ? offsets_before[i + 1] - s_before : 0;
+        const uint s_before = args.history != LA_HISTORY_NONE ? offsets_before[i] : 0;
+        const uint l_before =
+            args.history != LA_HISTORY_NONE ? offsets_before[i + 1] - s_before : 0;
         if (l_before == 0) continue;
-        __global uchar* own = alpha + atlas_address(s, width, pitch);
-        __global const uchar* own_before = before + atlas_address(s_before, width, pitch);
+        __global uchar* own = alpha + atlas_address(args.rows, s);
+        __global const uchar* own_before = before + atlas_address(args.rows, s_before);
         if (l == l_before && range == range_now) { /* as most: sample by sample */
             for (uint j = 0; j < l; ++j) {
-                if (own[j] != own_before[j]) own[j] = average(own[j], (float)own_before[j]);
+                if (own[j] != own_before[j])
+                    own[j] = average(own[j], (float)own_before[j], args.history);
             }
             continue;
         }
@@ -71,7 +68,7 @@ __kernel void temporal(__global const ClippedSegment* restrict clipped,
             const uint high = min(low + 1, l_before - 1);
             const float a = (float)own_before[low];
             const float past = a + ((float)own_before[high] - a) * (x - (float)low);
-            own[j] = average(own[j], past);
+            own[j] = average(own[j], past, args.history);
         }
     }
 }

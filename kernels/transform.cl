@@ -5,9 +5,7 @@
  * boxes anew, of a model whose shape has changed. transform_forget: what temporal must not average.
  */
 
-#include "segment_table.h"
-
-#pragma OPENCL FP_CONTRACT OFF
+#include "kernels.h"
 
 /* A row of an object's affine matrix, world from object. Products with 0 and 1 are exact: what
  * stands where it was made stays there bit by bit. */
@@ -17,14 +15,12 @@ static float moved(__global const float* row, const float3 v) {
 
 /* matrices: three rows of four for every object. vertices, drawn: the same, for kernels and for
  * GL, which read them at the same time. One work-item per vertex. */
-__kernel void transform(__global const float* restrict rest, __global const uint* restrict objects,
-                        __global const float* restrict matrices, const uint count,
-                        __global float* restrict vertices, __global float* restrict drawn) {
+KERNEL(transform, CountParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= count) return;
+    if (i >= args.count) return;
     const float3 v = vload3(i, rest);
     __global const float* m = matrices + 12 * objects[i];
-    const float3 at = (float3)(moved(m, v), moved(m + 4, v), moved(m + 8, v));
+    const float3 at = float3(moved(m, v), moved(m + 4, v), moved(m + 8, v));
     vstore3(at, i, vertices);
     vstore3(at, i, drawn);
 }
@@ -38,16 +34,13 @@ static float2 moved_extent(__global const float* row, const float3 middle, const
     const float size = (fabs(row[0] * middle.x) + fabs(row[1] * middle.y)) +
                        (fabs(row[2] * middle.z) + fabs(row[3]));
     const float most = reach + LA_BOX_ROUNDING * (reach + size);
-    return (float2)(at - most, at + most);
+    return float2(at - most, at + most);
 }
 
 /* The box around every cluster's moved box. objects: of the clusters, which lie in one each. */
-__kernel void transform_boxes(__global const Cluster* restrict rest,
-                              __global const uint* restrict objects,
-                              __global const float* restrict matrices, const uint count,
-                              __global Cluster* restrict clusters) {
+KERNEL(transform_boxes, CountParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= count) return;
+    if (i >= args.count) return;
     const float3 low = vload3(0, rest[i].low), high = vload3(0, rest[i].high);
     const float3 middle = (low + high) * 0.5f, half_size = (high - low) * 0.5f;
     __global const float* m = matrices + 12 * objects[i];
@@ -61,11 +54,9 @@ __kernel void transform_boxes(__global const Cluster* restrict rest,
 }
 
 /* The boxes of clusters from their vertices. triangles: in the order of the clusters. */
-__kernel void transform_bounds(__global const float* restrict vertices,
-                               __global const uint* restrict triangles, const uint count,
-                               __global Cluster* restrict clusters) {
+KERNEL(transform_bounds, CountParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= count) return;
+    if (i >= args.count) return;
     const uint first = 3 * clusters[i].first, last = first + 3 * clusters[i].count;
     float3 low = INFINITY, high = -INFINITY;
     for (uint k = first; k < last; ++k) {
@@ -79,11 +70,8 @@ __kernel void transform_bounds(__global const float* restrict vertices,
 
 /* ranges: of `temporal`; those of segments of jumped objects become empty, so that no sample is
  * found in the frame before. One work-item per segment. */
-__kernel void transform_forget(__global const Segment* restrict segments, const uint count,
-                               __global const uint* restrict objects,
-                               __global const uchar* restrict jumped,
-                               __global uint* restrict ranges) {
+KERNEL(transform_forget, CountParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= count) return;
+    if (i >= args.count) return;
     if (jumped[objects[segments[i].p]] != 0) ranges[i] = 0;
 }

@@ -63,7 +63,7 @@ add_libraries_of() { # PROGRAM
 cp "$build"/lineatlas "$build"/lineatlas-check "$build"/lineatlas-bench-{frames,kernels,interop} \
     "$target/bin"
 cp "$build/lib/lineatlas/lineatlas-images.so" "$target/lib/lineatlas"
-cp "$build"/tests/*_test "$build/tests/gl_sharing_layer/libgl_sharing_layer.so" "$target/tests"
+cp "$build"/tests/*_test "$build/tests/support/gl_sharing_layer/libgl_sharing_layer.so" "$target/tests"
 rm "$target"/tests/{io_test,shared_meshes_test} # of files that are not in a bundle
 programs=("$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-images.so")
 for program in "${programs[@]}"; do add_libraries_of "$program"; done

@@ -7,7 +7,7 @@
 # Oclgrind's own --uninitialized is of no use here: that of Debian 12 (21.10, LLVM 14) reads the
 # mask of every shuffle of a vector as an operand, which LLVM no longer has, and so reports what is
 # written (https://github.com/jrprice/Oclgrind/issues/126) or crashes. Kernels that read memory
-# which nobody has written are found by the program itself instead, see tests/kernel_check.cpp; a
+# which nobody has written are found by the program itself instead, see tests/compute/kernel_check.cpp; a
 # variable of a kernel that is read before it is set is not.
 # Nor is --max-errors: with it 21.10 leaves the log empty.
 set -euo pipefail
@@ -31,8 +31,7 @@ if [ -s "$work/reports" ]; then
 fi
 
 sed -n "s/^Instructions executed for kernel '\(.*\)':/\1/p" "$work/output" | sort -u >"$work/ran"
-tr '\n' ' ' < <(cat "$kernels"/*.cl) | grep -oE '__kernel[^{]*' |
-    sed -E 's/.*void +([a-z_0-9]+).*/\1/' | sort -u >"$work/known"
+cat "$kernels"/*.cl | sed -nE 's/^KERNEL\(([a-z_0-9]+),.*/\1/p' | sort -u >"$work/known"
 if [ -n "$(comm -13 "$work/ran" "$work/known")" ]; then
     echo "Kernels that did not run: $(comm -13 "$work/ran" "$work/known" | xargs)"
     exit 1

@@ -26,8 +26,10 @@ expect "a write outside a buffer" facing.cl "front[i] =" "front[i + 100000] =" "
 expect "a race" facing.cl "front[i] =" "front[i / 2] =" "race"
 expect "a read of what nobody has written" cull.cl \
     "visible[i] = tiles_hide" "visible[i] = (visible[i] & 4) + tiles_hide" "nobody has written"
-expect "a kernel that does not run" pyramid.cl "__kernel void pyramid" \
-    "__kernel void unused(void) {} __kernel void pyramid" "did not run: .*unused"
+expect "a kernel that does not run" pyramid.cl "KERNEL(pyramid" \
+    "#define unused_tables(in, out, inout, unordered) in(float, depth)
+KERNEL(unused, CountParameters) {}
+KERNEL(pyramid" "did not run: .*unused"
 # What it reads there, which is anything, decides whether it writes too.
 expect "a stroke beyond an atlas that is too small" filter.cl \
-    "return l <= work->capacity && s <= work->capacity - l ? l : 0u;" "return l;" "Invalid (read|write)"
+    "return is_in_atlas(work->rows, s, l) ? l : 0u;" "return l;" "Invalid (read|write)"

@@ -16,8 +16,6 @@ layout(location = 0) out float alpha;
 void main() {
     uvec2 texel = uvec2(gl_FragCoord.xy);
     uint j = texel.y * uint(atlas_size.x) + texel.x - sample_base.x;
-    Spine spine = Spine(spine_line.xy, spine_line.zw, spine_depths.xy, spine_depths.zw,
-                        spine_along.xy, spine_along.z, spine_faces.xy, spine_faces.zw,
-                        spine_along.w);
+    Spine spine = unpacked(spine_line, spine_depths, spine_along, spine_faces);
     alpha = visibility(spine, float(j), 1.0 / float(sample_base.y));
 }

@@ -37,12 +37,12 @@ void main() {
     }
     vec2 end = start + vec2(float(l), 0.0);
 
-    Spine spine = make_spine(segment[0].p, segment[0].q, segment[0].own_faces);
+    Spine spine = spine_of(segment[0].p, segment[0].q, segment[0].own_faces);
     for (int i = 0; i < 2; ++i) {
         spine_line = vec4(spine.p, spine.d);
-        spine_depths = vec4(spine.depth, spine.inverse_w);
+        spine_depths = vec4(spine.depth_p, spine.depth_d, spine.inverse_w_p, spine.inverse_w_d);
         spine_along = vec4(spine.along, spine.depth_along, spine.outside);
-        spine_faces = vec4(spine.face_a, spine.face_b);
+        spine_faces = vec4(spine.a.slope, spine.a.height, spine.b.slope, spine.b.height);
         sample_base = uvec2(place.y * uint(atlas_size.x) + place.x, l);
         gl_Position = vec4((i == 0 ? start : end) / atlas_size * 2.0 - 1.0, 0.0, 1.0);
         EmitVertex();

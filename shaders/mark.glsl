@@ -2,11 +2,11 @@
 
 uniform vec4 color;        // RGB and opacity
 
+#include "constants.h"
+
 // A third of the probes make a full stroke. On a smooth silhouette half of every pixel is surface, so
 // half of the probes is all that can see the line.
-const float visibility_gain = 3.0;
-
-float stroke_visibility(float alpha) { return min(1.0, visibility_gain * alpha); }
+float stroke_visibility(float alpha) { return min(1.0, alpha * (255.0 / float(LA_FULLY_SHOWN))); }
 
 // Antialiased coverage at a distance from the spine, pixels.
 float stroke_coverage(float distance_px, float half_width) {

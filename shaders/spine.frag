@@ -15,7 +15,7 @@ flat in uvec2 own_faces;
 layout(location = 0) out vec4 picture;
 
 void main() {
-    Spine spine = make_spine(stroke_p, stroke_q, own_faces);
+    Spine spine = spine_of(stroke_p, stroke_q, own_faces);
     float length_px = length(spine.d) / depth_scale;
     float nearest = clamp(local.x, 0.0, length_px);
     float distance_px = length(vec2(local.x - nearest, local.y));

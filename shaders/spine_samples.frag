@@ -18,9 +18,7 @@ layout(location = 0) out float alpha;
 void main() {
     uvec2 texel = uvec2(gl_FragCoord.xy);
     uint j = texel.y * uint(atlas_size.x) + texel.x - sample_base.x;
-    Spine spine = Spine(spine_line.xy, spine_line.zw, spine_depths.xy, spine_depths.zw,
-                        spine_along.xy, spine_along.z, spine_faces.xy, spine_faces.zw,
-                        spine_along.w);
+    Spine spine = unpacked(spine_line, spine_depths, spine_along, spine_faces);
     float length_px = length(spine.d) / depth_scale;
     float at = (float(j) + 0.5) / float(sample_base.y) * length_px;
     // A segment without length gets no stroke (spine.glsl).

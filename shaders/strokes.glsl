@@ -1,15 +1,9 @@
 // strokes: the quad of one run and what its fragments share (§4.4), for the geometry-shader and the
-// vertex-shader form. Numbers as in kernels/segment_table.h.
+// vertex-shader form.
 
 #define VARYING out
+#include "flags.h"
 #include "stroke_varyings.glsl"
-
-const uint end_clipped = 0u;
-const uint end_join = 1u;
-const uint end_round = 2u;
-const uint end_hidden = 3u;
-const uint end_path = 4u;
-const uint run_solid = 0x8000u;
 
 const uint join_mitre = 0u;
 const uint join_round = 1u;
@@ -59,13 +53,17 @@ Axes axes_of(Run run) {
     return Axes(run_length, along, vec2(-along.y, along.x));
 }
 
-uint run_end(uint flags, uint end) { return flags >> (3u * end) & 7u; }
-uint stroke_end(uint flags, uint end) { return flags >> (6u + 3u * end) & 7u; }
-uint cap_of(uint end_kind) { return end_kind == end_path ? cap_kinds.y : cap_kinds.x; }
+uint run_end(uint flags, uint end) {
+    return flags >> (end == 0u ? LA_RUN_START_SHIFT : LA_RUN_END_SHIFT) & LA_END_MASK;
+}
+uint stroke_end(uint flags, uint end) {
+    return flags >> (end == 0u ? LA_STROKE_START_SHIFT : LA_STROKE_END_SHIFT) & LA_END_MASK;
+}
+uint cap_of(uint end_kind) { return end_kind == LA_END_PATH ? cap_kinds.y : cap_kinds.x; }
 
-bool is_cap(uint kind) { return kind >= end_hidden; }
+bool is_cap(uint kind) { return kind >= LA_END_HIDDEN; }
 bool is_round(uint kind) {
-    return kind == end_round || (kind == end_join && join_kind == join_round) ||
+    return kind == LA_END_ROUND || (kind == LA_END_JOIN && join_kind == join_round) ||
            (is_cap(kind) && cap_of(kind) == cap_round);
 }
 bool is_cut(uint kind) { return is_cap(kind) && cap_of(kind) != cap_round; }
@@ -84,7 +82,7 @@ void set_corner(Run run, Axes axes, uint end, float side) {
     vec2 point = end == 0u ? run.ends.xy : run.ends.zw;
     uint kind = run_end(run.indices.z, end);
     vec2 offset;
-    if (kind == end_join) {
+    if (kind == LA_END_JOIN) {
         offset = (end == 0u ? run.corners.xy : run.corners.zw) * (side * (half_width + fringe));
     } else {
         float beyond = beyond_end(kind);
@@ -99,7 +97,7 @@ void set_corner(Run run, Axes axes, uint end, float side) {
 vec3 bevel(uint kind, vec2 corner, Axes axes, float outwards) {
     float stretch = length(corner); // 1 / cos of half the turn
     bool bevelled = join_kind == join_bevel || (join_kind == join_mitre && stretch > mitre_limit);
-    if (kind != end_join || !bevelled) return vec3(0.0);
+    if (kind != LA_END_JOIN || !bevelled) return vec3(0.0);
     vec2 outer = vec2(dot(corner, axes.along), dot(corner, axes.left)) / stretch;
     return vec3(outer.x * outwards < 0.0 ? -outer : outer, 1.0 - 1.0 / stretch);
 }
@@ -141,9 +139,9 @@ void set_run(Run run, Axes axes) {
     run_line = vec4(is_round(start) ? 0.0 : -far_away, is_round(end) ? run_length : far_away,
                     run.params.x, (run.params.y - run.params.x) * per_pixel);
     run_cuts = vec4(is_cut(start) ? 0.0 : -far_away, is_cut(end) ? run_length : far_away, run_length,
-                    (flags & run_solid) != 0u ? 1.0 : 0.0);
+                    (flags & LA_RUN_SOLID) != 0u ? 1.0 : 0.0);
     run_window = vec4(run.ends.xy, axes.along);
-    run_priority = flags >> 16u & 255u;
+    run_priority = flags >> LA_RUN_BIN_SHIFT & LA_RUN_BIN_MASK;
     start_bevel = bevel(start, run.corners.xy, axes, -1.0);
     end_bevel = bevel(end, run.corners.zw, axes, 1.0);
 

@@ -5,13 +5,12 @@
 #include <cstdio>
 #include <fstream>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include <CLI/CLI.hpp>
 #include <dlfcn.h>
 #include <fmt/core.h>
 #include <stdlib.h>
 
+#include "command_line/program.hpp"
 #include "lineatlas/error.hpp"
 #include "machine.hpp"
 #include "report.hpp"
@@ -68,10 +67,9 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
     const fs::path json = scratch / "part.json";
     fs::remove(json);
     if (part.name != "draw") part.arguments.push_back(json_option(part.kind, json));
-    apps::ChildResult result;
+    ChildResult result;
     try {
-        result = apps::run_child(part.program, part.arguments, part.limit,
-                                 apps::Captured::output_and_errors);
+        result = run_child(part.program, part.arguments, part.limit, Captured::output_and_errors);
     } catch (const Error& error) {
         result.output = error.what(); // a part that is missing must not end the others
     }
@@ -107,8 +105,9 @@ bool check(const Options& options) {
     return all;
 }
 
-int guarded_main(int argc, char** argv) {
-    CLI::App app{"Runs all parts of a bundle on this machine and writes what they say to one file"};
+int run(int argc, char** argv) {
+    CLI::App app{"Runs all parts of a bundle on this machine and writes what they say to one file",
+                 "lineatlas-check"};
     Options options;
     app.add_option("--bundle", options.bundle, "The folder of the bundle")->capture_default_str();
     app.add_option("--json", options.json, "File to write")->capture_default_str();
@@ -122,7 +121,7 @@ int guarded_main(int argc, char** argv) {
     bool gl_only = false;
     app.add_flag("--has-gl", gl_only,
                  "Only say, by exit code 0 or 1, whether libraries for GL are there");
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
     if (gl_only) return has_gl() ? 0 : 1;
     return check(options) ? 0 : 1;
 }
@@ -131,10 +130,5 @@ int guarded_main(int argc, char** argv) {
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    try {
-        return lineatlas::bench::guarded_main(argc, argv);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas-check: {}\n", error.what());
-        return 1;
-    }
+    return lineatlas::run_program(argc, argv, lineatlas::bench::run, "lineatlas-check");
 }

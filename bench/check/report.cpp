@@ -43,14 +43,14 @@ std::string end_of(const std::string& text) {
 
 } // namespace
 
-std::string outcome(const Part& part, const apps::ChildResult& result) {
+std::string outcome(const Part& part, const ChildResult& result) {
     if (result.timed_out) return fmt::format("not done in {} s", part.limit.count());
     if (result.signal != 0) return fmt::format("crashed ({})", strsignal(result.signal));
     if (result.exit_code != 0) return fmt::format("failed with {}", result.exit_code);
     return "ok";
 }
 
-Json describe_part(const Part& part, const apps::ChildResult& result,
+Json describe_part(const Part& part, const ChildResult& result,
                    const std::filesystem::path& json_file) {
     Json json{{"name", part.name},
               {"outcome", outcome(part, result)},

@@ -7,19 +7,25 @@
 #include <fmt/core.h>
 
 #include "lineatlas/error.hpp"
+#include "style/frame_settings.hpp"
 
 namespace lineatlas::bench {
 namespace {
 
-constexpr std::array<MethodSpec, 8> specs{{
-    {"OGL", Method::opengl, 1, 1, false},
-    {"IBlo", Method::item_buffer, 1, 1, false},
-    {"IBhi", Method::item_buffer, 9, 1, false}, // supersampled itself; 9 probes say how much
-    {"STlo", Method::spine, 1, 1, true},
-    {"SThi", Method::spine, 9, 2, true},
-    {"SAlo", Method::atlas, 1, 1, true},
-    {"SAhi", Method::atlas, 9, 2, true},
-    {"SAhi+read", Method::atlas, 9, 2, true, true},
+constexpr Sampling low = sampling_of(Quality::low), high = sampling_of(Quality::high);
+
+constexpr std::array<MethodSpec, 9> specs{{
+    {"OGL", Method::opengl, low.probes, low.depth_scale, false},
+    {"IBlo", Method::item_buffer, low.probes, low.depth_scale, false},
+    // Supersampled itself: its probes say how much.
+    {"IBhi", Method::item_buffer, high.probes, 1, false},
+    {"STlo", Method::spine, low.probes, low.depth_scale, true},
+    {"SThi", Method::spine, high.probes, high.depth_scale, true},
+    {"SAlo", Method::atlas, low.probes, low.depth_scale, true},
+    {"SAhi", Method::atlas, high.probes, high.depth_scale, true},
+    {"SAhi+read", Method::atlas, high.probes, high.depth_scale, true, true},
+    // Has no samples: what it finds is exact, whatever the quality.
+    {"EX", Method::exact, high.probes, high.depth_scale, true},
 }};
 
 } // namespace

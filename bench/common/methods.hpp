@@ -8,7 +8,7 @@
 
 namespace lineatlas::bench {
 
-/// A method of Table 1 at one of its two qualities.
+/// A method of Table 1 at one of its two qualities, or the exact one, which has but one.
 struct MethodSpec {
     std::string_view name;
     Method method;
@@ -18,7 +18,7 @@ struct MethodSpec {
     bool reads_back = false; ///< the visible intervals of every frame (§4.6)
 };
 
-/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi; and SAhi+read, SAhi with readback.
+/// OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi; SAhi+read, SAhi with readback; and EX, exact.
 std::span<const MethodSpec> method_specs();
 
 /// Throws UsageError for an unknown name.

@@ -1,9 +1,8 @@
 #include "progress.hpp"
 
-#include <cstdio>
-
-#include <fmt/core.h>
 #include <unistd.h>
+
+#include "io/standard_streams.hpp"
 
 namespace lineatlas::bench {
 
@@ -11,18 +10,17 @@ Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 void Progress::say(const std::string& text) {
     if (terminal_) return detail(text);
-    fmt::print(stderr, "{}\n", text);
+    print_error(text + "\n");
 }
 
 void Progress::detail(const std::string& text) {
     if (!terminal_) return;
-    fmt::print(stderr, "\r\x1b[K{}", text);
-    std::fflush(stderr);
+    print_error("\r\x1b[K" + text);
     shown_ = true;
 }
 
 void Progress::clear() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    if (shown_) print_error("\r\x1b[K");
     shown_ = false;
 }
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "chart.hpp"
+#include "command_line/device_options.hpp"
+#include "command_line/program.hpp"
 #include "common/progress.hpp"
 #include "effects.hpp"
 #include "glpasses/canvas.hpp"
@@ -25,8 +27,8 @@ namespace lineatlas::bench {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> scenes{"clevis",   "house",  "ship",   "office",  "ship+s",
-                                    "office+s", "hidden", "moving", "effects", "profile"};
+    std::vector<std::string> scenes{"clevis", "house", "ship",   "office",  "ship+s", "office+s",
+                                    "hidden", "far",   "moving", "effects", "profile"};
     std::vector<std::string> methods;
     std::string model;
     std::string up = "y";
@@ -39,15 +41,17 @@ struct Arguments {
 
 void set_up(CLI::App& app, Arguments& a) {
     auto* scenes =
-        app.add_option("--scenes", a.scenes,
-                       "Of clevis, house, ship, office, each also with silhouettes as in "
-                       "ship+s; hidden: the cost of hidden segments; moving: of moving objects; "
-                       "effects: of a style's "
-                       "effects; profile: of profiling")
+        app.add_option(
+               "--scenes", a.scenes,
+               "Of clevis, house, ship, office, each also with silhouettes as in "
+               "ship+s; hidden: the cost of hidden segments; far: of a model from 20 times as "
+               "far; moving: of moving objects; "
+               "effects: of a style's "
+               "effects; profile: of profiling")
             ->delimiter(',')
             ->capture_default_str();
     app.add_option("--methods", a.methods,
-                   "Of OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi; default all")
+                   "Of OGL, IBlo, IBhi, STlo, SThi, SAlo, SAhi, EX; default all")
         ->delimiter(',');
     auto* model =
         app.add_option("--model", a.model, "A model file in place of the scenes")->excludes(scenes);
@@ -65,11 +69,7 @@ void set_up(CLI::App& app, Arguments& a) {
         ->check(CLI::Range(1, 1000000));
     app.add_option("--json", a.json, "Figures to write");
     app.add_option("--chart", a.charts, "Bar chart to write, .svg or .png; may be given again");
-    app.add_option("--compute", a.device.compute, "Backend: opencl or reference")
-        ->capture_default_str();
-    app.add_option("--device", a.device.device, "OpenCL device: opencl:<platform>[:<device>]");
-    app.add_option("--interop", a.device.interop,
-                   "How buffers are shared with GL: gl-sharing, host-pointer or copy");
+    declare_device(app, a.device);
 }
 
 class Bench {
@@ -94,7 +94,9 @@ class Bench {
             for (const std::string& name : arguments_.scenes) {
                 begin(name);
                 if (name == "hidden") {
-                    measure_rows(hidden_subjects(size_, arguments_.frames), drawn({"SAhi"}));
+                    measure_rows(hidden_subjects(size_, arguments_.frames), drawn({"SAhi", "EX"}));
+                } else if (name == "far") {
+                    measure_rows(far_subjects(size_, arguments_.frames), drawn({"SAhi", "EX"}));
                 } else if (name == "moving") {
                     measure_rows(moving_subjects(size_, arguments_.frames), drawn({"SAhi"}));
                 } else if (name == effects_row) {
@@ -186,12 +188,12 @@ void check(const Arguments& a) {
     for (const std::string& name : a.methods) method_spec(name);
     for (const std::string& name : a.scenes) {
         const std::string plain = name.ends_with("+s") ? name.substr(0, name.size() - 2) : name;
-        if (name == "hidden" || name == "moving" || name == effects_row || name == profile_row ||
-            std::ranges::find(scene_names(), plain) != scene_names().end()) {
+        if (name == "hidden" || name == "far" || name == "moving" || name == effects_row ||
+            name == profile_row || std::ranges::find(scene_names(), plain) != scene_names().end()) {
             continue;
         }
         throw UsageError(fmt::format("--scenes: there is no \"{}\"; there is {}, each also with "
-                                     "+s, hidden, moving, effects, and profile",
+                                     "+s, hidden, far, moving, effects, and profile",
                                      name, fmt::join(scene_names(), ", ")));
     }
     for (const std::string& path : a.charts) check_drawing_path(path);
@@ -207,25 +209,19 @@ void bench_frames(const Arguments& a) {
     for (const std::string& path : a.charts) write_drawing(path, chart(report));
 }
 
+int run(int argc, char** argv) {
+    CLI::App app{"Measures frame rates of all methods beside the paper's Table 1",
+                 "lineatlas-bench-frames"};
+    Arguments arguments;
+    set_up(app, arguments);
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
+    bench_frames(arguments);
+    return 0;
+}
+
 } // namespace
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures frame rates of all methods beside the paper's Table 1",
-                 "lineatlas-bench-frames"};
-    lineatlas::bench::Arguments arguments;
-    lineatlas::bench::set_up(app, arguments);
-    try {
-        app.parse(argc, argv);
-        lineatlas::bench::bench_frames(arguments);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    } catch (const lineatlas::UsageError& error) {
-        fmt::print(stderr, "lineatlas-bench-frames: {}\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas-bench-frames: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    return lineatlas::run_program(argc, argv, lineatlas::bench::run, "lineatlas-bench-frames");
 }

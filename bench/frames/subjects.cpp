@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "io/standard_streams.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
 
@@ -67,6 +67,16 @@ void add_enlarged(Mesh& mesh, const Mesh& part, glm::vec3 eye, float factor) {
     }
 }
 
+/// A turn about what `start` looks at.
+std::function<View(float)> orbit(const View& start) {
+    return [start](float t) {
+        View view = start;
+        view.eye = view.target +
+                   turned(start.eye - start.target, start.up, t * 2 * std::numbers::pi_v<float>);
+        return view;
+    };
+}
+
 } // namespace
 
 Subject scene_subject(const std::string& name, glm::ivec2 size, std::size_t frames) {
@@ -82,7 +92,7 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
                       glm::ivec2 size, std::size_t frames) {
     const LoadedMesh loaded = load_mesh(path);
     if (!silhouettes) { // the second row has no news
-        for (const std::string& note : loaded.notes) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : loaded.notes) print_error("note: " + note + "\n");
     }
     const LineKindMask kinds = silhouettes ? all_line_kinds : fixed_kinds;
     Subject subject{path.stem().string() + (silhouettes ? "+s" : ""),
@@ -90,13 +100,7 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
                     kinds,
                     {}};
     const View start = frame_points(loaded.mesh.positions, size, up);
-    const auto orbit = [&](float t) {
-        View view = start;
-        view.eye =
-            view.target + turned(start.eye - start.target, up, t * 2 * std::numbers::pi_v<float>);
-        return view;
-    };
-    subject.viewpoints = viewpoints_along(orbit, size, subject.lines.bounds, frames);
+    subject.viewpoints = viewpoints_along(orbit(start), size, subject.lines.bounds, frames);
     return subject;
 }
 
@@ -144,6 +148,20 @@ std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames) {
     one.viewpoints = viewpoints_along(turn, size, one.lines.bounds, frames);
     three.viewpoints = one.viewpoints;
     return {std::move(one), std::move(three)};
+}
+
+std::vector<Subject> far_subjects(glm::ivec2 size, std::size_t frames) {
+    Mesh mesh = make_scene("ship").mesh;
+    const View start = frame_points(mesh.positions, size);
+    const LineOptions options{.kinds = fixed_kinds};
+    Subject near{"far 1x", extract_lines(mesh, options), fixed_kinds, {}};
+    // A model of a twentieth the size is a model from 20 times as far, and has the same viewpoints.
+    for (glm::vec3& position : mesh.positions)
+        position = start.target + (position - start.target) / 20.0F;
+    Subject far{"far 20x", extract_lines(mesh, options), fixed_kinds, {}};
+    near.viewpoints = viewpoints_along(orbit(start), size, near.lines.bounds, frames);
+    far.viewpoints = near.viewpoints;
+    return {std::move(near), std::move(far)};
 }
 
 } // namespace lineatlas::bench

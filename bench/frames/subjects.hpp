@@ -36,6 +36,10 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
 /// holds in every frame.
 std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames);
 
+/// What a model costs that is far away, all its lines in few pixels: the ship on an orbit that
+/// frames it, and from 20 times as far.
+std::vector<Subject> far_subjects(glm::ivec2 size, std::size_t frames);
+
 /// What moving objects cost: the office as it is, and with 500 pieces of furniture that sway and
 /// turn in every frame.
 std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames);

@@ -119,13 +119,12 @@ void print_stages(const Report& report) {
     }
 }
 
-void print_hidden(const Report& report) {
-    const SceneResult* once = report.scene("hidden 1x");
-    const SceneResult* thrice = report.scene("hidden 3x");
-    if (once == nullptr || thrice == nullptr) return;
-    fmt::print(
-        "\nHidden segments: the ship before a wall, and with two more ships behind the wall\n");
-    for (const SceneResult* scene : {once, thrice}) {
+/// Two subjects that are measured against each other.
+void print_pair(const Report& report, std::string_view first, std::string_view second,
+                std::string_view what) {
+    if (report.scene(first) == nullptr || report.scene(second) == nullptr) return;
+    fmt::print("\n{}\n", what);
+    for (const SceneResult* scene : {report.scene(first), report.scene(second)}) {
         std::string line = fmt::format("{:<{}}{} triangles, {} segments", scene->name, label_width,
                                        count(scene->triangles), count(scene->segments));
         for (const Measured& measured : scene->methods) {
@@ -185,7 +184,10 @@ void print_report(const Report& report) {
     print_ratios(report);
     print_times(report);
     print_stages(report);
-    print_hidden(report);
+    print_pair(report, "hidden 1x", "hidden 3x",
+               "Hidden segments: the ship before a wall, and with two more ships behind the wall");
+    print_pair(report, "far 1x", "far 20x",
+               "The ship filling the picture, and from 20 times as far");
     print_effects(report);
     print_profiling(report);
     print_goals(report);

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "command_line/program.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/atomic_file.hpp"
 #include "lineatlas/error.hpp"
@@ -58,8 +57,9 @@ void write_json(const std::filesystem::path& path, const HandoverReport& report)
     AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
-int guarded_main(int argc, char** argv) {
-    CLI::App app{"Measures what handing buffers over between GL and OpenCL costs"};
+int run(int argc, char** argv) {
+    CLI::App app{"Measures what handing buffers over between GL and OpenCL costs",
+                 "lineatlas-bench-interop"};
     HandoverOptions options{.device = {},
                             .modes = {"gl-sharing", "host-pointer", "copy"},
                             .sizes = {64, 256, 1024, 4096, 16384, 65536},
@@ -78,7 +78,7 @@ int guarded_main(int argc, char** argv) {
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
     app.add_option("--json", json, "Figures to write");
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
     for (std::size_t& size : options.sizes) size *= kib;
 
     const gl::HeadlessContext context;
@@ -92,13 +92,5 @@ int guarded_main(int argc, char** argv) {
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    try {
-        return lineatlas::bench::guarded_main(argc, argv);
-    } catch (const lineatlas::UsageError& error) {
-        fmt::print(stderr, "lineatlas-bench-interop: {}\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas-bench-interop: {}\n", error.what());
-        return 1;
-    }
+    return lineatlas::run_program(argc, argv, lineatlas::bench::run, "lineatlas-bench-interop");
 }

@@ -29,33 +29,35 @@ double median(std::vector<double> values) {
 /// A device and a mode that works.
 struct Path {
     std::string device;
-    SharingMode mode;
-    std::unique_ptr<compute::Backend> backend;
+    interop::Connection connection;
 };
 
 /// A path with a buffer of one size, and what was measured of it.
 class Subject {
   public:
     Subject(const Path& path, std::size_t bytes)
-        : path_(path), handover_(*path.backend),
-          buffer_(interop::make_shared_buffer(*path.backend, path.mode, bytes)), from_(bytes),
-          to_(bytes) {}
+        : path_(path), handover_(*path.connection.device),
+          buffer_(
+              interop::make_shared_buffer(*path.connection.device, path.connection.mode, bytes)),
+          from_(bytes), to_(bytes) {}
 
     void run_round() {
         write_by_gl();
         to_compute_.push_back(milliseconds_of([&] {
-            handover_.to_compute({{*buffer_, buffer_->size()}});
-            path_.backend->finish();
+            buffer_->wrote(buffer_->size());
+            handover_.to_compute({buffer_.get()});
+            path_.connection.device->finish();
         }));
         write_by_compute();
         to_gl_.push_back(milliseconds_of([&] {
-            handover_.to_gl({{*buffer_, buffer_->size()}});
+            buffer_->wrote(buffer_->size());
+            handover_.to_gl({buffer_.get()});
             glFinish();
         }));
         right_ = right_ && last_seen_by_gl() == count() - 1;
         order_only_.push_back(milliseconds_of([&] {
-            handover_.to_compute({{*buffer_, 0}});
-            handover_.to_gl({{*buffer_, 0}});
+            handover_.to_compute({buffer_.get()});
+            handover_.to_gl({buffer_.get()});
         }));
         memcpy_.push_back(
             milliseconds_of([&] { std::memcpy(to_.data(), from_.data(), from_.size()); }));
@@ -63,7 +65,7 @@ class Subject {
 
     HandoverCost cost() const {
         return {.device = path_.device,
-                .mode = std::string{name_of(path_.mode)},
+                .mode = std::string{name_of(path_.connection.mode)},
                 .bytes = buffer_->size(),
                 .to_compute = median(to_compute_),
                 .to_gl = median(to_gl_),
@@ -83,8 +85,8 @@ class Subject {
     }
     /// Ones become 0, 1, 2, ...
     void write_by_compute() {
-        path_.backend->scan(buffer_->compute(), count() - 1, compute::ScanKind::saturate);
-        path_.backend->finish();
+        path_.connection.stages->scan(buffer_->compute(), count() - 1, compute::ScanKind::saturate);
+        path_.connection.device->finish();
     }
     std::uint32_t last_seen_by_gl() const {
         std::uint32_t last = 0;
@@ -111,9 +113,8 @@ std::vector<Path> find_paths(const HandoverOptions& options, HandoverReport& rep
             const std::string name{name_of(mode)};
             if (std::ranges::find(options.modes, name) == options.modes.end()) continue;
             try {
-                interop::Connection connection =
-                    interop::connect({.device = device.name(), .mode = mode});
-                paths.push_back({device.name(), mode, std::move(connection.backend)});
+                paths.push_back(
+                    {device.name(), interop::connect({.device = device.name(), .mode = mode})});
             } catch (const DeviceError& error) {
                 report.left_out.push_back({device.name(), name, error.what()});
             }

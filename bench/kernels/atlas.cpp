@@ -37,44 +37,39 @@ std::vector<ClippedSegment> strewn_segments(std::uint32_t count) {
     return result;
 }
 
-Job prepare(compute::Backend& backend, std::uint32_t n) {
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const std::uint32_t count = (n + samples_each - 1) / samples_each;
     std::vector<std::uint32_t> offset_values(count + 1);
     for (std::uint32_t i = 0; i <= count; ++i) offset_values[i] = std::min(i * samples_each, n);
     const glm::ivec2 depth_size = viewport * depth_scale;
     const std::vector<float> depth_values(
         static_cast<std::size_t>(depth_size.x) * static_cast<std::size_t>(depth_size.y), 0.5F);
-    const AtlasLayout layout = make_atlas_layout(AtlasLayoutKind::wrap, samples_each, 16384);
+    const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, samples_each, 16384);
 
-    const SharedBuffer clipped = to_device(backend, strewn_segments(count));
-    const SharedBuffer offsets = to_device(backend, offset_values);
-    const SharedBuffer arcs = backend.allocate(sizeof(std::uint32_t)); // atlas doesn't read them
-    const SharedBuffer depth = to_device(backend, depth_values);
-    const SharedBuffer alpha = backend.allocate(layout.texels(n));
-    const auto run = [=, &backend] {
-        backend.atlas({.clipped = {*clipped, *offsets, *arcs},
-                       .segment_count = count,
-                       .depth = *depth,
-                       .depth_size = depth_size,
-                       .viewport = glm::vec2{viewport},
-                       .depth_scale = depth_scale,
-                       .probes = 3,
-                       .tolerance = 1e-4F,
-                       .layout = layout,
-                       .capacity = n,
-                       .alpha = *alpha});
-        backend.finish();
+    const SharedBuffer clipped = to_device(device, strewn_segments(count));
+    const SharedBuffer offsets = to_device(device, offset_values);
+    const SharedBuffer arcs = device.allocate(sizeof(std::uint32_t)); // atlas doesn't read them
+    const SharedBuffer depth = to_device(device, depth_values);
+    const SharedBuffer alpha = device.allocate(layout.texels(n));
+    const auto run = [=, &stages] {
+        stages.atlas({.segment_count = count,
+                      .atlas = {{*clipped, *offsets, *arcs}, *alpha, layout, n},
+                      .depth = {*depth, depth_size, depth_scale, 1e-4F},
+                      .viewport = glm::vec2{viewport},
+                      .probes = 3});
+        stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 37.0 * n + 52.0 * count, .result = [=, &backend] {
-                return read_back<std::uint8_t>(backend, *alpha, n);
+    return {.run = run, .bytes = 37.0 * n + 52.0 * count, .result = [&device, alpha, n] {
+                return read_back<std::uint8_t>(device, *alpha, n);
             }};
 }
 
 } // namespace
 
-Rows atlas_rows(const Backends& backends) {
-    return own_rows(backends, "atlas", prepare);
+Rows atlas_rows(const Devices& devices) {
+    return own_rows(devices, "atlas", prepare);
 }
 
 } // namespace lineatlas::bench

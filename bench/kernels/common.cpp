@@ -2,20 +2,43 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 
+#include "compute/cpp/cpp_device.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
 
-Backends open_backends(std::string name) {
+Devices make_devices(std::unique_ptr<compute::OpenClBackend> opencl) {
+    Devices devices{.opencl = std::move(opencl),
+                    .cpp = compute::make_cpp_device(),
+                    .opencl_stages = {},
+                    .cpp_stages = {}};
+    devices.opencl_stages = std::make_unique<compute::Stages>(*devices.opencl);
+    devices.cpp_stages = std::make_unique<compute::Stages>(*devices.cpp);
+    return devices;
+}
+
+Devices open_devices(std::string name) {
     if (name.empty()) {
         if (const char* variable = std::getenv("LINEATLAS_DEVICE")) name = variable;
     }
     if (name.empty()) name = "opencl";
-    return {.device = compute::make_opencl_backend(compute::find_opencl_devices(name).front()),
-            .reference = compute::make_reference_backend()};
+    return make_devices(compute::make_opencl_backend(compute::find_opencl_devices(name).front()));
+}
+
+Rows all_rows(const Devices& devices) {
+    Rows result;
+    for (const auto rows_of :
+         {copy_rows, transform_rows, pyramid_rows, cull_rows, facing_rows, project_clip_rows,
+          scan_rows, atlas_rows, temporal_rows, intervals_rows, compact_rows, halo_rows,
+          filter_rows, density_rows, exact_rows}) {
+        std::ranges::move(rows_of(devices), std::back_inserter(result));
+    }
+    return result;
 }
 
 double seconds_of(const Job& job) {
@@ -44,12 +67,12 @@ std::vector<double> race(const std::vector<Job>& jobs, int rounds) {
     return result;
 }
 
-double copy_limit(const Backends& backends, std::uint32_t n) {
+double copy_limit(const Devices& devices, std::uint32_t n) {
     static std::map<std::uint32_t, double> known;
     const auto found = known.find(n);
     if (found != known.end()) return found->second;
     std::vector<Job> jobs;
-    for (const Row& row : copy_rows(backends)) {
+    for (const Row& row : copy_rows(devices)) {
         if (row.name.starts_with("copy/device")) jobs.push_back(row.prepare(n));
     }
     // As long for every size as one of the largest takes for a few rounds.
@@ -64,6 +87,35 @@ double copy_limit(const Backends& backends, std::uint32_t n) {
 
 void require(bool right, const std::string& row) {
     if (!right) throw Error(row + " gave a wrong result");
+}
+
+namespace {
+
+/// Floats within 1e-5, but for one in ten thousand: where a line just reaches another, rounding
+/// decides.
+bool is_equal(const Result& a, const Result& b) {
+    if (!std::holds_alternative<std::vector<float>>(a)) return a == b;
+    const auto &first = std::get<std::vector<float>>(a), &second = std::get<std::vector<float>>(b);
+    if (first.size() != second.size()) return false;
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (std::fabs(first[i] - second[i]) > 1e-5F * std::max(1.0F, std::fabs(first[i]))) ++other;
+    }
+    return other <= first.size() / 10000;
+}
+
+} // namespace
+
+Rows own_rows(const Devices& devices, const std::string& stage, Prepare prepare) {
+    const auto ours = [&devices, stage, prepare](std::uint32_t n) {
+        Job job = prepare(*devices.opencl_stages, n);
+        require(is_equal(job.result(), prepare(*devices.cpp_stages, n).result()), stage);
+        return job;
+    };
+    const auto cpp = [&devices, prepare](std::uint32_t n) {
+        return prepare(*devices.cpp_stages, n);
+    };
+    return {{stage + "/ours", ours}, {stage + "/cpp", cpp}};
 }
 
 } // namespace lineatlas::bench

@@ -6,28 +6,36 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "compute/opencl/opencl_backend.hpp"
+#include "compute/stages/stages.hpp"
 
 namespace lineatlas::bench {
 
-/// What rows are measured on: one OpenCL device, and plain C++ beside it.
-struct Backends {
-    std::unique_ptr<compute::OpenClBackend> device;
-    std::unique_ptr<compute::Backend> reference;
+/// What rows are measured on: one OpenCL device, and the same kernels as C++ beside it.
+struct Devices {
+    std::unique_ptr<compute::OpenClBackend> opencl;
+    std::unique_ptr<compute::Device> cpp;
+    std::unique_ptr<compute::Stages> opencl_stages, cpp_stages; ///< on them
 };
 
+Devices make_devices(std::unique_ptr<compute::OpenClBackend> opencl);
+
 /// The device is `name`, else LINEATLAS_DEVICE, else the first. Throws as find_opencl_devices does.
-Backends open_backends(std::string name);
+Devices open_devices(std::string name);
+
+/// Integers, which are equal bit by bit on every device, or floats, which are nearly.
+using Result = std::variant<std::vector<std::uint8_t>, std::vector<float>>;
 
 /// One row at one size, ready to be timed.
 struct Job {
     std::function<void()> run;     ///< all of the work; returns when it is done
     double bytes = 0;              ///< counted per run; every stage's file says what is counted
     std::function<void()> reset{}; ///< if set, restores what a run overwrites; not timed
-    /// What a run leaves, where `prepare` doesn't know what is right.
-    std::function<std::vector<std::uint8_t>()> result{};
+    /// What a run leaves, of a job of stages: the same on every device.
+    std::function<Result()> result{};
 };
 
 /// A way of doing a stage.
@@ -38,24 +46,30 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-// The rows of every stage. `backends` must outlive them.
-Rows copy_rows(const Backends& backends);
-Rows transform_rows(const Backends& backends);
-Rows pyramid_rows(const Backends& backends);
-Rows cull_rows(const Backends& backends);
-Rows facing_rows(const Backends& backends);
-Rows project_clip_rows(const Backends& backends);
-Rows scan_rows(const Backends& backends);
-Rows atlas_rows(const Backends& backends);
-Rows compact_rows(const Backends& backends);
-Rows compact_runs_rows(const Backends& backends);
-Rows intervals_rows(const Backends& backends);
-Rows halo_rows(const Backends& backends);
-Rows density_rows(const Backends& backends);
+// The rows of every stage; those of a frame's kernels are "<stage>/ours" and "<stage>/cpp".
+// `devices` must outlive them.
+Rows copy_rows(const Devices& devices);
+Rows transform_rows(const Devices& devices);
+Rows pyramid_rows(const Devices& devices);
+Rows cull_rows(const Devices& devices);
+Rows facing_rows(const Devices& devices);
+Rows project_clip_rows(const Devices& devices);
+Rows scan_rows(const Devices& devices);
+Rows atlas_rows(const Devices& devices);
+Rows temporal_rows(const Devices& devices);
+Rows intervals_rows(const Devices& devices);
+Rows exact_rows(const Devices& devices);
+Rows compact_rows(const Devices& devices);
+Rows halo_rows(const Devices& devices);
+Rows filter_rows(const Devices& devices);
+Rows density_rows(const Devices& devices);
+
+/// All of them, in the order of a frame.
+Rows all_rows(const Devices& devices);
 
 /// "<stage>/copy": the plainest kernel that reads and writes as many bytes as `bytes_of` says of n
 /// elements, half each.
-Row copy_row(const Backends& backends, const std::string& stage,
+Row copy_row(const Devices& devices, const std::string& stage,
              std::function<double(std::uint32_t n)> bytes_of);
 
 /// Wall-clock time of one run, after a reset.
@@ -69,7 +83,7 @@ std::vector<double> race(const std::vector<Job>& jobs, int rounds);
 
 /// Bytes per second of the fastest plain copy of n uint32 on the device: the limit that
 /// `share_of_copy` refers to. Measured when first asked for.
-double copy_limit(const Backends& backends, std::uint32_t n);
+double copy_limit(const Devices& devices, std::uint32_t n);
 
 /// Random numbers that are the same in every run.
 class Random {
@@ -90,34 +104,47 @@ class Random {
     std::mt19937 engine_;
 };
 
-/// A job of a backend owns its buffers through this.
+/// A job owns its buffers through this.
 using SharedBuffer = std::shared_ptr<compute::Buffer>;
 
 template <class T>
-SharedBuffer to_device(compute::Backend& backend, const std::vector<T>& values) {
-    SharedBuffer buffer = backend.allocate(values.size() * sizeof(T));
-    backend.upload(*buffer, std::as_bytes(std::span{values}));
+void write(compute::Device& device, compute::Buffer& buffer, const std::vector<T>& values) {
+    device.upload(buffer, std::as_bytes(std::span{values}));
+}
+
+template <class T>
+SharedBuffer to_device(compute::Device& device, const std::vector<T>& values) {
+    SharedBuffer buffer = device.allocate(values.size() * sizeof(T));
+    write(device, *buffer, values);
     return buffer;
 }
 
 template <class T>
-std::vector<T> read_back(compute::Backend& backend, compute::Buffer& buffer, std::size_t count) {
+std::vector<T> read_back(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
     std::vector<T> values(count);
-    backend.download(buffer, std::as_writable_bytes(std::span{values}));
+    device.download(buffer, std::as_writable_bytes(std::span{values}));
     return values;
 }
 
-/// Throws Error unless the results of a row and of the plain C++ are equal.
+/// The member `of` of every element, as bytes.
+template <class T>
+std::vector<std::uint8_t> members(const std::vector<T>& elements, std::uint32_t T::*of) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(elements.size() * sizeof(std::uint32_t));
+    for (const T& element : elements) {
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&(element.*of));
+        bytes.insert(bytes.end(), first, first + sizeof(std::uint32_t));
+    }
+    return bytes;
+}
+
+/// Throws Error unless it is right.
 void require(bool right, const std::string& row);
 
-/// "<stage>/ours" on the device and "<stage>/reference" in plain C++: `prepare` serves both.
-template <class Prepare>
-Rows own_rows(const Backends& backends, const std::string& stage, Prepare prepare) {
-    const auto on = [prepare](compute::Backend& backend) {
-        return [prepare, &backend](std::uint32_t n) { return prepare(backend, n); };
-    };
-    return {{stage + "/ours", on(*backends.device)},
-            {stage + "/reference", on(*backends.reference)}};
-}
+/// Makes a job on a device.
+using Prepare = Job (*)(compute::Stages& stages, std::uint32_t n);
+
+/// "<stage>/ours" on the OpenCL device, which must leave what C++ does, and "<stage>/cpp".
+Rows own_rows(const Devices& devices, const std::string& stage, Prepare prepare);
 
 } // namespace lineatlas::bench

@@ -24,11 +24,11 @@ struct Pair {
     std::vector<std::uint32_t> values;
     SharedBuffer from, to;
 
-    Pair(compute::Backend& backend, std::uint32_t n) : values(n) {
+    Pair(compute::Device& device, std::uint32_t n) : values(n) {
         Random random{1};
         for (std::uint32_t& value : values) value = random.below(700);
-        from = to_device(backend, values);
-        to = backend.allocate(n * sizeof(std::uint32_t));
+        from = to_device(device, values);
+        to = device.allocate(n * sizeof(std::uint32_t));
     }
 };
 
@@ -37,20 +37,20 @@ const cl::Buffer& memory_of(const SharedBuffer& buffer) {
 }
 
 /// Runs the job once and checks what it copied.
-Job checked(compute::Backend& backend, const Pair& pair, std::function<void()> run) {
+Job checked(compute::Device& device, const Pair& pair, std::function<void()> run) {
     const std::size_t n = pair.values.size();
     run();
-    require(read_back<std::uint32_t>(backend, *pair.to, n) == pair.values, "copy");
+    require(read_back<std::uint32_t>(device, *pair.to, n) == pair.values, "copy");
     return {.run = std::move(run), .bytes = 8.0 * static_cast<double>(n)};
 }
 
 /// clEnqueueCopyBuffer. On PoCL a memcpy by one thread.
-Job prepare_enqueue(compute::OpenClBackend& backend, std::uint32_t n) {
-    const Pair pair{backend, n};
-    return checked(backend, pair, [&backend, from = pair.from, to = pair.to, n] {
-        cl::CommandQueue queue = backend.queue();
+Job prepare_enqueue(compute::OpenClBackend& device, std::uint32_t n) {
+    const Pair pair{device, n};
+    return checked(device, pair, [&device, from = pair.from, to = pair.to, n] {
+        cl::CommandQueue queue = device.queue();
         queue.enqueueCopyBuffer(memory_of(from), memory_of(to), 0, 0, n * sizeof(cl_uint));
-        backend.finish();
+        device.finish();
     });
 }
 
@@ -59,22 +59,21 @@ constexpr cl_uint pieces = 16, width = 16;
 /// The plainest kernel that suits the device: on a CPU as many serial pieces as `scan` has, on a
 /// GPU a work-item per element. Sizes are multiples of pieces * width, so that nothing is left
 /// over.
-Job prepare_kernel(compute::OpenClBackend& backend, std::uint32_t n) {
-    const Pair pair{backend, n};
-    const bool chunks = backend.device().is_cpu;
-    cl::Program program{backend.context(), kernel_source};
-    program.build({backend.device().device}, "-cl-std=CL1.2");
+Job prepare_kernel(compute::OpenClBackend& device, std::uint32_t n) {
+    const Pair pair{device, n};
+    const bool chunks = device.device().is_cpu;
+    cl::Program program{device.context(), kernel_source};
+    program.build({device.device().device}, "-cl-std=CL1.2");
     cl::Kernel kernel{program, chunks ? "copy_chunk" : "copy_one"};
     kernel.setArg(0, memory_of(pair.from));
     kernel.setArg(1, memory_of(pair.to));
     if (chunks) kernel.setArg(2, n / (pieces * width));
     const cl::NDRange global{chunks ? pieces : n}, local{chunks ? 1U : 64U};
-    return checked(backend, pair,
-                   [&backend, kernel, global, local, from = pair.from, to = pair.to] {
-                       cl::CommandQueue queue = backend.queue();
-                       queue.enqueueNDRangeKernel(kernel, cl::NullRange, global, local);
-                       backend.finish();
-                   });
+    return checked(device, pair, [&device, kernel, global, local, from = pair.from, to = pair.to] {
+        cl::CommandQueue queue = device.queue();
+        queue.enqueueNDRangeKernel(kernel, cl::NullRange, global, local);
+        device.finish();
+    });
 }
 
 Job prepare_memcpy(std::uint32_t n) {
@@ -86,16 +85,16 @@ Job prepare_memcpy(std::uint32_t n) {
 
 } // namespace
 
-Rows copy_rows(const Backends& backends) {
-    compute::OpenClBackend& device = *backends.device;
+Rows copy_rows(const Devices& devices) {
+    compute::OpenClBackend& device = *devices.opencl;
     return {{"copy/device_enqueue", [&](std::uint32_t n) { return prepare_enqueue(device, n); }},
             {"copy/device_kernel", [&](std::uint32_t n) { return prepare_kernel(device, n); }},
             {"copy/memcpy", prepare_memcpy}};
 }
 
-Row copy_row(const Backends& backends, const std::string& stage,
+Row copy_row(const Devices& devices, const std::string& stage,
              std::function<double(std::uint32_t n)> bytes_of) {
-    compute::OpenClBackend& device = *backends.device;
+    compute::OpenClBackend& device = *devices.opencl;
     return {stage + "/copy", [&device, bytes_of = std::move(bytes_of)](std::uint32_t n) {
                 constexpr double bytes_each = 8.0 * pieces * width;
                 const double units = std::ceil(bytes_of(n) / bytes_each);

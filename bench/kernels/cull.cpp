@@ -1,22 +1,15 @@
 // cull: n clusters strewn over a picture and a little beyond, half of them behind its depth.
 // Bytes: per cluster its box (32) and the result (1), every tile (4) once.
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <glm/ext/matrix_clip_space.hpp>
 
 #include "common.hpp"
-#include "compute/reference/stages.hpp"
 
 namespace lineatlas::bench {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
 constexpr glm::ivec2 depth_size{2048, 1536};
 
-/// The device and plain C++ get the same.
 struct Input {
     std::vector<Cluster> clusters;
     std::vector<float> tiles; ///< one depth everywhere
@@ -52,56 +45,33 @@ Input make_input(std::uint32_t n) {
     return input;
 }
 
-Bytes expected_visible(const Input& input) {
-    Bytes visible(input.clusters.size());
-    compute::reference::cull(input.clusters, input.clip_from_world, depth_size, input.tiles,
-                             visible);
-    return visible;
-}
-
-Job prepare(compute::Backend& backend, std::uint32_t n) {
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const Input input = make_input(n);
-    const SharedBuffer clusters = to_device(backend, input.clusters);
-    const SharedBuffer tiles = to_device(backend, input.tiles);
-    const SharedBuffer visible = backend.allocate(n);
-    const auto run = [&backend, clusters, tiles, visible, n,
+    const SharedBuffer clusters = to_device(device, input.clusters);
+    const SharedBuffer tiles = to_device(device, input.tiles);
+    const SharedBuffer visible = device.allocate(n);
+    const auto run = [&stages, clusters, tiles, visible, n,
                       clip_from_world = input.clip_from_world] {
-        backend.cull({.clusters = *clusters,
-                      .count = n,
-                      .clip_from_world = clip_from_world,
-                      .depth_size = depth_size,
-                      .tiles = *tiles,
-                      .visible = *visible});
-        backend.finish();
+        stages.cull({.clusters = *clusters,
+                     .count = n,
+                     .clip_from_world = clip_from_world,
+                     .depth_size = depth_size,
+                     .tiles = *tiles,
+                     .visible = *visible});
+        stages.device().finish();
     };
     run();
-    require(read_back<std::uint8_t>(backend, *visible, n) == expected_visible(input), "cull");
-    return {.run = run, .bytes = bytes_of(n)};
-}
-
-/// The plain C++ for a range of clusters at a time.
-Job prepare_tbb(std::uint32_t n) {
-    const auto input = std::make_shared<Input>(make_input(n));
-    const auto visible = std::make_shared<Bytes>(n);
-    const auto run = [input, visible, n] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>{0, n, 1024}, [&](const auto& range) {
-            compute::reference::cull(
-                std::span{input->clusters}.subspan(range.begin(), range.size()),
-                input->clip_from_world, depth_size, input->tiles,
-                std::span{*visible}.subspan(range.begin(), range.size()));
-        });
-    };
-    run();
-    require(*visible == expected_visible(*input), "cull/tbb");
-    return {.run = run, .bytes = bytes_of(n)};
+    return {.run = run, .bytes = bytes_of(n), .result = [&device, visible, n] {
+                return read_back<std::uint8_t>(device, *visible, n);
+            }};
 }
 
 } // namespace
 
-Rows cull_rows(const Backends& backends) {
-    Rows rows = own_rows(backends, "cull", prepare);
-    rows.push_back({"cull/tbb", prepare_tbb});
-    rows.push_back(copy_row(backends, "cull", bytes_of));
+Rows cull_rows(const Devices& devices) {
+    Rows rows = own_rows(devices, "cull", prepare);
+    rows.push_back(copy_row(devices, "cull", bytes_of));
     return rows;
 }
 

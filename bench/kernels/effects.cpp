@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "common.hpp"
-#include "compute/reference/stages.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -72,10 +71,10 @@ Input make_input(std::uint32_t n) {
 
 /// A picture's buffers.
 struct Buffers {
-    Buffers(compute::Backend& backend, const Input& input)
-        : none(backend.allocate(16)), segments(to_device(backend, input.segments)),
-          clipped(to_device(backend, input.clipped)), arcs(to_device(backend, input.arcs)),
-          alpha(to_device(backend, input.alpha)), runs(to_device(backend, input.runs)),
+    Buffers(compute::Device& device, const Input& input)
+        : none(device.allocate(16)), segments(to_device(device, input.segments)),
+          clipped(to_device(device, input.clipped)), arcs(to_device(device, input.arcs)),
+          alpha(to_device(device, input.alpha)), runs(to_device(device, input.runs)),
           count(static_cast<std::uint32_t>(input.runs.size())), viewport(input.viewport) {
         const FrameRecord values{.points = {count, 1, 0, 0},
                                  .quads = {4, count, 0, 0},
@@ -83,7 +82,7 @@ struct Buffers {
                                  .run_total = count,
                                  .raw_run_total = count,
                                  .unused = 0};
-        record = to_device(backend, std::vector{values});
+        record = to_device(device, std::vector{values});
     }
     compute::SegmentTable table() const { return {*none, *none, *segments, 0, count}; }
     compute::ClippedTable clipped_table() const { return {*clipped, *none, *arcs}; }
@@ -93,96 +92,73 @@ struct Buffers {
     glm::vec2 viewport;
 };
 
-Job prepare_halo(compute::Backend& backend, std::uint32_t n) {
-    const Input input = make_input(n);
-    const Buffers on{backend, input};
-    const std::uint32_t count = on.count;
-    const SharedBuffer cuts = backend.allocate(count * sizeof(RunCuts));
-    const auto run = [on, cuts, count, &backend] {
-        backend.halo({.table = on.table(),
-                      .clipped = on.clipped_table(),
-                      .runs = *on.runs,
-                      .record = *on.record,
-                      .run_capacity = count,
-                      .viewport = on.viewport,
-                      .halo = halo_width,
-                      .half_width = half_width,
-                      .tolerance = tolerance,
-                      .cuts = *cuts});
-        backend.finish();
+Job prepare_halo(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    const Buffers on{device, make_input(n)};
+    const SharedBuffer cuts = device.allocate(on.count * sizeof(RunCuts));
+    const auto run = [on, cuts, &stages] {
+        stages.halo({.table = on.table(),
+                     .clipped = on.clipped_table(),
+                     .runs = *on.runs,
+                     .record = *on.record,
+                     .run_capacity = on.count,
+                     .viewport = on.viewport,
+                     .halo = halo_width,
+                     .half_width = half_width,
+                     .tolerance = tolerance,
+                     .cuts = *cuts});
+        stages.device().finish();
     };
     run();
-    std::vector<RunCuts> expected(count);
-    compute::reference::halo({.segments = input.segments,
-                              .clipped = input.clipped,
-                              .runs = input.runs,
-                              .viewport = input.viewport,
-                              .width = halo_width + half_width,
-                              .tolerance = tolerance},
-                             expected);
-    const auto cut_runs = [](const std::vector<RunCuts>& all) {
-        return std::ranges::count_if(all, [](const RunCuts& c) { return c.from[0] != c.to[0]; });
+    const auto result = [&device, on, cuts] {
+        return read_back<float>(device, *cuts, on.count * sizeof(RunCuts) / sizeof(float));
     };
-    const auto wanted = cut_runs(expected),
-               seen = cut_runs(read_back<RunCuts>(backend, *cuts, count));
-    // Where a line just reaches another, rounding decides.
-    require(wanted > 0 && std::abs(wanted - seen) <= count / 10000, "halo");
-    return {.run = run, .bytes = 368.0 * count};
+    const std::vector<float> found = result();
+    require(std::ranges::any_of(found, [](float arc) { return arc > 0; }), "halo");
+    return {.run = run, .bytes = 368.0 * on.count, .result = result};
 }
 
-Job prepare_density(compute::Backend& backend, std::uint32_t n) {
-    Input input = make_input(n);
-    const Buffers on{backend, input};
+Job prepare_density(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    const Buffers on{device, make_input(n)};
     const glm::ivec2 cells = compute::density_cells(on.viewport);
     const std::size_t count =
         LA_DENSITY_BINS * static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
-    const SharedBuffer weights = backend.allocate(count * sizeof(float));
-    constexpr float limit = 0.1F;
-    constexpr float priority[LA_KIND_COUNT]{0.5F, 0.6F, 0.5F, 1, 1};
-    const AtlasLayout layout = make_atlas_layout(AtlasLayoutKind::wrap, 7, 16384);
-    const auto run = [=, &backend] {
-        compute::DensityArgs args{.table = on.table(),
-                                  .clipped = on.clipped_table(),
-                                  .alpha = *on.alpha,
-                                  .layout = layout,
-                                  .runs = *on.runs,
-                                  .record = *on.record,
-                                  .run_capacity = on.count,
-                                  .viewport = on.viewport,
-                                  .limit = limit,
-                                  .priority = {},
-                                  .focus = glm::vec4{0},
-                                  .far_limit = 1,
-                                  .weights = *weights};
-        std::ranges::copy(priority, args.priority);
-        backend.density(args);
-        backend.finish();
+    const SharedBuffer weights = device.allocate(count * sizeof(float));
+    const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, 7, 16384);
+    const auto run = [=, &stages] {
+        stages.density({.table = on.table(),
+                        .atlas = {on.clipped_table(), *on.alpha, layout, 0},
+                        .runs = *on.runs,
+                        .record = *on.record,
+                        .run_capacity = on.count,
+                        .viewport = on.viewport,
+                        .density = {.limit = 0.1F},
+                        .focus = glm::vec4{0},
+                        .far_limit = 1,
+                        .weights = *weights});
+        stages.device().finish();
     };
     run();
-    std::vector<float> expected(count);
-    compute::reference::density({.segments = input.segments,
-                                 .arcs = input.arcs,
-                                 .alpha = input.alpha,
-                                 .viewport = input.viewport,
-                                 .limit = limit,
-                                 .priority = priority,
-                                 .focus = glm::vec4{0},
-                                 .far_limit = 1},
-                                input.runs, expected);
-    require(std::ranges::equal(expected, read_back<float>(backend, *weights, count),
-                               [](float a, float b) { return std::fabs(a - b) < 1e-3F; }),
+    const auto result = [&device, weights, count] {
+        return read_back<float>(device, *weights, count);
+    };
+    const std::vector<float> found = result();
+    require(std::ranges::any_of(found, [](float weight) { return weight > 0 && weight < 1; }),
             "density");
-    return {.run = run, .bytes = 192.0 * on.count + n + 5 * 4.0 * static_cast<double>(count)};
+    return {.run = run,
+            .bytes = 192.0 * on.count + n + 5 * 4.0 * static_cast<double>(count),
+            .result = result};
 }
 
 } // namespace
 
-Rows halo_rows(const Backends& backends) {
-    return own_rows(backends, "halo", prepare_halo);
+Rows halo_rows(const Devices& devices) {
+    return own_rows(devices, "halo", prepare_halo);
 }
 
-Rows density_rows(const Backends& backends) {
-    return own_rows(backends, "density", prepare_density);
+Rows density_rows(const Devices& devices) {
+    return own_rows(devices, "density", prepare_density);
 }
 
 } // namespace lineatlas::bench

@@ -6,25 +6,27 @@
 namespace lineatlas::bench {
 namespace {
 
-Job prepare(compute::Backend& backend, std::uint32_t n) {
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const Terrain terrain = make_terrain(n, 0);
-    const SharedBuffer vertices = to_device(backend, terrain.vertices);
-    const SharedBuffer triangles = to_device(backend, terrain.triangles);
-    const SharedBuffer none = backend.allocate(sizeof(Segment));
-    const SharedBuffer front = backend.allocate(n);
-    const auto run = [&backend, vertices, triangles, none, front, n, eye = terrain.eye] {
-        backend.facing(
-            {.table = {*vertices, *triangles, *none, n, 0}, .eye = eye, .front = *front});
-        backend.finish();
+    const SharedBuffer vertices = to_device(device, terrain.vertices);
+    const SharedBuffer triangles = to_device(device, terrain.triangles);
+    const SharedBuffer none = device.allocate(sizeof(Segment));
+    const SharedBuffer front = device.allocate(n);
+    const auto run = [&stages, vertices, triangles, none, front, n, eye = terrain.eye] {
+        stages.facing({.table = {*vertices, *triangles, *none, n, 0}, .eye = eye, .front = *front});
+        stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 13.0 * n + 12.0 * terrain.vertex_count};
+    return {.run = run,
+            .bytes = 13.0 * n + 12.0 * terrain.vertex_count,
+            .result = [&device, front, n] { return read_back<std::uint8_t>(device, *front, n); }};
 }
 
 } // namespace
 
-Rows facing_rows(const Backends& backends) {
-    return own_rows(backends, "facing", prepare);
+Rows facing_rows(const Devices& devices) {
+    return own_rows(devices, "facing", prepare);
 }
 
 } // namespace lineatlas::bench

@@ -23,18 +23,6 @@ std::vector<Goal> known_goals() {
     return {
         {.name = "scan_share_of_copy", .row = "scan/ours", .rival = "", .wanted = 0.5},
         {.name = "scan_to_boost", .row = "scan/ours", .rival = "scan/boost_compute", .wanted = 2},
-        {.name = "compact_noise_to_boost",
-         .row = "compact_noise/ours",
-         .rival = "compact_noise/boost_compute",
-         .wanted = 2.5},
-        {.name = "compact_stretches_to_boost",
-         .row = "compact_stretches/ours",
-         .rival = "compact_stretches/boost_compute",
-         .wanted = 2.5},
-        {.name = "compact_noise_to_boost_uint32",
-         .row = "compact_noise/ours",
-         .rival = "compact_noise/boost_compute_uint32",
-         .wanted = 2.5},
     };
 }
 

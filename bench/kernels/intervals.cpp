@@ -3,7 +3,6 @@
 // read and written again by the last step: 152), its segment (32), its clipped segment (48) and an
 // arc length (4); what is read of the depth is left out.
 
-#include "common.hpp"
 #include "paths.hpp"
 
 namespace lineatlas::bench {
@@ -14,50 +13,40 @@ double bytes_of(const Paths& paths, std::uint32_t intervals) {
            static_cast<double>(paths.alpha.size()) + 236.0 * intervals;
 }
 
-Job prepare(compute::Backend& backend, std::uint32_t n) {
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const Paths paths = make_paths(n);
+    const PathTables on{device, paths};
     const glm::ivec2 depth_size{Paths::viewport};
-    const SharedBuffer vertices = to_device(backend, std::vector<glm::vec3>(2));
-    const SharedBuffer segments = to_device(backend, paths.segments);
-    const SharedBuffer clipped = to_device(backend, paths.clipped);
-    const SharedBuffer offsets = to_device(backend, paths.offsets);
-    const SharedBuffer arcs = to_device(backend, paths.arcs);
-    const SharedBuffer alpha = to_device(backend, paths.alpha);
     const SharedBuffer depth =
-        to_device(backend, std::vector<float>(std::size_t(depth_size.x * depth_size.y), 1.0F));
+        to_device(device, std::vector<float>(std::size_t(depth_size.x * depth_size.y), 1.0F));
     // A run is an interval, and each end at a joint may add one.
-    const auto capacity = static_cast<std::uint32_t>(3 * paths.runs.size());
-    const auto samples = static_cast<std::uint32_t>(paths.alpha.size());
-    const SharedBuffer intervals = backend.allocate(capacity * sizeof(Interval));
-    const SharedBuffer total = backend.allocate(sizeof(std::uint32_t));
-    const AtlasLayout layout = make_atlas_layout(AtlasLayoutKind::wrap, 7, 16384);
-    const auto run = [=, &backend] {
-        backend.intervals({.table = {*vertices, *vertices, *segments, 0, n},
-                           .clipped = {*clipped, *offsets, *arcs},
-                           .alpha = *alpha,
-                           .layout = layout,
-                           .capacity = samples,
-                           .viewport = Paths::viewport,
-                           .depth = *depth,
-                           .depth_size = depth_size,
-                           .depth_scale = 1,
-                           .tolerance = 1e-4F,
-                           .hidden_too = false,
-                           .intervals = *intervals,
-                           .interval_capacity = capacity,
-                           .total = *total});
-        backend.finish();
+    const std::uint32_t capacity = 3 * on.runs;
+    const SharedBuffer intervals = device.allocate(capacity * sizeof(Interval));
+    const SharedBuffer total = device.allocate(sizeof(std::uint32_t));
+    const auto run = [=, &stages] {
+        stages.intervals({.table = on.table(),
+                          .atlas = on.atlas(),
+                          .viewport = Paths::viewport,
+                          .depth = {*depth, depth_size, 1, 1e-4F},
+                          .hidden_too = false,
+                          .intervals = *intervals,
+                          .interval_capacity = capacity,
+                          .total = *total});
+        stages.device().finish();
     };
     run();
-    const std::uint32_t count = read_back<std::uint32_t>(backend, *total, 1)[0];
-    require(count >= paths.runs.size() && count <= capacity, "intervals");
-    return {.run = run, .bytes = bytes_of(paths, count)};
+    const std::uint32_t count = read_back<std::uint32_t>(device, *total, 1)[0];
+    require(count >= on.runs && count <= capacity, "intervals");
+    return {.run = run, .bytes = bytes_of(paths, count), .result = [&device, intervals, count] {
+                return members(read_back<Interval>(device, *intervals, count), &Interval::segment);
+            }};
 }
 
 } // namespace
 
-Rows intervals_rows(const Backends& backends) {
-    return own_rows(backends, "intervals", prepare);
+Rows intervals_rows(const Devices& devices) {
+    return own_rows(devices, "intervals", prepare);
 }
 
 } // namespace lineatlas::bench

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
+#include "command_line/program.hpp"
 #include "goals.hpp"
 #include "lineatlas/error.hpp"
 
@@ -39,10 +40,10 @@ const Job& prepared(const Row& row, std::uint32_t n) {
     return job;
 }
 
-void time_row(benchmark::State& state, const Backends& backends, const Row& row) {
+void time_row(benchmark::State& state, const Devices& devices, const Row& row) {
     try {
         const auto n = static_cast<std::uint32_t>(state.range(0));
-        const double limit = copy_limit(backends, n);
+        const double limit = copy_limit(devices, n);
         const Job& job = prepared(row, n);
         std::vector<double> seconds;
         for (auto _ : state) {
@@ -69,24 +70,17 @@ void time_goal(benchmark::State& state, Goal& goal, const Rows& rows) {
     }
 }
 
-Rows all_rows(const Backends& backends) {
-    Rows result;
-    for (const auto rows_of : {copy_rows, transform_rows, pyramid_rows, cull_rows, facing_rows,
-                               project_clip_rows, scan_rows, atlas_rows, compact_rows,
-                               compact_runs_rows, intervals_rows, halo_rows, density_rows}) {
-        for (Row& row : rows_of(backends)) result.push_back(std::move(row));
-    }
-    return result;
+void list(const Devices& devices) {
+    for (const Row& row : all_rows(devices)) std::cout << row.name << '\n';
 }
 
-void run(const std::string& device) {
-    const Backends backends = open_backends(device);
-    benchmark::AddCustomContext("device", backends.device->description());
-    benchmark::AddCustomContext("driver", backends.device->device().driver_version);
-    const Rows rows = all_rows(backends);
+void measure_all(const Devices& devices) {
+    benchmark::AddCustomContext("device", devices.opencl->description());
+    benchmark::AddCustomContext("driver", devices.opencl->device().driver_version);
+    const Rows rows = all_rows(devices);
     for (const Row& row : rows) {
         benchmark::RegisterBenchmark(
-            row.name.c_str(), [&](benchmark::State& state) { time_row(state, backends, row); })
+            row.name.c_str(), [&](benchmark::State& state) { time_row(state, devices, row); })
             ->RangeMultiplier(4)
             ->Range(smallest, largest)
             ->UseManualTime()
@@ -106,15 +100,18 @@ void run(const std::string& device) {
     }
 }
 
-int guarded_main(int argc, char** argv) {
-    CLI::App app{"Times every kernel beside its rivals, from 2^14 to 2^24 elements"};
+int run(int argc, char** argv) {
+    CLI::App app{"Times every kernel beside its rivals, from 2^14 to 2^24 elements",
+                 "lineatlas-bench-kernels"};
     std::string device, json;
+    bool only_list = false;
     app.add_option("--device", device, "opencl:<platform>[:<device>]; else LINEATLAS_DEVICE");
+    app.add_flag("--list", only_list, "Print the names of the rows, and measure nothing");
     app.add_option("--json", json, "Figures to write");
     app.allow_extras();
     app.footer("Flags of Google Benchmark are passed on, e.g. --benchmark_filter=scan or "
                "--benchmark_min_time=0.5.");
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
 
     // Short by default: there are more than a hundred rows. What the user says comes later and
     // wins.
@@ -130,12 +127,8 @@ int guarded_main(int argc, char** argv) {
     int count = static_cast<int>(pointers.size());
     benchmark::Initialize(&count, pointers.data());
     if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-    try {
-        run(device);
-    } catch (const UsageError& error) {
-        std::cerr << "lineatlas-bench-kernels: " << error.what() << '\n';
-        return 2;
-    }
+    const Devices devices = open_devices(device);
+    only_list ? list(devices) : measure_all(devices);
     return any_failed ? 1 : 0;
 }
 
@@ -143,10 +136,5 @@ int guarded_main(int argc, char** argv) {
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    try {
-        return lineatlas::bench::guarded_main(argc, argv);
-    } catch (const std::exception& error) {
-        std::cerr << "lineatlas-bench-kernels: " << error.what() << '\n';
-        return 1;
-    }
+    return lineatlas::run_program(argc, argv, lineatlas::bench::run, "lineatlas-bench-kernels");
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common.hpp"
-
 namespace lineatlas::bench {
 namespace {
 
@@ -12,7 +10,7 @@ constexpr std::uint32_t path_length = 64;
 constexpr float step = 2;
 
 /// Samples that are visible or hidden in turns.
-class Stretches {
+class Visible {
   public:
     bool next(Random& random) {
         if (left_ == 0) {
@@ -32,7 +30,7 @@ class Stretches {
 
 Paths make_paths(std::uint32_t n) {
     Random random{8};
-    Stretches stretches;
+    Visible visible_runs;
     Paths paths;
     paths.segments.reserve(n);
     paths.clipped.reserve(n);
@@ -71,7 +69,7 @@ Paths make_paths(std::uint32_t n) {
             paths.arcs[i] + static_cast<std::uint32_t>(length * LA_ARC_UNITS_PER_PIXEL);
         bool in_run = false;
         for (std::uint32_t a = 0; a < samples && !hidden_whole; ++a) {
-            const bool visible = stretches.next(random);
+            const bool visible = visible_runs.next(random);
             paths.alpha.push_back(visible ? 255 : 0);
             if (visible && !in_run) paths.runs.push_back(i);
             in_run = visible;
@@ -80,6 +78,37 @@ Paths make_paths(std::uint32_t n) {
         at = to;
     }
     return paths;
+}
+
+PathTables::PathTables(compute::Device& device, const Paths& paths)
+    : count(static_cast<std::uint32_t>(paths.segments.size())),
+      samples(static_cast<std::uint32_t>(paths.alpha.size())),
+      runs(static_cast<std::uint32_t>(paths.runs.size())),
+      vertices(to_device(device, std::vector<glm::vec3>(2))),
+      segments(to_device(device, paths.segments)), clipped(to_device(device, paths.clipped)),
+      offsets(to_device(device, paths.offsets)), arcs(to_device(device, paths.arcs)),
+      alpha(to_device(device, paths.alpha)),
+      layout(make_atlas_layout(AtlasLayoutChoice::wrap, 7, 16384)) {}
+
+RunTables::RunTables(compute::Device& device, std::uint32_t capacity_)
+    : capacity(capacity_), runs(device.allocate(capacity * sizeof(Run))),
+      record(device.allocate(sizeof(FrameRecord))) {}
+
+std::vector<Run> RunTables::read(compute::Device& device) const {
+    const std::uint32_t total = read_back<FrameRecord>(device, *record, 1)[0].run_total;
+    require(total <= capacity, "what writes runs");
+    return read_back<Run>(device, *runs, total);
+}
+
+void compact(compute::Stages& stages, const PathTables& paths, const RunTables& to) {
+    stages.compact({.table = paths.table(),
+                    .atlas = paths.atlas(),
+                    .viewport = Paths::viewport,
+                    .half_width = 1,
+                    .runs = *to.runs,
+                    .run_capacity = to.capacity,
+                    .record = *to.record});
+    stages.device().finish();
 }
 
 } // namespace lineatlas::bench

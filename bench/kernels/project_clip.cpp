@@ -9,44 +9,45 @@
 namespace lineatlas::bench {
 namespace {
 
-Job prepare(compute::Backend& backend, std::uint32_t n) {
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const Terrain terrain = make_terrain(n, n);
     const auto triangle_count = static_cast<std::uint32_t>(terrain.triangles.size() / 3);
-    const SharedBuffer vertices = to_device(backend, terrain.vertices);
-    const SharedBuffer triangles = to_device(backend, terrain.triangles);
-    const SharedBuffer segments = to_device(backend, terrain.segments);
-    const SharedBuffer front = to_device(backend, std::vector<std::uint8_t>(triangle_count));
-    const SharedBuffer clipped = backend.allocate(n * sizeof(ClippedSegment));
-    const SharedBuffer counts = backend.allocate((n + std::size_t{1}) * sizeof(std::uint32_t));
-    const SharedBuffer arcs = backend.allocate((n + std::size_t{1}) * sizeof(std::uint32_t));
+    const SharedBuffer vertices = to_device(device, terrain.vertices);
+    const SharedBuffer triangles = to_device(device, terrain.triangles);
+    const SharedBuffer segments = to_device(device, terrain.segments);
+    const SharedBuffer front = to_device(device, std::vector<std::uint8_t>(triangle_count));
+    const SharedBuffer clipped = device.allocate(n * sizeof(ClippedSegment));
+    const SharedBuffer counts = device.allocate((n + std::size_t{1}) * sizeof(std::uint32_t));
+    const SharedBuffer arcs = device.allocate((n + std::size_t{1}) * sizeof(std::uint32_t));
     const glm::mat4 clip_from_world = terrain.clip_from_world;
     const glm::mat4 world_from_clip{glm::inverse(glm::dmat4{clip_from_world})};
-    const auto run = [=, &backend] {
-        backend.project_clip({.table = {*vertices, *triangles, *segments, triangle_count, n},
-                              .front = *front,
-                              .clip_from_world = clip_from_world,
-                              .world_from_clip = world_from_clip,
-                              .viewport = {1024, 768},
-                              .step = 2,
-                              .kind_mask = (1U << LA_KIND_COUNT) - 1,
-                              .occlusion = nullptr,
-                              .out = {*clipped, *counts, *arcs}});
-        backend.finish();
+    const auto run = [=, &stages] {
+        stages.project_clip({.table = {*vertices, *triangles, *segments, triangle_count, n},
+                             .front = *front,
+                             .clip_from_world = clip_from_world,
+                             .world_from_clip = world_from_clip,
+                             .viewport = {1024, 768},
+                             .step = 2,
+                             .kind_mask = (1U << LA_KIND_COUNT) - 1,
+                             .occlusion = nullptr,
+                             .out = {*clipped, *counts, *arcs}});
+        stages.device().finish();
     };
     run();
     double bytes = 40.0 * n + 12.0 * triangle_count + 12.0 * terrain.vertex_count;
-    for (const std::uint32_t count : read_back<std::uint32_t>(backend, *counts, n)) {
+    for (const std::uint32_t count : read_back<std::uint32_t>(device, *counts, n)) {
         if (count != 0) bytes += 48;
     }
-    return {.run = run, .bytes = bytes, .result = [=, &backend] {
-                return read_back<std::uint8_t>(backend, *counts, n * sizeof(std::uint32_t));
+    return {.run = run, .bytes = bytes, .result = [&device, counts, n] {
+                return read_back<std::uint8_t>(device, *counts, n * sizeof(std::uint32_t));
             }};
 }
 
 } // namespace
 
-Rows project_clip_rows(const Backends& backends) {
-    return own_rows(backends, "project_clip", prepare);
+Rows project_clip_rows(const Devices& devices) {
+    return own_rows(devices, "project_clip", prepare);
 }
 
 } // namespace lineatlas::bench

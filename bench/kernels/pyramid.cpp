@@ -3,10 +3,7 @@
 
 #include <bit>
 
-#include <tbb/parallel_for.h>
-
 #include "common.hpp"
-#include "compute/reference/stages.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -35,53 +32,25 @@ Floats random_depth(std::uint32_t n) {
     return depth;
 }
 
-Floats expected_tiles(const Floats& depth) {
-    const auto n = static_cast<std::uint32_t>(depth.size());
-    Floats tiles(tile_count_of(n));
-    compute::reference::pyramid(depth, picture_of(n), tiles);
-    return tiles;
-}
-
-Job prepare(compute::Backend& backend, std::uint32_t n) {
-    const Floats values = random_depth(n);
-    const SharedBuffer depth = to_device(backend, values);
-    const SharedBuffer tiles = backend.allocate(tile_count_of(n) * sizeof(float));
-    const auto run = [&backend, depth, tiles, n] {
-        backend.pyramid({.depth = *depth, .depth_size = picture_of(n), .tiles = *tiles});
-        backend.finish();
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    const SharedBuffer depth = to_device(device, random_depth(n));
+    const SharedBuffer tiles = device.allocate(tile_count_of(n) * sizeof(float));
+    const auto run = [&stages, depth, tiles, n] {
+        stages.pyramid({.depth = *depth, .depth_size = picture_of(n), .tiles = *tiles});
+        stages.device().finish();
     };
     run();
-    require(read_back<float>(backend, *tiles, tile_count_of(n)) == expected_tiles(values),
-            "pyramid");
-    return {.run = run, .bytes = bytes_of(n)};
-}
-
-/// The plain C++ for a row of tiles at a time.
-Job prepare_tbb(std::uint32_t n) {
-    const auto depth = std::make_shared<Floats>(random_depth(n));
-    const auto tiles = std::make_shared<Floats>(tile_count_of(n));
-    const glm::ivec2 size = picture_of(n), tile_count = compute::tiles_for(size);
-    const auto run = [depth, tiles, size, tile_count] {
-        const auto texels = static_cast<std::size_t>(size.x) * LA_TILE; // of a row of tiles
-        const auto width = static_cast<std::size_t>(tile_count.x);
-        tbb::parallel_for(
-            std::size_t{0}, static_cast<std::size_t>(tile_count.y), [&](std::size_t y) {
-                compute::reference::pyramid(std::span{*depth}.subspan(y * texels, texels),
-                                            {size.x, LA_TILE},
-                                            std::span{*tiles}.subspan(y * width, width));
-            });
-    };
-    run();
-    require(*tiles == expected_tiles(*depth), "pyramid/tbb");
-    return {.run = run, .bytes = bytes_of(n)};
+    return {.run = run, .bytes = bytes_of(n), .result = [&device, tiles, n] {
+                return read_back<std::uint8_t>(device, *tiles, tile_count_of(n) * sizeof(float));
+            }};
 }
 
 } // namespace
 
-Rows pyramid_rows(const Backends& backends) {
-    Rows rows = own_rows(backends, "pyramid", prepare);
-    rows.push_back({"pyramid/tbb", prepare_tbb});
-    rows.push_back(copy_row(backends, "pyramid", bytes_of));
+Rows pyramid_rows(const Devices& devices) {
+    Rows rows = own_rows(devices, "pyramid", prepare);
+    rows.push_back(copy_row(devices, "pyramid", bytes_of));
     return rows;
 }
 

@@ -6,6 +6,7 @@
 // has other work to do than in a frame.
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #define CL_TARGET_OPENCL_VERSION 120
@@ -37,39 +38,44 @@ Job counted(std::function<void()> run, std::function<void()> reset, std::uint32_
     return {.run = std::move(run), .bytes = 8.0 * n, .reset = std::move(reset)};
 }
 
-std::function<void()> upload(compute::Backend& backend, const SharedBuffer& buffer,
+std::function<void()> upload(compute::Device& device, const SharedBuffer& buffer,
                              const Values& values) {
-    return
-        [&backend, buffer, values] { backend.upload(*buffer, std::as_bytes(std::span{values})); };
+    return [&device, buffer, values] { write(device, *buffer, values); };
 }
 
-Job prepare_backend(compute::Backend& backend, std::uint32_t n, compute::ScanKind kind) {
+template <compute::ScanKind kind>
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const Values values = random_values(n);
-    const SharedBuffer buffer = backend.allocate((n + std::size_t{1}) * sizeof(std::uint32_t));
-    const auto reset = upload(backend, buffer, values);
+    const SharedBuffer buffer = device.allocate((n + std::size_t{1}) * sizeof(std::uint32_t));
+    const auto reset = upload(device, buffer, values);
     reset();
-    const auto run = [&backend, buffer, n, kind] {
-        backend.scan(*buffer, n, kind);
-        backend.finish();
+    const auto run = [&stages, buffer, n] {
+        stages.scan(*buffer, n, kind);
+        stages.device().finish();
     };
     run();
-    require(read_back<std::uint32_t>(backend, *buffer, n) == scanned(values), "scan");
-    return counted(run, reset, n);
+    require(read_back<std::uint32_t>(device, *buffer, n) == scanned(values), "scan");
+    Job job = counted(run, reset, n);
+    job.result = [&device, buffer, n] {
+        return read_back<std::uint8_t>(device, *buffer, (n + std::size_t{1}) * 4);
+    };
+    return job;
 }
 
-Job prepare_boost(compute::OpenClBackend& backend, std::uint32_t n) {
+Job prepare_boost(compute::OpenClBackend& device, std::uint32_t n) {
     const Values values = random_values(n);
-    const SharedBuffer buffer = to_device(backend, values);
+    const SharedBuffer buffer = to_device(device, values);
     const boost::compute::buffer memory{static_cast<compute::OpenClBuffer&>(*buffer).memory()};
-    boost::compute::command_queue queue{backend.queue()()};
-    const auto run = [&backend, buffer, memory, queue, n]() mutable {
+    boost::compute::command_queue queue{device.queue()()};
+    const auto run = [&device, buffer, memory, queue, n]() mutable {
         const auto first = boost::compute::make_buffer_iterator<boost::compute::uint_>(memory, 0);
         boost::compute::exclusive_scan(first, first + n, first, 0U, queue);
-        backend.finish();
+        device.finish();
     };
-    Job job = counted(run, upload(backend, buffer, values), n);
+    Job job = counted(run, upload(device, buffer, values), n);
     job.run();
-    require(read_back<std::uint32_t>(backend, *buffer, n) == scanned(values), "scan/boost_compute");
+    require(read_back<std::uint32_t>(device, *buffer, n) == scanned(values), "scan/boost_compute");
     return job;
 }
 
@@ -105,15 +111,13 @@ Job prepare_host(void (*scan)(Values&), std::uint32_t n) {
 
 } // namespace
 
-Rows scan_rows(const Backends& backends) {
+Rows scan_rows(const Devices& devices) {
     using compute::ScanKind;
-    Rows rows = own_rows(backends, "scan", [](compute::Backend& backend, std::uint32_t n) {
-        return prepare_backend(backend, n, ScanKind::saturate);
-    });
-    compute::OpenClBackend& device = *backends.device;
+    Rows rows = own_rows(devices, "scan", prepare<ScanKind::saturate>);
     // What the rivals compute: a sum that wraps.
-    rows.push_back({"scan/ours_wrap",
-                    [&](std::uint32_t n) { return prepare_backend(device, n, ScanKind::wrap); }});
+    std::ranges::move(own_rows(devices, "scan_wrap", prepare<ScanKind::wrap>),
+                      std::back_inserter(rows));
+    compute::OpenClBackend& device = *devices.opencl;
     rows.push_back({"scan/std", [](std::uint32_t n) { return prepare_host(std_scan, n); }});
     rows.push_back({"scan/tbb", [](std::uint32_t n) { return prepare_host(tbb_scan, n); }});
     rows.push_back(

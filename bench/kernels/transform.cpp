@@ -2,10 +2,12 @@
 // Bytes: per vertex where it was made (12), its object (4) and two places (24); per cluster its two
 // boxes (64) and its object (4).
 
+#include <algorithm>
+#include <iterator>
+
 #include <glm/ext/matrix_transform.hpp>
 
-#include "common.hpp"
-#include "compute/reference/stages.hpp"
+#include "terrain.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -21,7 +23,11 @@ double bytes_of(std::uint32_t n) {
     return 40.0 * n + 68.0 * cluster_count(n);
 }
 
-/// The device and plain C++ get the same.
+/// The object that vertex i of n belongs to.
+std::uint32_t object_of(std::uint32_t i, std::uint32_t n) {
+    return static_cast<std::uint32_t>(std::uint64_t{i} * object_count / n);
+}
+
 struct Input {
     std::vector<glm::vec3> rest;
     std::vector<std::uint32_t> objects;
@@ -35,7 +41,7 @@ Input make_input(std::uint32_t n) {
     Input input;
     for (std::uint32_t i = 0; i < n; ++i) {
         input.rest.emplace_back(random.between(-9, 9), random.between(0, 3), random.between(-9, 9));
-        const auto object = static_cast<std::uint32_t>(std::uint64_t{i} * object_count / n);
+        const std::uint32_t object = object_of(i, n);
         input.objects.push_back(object);
         if (i % vertices_per_cluster != 0 || input.clusters.size() == cluster_count(n)) continue;
         const glm::vec3 low = input.rest.back();
@@ -57,41 +63,100 @@ Input make_input(std::uint32_t n) {
     return input;
 }
 
-Job prepare(compute::Backend& backend, std::uint32_t n) {
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
     const Input input = make_input(n);
-    const SharedBuffer rest = to_device(backend, input.rest);
-    const SharedBuffer objects = to_device(backend, input.objects);
-    const SharedBuffer matrices = to_device(backend, input.matrices);
-    const SharedBuffer rest_clusters = to_device(backend, input.clusters);
-    const SharedBuffer cluster_objects = to_device(backend, input.cluster_objects);
-    const SharedBuffer vertices = backend.allocate(n * sizeof(glm::vec3));
-    const SharedBuffer drawn = backend.allocate(n * sizeof(glm::vec3));
-    const SharedBuffer clusters = backend.allocate(cluster_count(n) * sizeof(Cluster));
-    const auto run = [=, &backend] {
-        backend.transform({.rest = *rest,
-                           .objects = *objects,
-                           .matrices = *matrices,
-                           .vertex_count = n,
-                           .vertices = *vertices,
-                           .drawn = *drawn,
-                           .rest_clusters = *rest_clusters,
-                           .cluster_objects = *cluster_objects,
-                           .cluster_count = cluster_count(n),
-                           .clusters = *clusters});
-        backend.finish();
+    const SharedBuffer rest = to_device(device, input.rest);
+    const SharedBuffer objects = to_device(device, input.objects);
+    const SharedBuffer matrices = to_device(device, input.matrices);
+    const SharedBuffer rest_clusters = to_device(device, input.clusters);
+    const SharedBuffer cluster_objects = to_device(device, input.cluster_objects);
+    const SharedBuffer vertices = device.allocate(n * sizeof(glm::vec3));
+    const SharedBuffer drawn = device.allocate(n * sizeof(glm::vec3));
+    const SharedBuffer clusters = device.allocate(cluster_count(n) * sizeof(Cluster));
+    const auto run = [=, &stages] {
+        stages.transform({.rest = *rest,
+                          .objects = *objects,
+                          .matrices = *matrices,
+                          .vertex_count = n,
+                          .vertices = *vertices,
+                          .drawn = *drawn,
+                          .rest_clusters = *rest_clusters,
+                          .cluster_objects = *cluster_objects,
+                          .cluster_count = cluster_count(n),
+                          .clusters = *clusters});
+        stages.device().finish();
     };
     run();
-    std::vector<glm::vec3> expected(n);
-    compute::reference::transform(input.rest, input.objects, input.matrices, expected);
-    require(read_back<glm::vec3>(backend, *drawn, n) == expected, "transform");
-    return {.run = run, .bytes = bytes_of(n)};
+    return {.run = run, .bytes = bytes_of(n), .result = [&device, drawn, n] {
+                return read_back<float>(device, *drawn, std::size_t{3} * n);
+            }};
+}
+
+/// transform_bounds: n triangles of a terrain in clusters of 64. Bytes: per triangle its 3 indices
+/// (12), per cluster itself read and written (64), every vertex (12) once.
+Job prepare_bounds(compute::Stages& stages, std::uint32_t n) {
+    constexpr std::uint32_t triangles_per_cluster = 64;
+    compute::Device& device = stages.device();
+    const Terrain terrain = make_terrain(n, 0);
+    std::vector<Cluster> values(n / triangles_per_cluster);
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+        values[i] = {.low = {},
+                     .high = {},
+                     .first = i * triangles_per_cluster,
+                     .count = triangles_per_cluster};
+    }
+    const auto count = static_cast<std::uint32_t>(values.size());
+    const SharedBuffer vertices = to_device(device, terrain.vertices);
+    const SharedBuffer triangles = to_device(device, terrain.triangles);
+    const SharedBuffer clusters = to_device(device, values);
+    const auto run = [=, &stages] {
+        stages.transform_bounds({*vertices, *triangles, *clusters, count});
+        stages.device().finish();
+    };
+    run();
+    return {.run = run,
+            .bytes = 12.0 * n + 64.0 * count + 12.0 * terrain.vertex_count,
+            .result = [&device, clusters, count] {
+                return read_back<std::uint8_t>(device, *clusters, count * sizeof(Cluster));
+            }};
+}
+
+/// transform_forget: n segments of 500 objects, of which every third has jumped. Bytes: per segment
+/// itself (32), the object of its start (4), and a third of the ranges (4).
+Job prepare_forget(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    std::vector<Segment> values(n);
+    std::vector<std::uint32_t> object_values(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        values[i].p = i;
+        object_values[i] = object_of(i, n);
+    }
+    std::vector<std::uint8_t> jumped_values(object_count);
+    for (std::uint32_t i = 0; i < object_count; i += 3) jumped_values[i] = 1;
+    const SharedBuffer segments = to_device(device, values);
+    const SharedBuffer objects = to_device(device, object_values);
+    const SharedBuffer jumped = to_device(device, jumped_values);
+    const SharedBuffer ranges = to_device(device, std::vector<std::uint32_t>(n, ~0U));
+    const auto run = [=, &stages] {
+        stages.transform_forget({*segments, n, *objects, *jumped, *ranges});
+        stages.device().finish();
+    };
+    run();
+    return {.run = run, .bytes = 36.0 * n + 4.0 / 3.0 * n, .result = [&device, ranges, n] {
+                return read_back<std::uint8_t>(device, *ranges, n * sizeof(std::uint32_t));
+            }};
 }
 
 } // namespace
 
-Rows transform_rows(const Backends& backends) {
-    Rows rows = own_rows(backends, "transform", prepare);
-    rows.push_back(copy_row(backends, "transform", bytes_of));
+Rows transform_rows(const Devices& devices) {
+    Rows rows = own_rows(devices, "transform", prepare);
+    rows.push_back(copy_row(devices, "transform", bytes_of));
+    std::ranges::move(own_rows(devices, "transform_bounds", prepare_bounds),
+                      std::back_inserter(rows));
+    std::ranges::move(own_rows(devices, "transform_forget", prepare_forget),
+                      std::back_inserter(rows));
     return rows;
 }
 

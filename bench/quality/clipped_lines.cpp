@@ -1,42 +1,64 @@
 #include "clipped_lines.hpp"
 
+#include <memory>
 #include <span>
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "compute/reference/stages.hpp"
+#include "compute/cpp/cpp_device.hpp"
+#include "compute/stages/stages.hpp"
 
 namespace lineatlas::bench {
 
-namespace reference = compute::reference;
+namespace {
+
+/// A table of the device's, with `values` in it.
+template <class T>
+std::unique_ptr<compute::Buffer> to_device(compute::Device& device, const std::vector<T>& values) {
+    auto buffer = device.allocate(values.size() * sizeof(T));
+    device.upload(*buffer, std::as_bytes(std::span{values}));
+    return buffer;
+}
+
+template <class T>
+std::vector<T> read_back(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
+    std::vector<T> values(count);
+    device.download(buffer, std::as_writable_bytes(std::span{values}));
+    return values;
+}
+
+} // namespace
 
 ClippedLines clip_lines(const LineSet& lines, const Camera& camera, float step,
                         LineKindMask kinds) {
-    const auto floats =
-        std::span{reinterpret_cast<const float*>(lines.vertices.data()), lines.vertices.size() * 3};
-    const auto indices = std::span{reinterpret_cast<const std::uint32_t*>(lines.triangles.data()),
-                                   lines.triangles.size() * 3};
-    std::vector<std::uint8_t> front(lines.triangles.size());
-    reference::facing(floats, indices, camera.eye(), front);
-    ClippedLines result;
-    result.clipped.resize(lines.segments.size());
-    result.offsets.resize(lines.segments.size() + 1);
-    std::vector<std::uint32_t> arcs(lines.segments.size() + 1);
+    const auto device = compute::make_cpp_device();
+    compute::Stages stages{*device};
+    const auto triangle_count = static_cast<std::uint32_t>(lines.triangles.size());
+    const auto count = static_cast<std::uint32_t>(lines.segments.size());
+    const std::size_t sums = (std::size_t{count} + 1) * sizeof(std::uint32_t);
+    const auto vertices = to_device(*device, lines.vertices);
+    const auto triangles = to_device(*device, lines.triangles);
+    const auto segments = to_device(*device, lines.segments);
+    const auto front = device->allocate(triangle_count);
+    const auto clipped = device->allocate(count * sizeof(ClippedSegment));
+    const auto offsets = device->allocate(sums);
+    const auto arcs = device->allocate(sums);
+    const compute::SegmentTable table{*vertices, *triangles, *segments, triangle_count, count};
     const glm::mat4 clip_from_world = camera.clip_from_world();
-    reference::project_clip(
-        {.segments = lines.segments,
-         .vertices = floats,
-         .triangles = indices,
-         .front = front,
-         .clip_from_world = clip_from_world,
-         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
-         .viewport = glm::vec2{camera.size},
-         .step = step,
-         .kind_mask = kinds},
-        result.clipped, result.offsets, arcs);
-    reference::scan(result.offsets, compute::ScanKind::saturate);
-    return result;
+    stages.facing({.table = table, .eye = camera.eye(), .front = *front});
+    stages.project_clip({.table = table,
+                         .front = *front,
+                         .clip_from_world = clip_from_world,
+                         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+                         .viewport = glm::vec2{camera.size},
+                         .step = step,
+                         .kind_mask = kinds,
+                         .occlusion = nullptr,
+                         .out = {*clipped, *offsets, *arcs}});
+    stages.scan(*offsets, count, compute::ScanKind::saturate);
+    return {read_back<ClippedSegment>(*device, *clipped, count),
+            read_back<std::uint32_t>(*device, *offsets, std::size_t{count} + 1)};
 }
 
 WindowSegment window_segment(const ClippedSegment& segment, glm::ivec2 viewport) {

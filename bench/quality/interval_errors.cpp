@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "constants.h"
 #include "vector/junctions.hpp"
 #include "vector/pieces.hpp"
 
@@ -34,11 +35,11 @@ class Path {
         shares_ += (to - from) * pixels * double{alpha};
         const double start = begin_ + from * pixels;
         const double end = begin_ + to * pixels;
-        if (!stretches_.empty() && stretches_.back().visible == visible &&
-            std::abs(stretches_.back().end - start) < 1e-3) {
-            stretches_.back().end = end;
+        if (!pieces_.empty() && pieces_.back().visible == visible &&
+            std::abs(pieces_.back().end - start) < 1e-3) {
+            pieces_.back().end = end;
         } else {
-            stretches_.push_back({start, end, visible});
+            pieces_.push_back({start, end, visible});
         }
     }
 
@@ -50,27 +51,25 @@ class Path {
             result.length += place.length;
             result.true_shares += place.length * double{place.alpha};
             if (place.truly_visible) result.truly_visible += place.length;
-            while (k < stretches_.size() && stretches_[k].end < place.at) ++k;
-            const bool known = k < stretches_.size() && stretches_[k].start <= place.at;
+            while (k < pieces_.size() && pieces_[k].end < place.at) ++k;
+            const bool known = k < pieces_.size() && pieces_[k].start <= place.at;
             if (!known) {
                 result.missing += place.length;
                 continue;
             }
-            if (stretches_[k].visible && !place.truly_visible)
-                result.falsely_visible += place.length;
-            if (!stretches_[k].visible && place.truly_visible)
-                result.falsely_hidden += place.length;
+            if (pieces_[k].visible && !place.truly_visible) result.falsely_visible += place.length;
+            if (!pieces_[k].visible && place.truly_visible) result.falsely_hidden += place.length;
         }
         const std::vector<double> changes = true_changes();
-        for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            const Stretch& stretch = stretches_[i];
-            if (stretch.visible) {
-                result.visible += stretch.end - stretch.start;
-                if (stretch.end - stretch.start < 1 && !truly_visible_in(stretch)) ++result.crumbs;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const Piece& piece = pieces_[i];
+            if (piece.visible) {
+                result.visible += piece.end - piece.start;
+                if (piece.end - piece.start < 1 && !truly_visible_in(piece)) ++result.crumbs;
             }
-            if (i == 0 || std::abs(stretches_[i - 1].end - stretch.start) > 1e-3) continue;
+            if (i == 0 || std::abs(pieces_[i - 1].end - piece.start) > 1e-3) continue;
             ++result.ends;
-            const double error = distance_to(changes, stretch.start);
+            const double error = distance_to(changes, piece.start);
             if (error <= end_reach_pixels) result.errors.push_back(error);
         }
         return result;
@@ -82,7 +81,7 @@ class Path {
         float alpha;
         bool truly_visible;
     };
-    struct Stretch {
+    struct Piece {
         double start, end;
         bool visible;
     };
@@ -105,18 +104,18 @@ class Path {
     }
 
     /// Or within a place of it.
-    bool truly_visible_in(const Stretch& stretch) const {
+    bool truly_visible_in(const Piece& piece) const {
         const auto first = std::ranges::lower_bound(
-            places_, stretch.start - double{truth_step_pixels}, {}, &Place::at);
+            places_, piece.start - double{truth_step_pixels}, {}, &Place::at);
         return std::any_of(first, places_.end(), [&](const Place& place) {
-            return place.at <= stretch.end + double{truth_step_pixels} && place.truly_visible;
+            return place.at <= piece.end + double{truth_step_pixels} && place.truly_visible;
         });
     }
 
     double shares_ = 0;
     double begin_ = 0, end_ = 0; ///< of the segment added last
     std::vector<Place> places_;
-    std::vector<Stretch> stretches_;
+    std::vector<Piece> pieces_;
 };
 
 } // namespace

@@ -15,7 +15,7 @@ struct IntervalFigures {
     /// The same with what is partly visible counted in part, by Interval::alpha and the truth.
     double shares = 0, true_shares = 0;
     double falsely_visible = 0, falsely_hidden = 0;
-    std::size_t crumbs = 0;     ///< visible stretches below a pixel of which nothing is visible
+    std::size_t crumbs = 0;     ///< visible pieces below a pixel of which nothing is visible
     std::size_t ends = 0;       ///< places where visibility is said to change
     std::vector<double> errors; ///< of those near a true change: pixels between the two
     double missing = 0;         ///< pixels of line that are in no interval, or in two

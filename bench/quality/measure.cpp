@@ -36,7 +36,7 @@ void Measurement::doing(const std::string& what) {
 
 Measurement::Frame Measurement::frame_at(const Camera& camera, std::uint32_t rays) const {
     Frame frame{camera, clip_lines(subject_.lines, camera, settings_.step), {}, {}};
-    const TruthOptions options{.rays = rays, .neighbourhood = settings_.neighbourhood};
+    const TruthOptions options{.rays = rays};
     frame.truth = use_cache_ ? cached_visibility(oracle_, frame.clipped, camera, options,
                                                  truth_cache_folder())
                              : oracle_.visibility(frame.clipped, camera, options);
@@ -194,8 +194,7 @@ std::vector<IntervalReport> Measurement::intervals(FrameOptions options) {
             make_camera(subject_.views[v].view(), settings_.size, subject_.lines.bounds);
         const ClippedLines fine = clip_lines(subject_.lines, camera, truth_step_pixels);
         doing("ray casting");
-        const std::vector<float> truth =
-            oracle_.visibility(fine, camera, {.rays = 9, .neighbourhood = settings_.neighbourhood});
+        const std::vector<float> truth = oracle_.visibility(fine, camera, {.rays = 9});
         renderer_.draw(camera, options, canvas_.framebuffer());
         const std::vector<Interval> found = renderer_.read_intervals();
         const auto compared = [&](std::span<const Interval> intervals) {
@@ -203,6 +202,44 @@ std::vector<IntervalReport> Measurement::intervals(FrameOptions options) {
         };
         reports[0].figures.add(compared(found));
         reports[1].figures.add(compared(met_intervals(subject_.lines, fine, camera, found)));
+    }
+    return reports;
+}
+
+std::vector<PathReport> Measurement::paths(const std::vector<Contestant>& methods,
+                                           const ErrorPicture& on_errors) {
+    constexpr int picture_scale = 2;
+    std::vector<PathReport> reports;
+    for (std::size_t v = 0; v < subject_.views.size(); ++v) {
+        begin_view(v);
+        const Camera camera =
+            make_camera(subject_.views[v].view(), settings_.size, subject_.lines.bounds);
+        doing("ray casting");
+        const EdgeTruth truth{oracle_.scene(), camera};
+        for (const Contestant& method : methods) {
+            doing(method.name);
+            FrameOptions options = method.options;
+            options.steady = false; // every view on its own
+            options.cull_hidden = true;
+            options.style.pen.join = Join::round; // a mitre may be long and right
+            FrameOptions intervals = options;
+            intervals.depth_scale = 4; // as `draw` has it for paths
+            intervals.intervals = KeptIntervals::all;
+            intervals.draw = false;
+            renderer_.draw(camera, intervals, canvas_.framebuffer());
+            const DrawnLines drawn = drawn_lines(make_vector_drawing(
+                subject_.lines, camera, renderer_.read_intervals(), options.style));
+            const Certificate certificate = certify(truth, drawn);
+            canvas_.clear(glm::vec4{1});
+            renderer_.draw(camera, options, canvas_.framebuffer());
+            const Image picture{.size = settings_.size, .channels = 4, .pixels = canvas_.read()};
+            const DrawingErrors ink = compare_ink(truth, picture);
+            reports.push_back({subject_.name + ", " + subject_.views[v].name, method.name,
+                               figures_of(certificate, ink)});
+            on_errors(v, method.name + "-paths",
+                      error_picture(truth, drawn.legs, certificate.narrow, picture_scale));
+            on_errors(v, method.name + "-ink", error_picture(picture, ink, picture_scale));
+        }
     }
     return reports;
 }

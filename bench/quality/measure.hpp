@@ -8,6 +8,7 @@
 #include "burst.hpp"
 #include "common/progress.hpp"
 #include "glpasses/canvas.hpp"
+#include "path_errors.hpp"
 #include "report.hpp"
 #include "spine_sampler.hpp"
 #include "subjects.hpp"
@@ -39,6 +40,12 @@ class Measurement {
     /// How right the intervals are that come out of SAhi, and those of a drawing as paths, whose
     /// ends meet the lines that hide them.
     std::vector<IntervalReport> intervals(FrameOptions options);
+    /// How right drawings are, as paths and as pictures of pixels; the picture of the errors of
+    /// each is handed to `on_errors`.
+    using ErrorPicture =
+        std::function<void(std::size_t view, const std::string& what, const Image&)>;
+    std::vector<PathReport> paths(const std::vector<Contestant>& methods,
+                                  const ErrorPicture& on_errors);
     /// Sparkle of what is drawn with each of some styles; each gets all of a view's frames in turn.
     SubjectReport styles(const std::vector<Contestant>& styles);
     /// Whether the truth hangs on the number of rays.

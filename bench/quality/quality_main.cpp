@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command_line/program.hpp"
 #include "common/methods.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/atomic_file.hpp"
@@ -41,6 +42,7 @@ struct Arguments {
     bool study = false;
     bool check_oracle = false;
     bool intervals = false;
+    bool paths = false;
     std::vector<std::string> styles;
     bool kinds = false;
     std::size_t worst = 0;
@@ -105,7 +107,9 @@ void set_up(CLI::App& app, Arguments& a) {
         ->check(CLI::PositiveNumber);
     app.add_option("--size", a.size, "WIDTHxHEIGHT")->delimiter('x')->expected(2);
     auto* methods =
-        app.add_option("--methods", a.methods, "Of IBlo, IBhi, STlo, SThi, SAlo, SAhi; default all")
+        app.add_option("--methods", a.methods,
+                       "Of IBlo, IBhi, STlo, SThi, SAlo, SAhi; default all. With --paths of SAlo, "
+                       "SAhi and EX; default the last two")
             ->delimiter(',');
     app.add_option("--quality", a.quality, "Only the methods of this quality: low or high")
         ->check(CLI::IsMember({"low", "high"}))
@@ -118,10 +122,6 @@ void set_up(CLI::App& app, Arguments& a) {
                                  "Without the average of visibility over frames in slow motion");
     app.add_option("--rays", a.truth.rays, "Rays per sample")
         ->check(CLI::Range(1, 65536))
-        ->capture_default_str();
-    app.add_option("--neighbourhood", a.truth.neighbourhood,
-                   "Pixel widths before a line in which nothing hides it")
-        ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--no-cache", a.no_cache, "Compute the truth even if it is known");
     app.add_flag("--kinds", a.kinds, "Figures per line kind too");
@@ -150,6 +150,12 @@ void set_up(CLI::App& app, Arguments& a) {
                  "In place of the methods: how right the intervals are that come out of the device")
         ->excludes(study)
         ->excludes(methods);
+    app.add_flag(
+           "--paths", a.paths,
+           "In place of samples: how right drawings are, as paths and as pictures of "
+           "pixels, in two views; --picture colours what is false red and what is missed blue")
+        ->excludes(study)
+        ->excludes(at);
     app.add_option("--styles", a.styles,
                    "In place of the methods: sparkle of what is drawn plain and with each of "
                    "these, of overshoot, halo, density, filter, all")
@@ -158,25 +164,31 @@ void set_up(CLI::App& app, Arguments& a) {
         ->excludes(study)
         ->excludes(methods);
     app.add_option("--json", a.json, "Figures to write");
-    app.add_option("--compute", a.device.compute, "Backend: opencl or reference")
-        ->capture_default_str();
+    app.add_option("--compute", a.device.compute, "Backend: opencl or cpp")->capture_default_str();
+}
+
+/// Why a method can't be measured; nothing if it can.
+std::string_view obstacle(const MethodSpec& spec, bool paths) {
+    if (spec.reads_back) return "is SAhi otherwise";
+    if (paths)
+        return spec.method == Method::atlas || spec.method == Method::exact ? "" : "has no paths";
+    return spec.method == Method::opengl || spec.method == Method::exact
+               ? "has no visibility samples to measure"
+               : "";
 }
 
 std::vector<Contestant> contestants(const Arguments& a) {
     for (const std::string& name : a.methods) {
-        if (method_spec(name).method == Method::opengl) {
-            throw UsageError("--methods: OGL has no visibility samples to measure");
-        }
-        if (method_spec(name).reads_back) {
-            throw UsageError("--methods: " + name + " has the samples of SAhi");
-        }
+        const std::string_view why = obstacle(method_spec(name), a.paths);
+        if (!why.empty()) throw UsageError(fmt::format("--methods: {} {}", name, why));
     }
     std::vector<Contestant> result;
     for (const MethodSpec& spec : method_specs()) {
-        if (spec.method == Method::opengl || spec.reads_back) continue;
+        if (!obstacle(spec, a.paths).empty()) continue;
         if (!a.methods.empty() && std::ranges::find(a.methods, spec.name) == a.methods.end()) {
             continue;
         }
+        if (a.paths && a.methods.empty() && spec.name == "SAlo") continue;
         if (!a.quality.empty() && spec.name.ends_with("hi") != (a.quality == "high")) continue;
         FrameOptions options;
         options.method = spec.method;
@@ -242,7 +254,11 @@ std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 si
             throw UsageError(fmt::format("--scene: there is no \"{}\"; there is {}", name,
                                          fmt::join(scene_names(), ", ")));
         }
-        result.emplace_back([=] { return scene_subject(name, places); });
+        result.emplace_back([=, still = a.paths] {
+            Subject subject = scene_subject(name, places);
+            if (still) subject.views = still_views(subject, {0, 1, 0}, size);
+            return subject;
+        });
     }
     if (a.ups.size() != 1 && a.ups.size() != a.models.size()) {
         throw UsageError(fmt::format("--up: {} axes for {} models; name one, or one for each",
@@ -253,8 +269,9 @@ std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 si
         const std::string path = a.models[i];
         const std::string name = names[i];
         const glm::vec3 up = axis(a.ups[a.ups.size() == 1 ? 0 : i]);
-        result.emplace_back([=] {
+        result.emplace_back([=, still = a.paths] {
             Subject subject = model_subject(path, up, size, places);
+            if (still) subject.views = still_views(subject, up, size);
             subject.name = name;
             return subject;
         });
@@ -268,7 +285,7 @@ class Bench {
         : arguments_(a), size_(a.size[0], a.size[1]), methods_(contestants(a)),
           subjects_(subjects(a, size_)) {
         check();
-        report_.settings = {size_, a.step, a.truth.rays, a.truth.neighbourhood, a.burst};
+        report_.settings = {size_, a.step, a.truth.rays, a.burst};
     }
 
     /// Whether everything is as it should be.
@@ -288,6 +305,13 @@ class Bench {
             } else if (arguments_.intervals) {
                 std::ranges::move(measurement.intervals(methods_.back().options),
                                   std::back_inserter(report_.intervals));
+            } else if (arguments_.paths) {
+                fresh_paths_ = measurement.paths(
+                    methods_, [&](std::size_t view, const std::string& what, const Image& picture) {
+                        if (!arguments_.picture.empty())
+                            write_image(picture_path(subject, what, view), picture);
+                    });
+                report_.paths.insert(report_.paths.end(), fresh_paths_.begin(), fresh_paths_.end());
             } else if (!arguments_.styles.empty()) {
                 report_.subjects.push_back(measurement.styles(style_contestants(arguments_)));
             } else {
@@ -336,7 +360,7 @@ class Bench {
             std::ranges::replace(name, '/', '_');
             stem += "-" + name;
         }
-        if (methods_.size() > 1) stem += "-" + method;
+        if (methods_.size() > 1 || arguments_.paths) stem += "-" + method;
         if (subject.views.size() > 1) stem += fmt::format("-{}", view);
         return path.replace_filename(stem + path.extension().string());
     }
@@ -356,6 +380,9 @@ class Bench {
             for (const IntervalReport& one : std::span{report_.intervals}.last(2)) {
                 print_intervals(one);
             }
+        } else if (arguments_.paths) {
+            if (report_.paths.size() == fresh_paths_.size()) print_paths_header();
+            for (const PathReport& one : fresh_paths_) print_paths(one);
         } else if (!arguments_.styles.empty()) {
             print_styles(report_.subjects.back());
         } else {
@@ -392,27 +419,21 @@ class Bench {
     std::vector<std::function<Subject()>> subjects_;
     Progress progress_;
     Report report_;
+    std::vector<PathReport> fresh_paths_; ///< of the last subject
 };
+
+int run(int argc, char** argv) {
+    CLI::App app{"Measures the line visibility of all methods against ray casting",
+                 "lineatlas-bench-quality"};
+    Arguments arguments;
+    set_up(app, arguments);
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
+    return Bench{arguments}.run() ? 0 : 1;
+}
 
 } // namespace
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures the line visibility of all methods against ray casting",
-                 "lineatlas-bench-quality"};
-    lineatlas::bench::Arguments arguments;
-    lineatlas::bench::set_up(app, arguments);
-    try {
-        app.parse(argc, argv);
-        if (!lineatlas::bench::Bench{arguments}.run()) return 1;
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    } catch (const lineatlas::UsageError& error) {
-        fmt::print(stderr, "lineatlas-bench-quality: {}\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas-bench-quality: {}\n", error.what());
-        return 1;
-    }
-    return 0;
+    return lineatlas::run_program(argc, argv, lineatlas::bench::run, "lineatlas-bench-quality");
 }

@@ -274,7 +274,6 @@ std::string json_text(const Report& report) {
     Json json_report{{"size", {settings.size.x, settings.size.y}},
                      {"step", settings.step},
                      {"rays", settings.rays},
-                     {"neighbourhood", settings.neighbourhood},
                      {"burst", settings.burst},
                      {"scenes", Json::object()}};
     for (const SubjectReport& subject : report.subjects) {
@@ -297,6 +296,18 @@ std::string json_text(const Report& report) {
                                               {"ends", f.ends},
                                               {"ends_within_quarter", rounded(f.ends_within(0.25))},
                                               {"ends_within_pixel", rounded(f.ends_within(1))}};
+    }
+    for (const PathReport& one : report.paths) {
+        const PathFigures& f = one.figures;
+        json_report["paths"][one.name][one.method] = {
+            {"visible", rounded(f.visible)},
+            {"undecided", rounded(f.undecided)},
+            {"missed", rounded(f.missed_share())},
+            {"false", rounded(f.false_share())},
+            {"strict_hidden", rounded(f.hidden_share())},
+            {"surely_wrong_pixels", rounded(f.surely_wrong)},
+            {"missed_ink", rounded(f.missed_ink_share())},
+            {"false_ink", rounded(f.false_ink_share())}};
     }
     for (const StudyReport& study : report.study) json_report["study"][study.name] = json(study);
     // File names need not be UTF-8, JSON must be.

@@ -7,6 +7,7 @@
 #include "compare.hpp"
 #include "interval_errors.hpp"
 #include "motion.hpp"
+#include "path_errors.hpp"
 #include "styled.hpp"
 
 // What `lineatlas-bench-quality` says: tables for people, JSON for programs.
@@ -63,7 +64,6 @@ struct Settings {
     glm::ivec2 size;
     float step;
     std::uint32_t rays;
-    float neighbourhood;
     std::size_t burst; ///< frames per view
 };
 
@@ -72,6 +72,7 @@ struct Report {
     std::vector<SubjectReport> subjects;
     std::vector<OracleReport> oracle;
     std::vector<IntervalReport> intervals;
+    std::vector<PathReport> paths;
     std::vector<StudyReport> study;
 };
 

@@ -23,14 +23,14 @@ AtlasLayout layout_for(const ClippedLines& lines) {
     }
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    return make_atlas_layout(AtlasLayoutKind::wrap, longest, static_cast<std::uint32_t>(largest));
+    return make_atlas_layout(AtlasLayoutChoice::wrap, longest, static_cast<std::uint32_t>(largest));
 }
 
 } // namespace
 
 SpineSampler::SpineSampler(const LineSet& lines)
-    : connection_(interop::connect({.backend = "reference", .device = {}, .mode = std::nullopt})),
-      scene_(*connection_.backend, connection_.mode, lines), depth_(connection_) {
+    : connection_(interop::connect({.kind = "cpp"})),
+      scene_(*connection_.stages, connection_.mode, lines), depth_(connection_) {
     depth_.set_scene(scene_);
 }
 
@@ -42,7 +42,7 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
                 .framebuffer = 0,
                 .pens = pens_,
                 .backdrop = backdrop_,
-                .clock = {*connection_.backend, false}};
+                .clock = {*connection_.device, false}};
     check_depth_size(camera.size * options.depth_scale);
     depth_.draw_texture(frame);
 

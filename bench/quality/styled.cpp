@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "constants.h"
 #include "motion.hpp"
 
 namespace lineatlas::bench {

@@ -38,7 +38,31 @@ glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
     return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
 }
 
+/// Where a built-in scene is seen from within.
+std::optional<View> inside(const std::string& scene) {
+    constexpr float wide = 1.0471976F; // 60 degrees
+    if (scene == "clevis")
+        return View{.eye = {0.09F, 0.05F, 0}, .target = {0, 0.06F, 0}, .fov_y = wide};
+    if (scene == "house")
+        return View{.eye = {-3.6F, 2.8F, 2.7F}, .target = {4, 2, -3}, .fov_y = wide};
+    if (scene == "ship" || scene == "office") return make_scene(scene).view(0.3F);
+    return std::nullopt;
+}
+
 } // namespace
+
+std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size) {
+    const auto still = [](const char* name, const View& view) {
+        return PathView{name, 0, [view](double) { return view; }};
+    };
+    const std::vector<glm::vec3>& points = subject.lines.vertices;
+    const View front = frame_points(points, size, up);
+    if (const std::optional<View> within = inside(subject.name))
+        return {still("outside", front), still("inside", *within)};
+    const glm::vec3 arm = glm::normalize(front.eye - front.target);
+    const glm::vec3 behind = glm::normalize(2.0F * glm::dot(arm, up) * up - arm);
+    return {still("front", front), still("behind", frame_points_from({behind, up}, points, size))};
+}
 
 std::vector<double> even_places(int count) {
     std::vector<double> places;

@@ -26,6 +26,10 @@ struct Subject {
     std::vector<PathView> views;
 };
 
+/// Two views for drawings that stand still. Of a built-in scene: all of it, and from within; of
+/// others: all of it from the front, and from behind.
+std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size);
+
 /// Where to look from.
 struct Places {
     std::vector<double> at;          ///< along the path

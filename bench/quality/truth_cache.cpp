@@ -13,7 +13,7 @@ namespace lineatlas::bench {
 namespace {
 
 /// Counts up when the definition of the truth changes.
-constexpr std::uint32_t definition = 2;
+constexpr std::uint32_t definition = 3;
 
 /// 128 bits of two differently seeded 64-bit hashes over the words of what is added.
 class ContentHash {
@@ -48,18 +48,21 @@ class ContentHash {
     std::array<std::uint64_t, 2> state_{1, 2};
 };
 
-std::string key(const LineSet& lines, const ClippedLines& clipped, const Camera& camera,
+std::string key(const RayScene& scene, const ClippedLines& clipped, const Camera& camera,
                 const TruthOptions& options) {
+    const LineSet& lines = scene.lines();
     ContentHash hash;
     hash.add(definition);
     hash.add(std::span{lines.vertices});
     hash.add(std::span{lines.triangles});
+    hash.add(scene.patches());
     hash.add(camera.view);
     hash.add(camera.projection);
     hash.add(camera.size);
     hash.add(options.rays);
     hash.add(options.width);
-    hash.add(options.neighbourhood);
+    hash.add(options.rule.contact);
+    hash.add(options.rule.patch_pixels);
     hash.add(std::span{clipped.offsets});
     for (std::size_t i = 0; i < lines.segments.size(); ++i) {
         if (clipped.samples(i) == 0) continue;
@@ -81,7 +84,7 @@ std::filesystem::path truth_cache_folder() {
 std::vector<float> cached_visibility(const Oracle& oracle, const ClippedLines& lines,
                                      const Camera& camera, const TruthOptions& options,
                                      const std::filesystem::path& folder) {
-    const std::filesystem::path path = folder / key(oracle.lines(), lines, camera, options);
+    const std::filesystem::path path = folder / key(oracle.scene(), lines, camera, options);
     // Floats as they are: a rounded share of exactly one half would turn verdicts over.
     std::vector<float> result(lines.offsets.back());
     const auto bytes = static_cast<std::streamsize>(result.size() * sizeof(result[0]));

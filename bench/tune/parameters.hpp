@@ -13,7 +13,7 @@ namespace lineatlas::bench {
 struct Parameter {
     std::string field;                 ///< its name in the table
     std::vector<std::uint32_t> values; ///< to try; 0 and 1 are false and true
-    Rows (*rows_of)(const Backends&);
+    Rows (*rows_of)(const Devices&);
     std::string row; ///< of bench kernels: what is timed
     std::uint32_t n; ///< its size
     /// Null, or whether the value is used at all by such a tuning.

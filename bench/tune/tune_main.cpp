@@ -5,11 +5,11 @@
 // the table's only if its median is clearly better.
 
 #include <algorithm>
-#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "command_line/program.hpp"
 #include "compute/opencl/quirks.hpp"
 #include "lineatlas/error.hpp"
 #include "parameters.hpp"
@@ -37,7 +37,7 @@ const TuningField& field_named(const std::string& name) {
 struct Candidate {
     Tuning tuning;
     std::string text; ///< of the value
-    Backends backends{};
+    Devices devices{};
     Job job{};
 };
 
@@ -58,29 +58,20 @@ std::vector<Candidate> candidates_of(const Parameter& parameter, const Tuning& c
     return result;
 }
 
-/// Makes the candidate's job and compares what a run leaves with `expected`, which the first sets.
-void prepare(Candidate& candidate, const Parameter& parameter, const OpenClDevice& device,
-             std::optional<std::vector<std::uint8_t>>& expected) {
-    candidate.backends = {compute::make_opencl_backend(device, {}, candidate.tuning),
-                          compute::make_reference_backend()};
-    const Rows rows = parameter.rows_of(candidate.backends);
+/// Makes the candidate's job; throws Error if it leaves another result than C++ does.
+void prepare(Candidate& candidate, const Parameter& parameter, const OpenClDevice& device) {
+    candidate.devices = make_devices(compute::make_opencl_backend(device, {}, candidate.tuning));
+    const Rows rows = parameter.rows_of(candidate.devices);
     candidate.job = std::ranges::find(rows, parameter.row, &Row::name)->prepare(parameter.n);
-    if (!candidate.job.result) return; // it has checked itself
-    std::vector<std::uint8_t> result = candidate.job.result();
-    if (!expected)
-        expected = std::move(result);
-    else
-        require(result == *expected, parameter.row);
 }
 
 /// Those that the device runs with the right result.
 std::vector<Candidate> prepared(std::vector<Candidate> candidates, const Parameter& parameter,
                                 const OpenClDevice& device) {
     std::vector<Candidate> result;
-    std::optional<std::vector<std::uint8_t>> expected;
     for (Candidate& candidate : candidates) {
         try {
-            prepare(candidate, parameter, device, expected);
+            prepare(candidate, parameter, device);
             result.push_back(std::move(candidate));
         } catch (const DeviceError& error) {
             fmt::print("#   {:>6}  not possible: {}\n", candidate.text, error.what());
@@ -119,8 +110,8 @@ void print_row(const OpenClDevice& device, const Tuning& tuning) {
     }
 }
 
-void run(const std::string& name, const std::vector<std::string>& only, int rounds) {
-    const OpenClDevice device = open_backends(name).device->device();
+void measure_all(const std::string& name, const std::vector<std::string>& only, int rounds) {
+    const OpenClDevice device = open_devices(name).opencl->device();
     fmt::print("# {}, driver {}\n", device.name(), device.driver_version);
     Tuning tuning = compute::tuning_for(device);
     for (const Parameter& parameter : parameters()) {
@@ -132,21 +123,17 @@ void run(const std::string& name, const std::vector<std::string>& only, int roun
     print_row(device, tuning);
 }
 
-int guarded_main(int argc, char** argv) {
-    CLI::App app{"Measures values of kernels/tuning.toml on a device and prints a row for it"};
+int run(int argc, char** argv) {
+    CLI::App app{"Measures values of kernels/tuning.toml on a device and prints a row for it",
+                 "lineatlas-bench-tune"};
     std::string device;
     std::vector<std::string> only;
     int rounds = 21;
     app.add_option("--device", device, "opencl:<platform>[:<device>]; else LINEATLAS_DEVICE");
     app.add_option("--only", only, "Values to try, e.g. scan_tiles; else all");
     app.add_option("--rounds", rounds, "Runs of each candidate")->check(CLI::Range(1, 1000));
-    CLI11_PARSE(app, argc, argv);
-    try {
-        run(device, only, rounds);
-    } catch (const UsageError& error) {
-        fmt::print(stderr, "lineatlas-bench-tune: {}\n", error.what());
-        return 2;
-    }
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
+    measure_all(device, only, rounds);
     return any_wrong ? 1 : 0;
 }
 
@@ -154,10 +141,5 @@ int guarded_main(int argc, char** argv) {
 } // namespace lineatlas::bench
 
 int main(int argc, char** argv) {
-    try {
-        return lineatlas::bench::guarded_main(argc, argv);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "lineatlas-bench-tune: {}\n", error.what());
-        return 1;
-    }
+    return lineatlas::run_program(argc, argv, lineatlas::bench::run, "lineatlas-bench-tune");
 }

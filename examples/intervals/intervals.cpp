@@ -32,6 +32,7 @@ void print_intervals() {
     const LineSet lines = extract_lines(make_boxes());
     HeadlessContext context; // or your own: any GL 4.5 core context that is current
     Renderer renderer;
+    if (!renderer.note().empty()) std::cerr << renderer.note() << '\n';
     renderer.set_lines(lines);
     const Camera camera =
         make_camera({.eye = {4, 5, 8}, .target = {0, 0, -1.5F}}, {800, 600}, lines.bounds);

@@ -7,20 +7,24 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include "core/memory_limit.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
 
-constexpr const char* advice = "; install an OpenGL driver (on Debian and Ubuntu: apt install "
-                               "libegl1 libopengl0 libgl1-mesa-dri)";
+std::string advice() {
+    return "; install an OpenGL driver (on Debian and Ubuntu: apt install libegl1 libopengl0 "
+           "libgl1-mesa-dri)" +
+           memory_limit_remark();
+}
 
 /// libepoxy ends the process where these are missing.
 void check_libraries() {
     const auto has = [](const char* name) { return dlopen(name, RTLD_LAZY) != nullptr; };
-    if (!has("libEGL.so.1")) throw DeviceError(std::string{"there is no libEGL.so.1"} + advice);
+    if (!has("libEGL.so.1")) throw DeviceError("there is no libEGL.so.1" + advice());
     if (!has("libOpenGL.so.0") && !has("libGL.so.1"))
-        throw DeviceError(std::string{"there is no libOpenGL.so.0"} + advice);
+        throw DeviceError("there is no libOpenGL.so.0" + advice());
 }
 
 /// Displays that need no window system, best first.
@@ -42,7 +46,7 @@ EGLDisplay open_display() {
         if (display == EGL_NO_DISPLAY) continue;
         if (eglInitialize(display, nullptr, nullptr) == EGL_TRUE) return display;
     }
-    throw DeviceError(std::string{"EGL offers no headless display"} + advice);
+    throw DeviceError("EGL offers no headless display" + advice());
 }
 
 } // namespace
@@ -71,7 +75,7 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
     state_->context =
         eglCreateContext(state_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
     if (state_->context == EGL_NO_CONTEXT) {
-        throw DeviceError(std::string{"the driver offers no OpenGL 4.5 core context"} + advice);
+        throw DeviceError("the driver offers no OpenGL 4.5 core context" + advice());
     }
     make_current();
 }

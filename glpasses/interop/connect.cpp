@@ -6,7 +6,7 @@
 
 #include <epoxy/gl.h>
 
-#include "compute/backends.hpp"
+#include "compute/compare/comparing_device.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "gl_context.hpp"
 #include "lineatlas/error.hpp"
@@ -15,9 +15,9 @@
 namespace lineatlas::interop {
 namespace {
 
-/// A backend that shares by a mode, if that works, and why it does or not.
+/// A device that shares by a mode, if that works, and why it does or not.
 struct Attempt {
-    std::unique_ptr<compute::OpenClBackend> backend;
+    std::unique_ptr<compute::OpenClBackend> device;
     std::string reason;
 };
 
@@ -49,8 +49,8 @@ Attempt attempt(const compute::OpenClDevice& device, SharingMode mode) {
     std::vector<cl_context_properties> properties;
     if (mode == SharingMode::gl_sharing) properties = current_gl_properties();
     try {
-        auto backend = compute::make_opencl_backend(device, properties);
-        if (round_trip(*backend, mode)) return {std::move(backend), std::string{success(mode)}};
+        auto made = compute::make_opencl_backend(device, properties);
+        if (round_trip(*made, mode)) return {std::move(made), std::string{success(mode)}};
         return {nullptr, "a round trip returned other data"};
     } catch (const DeviceError& error) {
         return {nullptr, error.what()};
@@ -58,9 +58,9 @@ Attempt attempt(const compute::OpenClDevice& device, SharingMode mode) {
 }
 
 /// Whether textures can be opened too, which only gl-sharing could.
-std::string texture_remark(compute::OpenClBackend& backend) {
+std::string texture_remark(compute::OpenClBackend& device) {
     try {
-        if (texture_round_trip(backend)) return "; textures too";
+        if (texture_round_trip(device)) return "; textures too";
         return "; a round trip with a texture returned other data";
     } catch (const DeviceError& error) {
         return std::string{"; textures not: "} + error.what();
@@ -74,37 +74,61 @@ int rank(const compute::OpenClDevice& device, bool software_gl) {
     return device.is_gpu ? 2 : 3;
 }
 
-compute::OpenClDevice choose_device(const std::string& wanted) {
-    const std::vector<compute::OpenClDevice> devices =
-        wanted.empty() ? compute::list_opencl_devices() : compute::find_opencl_devices(wanted);
-    if (devices.empty()) {
-        throw DeviceError("no OpenCL device was found; " + compute::opencl_advice());
-    }
-    return devices[default_device(devices)];
-}
+/// A device and its mode, before its kernels are put into stages.
+struct Chosen {
+    std::unique_ptr<compute::Device> device;
+    SharingMode mode;
+    std::string note{};
+};
 
-/// The backend for a mode if that mode works, with the reason if not. Building a backend compiles
+/// A device for a mode if that mode works, with the reason if not. Making a device compiles
 /// kernels, so the attempt's own is kept.
-Connection connect_device(const compute::OpenClDevice& device, std::optional<SharingMode> wanted) {
+Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMode> wanted) {
     std::string reason;
     for (const SharingMode mode : all_modes) {
         if (wanted && *wanted != mode) continue;
         // Copying needs nothing that could be missing, so no time is spent on trying it.
         if (mode == SharingMode::copy) return {compute::make_opencl_backend(device), mode};
         Attempt tried = attempt(device, mode);
-        if (tried.backend != nullptr) return {std::move(tried.backend), mode};
+        if (tried.device != nullptr) return {std::move(tried.device), mode};
         reason = tried.reason;
     }
     throw DeviceError(device.name() + " cannot share with GL by " + std::string{name_of(*wanted)} +
                       ": " + reason + "; `lineatlas devices` shows what works");
 }
 
+/// A device whose memory is the host's: a software GL can have it too.
+Chosen choose_other(const std::string& kind, const std::string& device,
+                    std::optional<SharingMode> wanted) {
+    const bool shares_memory = kind == "cpp" && gl_is_software();
+    return {compute::make_device(kind, device),
+            wanted.value_or(shares_memory ? SharingMode::host_pointer : SharingMode::copy)};
+}
+
+Chosen choose(const ConnectOptions& options) {
+    std::string wanted = options.device;
+    if (wanted.empty()) {
+        if (const char* variable = std::getenv("LINEATLAS_DEVICE")) wanted = variable;
+    }
+    const std::string kind = options.kind.empty() && wanted == "cpp" ? wanted : options.kind;
+    if (!kind.empty() && kind != "opencl") return choose_other(kind, options.device, options.mode);
+    const std::vector<compute::OpenClDevice> devices =
+        wanted.empty() ? compute::list_opencl_devices() : compute::find_opencl_devices(wanted);
+    if (!devices.empty()) return choose_mode(devices[default_device(devices)], options.mode);
+    // With so little memory GL's drivers end the process too.
+    if (kind == "opencl" || compute::drivers_lack_memory())
+        throw DeviceError(compute::no_device_message());
+    Chosen chosen = choose_other("cpp", "", options.mode);
+    chosen.note = compute::why_no_device() + ", so kernels run as C++ on all cores";
+    return chosen;
+}
+
 } // namespace
 
 ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode) {
     Attempt tried = attempt(device, mode);
-    const bool works = tried.backend != nullptr;
-    if (works && mode == SharingMode::gl_sharing) tried.reason += texture_remark(*tried.backend);
+    const bool works = tried.device != nullptr;
+    if (works && mode == SharingMode::gl_sharing) tried.reason += texture_remark(*tried.device);
     return {mode, works, tried.reason};
 }
 
@@ -125,15 +149,16 @@ std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
 }
 
 Connection connect(const ConnectOptions& options) {
-    if (options.backend != "opencl") {
-        return {compute::make_backend(options.backend, options.device),
-                options.mode.value_or(SharingMode::copy)};
+    Chosen chosen = choose(options);
+    if (!options.compare_with.empty()) {
+        const std::string& other = options.compare_with;
+        const std::string kind = other.substr(0, other.find(':'));
+        chosen.device = compute::make_comparing_device(
+            std::move(chosen.device), compute::make_device(kind, other == kind ? "" : other),
+            options.compare_until);
     }
-    std::string wanted = options.device;
-    if (wanted.empty()) {
-        if (const char* variable = std::getenv("LINEATLAS_DEVICE")) wanted = variable;
-    }
-    return connect_device(choose_device(wanted), options.mode);
+    auto stages = std::make_unique<compute::Stages>(*chosen.device);
+    return {std::move(chosen.device), std::move(stages), chosen.mode, std::move(chosen.note)};
 }
 
 } // namespace lineatlas::interop

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "compute/backend.hpp"
 #include "compute/opencl/devices.hpp"
+#include "compute/stages/stages.hpp"
 #include "shared_buffer.hpp"
 
 namespace lineatlas::interop {
@@ -29,15 +29,21 @@ ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode);
 
 /// What the user chose; empty means: find the best.
 struct ConnectOptions {
-    std::string backend = "opencl"; ///< one of compute::backend_kinds()
-    std::string device{};           ///< "opencl:<platform>[:<device>]"
+    /// One of compute::device_kinds(); empty: OpenCL, else C++ where no driver works.
+    std::string kind{};
+    std::string device{}; ///< "opencl:<platform>[:<device>]"
     std::optional<SharingMode> mode{};
+    /// A device that every kernel runs on too, to be compared, and the last stage for which that is
+    /// so (compare/comparing_device.hpp); empty: none, and all.
+    std::string compare_with{}, compare_until{};
 };
 
-/// A compute backend with the way in which it shares buffers with the current GL context.
+/// The stages on a device, with the way in which it shares buffers with the current GL context.
 struct Connection {
-    std::unique_ptr<compute::Backend> backend;
+    std::unique_ptr<compute::Device> device;
+    std::unique_ptr<compute::Stages> stages; ///< on it
     SharingMode mode;
+    std::string note{}; ///< one line for the user where the device is not what he may expect
 };
 
 /// Whether the current GL context renders on the CPU.
@@ -47,7 +53,7 @@ bool gl_is_software();
 /// else one that shares memory with it, else a GPU, else any. `devices` must not be empty.
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);
 
-/// Chooses device and mode and makes the backend. Throws UsageError for an unknown one and
+/// Chooses device and mode and connects. Throws UsageError for an unknown one and
 /// DeviceError when there is no OpenCL or the mode asked for doesn't work.
 Connection connect(const ConnectOptions& options);
 

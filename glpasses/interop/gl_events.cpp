@@ -22,7 +22,7 @@ cl::Event GlEvents::gl_commands_so_far() const {
     glDeleteSync(fence); // the event holds it
     if (status != CL_SUCCESS) {
         throw DeviceError("clCreateEventFromGLsyncKHR returned " + std::to_string(status) +
-                          "; use --interop copy");
+                          "; use DeviceOptions::interop copy");
     }
     return event;
 }

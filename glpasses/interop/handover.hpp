@@ -9,36 +9,36 @@
 
 namespace lineatlas::interop {
 
-/// One thing to pass on, and how much of its content the other side needs: 0 if it will only
-/// write. What is the same memory on both sides is passed whole.
-struct Passed {
-    Shared& shared;
-    std::size_t bytes;
-};
-
 /// Passes what is shared between GL and compute. The only code that orders the two APIs: without
 /// cl_khr_gl_event, waiting for one before the other starts is all that the standards promise
 /// (glFinish, not glFlush, and clFinish). With it, what OpenCL has opened needs neither wait.
 /// The GL context must be current on the calling thread.
 class Handover {
   public:
-    explicit Handover(compute::Backend& backend);
+    explicit Handover(compute::Device& device);
 
-    void to_compute(std::initializer_list<Passed> passed) {
-        to_compute({passed.begin(), passed.size()});
+    /// Nothing is done for what is there already, nor for null.
+    void to_compute(std::initializer_list<Shared*> shared) {
+        to_compute(std::span{shared.begin(), shared.size()});
     }
-    void to_compute(std::span<const Passed> passed);
-    void to_gl(std::initializer_list<Passed> passed) { to_gl({passed.begin(), passed.size()}); }
-    void to_gl(std::span<const Passed> passed);
+    void to_compute(std::span<Shared* const> shared);
+    void to_gl(std::initializer_list<Shared*> shared) {
+        to_gl(std::span{shared.begin(), shared.size()});
+    }
+    void to_gl(std::span<Shared* const> shared);
 
   private:
-    static std::vector<_cl_mem*> opened_of(std::span<const Passed> passed);
-    void acquire(std::span<_cl_mem* const> opened);
-    void release(std::span<_cl_mem* const> opened);
+    /// Finds what of `shared` is to go; returns whether all of it is opened by OpenCL and ordered
+    /// by events, so that nobody has to wait.
+    bool find_going(std::span<Shared* const> shared, bool to_gl);
+    void acquire();
+    void release();
 
-    compute::Backend& backend_;
-    compute::OpenClBackend* opencl_; ///< null for other backends, which open nothing
+    compute::Device& device_;
+    compute::OpenClBackend* opencl_; ///< null for other devices, which open nothing
     GlEvents events_;
+    std::vector<Shared*> going_;   ///< kept for their memory
+    std::vector<_cl_mem*> opened_; ///< of them
 };
 
 } // namespace lineatlas::interop

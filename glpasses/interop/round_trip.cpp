@@ -12,16 +12,19 @@
 
 namespace lineatlas::interop {
 
-bool round_trip(compute::Backend& backend, SharingMode mode) {
+bool round_trip(compute::Device& device, SharingMode mode) {
     constexpr std::uint32_t n = 1023;
     const std::unique_ptr<SharedBuffer> buffer =
-        make_shared_buffer(backend, mode, (n + 1) * sizeof(std::uint32_t));
+        make_shared_buffer(device, mode, (n + 1) * sizeof(std::uint32_t));
     const std::uint32_t one = 1;
     glClearNamedBufferData(buffer->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
-    Handover handover{backend};
-    handover.to_compute({{*buffer, buffer->size()}});
-    backend.scan(buffer->compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
-    handover.to_gl({{*buffer, buffer->size()}});
+    compute::Stages stages{device};
+    Handover handover{device};
+    buffer->wrote(buffer->size());
+    handover.to_compute({buffer.get()});
+    stages.scan(buffer->compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
+    buffer->wrote(buffer->size());
+    handover.to_gl({buffer.get()});
     // Copied on the GL side first, so that GL itself has read it.
     const gl::Buffer copy = gl::Buffer::create();
     glNamedBufferStorage(copy.id(), static_cast<GLsizeiptr>(buffer->size()), nullptr, 0);
@@ -34,7 +37,7 @@ bool round_trip(compute::Backend& backend, SharingMode mode) {
     return seen == expected;
 }
 
-bool texture_round_trip(compute::OpenClBackend& backend) {
+bool texture_round_trip(compute::OpenClBackend& device) {
     constexpr std::size_t side = 64;
     constexpr std::array<std::size_t, 3> origin{0, 0, 0};
     constexpr std::array<std::size_t, 3> region{side, side, 1};
@@ -43,21 +46,20 @@ bool texture_round_trip(compute::OpenClBackend& backend) {
     const float from_gl = 0.25F;
     glClearTexImage(texture.id(), 0, GL_RED, GL_FLOAT, &from_gl);
 
-    SharedTexture shared{backend, texture.id()};
-    Handover handover{backend};
+    SharedTexture shared{device, texture.id()};
+    Handover handover{device};
     std::vector<float> seen(side * side);
-    handover.to_compute({{shared, 0}});
+    handover.to_compute({&shared});
     std::vector<float> from_compute(side * side);
     std::iota(from_compute.begin(), from_compute.end(), 0.0F);
     try {
-        backend.queue().enqueueReadImage(shared.image(), CL_TRUE, origin, region, 0, 0,
-                                         seen.data());
-        backend.queue().enqueueWriteImage(shared.image(), CL_TRUE, origin, region, 0, 0,
-                                          from_compute.data());
+        device.queue().enqueueReadImage(shared.image(), CL_TRUE, origin, region, 0, 0, seen.data());
+        device.queue().enqueueWriteImage(shared.image(), CL_TRUE, origin, region, 0, 0,
+                                         from_compute.data());
     } catch (const cl::Error& error) {
         throw DeviceError(std::string{error.what()} + " returned " + std::to_string(error.err()));
     }
-    handover.to_gl({{shared, 0}});
+    handover.to_gl({&shared});
     if (std::ranges::count(seen, from_gl) != static_cast<std::ptrdiff_t>(seen.size())) return false;
     glGetTextureImage(texture.id(), 0, GL_RED, GL_FLOAT,
                       static_cast<GLsizei>(seen.size() * sizeof(float)), seen.data());

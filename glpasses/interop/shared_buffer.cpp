@@ -14,16 +14,16 @@ namespace {
 /// One GL buffer opened by OpenCL.
 class GlSharingBuffer final : public SharedBuffer {
   public:
-    GlSharingBuffer(const compute::OpenClBackend& backend, std::size_t bytes,
-                    const Purpose& purpose)
+    GlSharingBuffer(const compute::OpenClBackend& device, std::size_t bytes, const Purpose& purpose)
         : SharedBuffer(bytes), gl_(gl::Buffer::create()) {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
         try {
-            cl::BufferGL opened{backend.context(), CL_MEM_READ_WRITE, gl_.id()};
+            cl::BufferGL opened{device.context(), CL_MEM_READ_WRITE, gl_.id()};
             compute_ = std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes);
         } catch (const cl::Error& error) {
             throw DeviceError(std::string{"sharing a GL buffer failed: "} + error.what() +
-                              " returned " + std::to_string(error.err()) + "; use --interop copy");
+                              " returned " + std::to_string(error.err()) +
+                              "; use DeviceOptions::interop copy");
         }
     }
 
@@ -50,21 +50,21 @@ void quietly(Action&& action) {
 /// Host memory that GL keeps mapped and compute wraps.
 class HostPointerBuffer final : public SharedBuffer {
   public:
-    HostPointerBuffer(compute::Backend& backend, std::size_t bytes, const Purpose& purpose)
-        : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()) {
+    HostPointerBuffer(compute::Device& device, std::size_t bytes, const Purpose& purpose)
+        : SharedBuffer(bytes), device_(device), gl_(gl::Buffer::create()) {
         constexpr GLbitfield access =
             GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
         gl::allocate(gl_, bytes, nullptr, access | GL_DYNAMIC_STORAGE_BIT, purpose);
         void* memory = gl::map(gl_, bytes, access, purpose);
-        compute_ = backend.wrap({static_cast<std::byte*>(memory), bytes});
-        backend.begin_host_access(*compute_);
+        compute_ = device.wrap({static_cast<std::byte*>(memory), bytes});
+        device.begin_host_access(*compute_);
     }
     ~HostPointerBuffer() override {
         // The wrapper must be gone before GL takes its memory away, and so must what works on it:
         // an error may have ended a frame with kernels on their way. PoCL 3.1 keeps for ever what
         // is released while it is mapped.
-        quietly([&] { backend_.end_host_access(*compute_); });
-        quietly([&] { backend_.finish(); });
+        quietly([&] { device_.end_host_access(*compute_); });
+        quietly([&] { device_.finish(); });
         compute_.reset();
         if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
     }
@@ -73,10 +73,10 @@ class HostPointerBuffer final : public SharedBuffer {
     compute::Buffer& compute() override { return *compute_; }
 
   private:
-    void enter_compute(std::size_t) override { backend_.end_host_access(*compute_); }
-    void leave_compute(std::size_t) override { backend_.begin_host_access(*compute_); }
+    void enter_compute(std::size_t) override { device_.end_host_access(*compute_); }
+    void leave_compute(std::size_t) override { device_.begin_host_access(*compute_); }
 
-    compute::Backend& backend_;
+    compute::Device& device_;
     gl::Buffer gl_;
     std::unique_ptr<compute::Buffer> compute_;
 };
@@ -84,9 +84,9 @@ class HostPointerBuffer final : public SharedBuffer {
 /// A buffer on each side and a staging area on the host between them.
 class CopyBuffer final : public SharedBuffer {
   public:
-    CopyBuffer(compute::Backend& backend, std::size_t bytes, const Purpose& purpose)
-        : SharedBuffer(bytes), backend_(backend), gl_(gl::Buffer::create()),
-          compute_(backend.allocate(bytes)) {
+    CopyBuffer(compute::Device& device, std::size_t bytes, const Purpose& purpose)
+        : SharedBuffer(bytes), device_(device), gl_(gl::Buffer::create()),
+          compute_(device.allocate(bytes)) {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
     }
 
@@ -102,16 +102,16 @@ class CopyBuffer final : public SharedBuffer {
         if (bytes == 0) return;
         const std::span<std::byte> area = staging(bytes);
         glGetNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
-        backend_.upload(*compute_, area);
+        device_.upload(*compute_, area);
     }
     void enter_gl(std::size_t bytes) override {
         if (bytes == 0) return;
         const std::span<std::byte> area = staging(bytes);
-        backend_.download(*compute_, area);
+        device_.download(*compute_, area);
         glNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
     }
 
-    compute::Backend& backend_;
+    compute::Device& device_;
     gl::Buffer gl_;
     std::unique_ptr<compute::Buffer> compute_;
     std::vector<std::byte> staging_;
@@ -131,24 +131,25 @@ std::string_view name_of(SharingMode mode) {
     return "unknown";
 }
 
-std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
+std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Device& device, SharingMode mode,
                                                  std::size_t bytes, const Purpose& purpose) {
     bytes = std::max<std::size_t>(bytes, 64);
     return for_purpose(purpose, [&]() -> std::unique_ptr<SharedBuffer> {
         switch (mode) {
         case SharingMode::gl_sharing: {
-            auto* opencl = dynamic_cast<compute::OpenClBackend*>(&backend);
+            auto* opencl = dynamic_cast<compute::OpenClBackend*>(&device);
             if (opencl == nullptr) {
-                throw DeviceError(backend.description() + " has no gl-sharing; use --interop copy");
+                throw DeviceError(device.description() +
+                                  " has no gl-sharing; use DeviceOptions::interop copy");
             }
             return std::make_unique<GlSharingBuffer>(*opencl, bytes, purpose);
         }
         case SharingMode::host_pointer:
-            return std::make_unique<HostPointerBuffer>(backend, bytes, purpose);
+            return std::make_unique<HostPointerBuffer>(device, bytes, purpose);
         case SharingMode::copy:
             break;
         }
-        return std::make_unique<CopyBuffer>(backend, bytes, purpose);
+        return std::make_unique<CopyBuffer>(device, bytes, purpose);
     });
 }
 

@@ -6,7 +6,7 @@
 
 #include <epoxy/gl.h>
 
-#include "compute/backend.hpp"
+#include "compute/stages/stages.hpp"
 #include "core/limits.hpp"
 #include "shared.hpp"
 
@@ -36,8 +36,8 @@ class SharedBuffer : public Shared {
     std::size_t size_;
 };
 
-/// Throws DeviceError when memory runs out or the mode does not work with this backend.
-std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Backend& backend, SharingMode mode,
+/// Throws DeviceError when memory runs out or the mode does not work with this device.
+std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Device& device, SharingMode mode,
                                                  std::size_t bytes,
                                                  const Purpose& purpose = purpose::scratch);
 

@@ -13,7 +13,7 @@ class SharedTexture final : public Shared {
   public:
     /// Opens level 0 of `texture`, whose size and format must be final and which must outlive this.
     /// Throws DeviceError if the driver refuses, as it does for formats that OpenCL lacks.
-    SharedTexture(const compute::OpenClBackend& backend, GLuint texture);
+    SharedTexture(const compute::OpenClBackend& device, GLuint texture);
 
     const cl::Image& image() const { return image_; } ///< for kernels, while compute has it
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "neighbour.hpp"
+#include "command_line/sibling_program.hpp"
 
 namespace lineatlas::apps {
 
@@ -19,8 +19,8 @@ Command setup_bench(CLI::App& app) {
     }
     return [&app] {
         const CLI::App* chosen = app.get_subcommands().front();
-        run_neighbour("lineatlas-bench-" + chosen->get_name(), chosen->remaining(),
-                      "the benchmarks are built with the option LINEATLAS_BENCH");
+        run_sibling("lineatlas-bench-" + chosen->get_name(), chosen->remaining(),
+                    "the benchmarks are built with the option LINEATLAS_BENCH");
     };
 }
 

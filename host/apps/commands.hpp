@@ -16,5 +16,7 @@ Command setup_styles(CLI::App& app);  ///< lineatlas styles
 Command setup_devices(CLI::App& app); ///< lineatlas devices
 Command setup_bench(CLI::App& app);   ///< lineatlas bench
 Command setup_view(CLI::App& app);    ///< lineatlas view
+Command setup_check(CLI::App& app);   ///< lineatlas check
+Command setup_scene(CLI::App& app);   ///< lineatlas scene
 
 } // namespace lineatlas::apps

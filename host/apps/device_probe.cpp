@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "child_process.hpp"
+#include "command_line/child_process.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/error.hpp"
 

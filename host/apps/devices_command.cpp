@@ -11,6 +11,7 @@
 #include "glpasses/headless_context.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "io/atomic_file.hpp"
+#include "io/confinement.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -73,7 +74,7 @@ void list_devices(const DevicesOptions& options) {
     fmt::print("GL: {} ({})\n\n", gl_string(GL_RENDERER), gl_string(GL_VERSION));
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
     if (devices.empty()) {
-        fmt::print("No OpenCL device was found; {}.\n", compute::opencl_advice());
+        fmt::print("{}\n", compute::no_device_message());
     } else {
         const std::size_t chosen = interop::default_device(devices);
         for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -83,7 +84,10 @@ void list_devices(const DevicesOptions& options) {
         fmt::print("\n* is used by default; choose another with --device or LINEATLAS_DEVICE, by "
                    "any part of its names:\n  opencl:<platform>[:<device>]\n");
     }
-    fmt::print("\nreference: plain C++ on the CPU (--compute reference)\n");
+    fmt::print("\ncpp: kernels as C++ on all cores (--compute cpp)\n");
+    const std::string readers = describe(offered_confinement());
+    fmt::print("\nProcesses that read models and pictures: {}\n", readers);
+    json["readers"] = readers;
     if (!options.json.empty()) write_json(options.json, json);
 }
 

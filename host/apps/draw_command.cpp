@@ -1,33 +1,44 @@
 #include "commands.hpp"
 
-#include <map>
 #include <numbers>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "compute/backends.hpp"
+#include "certifier.hpp"
+#include "command_line/device_options.hpp"
+#include "command_line/read_options.hpp"
+#include "command_line/setting_options.hpp"
+#include "command_line/style_options.hpp"
+#include "command_line/values.hpp"
+#include "command_line/view_options.hpp"
+#include "core/up_axis.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
+#include "empty_frames.hpp"
+#include "framing_note.hpp"
 #include "glpasses/headless_context.hpp"
+#include "io/extension.hpp"
 #include "io/image_writer.hpp"
 #include "io/isolated.hpp"
 #include "io/odd_triangles.hpp"
+#include "io/standard_streams.hpp"
+#include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "output/picture_output.hpp"
+#include "output/vector_output.hpp"
 #include "output_pattern.hpp"
+#include "output_places.hpp"
 #include "path_options.hpp"
 #include "picture_options.hpp"
-#include "picture_output.hpp"
 #include "profile_output.hpp"
-#include "read_options.hpp"
 #include "sequence_options.hpp"
-#include "style_options.hpp"
-#include "values.hpp"
-#include "vector_output.hpp"
+#include "style/frame_settings.hpp"
+#include "vector/sheet.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -38,19 +49,10 @@ constexpr float radians_per_degree = std::numbers::pi_v<float> / 180;
 struct DrawArguments {
     std::string model, scene, output;
     std::string size = "1024x768";
-    std::string eye, target, up;
-    float fov = 40;
+    ViewOptions view;
     float at = 0;
-    std::string lines = "crease,boundary,material,silhouette,file";
     float crease = 30;
-    std::string method = "atlas";
-    std::string quality = "high";
-    std::uint32_t probes = 0;
-    int depth_scale = 0;
-    float step = 2;
-    std::string atlas = "auto";
-    std::string atlas_layout = "wrap";
-    std::string stroke_shader = "geometry";
+    SettingOptions<FrameSettings> frame;
     StyleOptions style;
     ReadOptions read;
     SequenceOptions sequence;
@@ -62,51 +64,11 @@ struct DrawArguments {
     int repeat = 1;
 };
 
-template <class T>
-T choose(std::string_view option, const std::string& value, const std::map<std::string, T>& known) {
-    const auto found = known.find(value);
-    if (found != known.end()) return found->second;
-    std::string names;
-    for (const auto& [name, _] : known) names += (names.empty() ? "" : ", ") + name;
-    throw UsageError(fmt::format("{} \"{}\" is unknown; there is {}", option, value, names));
-}
-
-/// Depth texels per pixel that --quality stands for. Paths end where the depth buffer has it, so
-/// they get a finer one where no GL's limit is in its way.
-int usual_depth_scale(const DrawArguments& arguments, bool high, glm::ivec2 size) {
-    constexpr int largest = 4096;
-    const bool finer = is_path_file(arguments.output) && size.x <= largest && size.y <= largest;
-    return !high ? 1 : finer ? 4 : 2;
-}
-
-FrameOptions frame_options(const DrawArguments& arguments, const Style& style, glm::ivec2 size) {
-    const Method method = choose<Method>("--method", arguments.method,
-                                         {{"atlas", Method::atlas},
-                                          {"spine", Method::spine},
-                                          {"itembuffer", Method::item_buffer},
-                                          {"opengl", Method::opengl}});
-    const bool high =
-        choose<bool>("--quality", arguments.quality, {{"low", false}, {"high", true}});
-    FrameOptions options;
-    options.method = method;
-    options.probes = high ? 9 : 1;
-    options.depth_scale = usual_depth_scale(arguments, high, size);
-    if (arguments.probes != 0) options.probes = arguments.probes;
-    if (arguments.depth_scale != 0) options.depth_scale = arguments.depth_scale;
-    options.step = arguments.step;
-    options.lines = parse_lines("--lines", arguments.lines);
-    options.atlas = choose<AtlasForm>("--atlas", arguments.atlas,
-                                      {{"auto", AtlasForm::automatic},
-                                       {"raster", AtlasForm::raster},
-                                       {"compute", AtlasForm::compute}});
-    options.atlas_layout = choose<AtlasLayoutChoice>(
-        "--atlas-layout", arguments.atlas_layout,
-        {{"wrap", AtlasLayoutChoice::wrap}, {"gutter", AtlasLayoutChoice::gutter}});
-    options.stroke_shader = choose<StrokeShader>(
-        "--stroke-shader", arguments.stroke_shader,
-        {{"geometry", StrokeShader::geometry}, {"vertex", StrokeShader::vertex}});
-    options.style = style;
-    return options;
+/// The command line's settings of frames.
+FrameSettings frame_settings_of(const DrawArguments& arguments) {
+    FrameSettings settings;
+    arguments.frame.apply(settings);
+    return settings;
 }
 
 /// What is drawn, and the view on it unless the command line says another.
@@ -123,40 +85,63 @@ Axis vertical_axis(const Subject& subject, glm::vec3 up) {
             .direction = glm::normalize(up)};
 }
 
-Subject load_subject(const DrawArguments& arguments, glm::ivec2 size) {
-    const LineOptions line_options{.kinds = parse_lines("--lines", arguments.lines),
+/// The upward axis; a note says so where none was given and it is not y.
+glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::vector<std::string>& notes) {
+    if (arguments.view.says_up()) return arguments.view.up({});
+    const glm::vec3 up = guess_up(mesh, usual_up(arguments.model));
+    const bool matters = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
+    if (up.z > 0 && matters) notes.push_back("z is taken as upwards; --up y takes y");
+    return up;
+}
+
+Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
+    const LineOptions line_options{.kinds = kinds,
                                    .crease_angle = arguments.crease * radians_per_degree};
-    const float fov = arguments.fov * radians_per_degree;
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         LineSet lines = extract_lines(scene.mesh, line_options);
-        const View view = scene.view(arguments.at);
+        const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
+        const glm::vec3 up = arguments.view.up({0, 1, 0});
+        const View view =
+            framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
         return {scene.name, std::move(scene.mesh), std::move(lines), view, {}};
     }
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
     Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
-    if (!loaded.notes.empty()) fmt::print(stderr, "lineatlas: {}\n", fmt::join(loaded.notes, "; "));
-    const glm::vec3 up = arguments.up.empty() ? glm::vec3{0, 1, 0} : parse_up("--up", arguments.up);
+    const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
+    if (std::string note = frames ? framing_note(subject.lines, loaded.origin) : ""; !note.empty())
+        loaded.notes.push_back(std::move(note));
+    const glm::vec3 up = up_of(arguments, subject.mesh, loaded.notes);
+    if (!loaded.notes.empty())
+        print_error(fmt::format("lineatlas: {}\n", fmt::join(loaded.notes, "; ")));
     const std::vector<glm::vec3>& points = subject.lines.vertices;
-    subject.view = arguments.sequence.turns()
-                       ? frame_points(swept(points, vertical_axis(subject, up)), size, up, fov)
-                       : frame_points(points, size, up, fov);
+    subject.view =
+        arguments.view.framed(arguments.sequence.turns() ? swept(points, vertical_axis(subject, up))
+                                                         : std::span<const glm::vec3>{points},
+                              size, up);
     return subject;
 }
 
-void apply_camera(const DrawArguments& arguments, const CLI::App& app, Subject& subject) {
-    View& view = subject.view;
-    // A camera placed by hand sees planes fitted to it.
-    if (!arguments.eye.empty()) {
-        view.eye = parse_point("--eye", arguments.eye) - subject.origin;
-        view.near = view.far = 0;
+/// Millimetres of paper that a pixel of the picture takes. Throws UsageError when nothing says so.
+double millimetres_per_pixel(const DrawArguments& arguments, glm::ivec2 size) {
+    if (is_path_file(arguments.output)) {
+        const SvgOptions svg = arguments.paths.svg();
+        return length_in({lay_out(size, svg).scale, svg.units}, Unit::mm);
     }
-    if (!arguments.target.empty())
-        view.target = parse_point("--target", arguments.target) - subject.origin;
-    if (!arguments.up.empty()) view.up = parse_up("--up", arguments.up);
-    if (app.count("--fov") > 0) view.fov_y = arguments.fov * radians_per_degree;
+    const auto dpi = static_cast<double>(arguments.picture.settings().dpi);
+    if (dpi == 0) throw UsageError("--scale: a picture of pixels needs --dpi");
+    return length_in({1 / dpi, Unit::in}, Unit::mm);
+}
+
+void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 size) {
+    const bool up_is_guessed =
+        arguments.scene.empty() && !arguments.view.says_up() && !arguments.sequence.turns();
+    arguments.view.apply(subject.view, subject.origin, up_is_guessed);
+    if (!arguments.view.to_scale()) return;
+    subject.view = arguments.view.scaled(subject.view, millimetres_per_pixel(arguments, size), size,
+                                         subject.lines.vertices);
 }
 
 /// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
@@ -164,28 +149,51 @@ std::optional<std::vector<SequenceFrame>> sequence_frames(const DrawArguments& a
                                                           const Subject& subject, glm::ivec2 size) {
     if (!arguments.sequence.given(arguments.output)) return std::nullopt;
     Axis axis = vertical_axis(subject, subject.view.up);
-    if (!arguments.target.empty()) axis.point = subject.view.target;
+    if (arguments.view.says_target()) axis.point = subject.view.target;
     return arguments.sequence.frames(arguments.output, subject.view, axis, size,
                                      subject.lines.bounds, subject.origin);
 }
 
+void check_range(std::string_view option, float value, float least, float most) {
+    if (value >= least && value <= most) return; // NaN is not
+    throw UsageError(fmt::format("{} must be from {} to {}, not {}", option, least, most, value));
+}
+
 /// Everything that can be wrong on the command line alone is found before any work starts.
-void check_arguments(const DrawArguments& arguments) {
+void check_arguments(const DrawArguments& arguments, const FrameSettings& settings) {
     if (arguments.model.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
+    check_range("--crease", arguments.crease, 0, 180);
+    check_range("--at", arguments.at, 0, 1);
     const bool sequence = arguments.sequence.given(arguments.output);
     if (sequence && arguments.stats) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
+    arguments.view.check();
     arguments.profile.check();
     arguments.read.check();
-    arguments.paths.check(arguments.output);
+    arguments.paths.check(arguments.output, settings.rest.method);
     if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
                               : std::filesystem::path{arguments.output});
     arguments.picture.check(arguments.output);
+}
+
+constexpr std::string_view output_option = "--output";
+
+/// All files but the frames of a sequence.
+OutputPlaces output_places(const DrawArguments& arguments,
+                           const std::map<std::string, Image>& pen_images) {
+    OutputPlaces places;
+    places.reads(arguments.model);
+    places.reads(arguments.style.name());
+    places.reads(arguments.sequence.camera_path());
+    for (const auto& [file, image] : pen_images) places.reads(file);
+    if (!arguments.sequence.given(arguments.output)) places.writes(output_option, arguments.output);
+    arguments.profile.add_to(places);
+    return places;
 }
 
 /// All that `draw` draws.
@@ -199,18 +207,25 @@ struct Drawing {
 };
 
 /// `draw`: how --stats draws a frame.
-void draw_frames(const Drawing& drawing, FrameOutput& output, Renderer& renderer,
+void draw_frames(const Drawing& drawing, FrameOutput& to, Renderer& renderer,
                  const std::function<FrameStats(const Camera&, const FrameOptions&)>& draw) {
     const DrawArguments& arguments = drawing.arguments;
+    EmptyFrames output{to, drawing.subject.lines, drawing.options.lines};
+    const auto say_if_empty = [&] {
+        if (const std::string report = output.report(); !report.empty())
+            print_error(fmt::format("lineatlas: {}\n", report));
+    };
     if (drawing.frames) {
         ProfiledOutput profiled{output, renderer};
         draw_sequence(*drawing.frames, profiled, arguments.sequence.resume());
+        say_if_empty();
         return arguments.profile.write(profiled.take(), renderer.description());
     }
     const Subject& subject = drawing.subject;
     const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
     output.draw(camera, arguments.output);
     output.finish();
+    say_if_empty();
     if (arguments.profile.given()) {
         FrameOptions options = drawing.options;
         options.profile = true;
@@ -233,13 +248,16 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
     const PictureOptions& picture = drawing.arguments.picture;
     ImageSettings settings = picture.settings();
     settings.description = drawing.description;
-    PictureOutput output{{.size = drawing.size,
-                          .options = drawing.options,
-                          .settings = settings,
-                          .transparent = picture.transparent(),
-                          .tile_size = picture.tile_size()},
-                         renderer,
-                         writer};
+    PictureOutput output{
+        {.size = drawing.size,
+         .options = drawing.options,
+         .settings = settings,
+         .transparent = picture.transparent(),
+         .tile_size = picture.tile_size(),
+         .note =
+             [](const std::string& note) { print_error(fmt::format("lineatlas: {}\n", note)); }},
+        renderer,
+        writer};
     draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
         return output.draw(camera, wanted);
     });
@@ -251,39 +269,54 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
     SvgOptions svg = paths.svg();
     svg.title = std::filesystem::path{subject.name}.stem().string();
     svg.background = !drawing.arguments.picture.transparent();
-    VectorOutput output{
-        {.options = drawing.options,
-         .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
-         .svg = svg,
-         .json = {.tags = paths.tags(), .description = {}, .origin = subject.origin},
-         .description = drawing.description},
-        subject.lines,
-        renderer};
+    std::optional<Certifier> certifier;
+    if (paths.certify()) {
+        certifier.emplace(subject.mesh, subject.lines,
+                          drawing.arguments.crease * radians_per_degree);
+    }
+    VectorFrame frame{
+        .options = drawing.options,
+        .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
+        .svg = svg,
+        .json = {.tags = paths.tags(), .description = {}, .origin = subject.origin},
+        .description = drawing.description};
+    if (certifier) {
+        frame.certify = [&](const auto& drawn, const auto& camera, const auto& path) {
+            return certifier->check(drawn, camera, path);
+        };
+    }
+    VectorOutput output{std::move(frame), subject.lines, renderer};
     draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
         return output.find(camera, wanted);
     });
 }
 
 void draw(const DrawArguments& arguments, const CLI::App& app) {
-    check_arguments(arguments);
+    const FrameSettings settings = frame_settings_of(arguments);
+    check_arguments(arguments, settings);
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const Style style = arguments.style.style();
-    FrameOptions options = frame_options(arguments, style, size);
+    FrameOptions options =
+        is_path_file(arguments.output) ? settings.for_paths(size) : settings.for_pixels();
+    options.style = style;
     ImageWriter writer; // before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
+    const OutputPlaces places = output_places(arguments, pen_images);
 
-    Subject subject = load_subject(arguments, size);
-    apply_camera(arguments, app, subject);
+    Subject subject = load_subject(arguments, options.lines, size);
+    apply_camera(arguments, subject, size);
     const std::optional<std::vector<SequenceFrame>> frames =
         sequence_frames(arguments, subject, size);
     // A frame of a sequence is the same whatever was drawn before it.
     if (frames) {
+        for (const SequenceFrame& frame : *frames) places.check(output_option, frame.path);
         options.steady = false;
         options.profile = arguments.profile.given();
     }
 
     const gl::HeadlessContext context;
     Renderer renderer{arguments.device};
+    if (!renderer.note().empty()) fmt::print(stderr, "lineatlas: {}\n", renderer.note());
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);
     const Drawing drawing{arguments, describe_drawing(app, arguments.model), subject, size, options,
@@ -294,7 +327,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         draw_pictures(drawing, renderer, writer);
     if (!arguments.device.compare_with.empty()) {
         const Renderer::Comparison equal = renderer.comparison();
-        fmt::print("{}: equal in {} stages, {} elements\n", renderer.description(), equal.stages,
+        fmt::print("{}: equal in {} kernels, {} elements\n", renderer.description(), equal.kernels,
                    equal.elements);
     }
 }
@@ -313,10 +346,6 @@ Command setup_draw(CLI::App& app) {
     app.add_option("--scene", a.scene,
                    "A built-in scene in place of MODEL: clevis, house, ship, office")
         ->group(model);
-    app.add_option("--lines", a.lines,
-                   "Kinds of line, separated by commas: crease, boundary, material, silhouette, "
-                   "file; default all")
-        ->group(model);
     app.add_option("--crease", a.crease, "Edges bent by more than this are creases, in degrees")
         ->capture_default_str()
         ->group(model);
@@ -325,45 +354,12 @@ Command setup_draw(CLI::App& app) {
     app.add_option("--size", a.size, "Picture size in pixels")
         ->capture_default_str()
         ->group(camera);
-    app.add_option("--eye", a.eye, "Position of the eye: X,Y,Z")->group(camera);
-    app.add_option("--target", a.target, "The point looked at: X,Y,Z")->group(camera);
-    app.add_option("--up", a.up, "Upward axis of the model: x, y, z or X,Y,Z; default y")
-        ->group(camera);
-    app.add_option("--fov", a.fov, "Vertical field of view in degrees")
-        ->capture_default_str()
-        ->group(camera);
+    a.view.declare(app, camera);
     app.add_option("--at", a.at, "Position along a scene's camera path, 0 to 1")
         ->capture_default_str()
         ->group(camera);
 
-    const std::string visibility = "Visibility";
-    app.add_option("--method", a.method,
-                   "How visibility is computed: atlas, spine, itembuffer or opengl")
-        ->capture_default_str()
-        ->group(visibility);
-    app.add_option("--quality", a.quality,
-                   "low: 1 probe, 1x depth; high: 9 probes, 2x depth (4x for paths)")
-        ->capture_default_str()
-        ->group(visibility);
-    app.add_option("--probes", a.probes, "Depth probes per sample: 1, 4, 9 or 16")
-        ->group(visibility);
-    app.add_option("--depth-scale", a.depth_scale, "Depth texels per pixel and axis: 1 to 4")
-        ->group(visibility);
-    app.add_option("--step", a.step, "Pixels between visibility samples")
-        ->capture_default_str()
-        ->group(visibility);
-    app.add_option("--atlas", a.atlas, "Where samples are computed: raster, compute or auto")
-        ->capture_default_str()
-        ->group(visibility);
-    app.add_option("--atlas-layout", a.atlas_layout, "How rows of the atlas end: wrap or gutter")
-        ->capture_default_str()
-        ->group(visibility);
-
-    app.add_option("--stroke-shader", a.stroke_shader,
-                   "How strokes are widened: geometry or vertex; one picture")
-        ->capture_default_str()
-        ->group(visibility);
-
+    a.frame.declare(app, frame_settings(), "Lines and visibility");
     a.style.declare(app);
     a.sequence.declare(app);
     a.picture.declare(app);
@@ -371,19 +367,9 @@ Command setup_draw(CLI::App& app) {
     a.read.declare(app);
 
     const std::string device = "Device";
-    app.add_option("--compute", a.device.compute, "Backend: " + compute::backend_names())
-        ->capture_default_str()
-        ->group(device);
-    app.add_option("--device", a.device.device,
-                   "OpenCL device: opencl:<platform>[:<device>], any part of the names; see "
-                   "`lineatlas devices`")
-        ->group(device);
-    app.add_option("--interop", a.device.interop,
-                   "How buffers are shared with GL: gl-sharing, host-pointer or copy")
-        ->group(device);
-
+    declare_device(app, a.device, device);
     app.add_option("--compare-with", a.device.compare_with,
-                   "Run every compute stage on this backend or device too (reference, "
+                   "Run every compute stage on this backend or device too (cpp, "
                    "opencl:...) and report the first that differs; slow")
         ->group(device);
     app.add_option("--compare-until", a.device.compare_until,

@@ -7,9 +7,9 @@
 #include <CLI/App.hpp>
 #include <fmt/core.h>
 
+#include "command_line/program.hpp"
 #include "commands.hpp"
 #include "lineatlas/error.hpp"
-#include "program.hpp"
 
 namespace {
 
@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
                "  lineatlas draw model.obj -o sketch.png --style pencil\n"
                "  lineatlas draw model.obj -o turn.%04d.png --turntable 120\n"
                "  lineatlas view model.obj\n"
+               "  lineatlas check drawing.svg model.obj\n"
                "  lineatlas styles\n"
                "  lineatlas devices\n"
                "  lineatlas bench frames --scenes clevis\n"
@@ -35,17 +36,21 @@ int run(int argc, char** argv) {
     };
     add("draw", "Draw a model to a picture", lineatlas::apps::setup_draw);
     add("view", "Look at a model in a window", lineatlas::apps::setup_view);
+    add("check", "Check a drawing as paths by rays", lineatlas::apps::setup_check);
     add("styles", "List styles and pens, or print a style", lineatlas::apps::setup_styles);
     add("devices", "List OpenCL devices and how they share buffers with GL",
         lineatlas::apps::setup_devices);
+    add("scene", "Write a built-in scene as OBJ", lineatlas::apps::setup_scene);
     add("bench", "Measure frames, kernels, hand-overs or quality", lineatlas::apps::setup_bench);
     const std::string first = argc > 1 ? argv[1] : "";
     const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
         throw lineatlas::UsageError(fmt::format(
-            "there is no command \"{}\"; there is draw, view, styles, devices, bench", first));
+            "there is no command \"{}\"; there is draw, view, check, styles, devices, scene, "
+            "bench",
+            first));
     }
-    if (const std::optional<int> code = lineatlas::apps::parse(app, argc, argv)) return *code;
+    if (const std::optional<int> code = lineatlas::parse(app, argc, argv)) return *code;
     for (const auto& [command, run_command] : commands) {
         if (command->parsed()) run_command();
     }
@@ -55,5 +60,5 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    return lineatlas::apps::run_program(argc, argv, run);
+    return lineatlas::run_program(argc, argv, run);
 }

@@ -1,27 +1,29 @@
 #include "path_options.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "io/extension.hpp"
+#include "io/source_file.hpp"
 #include "lineatlas/error.hpp"
+#include "output/vector_output.hpp"
+#include "truth/ray_scene.hpp"
 
 namespace lineatlas::apps {
 namespace {
 
-constexpr const char* own_options[] = {"--units", "--page", "--margin", "--plotter", "--no-tags"};
+constexpr const char* own_options[] = {"--units",   "--page",    "--margin",
+                                       "--plotter", "--no-tags", "--certify"};
 constexpr const char* only_for_svg[] = {"--units", "--page", "--margin"};
 constexpr const char* only_for_pixels[] = {"--bits", "--dpi"};
 
-} // namespace
+constexpr std::string_view types_of_others[] = {".pdf", ".eps", ".ps", ".dxf", ".ai", ".hpgl"};
 
-bool is_json_file(const std::filesystem::path& path) {
-    return lower_extension(path) == ".json";
-}
-bool is_path_file(const std::filesystem::path& path) {
-    return lower_extension(path) == ".svg" || is_json_file(path);
-}
+} // namespace
 
 void PathOptions::declare(CLI::App& app) {
     app_ = &app;
@@ -40,23 +42,31 @@ void PathOptions::declare(CLI::App& app) {
         ->group(group);
     app.add_flag("--no-tags", no_tags_, "Leave out which edges of the model each path shows")
         ->group(group);
+    app.add_flag("--certify", certify_,
+                 "Check the drawing by rays; what they find is printed and written into the file")
+        ->group(group);
 }
 
-void PathOptions::check(const std::filesystem::path& output) const {
+void PathOptions::check(const std::filesystem::path& output, Method method) const {
     const auto refuse = [&](std::span<const char* const> options, const std::string& why) {
         for (const char* option : options) {
             if (app_->count(option) > 0) throw UsageError(fmt::format("{} {}", option, why));
         }
     };
     if (!is_path_file(output)) {
+        if (std::ranges::find(types_of_others, lower_extension(output)) !=
+            std::end(types_of_others))
+            throw write_error(output, "drawings as paths are .svg or .json; other programs make " +
+                                          lower_extension(output) + " of an SVG");
         return refuse(own_options, "is for paths; the output must end in .svg or .json");
     }
     refuse(only_for_pixels, "is for pictures of pixels; see --units and --page");
     if (is_json_file(output)) refuse(only_for_svg, "is for SVG; JSON is in pixels");
-    if (app_->get_option("--method")->as<std::string>() != "atlas") {
-        throw UsageError("--method: paths come from the atlas alone");
+    if (method != Method::atlas && method != Method::exact) {
+        throw UsageError("--method: paths come from atlas and exact alone");
     }
     svg();
+    if (certify_) check_ray_module();
 }
 
 SvgOptions PathOptions::svg() const {

@@ -5,30 +5,30 @@
 
 #include <CLI/App.hpp>
 
+#include "lineatlas/renderer.hpp"
 #include "lineatlas/vector.hpp"
 
 namespace lineatlas::apps {
 
-/// Whether a drawing is written as paths: .svg or .json.
-bool is_path_file(const std::filesystem::path& path);
-bool is_json_file(const std::filesystem::path& path);
-
-/// --units, --page, --margin, --plotter and --no-tags.
+/// --units, --page, --margin, --plotter, --no-tags and --certify.
 class PathOptions {
   public:
     void declare(CLI::App& app);
 
-    /// Throws UsageError when they are wrong, or given for a picture of pixels.
-    void check(const std::filesystem::path& output) const;
+    /// Throws UsageError when they are wrong, given for a picture of pixels, or for a method that
+    /// knows no paths, FileError when what checks drawings is not installed and for a type of paths
+    /// that is not written.
+    void check(const std::filesystem::path& output, Method method) const;
 
     bool plotter() const { return plotter_; }
     bool tags() const { return !no_tags_; }
+    bool certify() const { return certify_; }
     SvgOptions svg() const;
 
   private:
     CLI::App* app_ = nullptr;
     std::string units_, page_, margin_ = "0";
-    bool plotter_ = false, no_tags_ = false;
+    bool plotter_ = false, no_tags_ = false, certify_ = false;
 };
 
 } // namespace lineatlas::apps

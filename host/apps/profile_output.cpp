@@ -36,6 +36,12 @@ void ProfileOptions::check() const {
     }
 }
 
+void ProfileOptions::add_to(OutputPlaces& places) const {
+    for (const std::string& path : paths_) {
+        if (path != terminal) places.writes("--profile", path);
+    }
+}
+
 void ProfileOptions::write(std::span<const FrameProfile> frames,
                            const std::string& description) const {
     for (const std::string& path : paths_) {
@@ -49,9 +55,10 @@ void ProfileOptions::write(std::span<const FrameProfile> frames,
     }
 }
 
-void ProfiledOutput::draw(const Camera& camera, const std::filesystem::path& path) {
-    output_.draw(camera, path);
+bool ProfiledOutput::draw(const Camera& camera, const std::filesystem::path& path) {
+    const bool drawn = output_.draw(camera, path);
     take(false);
+    return drawn;
 }
 
 void ProfiledOutput::take(bool wait) {

@@ -6,8 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "frame_output.hpp"
 #include "lineatlas/renderer.hpp"
+#include "output/frame_output.hpp"
+#include "output_places.hpp"
 
 namespace lineatlas::apps {
 
@@ -18,6 +19,8 @@ class ProfileOptions {
     /// Throws UsageError for another extension, FileError for a file that can't be written.
     void check() const;
     bool given() const { return !paths_.empty(); }
+    /// Adds its files. Throws UsageError for one that is taken.
+    void add_to(OutputPlaces& places) const;
     void write(std::span<const FrameProfile> frames, const std::string& description) const;
 
   private:
@@ -30,7 +33,7 @@ class ProfiledOutput final : public FrameOutput {
     ProfiledOutput(FrameOutput& output, Renderer& renderer)
         : output_(output), renderer_(renderer) {}
 
-    void draw(const Camera& camera, const std::filesystem::path& path) override;
+    bool draw(const Camera& camera, const std::filesystem::path& path) override;
     void finish() override { output_.finish(); }
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size) override {
         return output_.is_whole(path, size);

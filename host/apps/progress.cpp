@@ -1,13 +1,16 @@
 #include "progress.hpp"
 
-#include <cstdio>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "io/standard_streams.hpp"
+
 namespace lineatlas::apps {
 namespace {
 
+constexpr std::string_view clear_line = "\r\x1b[K";
 constexpr std::chrono::seconds between_lines{10}; // where every line stays, in a log
 
 std::string duration(double seconds) {
@@ -33,12 +36,11 @@ void Progress::show(std::size_t done) {
     const std::string text =
         fmt::format("lineatlas: {} of {} frames drawn, {:.2g} s each, {} left", done, total_, each,
                     duration(each * static_cast<double>(total_ - done)));
-    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
-    std::fflush(stderr);
+    print_error(fmt::format("{}{}{}", terminal_ ? clear_line : "", text, terminal_ ? "" : "\n"));
 }
 
 void Progress::clear() {
-    if (terminal_) fmt::print(stderr, "\r\x1b[K");
+    if (terminal_) print_error(clear_line);
 }
 
 } // namespace lineatlas::apps

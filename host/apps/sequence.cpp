@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "command_line/stop_signal.hpp"
+#include "io/standard_streams.hpp"
 #include "progress.hpp"
-#include "stop_signal.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -52,8 +53,8 @@ void draw_sequence(std::span<const SequenceFrame> frames, FrameOutput& output, b
     output.finish();
     progress.clear();
     const std::string skipped = there > 0 ? fmt::format("; {} were there already", there) : "";
-    fmt::print(stderr, "lineatlas: {} frames drawn in {:.1f} s{}\n", drawn, progress.seconds(),
-               skipped);
+    print_error(fmt::format("lineatlas: {} frames drawn in {:.1f} s{}\n", drawn, progress.seconds(),
+                            skipped));
 }
 
 } // namespace lineatlas::apps

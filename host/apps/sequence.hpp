@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "frame_output.hpp"
+#include "output/frame_output.hpp"
 
 namespace lineatlas::apps {
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "camera_path.hpp"
+#include "cameras/camera_path.hpp"
+#include "command_line/values.hpp"
 #include "lineatlas/error.hpp"
 #include "output_pattern.hpp"
-#include "values.hpp"
 
 namespace lineatlas::apps {
 namespace {

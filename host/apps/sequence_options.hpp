@@ -23,6 +23,7 @@ class SequenceOptions {
     bool given(const std::string& output) const;
     bool turns() const { return turntable_ > 0; }
     bool resume() const { return resume_; }
+    const std::string& camera_path() const { return camera_path_; } ///< a file; empty: none
 
     /// Every frame that is asked for. A turntable carries `view` around `axis`; a camera path takes
     /// from it what its file leaves out, and is `origin` nearer to zero. Throws Error, naming the

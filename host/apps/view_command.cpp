@@ -1,17 +1,16 @@
 #include "commands.hpp"
 
+#include "command_line/sibling_program.hpp"
 #include "lineatlas/error.hpp"
-#include "neighbour.hpp"
 
 namespace lineatlas::apps {
 
 Command setup_view(CLI::App& app) {
     app.prefix_command()->set_help_flag();
     return [&app] {
-        run_neighbour(
-            "lineatlas-view", app.remaining(),
-            "the viewer is built where GLFW and Dear ImGui are found: install libglfw3-dev "
-            "and libimgui-dev, and build again");
+        run_sibling("lineatlas-view", app.remaining(),
+                    "the viewer is built where GLFW and Dear ImGui are found: install libglfw3-dev "
+                    "and libimgui-dev, and build again");
     };
 }
 

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest,
+AtlasLayout make_atlas_layout(AtlasLayoutChoice choice, std::uint32_t longest,
                               std::uint32_t largest_row) {
     // Long rows waste less of a gutter; a power of two makes eq. 2 cheap.
     constexpr std::uint32_t usual_row = 8192;
@@ -20,7 +20,7 @@ AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest,
     const std::uint32_t wanted =
         std::max(usual_row, longest < (1U << 30U) ? std::bit_ceil(longest + 1) * 2 : largest_row);
     const std::uint32_t pitch = std::min(wanted, largest_row);
-    return {.width = kind == AtlasLayoutKind::wrap ? pitch : pitch - longest, .pitch = pitch};
+    return {.width = choice == AtlasLayoutChoice::wrap ? pitch : pitch - longest, .pitch = pitch};
 }
 
 } // namespace lineatlas

@@ -2,13 +2,9 @@
 
 #include <cstdint>
 
-namespace lineatlas {
+#include "lineatlas/renderer.hpp" // for its choices alone
 
-/// How segments that reach the end of an atlas row are handled (§4.2, Fig. 8).
-enum class AtlasLayoutKind {
-    wrap,   ///< they go on in the next row: no texel is wasted, raster draws every proxy line twice
-    gutter, ///< rows are longer by the longest segment: drawn once, some texels wasted
-};
+namespace lineatlas {
 
 /// The mapping of sample s to a texel, eq. 2. Texels are counted row by row.
 struct AtlasLayout {
@@ -27,7 +23,7 @@ struct AtlasLayout {
 
 /// A layout for segments of up to `longest` samples, with rows no longer than `largest_row` texels.
 /// Throws UsageError if they can't be held: the sample step is too fine for the picture size.
-AtlasLayout make_atlas_layout(AtlasLayoutKind kind, std::uint32_t longest,
+AtlasLayout make_atlas_layout(AtlasLayoutChoice choice, std::uint32_t longest,
                               std::uint32_t largest_row);
 
 } // namespace lineatlas

@@ -13,11 +13,11 @@ std::string beyond_limit(const Purpose& purpose, std::string_view needed,
 }
 
 Shortage::Shortage(std::string needed, std::string available)
-    : DeviceError(beyond_limit(purpose::scratch, needed, available)), needed_(std::move(needed)),
+    : OutOfMemory(purpose::scratch, needed, available), needed_(std::move(needed)),
       available_(std::move(available)) {}
 
-DeviceError Shortage::of(const Purpose& purpose) const {
-    return DeviceError(beyond_limit(purpose, needed_, available_));
+OutOfMemory Shortage::of(const Purpose& purpose) const {
+    return {purpose, needed_, available_};
 }
 
 std::string written_bytes(std::uint64_t bytes) {

@@ -11,7 +11,12 @@
 
 namespace lineatlas {
 
-/// What a device is asked to hold, and what the user can do where it can't: for messages.
+inline constexpr int finest_depth_scale = 4; ///< FrameOptions::depth_scale at most
+inline constexpr float finest_step = 0.01F;  ///< FrameOptions::step at least, pixels
+
+/// What a device is asked to hold, and what can be done where it can't: for messages. Ways out are
+/// members of the public API, as in FrameOptions::step; what speaks to people who never see it
+/// replaces them by names of its own (style/member_names.hpp).
 struct Purpose {
     std::string_view what;
     std::string_view help;
@@ -19,54 +24,88 @@ struct Purpose {
 
 namespace purpose {
 inline constexpr Purpose scratch{"work space of a kernel",
-                                 "use a smaller --size, fewer --lines kinds, another --device or "
-                                 "--compute reference"};
+                                 "use a smaller Camera::size, fewer FrameOptions::lines, another "
+                                 "DeviceOptions::device or DeviceOptions::compute cpp"};
 inline constexpr Purpose model{"the model's vertices and triangles",
-                               "use another --device, --compute reference or a smaller model"};
+                               "use another DeviceOptions::device, DeviceOptions::compute "
+                               "cpp or a smaller model"};
 inline constexpr Purpose segments{"the table of line segments",
-                                  "use fewer --lines kinds, a larger --crease, another --device or "
-                                  "--compute reference"};
+                                  "use fewer LineOptions::kinds, a larger "
+                                  "LineOptions::crease_angle, another DeviceOptions::device or "
+                                  "DeviceOptions::compute cpp"};
+// What looks at all line segments together, where they come in chunks:
+inline constexpr Purpose all_halos{"a halo", "use StrokeFilter::halo 0, another "
+                                             "DeviceOptions::device or DeviceOptions::compute cpp"};
+inline constexpr Purpose all_density{"a limit on line density",
+                                     "use Density::limit 0, another DeviceOptions::device or "
+                                     "DeviceOptions::compute cpp"};
+inline constexpr Purpose all_items{"an item buffer",
+                                   "use FrameOptions::method atlas, another DeviceOptions::device "
+                                   "or DeviceOptions::compute cpp"};
+inline constexpr Purpose samples{"Renderer::read_samples()",
+                                 "use Renderer::read_intervals(), another DeviceOptions::device "
+                                 "or DeviceOptions::compute cpp"};
 inline constexpr Purpose motion{"what moves the model's objects",
-                                "use another --device, --compute reference or a smaller model"};
+                                "use another DeviceOptions::device, DeviceOptions::compute "
+                                "cpp or a smaller model"};
 inline constexpr Purpose atlas{"the segment atlas",
-                               "use a larger --step, a smaller --size or fewer --lines kinds"};
+                               "use a larger FrameOptions::step, a smaller Camera::size or fewer "
+                               "FrameOptions::lines"};
+inline constexpr Purpose exact{"what the exact method knows of faces",
+                               "use FrameOptions::method atlas, a smaller Camera::size or another "
+                               "DeviceOptions::device"};
 inline constexpr Purpose strokes{"the table of strokes",
-                                 "use a larger --step, a smaller --size or fewer --lines kinds"};
+                                 "use a larger FrameOptions::step, a smaller Camera::size or fewer "
+                                 "FrameOptions::lines"};
 inline constexpr Purpose intervals{"the table of intervals",
-                                   "use a larger --step, a smaller --size or fewer --lines kinds"};
-inline constexpr Purpose density{"line density", "use a smaller --size or --density 0"};
+                                   "use a larger FrameOptions::step, a smaller Camera::size or "
+                                   "fewer FrameOptions::lines"};
+inline constexpr Purpose density{"line density", "use a smaller Camera::size or Density::limit 0"};
 inline constexpr Purpose halos{"the list of halos",
-                               "use a smaller --halo, a smaller --size or --halo 0"};
-inline constexpr Purpose depth{"the depth buffer", "use a smaller --size, --depth-scale or --tile"};
+                               "use a smaller StrokeFilter::halo, a smaller Camera::size or "
+                               "StrokeFilter::halo 0"};
+inline constexpr Purpose depth{"the depth buffer",
+                               "use a smaller Camera::size or FrameOptions::depth_scale, or draw "
+                               "by tiles (Renderer::draw_tiles)"};
 inline constexpr Purpose whole_picture{"a depth buffer for the whole picture",
-                                       "use --method atlas with --atlas compute, which draws by "
-                                       "tiles, or a smaller --size or --depth-scale"};
-inline constexpr Purpose picture{"the picture", "use a smaller --size or --tile"};
+                                       "use FrameOptions::method atlas with FrameOptions::atlas "
+                                       "compute, which draws by tiles, or a smaller Camera::size "
+                                       "or FrameOptions::depth_scale"};
+inline constexpr Purpose picture{"the picture", "use a smaller Camera::size, or draw by tiles "
+                                                "(Renderer::draw_tiles)"};
 inline constexpr Purpose item_buffer{"the item buffer",
-                                     "use a smaller --size, fewer --probes or --method atlas"};
-inline constexpr Purpose spine{"the spine test", "use --method atlas"};
-inline constexpr Purpose fill{"the colours of the fill", "use --fill none"};
+                                     "use a smaller Camera::size, fewer FrameOptions::probes or "
+                                     "FrameOptions::method atlas"};
+inline constexpr Purpose spine{"the spine test", "use FrameOptions::method atlas"};
+inline constexpr Purpose fill{"the colours of the fill", "use Fill::mode none"};
 inline constexpr Purpose pen{"the mark of a pen", "use a smaller picture for the pen"};
-inline constexpr Purpose paper{"the grain of paper", "use --paper-grain 0"};
+inline constexpr Purpose paper{"the grain of paper", "use Paper::grain 0"};
 } // namespace purpose
 
-/// What the message about every limit looks like. `needed` and `available` end the sentences "what
-/// needs" and "and".
+/// The message about a limit: "<what> needs <needed>, and <available>; <help>".
 std::string beyond_limit(const Purpose& purpose, std::string_view needed,
                          std::string_view available);
 
-/// A device can't hold something. Where it is found, nobody may know what that was for: who does
-/// makes a DeviceError of it.
-class Shortage : public DeviceError {
+/// A device, or GL, can't hold something at once. A smaller part of it may fit.
+class OutOfMemory : public DeviceError {
+  public:
+    OutOfMemory(const Purpose& purpose, std::string_view needed, std::string_view available)
+        : DeviceError(beyond_limit(purpose, needed, available)) {}
+};
+
+/// A device can't hold something. Thrown where memory is allocated, which does not know what it is
+/// for; a caller that does turns it into an error about that by of().
+class Shortage : public OutOfMemory {
   public:
     Shortage(std::string needed, std::string available);
-    DeviceError of(const Purpose& purpose) const;
+    OutOfMemory of(const Purpose& purpose) const;
 
   private:
     std::string needed_, available_;
 };
 
-/// Runs `action`; a Shortage in it is of `purpose`.
+/// Runs `action` and returns its result. A Shortage that it throws becomes an error about
+/// `purpose`.
 template <class Action>
 auto for_purpose(const Purpose& purpose, Action&& action) -> decltype(action()) {
     try {
@@ -80,8 +119,8 @@ auto for_purpose(const Purpose& purpose, Action&& action) -> decltype(action()) 
 std::string written_bytes(std::uint64_t bytes);
 std::string written_size(glm::ivec2 size);
 
-/// For a table that must hold `needed` and is likely to need more soon: a quarter more than that,
-/// where there is room. `most`: what a table can hold.
+/// The size for a table that must hold `needed` and is likely to grow: a quarter more, but no more
+/// than `most`, which is what a table can hold.
 constexpr std::uint64_t with_room_to_grow(std::uint64_t needed, std::uint64_t most) {
     return std::max(needed, std::min(needed + needed / 4, most));
 }

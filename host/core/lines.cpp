@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numbers>
+#include <string>
 #include <unordered_map>
 
 #include <glm/common.hpp>
 
 #include "chain.hpp"
 #include "edges.hpp"
+#include "lineatlas/error.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -22,6 +25,13 @@ struct Line {
     LineKind kind;
     LineSource source{}; ///< from p to q
 };
+
+void check_angle(const char* name, float angle) {
+    constexpr float most = std::numbers::pi_v<float> * 1.000001F; // of 180 degrees in floats
+    if (angle >= 0 && angle <= most) return;                      // NaN is not
+    throw UsageError("lines: " + std::string{name} + " must be from 0 to pi radians, not " +
+                     std::to_string(angle));
+}
 
 std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
     return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
@@ -79,10 +89,8 @@ void add_colors(const std::vector<MeshGroup>& groups,
     for (const MeshGroup& group : groups) color_of_group.push_back(coded(group));
     if (result.colors.empty()) return;
     result.triangle_color.reserve(triangle_group.size());
-    for (const std::uint32_t group : triangle_group) {
-        result.triangle_color.push_back(group < groups.size() ? color_of_group[group]
-                                                              : LineSet::no_color);
-    }
+    for (const std::uint32_t group : triangle_group)
+        result.triangle_color.push_back(color_of_group[group]);
 }
 
 class LineSetBuilder {
@@ -149,6 +157,8 @@ class LineSetBuilder {
 } // namespace
 
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
+    check_angle("crease_angle", options.crease_angle);
+    check_angle("chain_angle", options.chain_angle);
     const MeshObjects objects = options.separate_objects ? find_objects(mesh) : MeshObjects{};
     WeldedMesh welded = weld(mesh, objects);
     std::vector<MeshEdge> edges = mesh_edges(welded);

@@ -2,9 +2,12 @@
 
 #include <glm/common.hpp>
 
+#include "check_mesh.hpp"
+
 namespace lineatlas {
 
 Bounds bounds_of(const Mesh& mesh) {
+    check_indices(mesh);
     Bounds bounds;
     const auto include = [&](std::uint32_t index) {
         bounds.min = glm::min(bounds.min, mesh.positions[index]);

@@ -8,11 +8,21 @@
 namespace lineatlas {
 namespace {
 
-void check(const MeshArrays& arrays) {
-    if (arrays.stride < 3) throw UsageError("mesh: the stride must be at least 3 floats");
-    const std::size_t corners = arrays.indices.empty()
-                                    ? (arrays.positions.size() + arrays.stride - 3) / arrays.stride
-                                    : arrays.indices.size();
+/// How many vertices there are; the last one may end before its stride does.
+std::size_t count_vertices(const MeshArrays& arrays) {
+    const std::size_t floats = arrays.positions.size(), stride = arrays.stride;
+    if (stride < 3) throw UsageError("mesh: the stride must be at least 3 floats");
+    const std::size_t left = floats % stride;
+    if (left == 1 || left == 2) {
+        throw UsageError("mesh: " + std::to_string(floats) + " floats at a stride of " +
+                         std::to_string(stride) +
+                         " end within a vertex; the stride counts floats, not bytes");
+    }
+    return floats / stride + (left != 0 ? 1 : 0);
+}
+
+void check(const MeshArrays& arrays, std::size_t vertices) {
+    const std::size_t corners = arrays.indices.empty() ? vertices : arrays.indices.size();
     if (corners % 3 != 0) {
         throw UsageError("mesh: triangles have three corners, so " + std::to_string(corners) +
                          " cannot be all");
@@ -21,17 +31,26 @@ void check(const MeshArrays& arrays) {
         throw UsageError("mesh: there are " + std::to_string(corners / 3) + " triangles and " +
                          std::to_string(arrays.materials.size()) + " materials");
     }
+    for (std::size_t i = 0; i < arrays.indices.size(); ++i) {
+        if (arrays.indices[i] < vertices) continue;
+        throw UsageError("mesh: triangle " + std::to_string(i / 3) + " has the index " +
+                         std::to_string(arrays.indices[i]) + ", but the number of vertices in " +
+                         std::to_string(arrays.positions.size()) + " floats at a stride of " +
+                         std::to_string(arrays.stride) + " is " + std::to_string(vertices) +
+                         "; the stride counts floats, not bytes");
+    }
 }
 
 } // namespace
 
 Mesh make_mesh(const MeshArrays& arrays) {
-    check(arrays);
+    const std::size_t vertices = count_vertices(arrays);
+    check(arrays, vertices);
     Mesh mesh;
-    // The last vertex may end before its stride does.
-    for (std::size_t i = 0; i + 3 <= arrays.positions.size(); i += arrays.stride) {
-        mesh.positions.emplace_back(arrays.positions[i], arrays.positions[i + 1],
-                                    arrays.positions[i + 2]);
+    mesh.positions.reserve(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        const float* position = arrays.positions.data() + i * arrays.stride;
+        mesh.positions.emplace_back(position[0], position[1], position[2]);
     }
     std::vector<std::uint32_t> in_order;
     std::span<const std::uint32_t> indices = arrays.indices;

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "check_mesh.hpp"
+#include "constants.h"
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -44,6 +46,7 @@ MeshObjects numbered(const Mesh& mesh) {
 
 /// Objects by the names of the groups, in the order of their first appearance.
 MeshObjects named(const Mesh& mesh) {
+    check_groups(mesh);
     MeshObjects result;
     std::map<std::string, std::uint32_t> known;
     std::vector<std::uint32_t> of_group;
@@ -53,11 +56,9 @@ MeshObjects named(const Mesh& mesh) {
         if (is_new) result.names.push_back(group.object);
         of_group.push_back(found->second);
     }
-    check_size(mesh.triangle_group.size(), mesh.triangles.size(), "triangle");
     result.triangles.reserve(mesh.triangles.size());
-    for (const std::uint32_t group : mesh.triangle_group) {
-        result.triangles.push_back(group < of_group.size() ? of_group[group] : 0);
-    }
+    for (const std::uint32_t group : mesh.triangle_group)
+        result.triangles.push_back(of_group[group]);
     result.polylines = mesh.polyline_object;
     return result;
 }

@@ -21,7 +21,8 @@ struct MeshObjects {
     std::uint32_t of_polyline(std::size_t i) const { return polylines.empty() ? 0 : polylines[i]; }
 };
 
-/// See LineOptions::separate_objects. Throws UsageError where Mesh::triangle_object doesn't fit.
+/// See LineOptions::separate_objects. Throws UsageError where Mesh::triangle_object, or
+/// Mesh::triangle_group in its place, doesn't fit.
 MeshObjects find_objects(const Mesh& mesh);
 
 /// The box around a moved box.

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "segment_table.h"
+#include "constants.h"
 
 namespace lineatlas {
 namespace {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "check_mesh.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -48,11 +49,6 @@ class VertexWelder {
           table_(mesh.positions.size()) {}
 
     std::uint32_t operator()(std::uint32_t index, std::uint32_t object) {
-        if (index >= mesh_.positions.size()) {
-            throw UsageError("mesh: index " + std::to_string(index) +
-                             " is out of range, there are " +
-                             std::to_string(mesh_.positions.size()) + " positions");
-        }
         std::uint32_t& result = welded_index_[index];
         if (result != empty_slot && object_of(result) == object) return result;
         const glm::vec3 position = mesh_.positions[index] + 0.0F; // -0 becomes 0
@@ -130,11 +126,8 @@ void take_used_vertices(const VertexWelder& welded, std::size_t object_count, We
 } // namespace
 
 WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
-    if (!mesh.triangle_group.empty() && mesh.triangle_group.size() != mesh.triangles.size()) {
-        throw UsageError("mesh: there are " + std::to_string(mesh.triangles.size()) +
-                         " triangles, but groups for " +
-                         std::to_string(mesh.triangle_group.size()));
-    }
+    check_indices(mesh);
+    check_groups(mesh);
     WeldedMesh result;
     VertexWelder weld_vertex{mesh, objects.names.size() > 1};
     FirstSeen seen{mesh.triangles.size()};

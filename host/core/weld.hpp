@@ -28,8 +28,8 @@ struct WeldedMesh {
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and
 /// keeps one of several triangles over the same three vertices: exporters write two-sided faces as
 /// two coincident triangles, which would make every edge non-manifold. Throws UsageError when an
-/// index is out of range, a position is not finite or groups are missing. Vertices come by object,
-/// and none belongs to two.
+/// index of a position or of a group is out of range or missing, or a position is not finite.
+/// Vertices come by object, and none belongs to two.
 WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects = {});
 
 } // namespace lineatlas

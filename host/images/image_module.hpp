@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lineatlas/io.hpp"
@@ -13,15 +14,16 @@ namespace lineatlas::images {
 /// that says the cause in one line.
 struct Module {
     bool (*can_write)(const std::string& extension); ///< with its dot
-    Image (*read)(const std::filesystem::path& path);
+    /// `file`: what the file `path` holds; nothing is opened.
+    Image (*decode)(const std::filesystem::path& path, std::string_view file);
     /// What the file `path` should hold; nothing is written.
     std::vector<unsigned char> (*encode)(const std::filesystem::path& path, const Pixels& pixels,
                                          const ImageSettings& settings);
 };
 
 /// The module's one symbol. Its number changes with `Module`.
-inline constexpr const char* module_symbol = "lineatlas_images_2";
+inline constexpr const char* module_symbol = "lineatlas_images_3";
 
 } // namespace lineatlas::images
 
-extern "C" const lineatlas::images::Module lineatlas_images_2;
+extern "C" const lineatlas::images::Module lineatlas_images_3;

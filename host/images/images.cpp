@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -102,11 +103,37 @@ bool can_write(const std::string& extension) {
     return output_for(extension) != nullptr;
 }
 
-Image read(const std::filesystem::path& path) {
-    OIIO::ImageSpec hints;
+/// Opens by that format, if it has one that reads from memory; others are left out: videos, and
+/// what needs more files than one.
+bool open_as(std::string_view format, const std::string& name, OIIO::Filesystem::IOProxy& memory,
+             std::unique_ptr<OIIO::ImageInput>& input) {
+    input = OIIO::ImageInput::create(OIIO::string_view{format.data(), format.size()});
+    if (!input || !input->supports("ioproxy")) return false;
+    OIIO::ImageSpec hints, ignored;
     hints.attribute(straight_alpha, 1);
-    const auto input = OIIO::ImageInput::open(path.string(), &hints);
-    if (!input) throw refusal(OIIO::geterror(), "no picture that OpenImageIO knows");
+    memory.seek(0);
+    return input->set_ioproxy(&memory) && input->open(name, ignored, hints);
+}
+
+/// As its name says, or else as whatever it is: names are often wrong.
+std::unique_ptr<OIIO::ImageInput> open_in(OIIO::Filesystem::IOProxy& memory,
+                                          const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    std::unique_ptr<OIIO::ImageInput> input;
+    // "png", not "a.png": a whole name makes OpenImageIO look for such a file.
+    const std::string extension = path.extension().string();
+    if (!extension.empty() && open_as(extension.substr(1), name, memory, input)) return input;
+    const std::string cause = input ? input->geterror() : "";
+    std::istringstream formats{OIIO::get_string_attribute("input_format_list")};
+    for (std::string format; std::getline(formats, format, ',');)
+        if (open_as(format, name, memory, input)) return input;
+    OIIO::geterror(); // otherwise it is printed when the program ends
+    throw refusal(cause, "no picture that OpenImageIO reads from memory");
+}
+
+Image decode(const std::filesystem::path& path, std::string_view file) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(file.data()), file.size()); // reads only
+    const auto input = open_in(memory, path);
     const OIIO::ImageSpec spec = input->spec();
     check_spec(spec);
 
@@ -157,7 +184,7 @@ std::vector<unsigned char> encode(const std::filesystem::path& path, const Pixel
 
 } // namespace lineatlas::images
 
-extern "C" const lineatlas::images::Module lineatlas_images_2{.can_write =
+extern "C" const lineatlas::images::Module lineatlas_images_3{.can_write =
                                                                   lineatlas::images::can_write,
-                                                              .read = lineatlas::images::read,
+                                                              .decode = lineatlas::images::decode,
                                                               .encode = lineatlas::images::encode};

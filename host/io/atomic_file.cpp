@@ -2,11 +2,15 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "source_file.hpp"
@@ -17,20 +21,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view part_prefix = ".lineatlas-";
+constexpr std::string_view part_extension = ".part";
+constexpr mode_t read_write_all = 0666; // narrowed by the umask
+
 std::string cause(int error) {
     return std::generic_category().message(error);
 }
 
-/// Writing through a link changes what it points to, as every other program does.
-fs::path behind_links(const fs::path& target) {
-    std::error_code error;
-    if (!fs::is_symlink(target, error)) return target;
-    const fs::path resolved = fs::weakly_canonical(target, error);
-    return error ? target : resolved;
-}
-
 void check_place(const fs::path& target) {
     std::error_code error;
+    if (fs::is_symlink(target, error)) throw write_error(target, "its links lead nowhere");
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status)) throw write_error(target, "it is a folder");
     if (fs::exists(status) && !fs::is_regular_file(status))
@@ -41,31 +42,109 @@ void check_place(const fs::path& target) {
     if (!fs::is_directory(folder_status)) throw write_error(target, "its folder is a file");
 }
 
+fs::path folder_of(const fs::path& target) {
+    return target.has_parent_path() ? target.parent_path() : fs::path{"."};
+}
+
 /// Short whatever the target's name is, so that it fits wherever the target's name does.
 fs::path name_beside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
-    return target.parent_path() /
-           (".lineatlas-" + std::to_string(::getpid()) + '-' + std::to_string(counter++) + ".part");
+    return folder_of(target) / (std::string{part_prefix} + std::to_string(::getpid()) + '-' +
+                                std::to_string(counter++) + std::string{part_extension});
+}
+
+/// Removes what writers that were killed left in a folder, the first time that this process writes
+/// there. A writer at work is far younger, on whatever machine it runs.
+void remove_left_behind(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> tidied;
+    {
+        const std::lock_guard lock{mutex};
+        if (!tidied.insert(folder).second) return;
+    }
+    std::error_code error;
+    for (fs::directory_iterator file{folder, error}, end; !error && file != end;
+         file.increment(error)) {
+        const std::string name = file->path().filename().string();
+        if (!name.starts_with(part_prefix) || !name.ends_with(part_extension)) continue;
+        std::error_code ignored;
+        const auto age = fs::file_time_type::clock::now() - file->last_write_time(ignored);
+        if (!ignored && age > std::chrono::hours{1}) fs::remove(file->path(), ignored);
+    }
+}
+
+std::string link_to(int descriptor) {
+    return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+/// A file without a name, which nothing is left of however this process ends; -1 where the file
+/// system or a missing /proc doesn't allow it.
+int open_nameless(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, read_write_all);
+    if (descriptor < 0 || ::access(link_to(descriptor).c_str(), F_OK) == 0) return descriptor;
+    ::close(descriptor);
+    return -1;
+}
+
+/// Whoever could read and write the file before still can, and nobody else.
+void keep_owner_and_mode(const fs::path& target, int descriptor) {
+    struct stat old {};
+    if (::stat(target.c_str(), &old) != 0) return;
+    constexpr mode_t permissions = 0777, of_group = 0070;
+    mode_t mode = old.st_mode & permissions;
+    // Only the superuser can give files away: then the group alone, else nobody through it.
+    if (::fchown(descriptor, old.st_uid, old.st_gid) != 0 &&
+        ::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) != 0) {
+        mode &= ~of_group;
+    }
+    if (::fchmod(descriptor, mode) != 0) throw write_error(target, cause(errno));
 }
 
 } // namespace
 
+fs::path behind_links(const fs::path& target) {
+    constexpr int most_links = 40; // as the kernel
+    fs::path place = target;
+    std::error_code error;
+    for (int i = 0; i < most_links && fs::is_symlink(place, error); ++i) {
+        const fs::path next = fs::read_symlink(place, error);
+        if (error) break;
+        place = place.parent_path() / next; // of an absolute one, that alone
+    }
+    return place;
+}
+
 AtomicFile::AtomicFile(const fs::path& target) : target_(behind_links(target)) {
     check_place(target_);
-    constexpr mode_t read_write_all = 0666; // narrowed by the umask
-    do {
+    const fs::path folder = folder_of(target_);
+    remove_left_behind(folder);
+    descriptor_ = open_nameless(folder);
+    while (descriptor_ < 0) {
         temporary_ = name_beside(target_);
         descriptor_ =
             ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, read_write_all);
-    } while (descriptor_ < 0 && errno == EEXIST);
-    if (descriptor_ < 0)
-        throw write_error(target_, "its folder cannot be written to (" + cause(errno) + ")");
+        if (descriptor_ < 0 && errno != EEXIST)
+            throw write_error(target_, "its folder cannot be written to (" + cause(errno) + ")");
+    }
 }
 
 AtomicFile::~AtomicFile() {
     ::close(descriptor_);
     std::error_code ignored;
-    if (!committed_) fs::remove(temporary_, ignored);
+    if (!committed_ && !temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+/// Gives a file without a name one beside its place: no call puts it in the place of another.
+void AtomicFile::name() {
+    while (temporary_.empty()) {
+        const fs::path name = name_beside(target_);
+        if (::linkat(AT_FDCWD, link_to(descriptor_).c_str(), AT_FDCWD, name.c_str(),
+                     AT_SYMLINK_FOLLOW) == 0) {
+            temporary_ = name;
+        } else if (errno != EEXIST) {
+            throw write_error(target_, cause(errno));
+        }
+    }
 }
 
 void AtomicFile::commit(std::span<const unsigned char> content) {
@@ -75,9 +154,11 @@ void AtomicFile::commit(std::span<const unsigned char> content) {
         if (written < 0) throw write_error(target_, cause(errno));
         content = content.subspan(static_cast<std::size_t>(written));
     }
+    keep_owner_and_mode(target_, descriptor_);
     // Without this a crash of the machine may leave the new name with no data behind it.
     if (::fsync(descriptor_) != 0) throw write_error(target_, cause(errno));
 
+    name();
     std::error_code error;
     fs::rename(temporary_, target_, error);
     if (error) throw write_error(target_, error.message());

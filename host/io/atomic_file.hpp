@@ -5,11 +5,16 @@
 
 namespace lineatlas {
 
-/// A file that appears at its place whole or not at all: it is written beside its place under
-/// another name, flushed to the disk and renamed.
+/// The file that is written when one writes to `target`: writing through a symbolic link changes
+/// what it points to, which need not be there yet, as every other program does.
+std::filesystem::path behind_links(const std::filesystem::path& target);
+
+/// A file that appears at its place whole or not at all: it is written without a name, or under
+/// another one where the file system knows no such files, flushed to the disk and renamed. What was
+/// at the place before passes on its permissions, and its owner and group where that is allowed.
 class AtomicFile {
   public:
-    /// Creates the file under its other name, empty. That is the only sure test of whether the
+    /// Creates the file, empty and not yet at its place. That is the only sure test of whether the
     /// folder can be written to: permission bits say nothing about the superuser, full or read-only
     /// disks. Throws FileError, also when `target` is something else than a file or nothing.
     explicit AtomicFile(const std::filesystem::path& target);
@@ -24,8 +29,10 @@ class AtomicFile {
     void commit(std::span<const unsigned char> content);
 
   private:
+    void name();
+
     std::filesystem::path target_;
-    std::filesystem::path temporary_;
+    std::filesystem::path temporary_; ///< empty while it has no name
     int descriptor_ = -1;
     bool committed_ = false;
 };

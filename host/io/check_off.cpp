@@ -43,12 +43,17 @@ class OffText {
         std::string_view word = cursor_.next();
         // Geomview itself lets the keyword be missing; then the counts come first.
         if (!parse_integer(word)) {
-            if (!word.ends_with("OFF"))
-                throw read_error(source_.path, "it does not start with the keyword OFF");
-            if (word.find_first_of("4n") != word.npos)
+            constexpr std::string_view keyword = "OFF";
+            const std::size_t place = word.find(keyword);
+            if (place == word.npos)
+                throw read_error(source_.path,
+                                 "it does not start with the keyword OFF, but with \"" +
+                                     printable(word) + '"');
+            if (word.substr(0, place).find_first_of("4n") != word.npos)
                 throw read_error(source_.path, "its vertices have more than three dimensions (" +
                                                    printable(word) + ")");
-            word = cursor_.next();
+            word.remove_prefix(place + keyword.size());
+            if (word.empty()) word = cursor_.next(); // else the counts follow without a blank
         }
         if (word == "BINARY")
             throw read_error(source_.path,

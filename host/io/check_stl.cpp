@@ -38,6 +38,22 @@ void add_facet(CheckedMesh& checked, const std::array<float, 9>& coordinates) {
     ++checked.faces;
 }
 
+/// Where nothing but whole facets follows those that the header promises, its count is wrong.
+std::size_t facets_to_read(std::size_t bytes, std::size_t promised,
+                           std::vector<std::string>& notes) {
+    const std::size_t more = bytes - header_size - promised * facet_size;
+    if (more == 0) return promised;
+    const std::string header = "its header promises " + counted(promised, "triangle", "triangles");
+    if (more % facet_size != 0) {
+        notes.push_back(header + ", what follows is not read (" + counted(more, "byte", "bytes") +
+                        ")");
+        return promised;
+    }
+    const std::size_t present = promised + more / facet_size;
+    notes.push_back(header + ", all " + std::to_string(present) + " that follow are read");
+    return present;
+}
+
 CheckedMesh check_binary(const SourceFile& source) {
     const std::string_view bytes = source.bytes;
     const std::size_t promised = read_u32(bytes, 80);
@@ -54,7 +70,8 @@ CheckedMesh check_binary(const SourceFile& source) {
     CheckedMesh checked;
     checked.bytes = empty_binary_stl();
     checked.bytes.reserve(bytes.size());
-    for (std::size_t i = 0; i < promised; ++i) {
+    const std::size_t read = facets_to_read(bytes.size(), promised, checked.notes);
+    for (std::size_t i = 0; i < read; ++i) {
         std::array<float, 9> coordinates{};
         for (std::size_t c = 0; c < 9; ++c)
             coordinates[c] = read_f32(bytes, header_size + i * facet_size + 12 + 4 * c);

@@ -22,7 +22,8 @@ struct CheckedMesh {
     std::size_t not_finite_faces = 0; ///< left out of `bytes`
     /// The vertices as the file has them, where OpenMesh's floats can't hold them; else empty.
     std::vector<glm::dvec3> exact{};
-    glm::dvec3 origin{0}; ///< taken off all vertices
+    glm::dvec3 origin{0};             ///< taken off all vertices
+    std::vector<std::string> notes{}; ///< what the user should know
 };
 
 /// Each throws FileError at the first thing that is wrong, a missing end included.

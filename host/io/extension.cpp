@@ -12,4 +12,8 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
+UsualUp usual_up(const std::filesystem::path& model) {
+    return lower_extension(model) == ".stl" ? UsualUp::z : UsualUp::y;
+}
+
 } // namespace lineatlas

@@ -7,6 +7,7 @@
 
 #include "atomic_file.hpp"
 #include "extension.hpp"
+#include "image_codec.hpp"
 #include "image_loader.hpp"
 #include "lineatlas/io.hpp"
 #include "source_file.hpp"
@@ -71,20 +72,29 @@ auto guarded(FileError (*error)(const std::filesystem::path&, std::string_view),
 
 } // namespace
 
-Image read_image(const std::filesystem::path& path) {
-    check_source(path);
+Image decode_image(const SourceFile& file) {
     const images::Module& module = image_module();
-    return guarded(read_error, path, [&] { return module.read(path); });
+    return guarded(read_error, file.path, [&] { return module.decode(file.path, file.bytes); });
+}
+
+std::vector<unsigned char> encode_image(const std::filesystem::path& path, const Pixels& pixels,
+                                        const ImageSettings& settings) {
+    check_pixels(path, pixels);
+    check_type(path);
+    check_image_settings(path, settings, false);
+    const images::Module& module = image_module();
+    return guarded(write_error, path, [&] { return module.encode(path, pixels, settings); });
+}
+
+Image read_image(const std::filesystem::path& path) {
+    return decode_image(read_source(path));
 }
 
 void write_image(const std::filesystem::path& path, const Pixels& pixels,
                  const ImageSettings& settings) {
-    check_pixels(path, pixels);
     check_type(path);
-    check_image_settings(path, settings, false);
     AtomicFile file(path); // before the work of encoding
-    const images::Module& module = image_module();
-    file.commit(guarded(write_error, path, [&] { return module.encode(path, pixels, settings); }));
+    file.commit(encode_image(path, pixels, settings));
 }
 
 void write_image(const std::filesystem::path& path, const Image& image) {

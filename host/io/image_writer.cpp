@@ -1,10 +1,10 @@
 #include "image_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -18,7 +18,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "image_loader.hpp"
+#include "atomic_file.hpp"
+#include "confinement.hpp"
+#include "image_encoder.hpp"
 #include "lineatlas/error.hpp"
 #include "message_socket.hpp"
 #include "source_file.hpp"
@@ -27,20 +29,25 @@ namespace lineatlas {
 
 namespace {
 
-enum class Task : std::int32_t { write, check };
+PictureTask::Numbers numbers_of(const Pixels& pixels, const ImageSettings& settings,
+                                std::uint64_t bytes) {
+    return {.kind = PictureTask::Kind::encode,
+            .width = pixels.size.x,
+            .height = pixels.size.y,
+            .channels = pixels.channels,
+            .bits = pixels.bits,
+            .premultiplied = pixels.premultiplied ? 1 : 0,
+            .file_bits = settings.bits,
+            .dpi = settings.dpi,
+            .bytes = bytes};
+}
 
-/// What is asked of the process. The path and the description follow, then the values.
-struct Request {
-    Task task;
-    std::int32_t width, height, channels, bits, premultiplied, file_bits;
-    float dpi;
-    std::uint64_t bytes; ///< of the values
-};
-
-bool send_request(int socket, const Request& request, const std::filesystem::path& path,
-                  const std::string& description) {
-    return send_all(socket, std::as_bytes(std::span{&request, 1})) &&
-           send_text(socket, path.string()) && send_text(socket, description);
+PictureTask check_task(const std::filesystem::path& path, glm::ivec2 size) {
+    PictureTask task{.numbers = {}, .path = path.string(), .description = {}};
+    task.numbers.kind = PictureTask::Kind::check;
+    task.numbers.width = size.x;
+    task.numbers.height = size.y;
+    return task;
 }
 
 std::size_t bytes_of(const Pixels& pixels) {
@@ -58,69 +65,92 @@ bool has_one_thread() {
     return !error && std::distance(begin(threads), end(threads)) == 1;
 }
 
-/// JPEG files end with a mark; what is cut off before it, readers fill up with grey.
-bool is_cut_jpeg(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::array<char, 2> bytes{};
-    if (!file.read(bytes.data(), 2) || bytes != std::array{'\xFF', '\xD8'}) return false;
-    file.seekg(-2, std::ios::end);
-    return !file.read(bytes.data(), 2) || bytes != std::array{'\xFF', '\xD9'};
-}
-
 bool holds_whole_picture(const std::filesystem::path& path, glm::ivec2 size) {
     try {
-        return read_image(path).size == size && !is_cut_jpeg(path);
+        return is_whole_picture(read_source(path), size);
     } catch (const FileError&) {
         return false;
     }
 }
 
-/// The answer to one request: empty if all is well, else a message. None when no more will come.
-std::optional<std::string> answer_next(int socket) {
-    Request request{};
-    if (!receive_all(socket, std::as_writable_bytes(std::span{&request, 1}))) return std::nullopt;
-    const std::optional<std::string> path = receive_text(socket);
-    const std::optional<std::string> description = receive_text(socket);
-    if (!path || !description) return std::nullopt;
-    const glm::ivec2 size{request.width, request.height};
-    if (request.task == Task::check) return holds_whole_picture(*path, size) ? "" : "damaged";
+/// A picture as it comes through the socket.
+class Incoming {
+  public:
+    Incoming(int socket, std::uint64_t bytes) : socket_(socket), left_(bytes) {}
+
+    /// The next piece, so that a large picture is in the encoder's memory alone; empty after the
+    /// last one, or where no more will come.
+    std::span<const std::byte> next() {
+        piece_.resize(std::min<std::uint64_t>(left_, std::uint64_t{1} << 20U));
+        left_ -= piece_.size();
+        if (receive_all(socket_, piece_)) return piece_;
+        left_ = 0;
+        whole_ = false;
+        return {};
+    }
+    /// Whether all of it came; takes what is left.
+    bool is_whole() {
+        while (!next().empty()) continue;
+        return whole_;
+    }
+
+  private:
+    int socket_;
+    std::uint64_t left_;
+    bool whole_ = true;
+    std::vector<std::byte> piece_;
+};
+
+/// Does the next task: what a picture is to hold is the encoder's matter, files are this process'.
+/// The answer: empty if all is well, else a message. None when no more will come.
+std::optional<std::string> answer_next(int socket, ImageEncoder& encoder) {
+    std::optional<PictureTask> task = receive_task(socket);
+    if (!task) return std::nullopt;
+    const bool is_check = task->numbers.kind == PictureTask::Kind::check;
+    Incoming picture{socket, is_check ? 0 : task->numbers.bytes};
     try {
-        std::vector<std::byte> values(request.bytes);
-        if (!receive_all(socket, values)) return std::nullopt;
-        write_image(*path,
-                    {.size = size,
-                     .channels = request.channels,
-                     .bits = request.bits,
-                     .premultiplied = request.premultiplied != 0,
-                     .values = values},
-                    {.bits = request.file_bits, .dpi = request.dpi, .description = *description});
+        if (is_check) {
+            const SourceFile file = read_source(task->path);
+            task->numbers.bytes = file.bytes.size();
+            encoder.begin(*task);
+            encoder.append(std::as_bytes(std::span{file.bytes}));
+            encoder.finish();
+            return "";
+        }
+        encoder.begin(*task);
+        for (auto piece = picture.next(); !piece.empty(); piece = picture.next())
+            encoder.append(piece);
+        if (!picture.is_whole()) return std::nullopt;
+        const std::string encoded = encoder.finish();
+        AtomicFile{task->path}.commit(
+            {reinterpret_cast<const unsigned char*>(encoded.data()), encoded.size()});
         return "";
     } catch (const FileError& error) {
+        if (!picture.is_whole()) return std::nullopt;
         return error.what();
     }
 }
 
 /// What the process does until the other side is gone.
-void serve(int socket) {
+void serve(int socket, const ReadLimits& limits) {
     for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_IGN);
+    ::dup2(socket, STDIN_FILENO);
     // Libraries print what they find wrong with a damaged picture; errors go out as answers.
-    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-        ::dup2(nowhere, STDERR_FILENO);
-    }
-    try {
-        image_module();
-    } catch (const FileError&) {
-        // Said when a picture comes: writing it tries again.
-    }
-    while (const std::optional<std::string> answer = answer_next(socket)) {
-        if (!send_text(socket, *answer)) return;
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    for (const int output : {STDOUT_FILENO, STDERR_FILENO})
+        if (::dup2(nowhere, output) < 0) ::close(output);
+    forget_what_was_inherited();
+    ImageEncoder encoder{limits};
+    while (const std::optional<std::string> answer = answer_next(STDIN_FILENO, encoder)) {
+        if (!send_text(STDIN_FILENO, *answer)) return;
     }
 }
 
 } // namespace
 
-ImageWriter::ImageWriter() {
-    if (has_one_thread()) start(); // a copy of a process with several may find locks held for ever
+ImageWriter::ImageWriter(const ReadLimits& limits) {
+    if (has_one_thread())
+        start(limits); // a copy of a process with several may find locks held for ever
 }
 
 ImageWriter::~ImageWriter() {
@@ -128,14 +158,14 @@ ImageWriter::~ImageWriter() {
     end();
 }
 
-void ImageWriter::start() {
+void ImageWriter::start(const ReadLimits& limits) {
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return;
     process_ = ::fork();
     if (process_ == 0) {
         ::close(sockets[0]);
         try {
-            serve(sockets[1]);
+            serve(sockets[1], limits);
         } catch (const std::exception&) {
             // No answer is one, too.
         }
@@ -166,16 +196,10 @@ void ImageWriter::begin(const std::filesystem::path& path, const Pixels& pixels,
         growing_->values.reserve(bytes_of(pixels));
         return;
     }
-    const Request request{.task = Task::write,
-                          .width = pixels.size.x,
-                          .height = pixels.size.y,
-                          .channels = pixels.channels,
-                          .bits = pixels.bits,
-                          .premultiplied = pixels.premultiplied ? 1 : 0,
-                          .file_bits = settings.bits,
-                          .dpi = settings.dpi,
-                          .bytes = bytes_of(pixels)};
-    if (!send_request(socket_, request, path, settings.description)) throw no_process();
+    const PictureTask task{.numbers = numbers_of(pixels, settings, bytes_of(pixels)),
+                           .path = path.string(),
+                           .description = settings.description};
+    if (!send_task(socket_, task)) throw no_process();
     writing_ = true;
 }
 
@@ -204,11 +228,7 @@ void ImageWriter::finish() {
 
 bool ImageWriter::is_whole(const std::filesystem::path& path, glm::ivec2 size) {
     finish();
-    Request request{};
-    request.task = Task::check;
-    request.width = size.x;
-    request.height = size.y;
-    if (process_ > 0 && send_request(socket_, request, path, {})) {
+    if (process_ > 0 && send_task(socket_, check_task(path, size))) {
         if (const std::optional<std::string> answer = receive_text(socket_)) {
             return answer->empty();
         }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lineatlas/io.hpp"
+#include "reader_process.hpp"
 
 namespace lineatlas {
 
@@ -19,7 +20,8 @@ namespace lineatlas {
 /// process, so that what it was given is whole however this one ends.
 class ImageWriter {
   public:
-    ImageWriter();
+    /// `limits`: of what encodes a picture there. 0: by the picture's size.
+    explicit ImageWriter(const ReadLimits& limits = {});
     /// Waits for the last picture, and is silent about it.
     ~ImageWriter();
     ImageWriter(const ImageWriter&) = delete;
@@ -40,7 +42,7 @@ class ImageWriter {
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size);
 
   private:
-    void start();
+    void start(const ReadLimits& limits);
     void end();
 
     int process_ = -1; ///< none: everything is done here

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "image_codec.hpp"
+#include "image_loader.hpp"
+#include "mesh_source.hpp"
 #include "reader_protocol.hpp"
 
 namespace lineatlas {
@@ -28,8 +32,7 @@ void send(ReaderOutput& output, const Mesh& mesh) {
     for (const auto& polyline : mesh.polylines) output.values(polyline);
 }
 
-void read_mesh(const std::filesystem::path& path, ReaderOutput& output) {
-    const LoadedMesh loaded = load_mesh(path);
+void send(ReaderOutput& output, const LoadedMesh& loaded) {
     output.value(reader::Answer::read);
     output.value(std::uint64_t{loaded.notes.size()});
     for (const std::string& note : loaded.notes) output.text(note);
@@ -37,15 +40,25 @@ void read_mesh(const std::filesystem::path& path, ReaderOutput& output) {
     send(output, loaded.mesh);
 }
 
-void read_picture(const std::filesystem::path& path, ReaderOutput& output) {
-    const Image image = read_image(path);
+void send(ReaderOutput& output, const Image& image) {
     output.value(reader::Answer::read);
     output.value(image.size);
     output.value(image.channels);
     output.values(image.pixels);
 }
 
-constexpr std::array kinds{ReaderKind{mesh_kind, read_mesh}, ReaderKind{image_kind, read_picture}};
+ReaderKind::Parse open_mesh(const std::filesystem::path& path) {
+    return [source = read_mesh_source(path)](ReaderOutput& output) mutable {
+        send(output, parse_mesh(std::move(source)));
+    };
+}
+
+ReaderKind::Parse open_picture(const std::filesystem::path& path) {
+    image_module(); // later there is no loading
+    return [file = read_source(path)](ReaderOutput& output) { send(output, decode_image(file)); };
+}
+
+constexpr std::array kinds{ReaderKind{mesh_kind, open_mesh}, ReaderKind{image_kind, open_picture}};
 
 Mesh receive_mesh(ReaderProcess& process) {
     Mesh mesh;
@@ -99,6 +112,17 @@ bool is_sound(const Image& image) {
 
 } // namespace
 
+ReadLimits limits_for_picture(const ReadLimits& limits) {
+    // A picture of 4096 x 4096 floats. What is packed well need not be large to need far more, and
+    // what is large need not be a picture: the size of the file says nothing.
+    constexpr std::uint64_t usual_memory = std::uint64_t{512} << 20U;
+    constexpr std::chrono::seconds usual_time{60};
+    ReadLimits filled = limits;
+    if (filled.memory == 0) filled.memory = usual_memory;
+    if (filled.time.count() == 0) filled.time = usual_time;
+    return filled;
+}
+
 std::optional<int> serve_as_reader(int argc, char** argv) {
     return serve_as_reader(argc, argv, kinds);
 }
@@ -117,11 +141,7 @@ LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimit
 
 Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits) {
     if (!serves_as_reader()) return read_image(path);
-    // A picture of 4096 x 4096 floats. What is packed well need not be large to need far more.
-    constexpr std::uint64_t usual_memory = std::uint64_t{512} << 20U;
-    ReadLimits filled = limits;
-    if (filled.memory == 0) filled.memory = usual_memory;
-    ReaderProcess process{image_kind, path, filled};
+    ReaderProcess process{image_kind, path, limits_for_picture(limits)};
     Image image;
     image.size = process.value<glm::ivec2>();
     image.channels = process.value<int>();

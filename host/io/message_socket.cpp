@@ -1,8 +1,10 @@
 #include "message_socket.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 
+#include <poll.h>
 #include <sys/socket.h>
 
 namespace lineatlas {
@@ -27,7 +29,43 @@ bool receive_all(int socket, std::span<std::byte> bytes) {
     return true;
 }
 
-bool send_text(int socket, const std::string& text) {
+bool Patience::wait_for(int socket, short events) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds part{100};
+    while (!is_over()) {
+        const Clock::time_point begin = Clock::now();
+        pollfd waiting{.fd = socket, .events = events, .revents = 0};
+        const int ready = ::poll(&waiting, 1, static_cast<int>(part.count()));
+        left_ -= std::min<std::chrono::nanoseconds>(Clock::now() - begin, 2 * part);
+        if (ready > 0) return true;
+    }
+    return false;
+}
+
+bool send_all(int socket, std::span<const std::byte> bytes, Patience& patience) {
+    while (!bytes.empty()) {
+        if (!patience.wait_for(socket, POLLOUT)) return false;
+        const ssize_t sent =
+            ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (sent <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    }
+    return true;
+}
+
+bool receive_all(int socket, std::span<std::byte> bytes, Patience& patience) {
+    while (!bytes.empty()) {
+        if (!patience.wait_for(socket, POLLIN)) return false;
+        const ssize_t got = ::recv(socket, bytes.data(), bytes.size(), MSG_DONTWAIT);
+        if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (got <= 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(got));
+    }
+    return true;
+}
+
+bool send_text(int socket, std::string_view text) {
     const std::uint64_t size = text.size();
     return send_all(socket, std::as_bytes(std::span{&size, 1})) &&
            send_all(socket, std::as_bytes(std::span{text}));

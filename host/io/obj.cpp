@@ -165,12 +165,12 @@ class ObjSoup {
 
 } // namespace
 
-Soup read_obj(SourceFile source) {
+Soup read_obj(SourceFile source, const MaterialFiles& files) {
     ObjText text = reduce_obj(source);
     source.bytes = std::string(); // a second copy of a large model is not needed any more
-    const ObjMaterials materials(source.path, text.material_files);
+    const ObjMaterials materials(files.contents);
     Soup soup = ObjSoup(source, text, materials).read();
-    soup.notes.insert(soup.notes.end(), materials.notes().begin(), materials.notes().end());
+    soup.notes.insert(soup.notes.end(), files.notes.begin(), files.notes.end());
     return soup;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "material_files.hpp"
 #include "soup.hpp"
 #include "source_file.hpp"
 
 namespace lineatlas {
 
-/// Reads OBJ text with its groups, materials and `l` elements through tinyobjloader. Materials come
-/// from the files that `mtllib` names, beside the OBJ file; one that is missing is a note. Throws
+/// Reads OBJ text with its groups, materials and `l` elements through tinyobjloader. Throws
 /// FileError with the line for anything that would otherwise be read as zero or as another vertex.
-Soup read_obj(SourceFile source);
+Soup read_obj(SourceFile source, const MaterialFiles& files);
 
 } // namespace lineatlas

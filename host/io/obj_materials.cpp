@@ -2,38 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
-#include <system_error>
+#include <vector>
 
 #include <tiny_obj_loader.h>
 
-#include "source_file.hpp"
-
 namespace lineatlas {
 
-ObjMaterials::ObjMaterials(const std::filesystem::path& obj_path,
-                           std::span<const std::string> names) {
-    const std::filesystem::path folder = obj_path.parent_path();
-    for (std::string name : names) {
-        std::replace(name.begin(), name.end(), '\\', '/');
-        // A name may hold blanks, or the line may name several files: the first that exists counts.
-        if (load(folder / name)) continue;
-        std::istringstream words(name);
-        bool any = false;
-        for (std::string word; words >> word;) any = load(folder / word) || any;
-        if (!any)
-            notes_.push_back("material file " + lineatlas::quoted(name) +
-                             " cannot be read; its materials have no colour");
-    }
+ObjMaterials::ObjMaterials(std::span<const std::string> files) {
+    for (const std::string& file : files) add(file);
 }
 
-bool ObjMaterials::load(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return false;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return false;
-
+void ObjMaterials::add(const std::string& file) {
+    std::istringstream stream(file);
     std::map<std::string, int> places;
     std::vector<tinyobj::material_t> materials;
     std::string warnings;
@@ -46,7 +27,6 @@ bool ObjMaterials::load(const std::filesystem::path& path) {
             color[i] = std::isfinite(diffuse[i]) ? std::clamp(diffuse[i], 0.0F, 1.0F) : 0.0F;
         colors_.try_emplace(name, color);
     }
-    return true;
 }
 
 std::optional<glm::vec3> ObjMaterials::color(const std::string& material) const {

@@ -95,8 +95,6 @@ class Reduction {
             corners(rest, 3);
         else if (keyword == "l")
             line_element(rest);
-        else if (keyword == "mtllib")
-            result_.material_files.emplace_back(trimmed(rest));
         else if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
             result_.text += keyword;
             result_.text += ' ';

@@ -16,8 +16,7 @@ namespace lineatlas {
 struct ObjText {
     std::string text;                  ///< v, f, o, g and usemtl; one line for each in the file
     std::vector<glm::dvec3> positions; ///< of the v lines, which are all zeros in `text`
-    std::vector<std::size_t> polyline_ends;  ///< ends in `text` of the f lines that were l lines
-    std::vector<std::string> material_files; ///< what follows each mtllib
+    std::vector<std::size_t> polyline_ends; ///< ends in `text` of the f lines that were l lines
 };
 
 /// Throws FileError with its line for a `v` without three numbers, for a corner that is no index,

@@ -11,7 +11,7 @@ void add_notes(const OddTriangles& odd, std::vector<std::string>& notes) {
         if (count > 0)
             notes.push_back(counted(count, "triangle", "triangles") + ' ' + std::string(what));
     };
-    note(odd.repeated, "over the corners of another left out");
+    note(odd.repeated, "with the same three corners as another left out");
     note(odd.collapsed, "with corners at one place left out");
     note(odd.flat, "without area seen as part of another");
 }

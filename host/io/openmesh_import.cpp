@@ -127,6 +127,7 @@ Soup import_by_openmesh(CheckedMesh checked, std::string_view extension,
     if (!checked.exact.empty()) soup.positions = std::move(checked.exact);
     soup.origin = checked.origin;
     soup.not_finite_faces = checked.not_finite_faces;
+    soup.notes = std::move(checked.notes);
     if (welds && found < checked.faces)
         soup.notes.push_back(counted(checked.faces - found, "face", "faces") +
                              " with equal corners dropped");

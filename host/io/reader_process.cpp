@@ -9,12 +9,12 @@
 #include <stdexcept>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "confinement.hpp"
 #include "lineatlas/error.hpp"
 #include "reader_protocol.hpp"
 #include "source_file.hpp"
@@ -22,8 +22,6 @@
 namespace lineatlas {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
 
@@ -48,6 +46,10 @@ void add_silence(posix_spawn_file_actions_t& actions) {
 
 } // namespace
 
+std::string written_gibibytes(std::uint64_t bytes) {
+    return short_number(static_cast<double>(bytes) / gibibyte) + " GiB";
+}
+
 ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits) {
     // A text of triangles takes up to twenty times its size while it is read, on a slow machine a
     // second per 10 MB.
@@ -64,8 +66,12 @@ ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits) {
 
 ReaderProcess::ReaderProcess(std::string_view kind, const std::filesystem::path& path,
                              const ReadLimits& limits)
-    : path_(path), limits_(limits_for(check_source(path), limits)) {
+    : path_(path) {
     if (!serves_as_reader()) throw std::logic_error("main() must call serve_as_reader()");
+    const std::uintmax_t size = check_source(path);
+    limits_ = limits_for(size, limits);
+    patience_ = Patience{limits_.time};
+    if (size > limits_.memory) fail_for_memory(); // it is read whole
     start(kind);
     try {
         await_answer();
@@ -89,12 +95,18 @@ void ReaderProcess::start(std::string_view kind) {
     std::array<char*, words.size() + 1> arguments{};
     std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
 
+    std::vector<std::string> variables = small_environment();
+    std::vector<char*> environment;
+    for (std::string& variable : variables) environment.push_back(variable.data());
+    environment.push_back(nullptr);
+
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, sockets[1], reader::socket);
     add_silence(actions);
-    const int error =
-        ::posix_spawn(&process_, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    const int error = ::posix_spawn(&process_, "/proc/self/exe", &actions, nullptr,
+                                    arguments.data(), environment.data());
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(sockets[1]);
     socket_ = sockets[0];
@@ -111,9 +123,7 @@ void ReaderProcess::await_answer() {
     case reader::Answer::refused:
         throw FileError(text());
     case reader::Answer::no_memory:
-        fail("reading it needs more than " +
-             short_number(static_cast<double>(limits_.memory) / gibibyte) +
-             " GiB of memory; --read-memory allows more");
+        fail_for_memory();
     }
     refuse();
 }
@@ -131,32 +141,14 @@ std::size_t ReaderProcess::count(std::size_t element_size) {
     return count;
 }
 
-/// Counted in short waits: a time in which this process was stopped (Ctrl-Z) is not the reader's.
-bool ReaderProcess::wait_for_bytes() {
-    constexpr std::chrono::milliseconds part{100};
-    while (waited_ < limits_.time) {
-        const Clock::time_point begin = Clock::now();
-        pollfd waiting{.fd = socket_, .events = POLLIN, .revents = 0};
-        const int ready = ::poll(&waiting, 1, static_cast<int>(part.count()));
-        waited_ += std::min<std::chrono::nanoseconds>(Clock::now() - begin, 2 * part);
-        if (ready > 0) return true;
-    }
-    return false;
-}
-
 void ReaderProcess::receive(std::span<std::byte> bytes) {
     received_ += bytes.size();
     if (received_ > limits_.memory) refuse();
-    while (!bytes.empty()) {
-        if (!wait_for_bytes())
-            fail("reading it took more than " +
-                 short_number(static_cast<double>(limits_.time.count()) / 1000) +
-                 " s; --read-seconds allows more");
-        const ssize_t got = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
-        if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-        if (got <= 0) ended();
-        bytes = bytes.subspan(static_cast<std::size_t>(got));
-    }
+    if (receive_all(socket_, bytes, patience_)) return;
+    if (!patience_.is_over()) ended();
+    fail("reading it took more than " +
+         short_number(static_cast<double>(limits_.time.count()) / 1000) +
+         " s; --read-seconds allows more");
 }
 
 /// Says how the process ended.
@@ -176,6 +168,11 @@ void ReaderProcess::ended() {
 
 void ReaderProcess::fail(const std::string& cause) const {
     throw read_error(path_, cause);
+}
+
+void ReaderProcess::fail_for_memory() const {
+    fail("reading it needs more than " + written_gibibytes(limits_.memory) +
+         " of memory; --read-memory allows more");
 }
 
 void ReaderProcess::refuse() const {

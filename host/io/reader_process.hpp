@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "message_socket.hpp"
 
 namespace lineatlas {
 
@@ -25,6 +28,9 @@ struct ReadLimits {
 
 /// `limits` with everything filled in, for a file of `size` bytes.
 ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits);
+
+/// For messages: "0.25 GiB".
+std::string written_gibibytes(std::uint64_t bytes);
 
 /// The other process: what it reads goes out here, after all of it has been read.
 class ReaderOutput {
@@ -56,8 +62,12 @@ class ReaderOutput {
 
 /// Something that can be read: the name it is asked for by, and how it is read.
 struct ReaderKind {
+    using Parse = std::function<void(ReaderOutput&)>;
+
     std::string_view name;
-    void (*read)(const std::filesystem::path& path, ReaderOutput& output);
+    /// Reads all files that belong to it, but believes nothing in them. What it returns does: it is
+    /// called when the process is confined (confinement.hpp).
+    Parse (*open)(const std::filesystem::path& path);
 };
 
 /// If this process was started by a ReaderProcess: reads the file and returns the exit code that
@@ -105,15 +115,15 @@ class ReaderProcess {
     void start(std::string_view kind);
     void await_answer();
     void receive(std::span<std::byte> bytes);
-    bool wait_for_bytes();
     std::size_t count(std::size_t element_size);
     [[noreturn]] void ended();
     [[noreturn]] void fail(const std::string& cause) const;
+    [[noreturn]] void fail_for_memory() const;
     void end();
 
     std::filesystem::path path_;
     ReadLimits limits_;
-    std::chrono::nanoseconds waited_{0};
+    Patience patience_{std::chrono::nanoseconds{0}};
     std::uint64_t received_ = 0; ///< bytes
     int process_ = -1;
     int socket_ = -1;

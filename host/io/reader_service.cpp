@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "confinement.hpp"
 #include "lineatlas/error.hpp"
 #include "message_socket.hpp"
 #include "reader_process.hpp"
@@ -60,7 +61,9 @@ void read_file(const ReaderKind& kind, const std::filesystem::path& path) {
         output.text(message);
     };
     try {
-        kind.read(path, output);
+        const ReaderKind::Parse parse = kind.open(path);
+        confine();
+        parse(output);
     } catch (const Error& error) {
         refuse(error.what());
     } catch (const std::exception& error) {

@@ -144,14 +144,6 @@ void keep_used_groups(const std::vector<MeshGroup>& groups, Mesh& mesh) {
     }
 }
 
-std::string why_empty(const FaceCounts& counts, const Soup& soup) {
-    if (soup.positions.empty() && counts.not_finite == 0) return "it holds no vertex and no face";
-    if (counts.faces == 0 && soup.polylines.empty())
-        return "it holds points only, no face and no line";
-    return "none of its " + counted(counts.faces + soup.polylines.size(), "element", "elements") +
-           " can be drawn: corners are too few or equal";
-}
-
 void refuse_if_most_are_bad(const FaceCounts& counts, const std::filesystem::path& path) {
     if (2 * (counts.not_finite + counts.too_large) <= counts.faces) return;
     const bool large = counts.too_large > counts.not_finite;
@@ -187,6 +179,16 @@ void add_notes(LoadedMesh& loaded, const FaceCounts& counts, std::size_t lost_li
         loaded.notes.push_back("far from zero for its size, drawn about " + written(loaded.origin));
 }
 
+std::string why_empty(const Soup& soup, const FaceCounts& counts,
+                      const std::vector<std::string>& notes) {
+    if (soup.positions.empty() && counts.not_finite == 0) return "it holds no vertex and no face";
+    if (counts.faces == 0 && soup.polylines.empty())
+        return "it holds points only, no face and no line";
+    std::string why = "nothing in it can be drawn";
+    for (const std::string& note : notes) why += (&note == notes.data() ? ": " : "; ") + note;
+    return why;
+}
+
 } // namespace
 
 LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
@@ -204,10 +206,10 @@ LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
     counts.not_finite += soup.not_finite_faces;
     refuse_if_most_are_bad(counts, path);
     const std::size_t lost_lines = keep_polylines(soup, moved, mesh);
-    if (mesh.empty()) throw read_error(path, why_empty(counts, soup));
+    add_notes(loaded, counts, lost_lines);
+    if (mesh.empty()) throw read_error(path, why_empty(soup, counts, loaded.notes));
     refuse_if_too_small(bounds, path);
     keep_used_groups(soup.groups, mesh);
-    add_notes(loaded, counts, lost_lines);
     return loaded;
 }
 

@@ -109,6 +109,11 @@ SourceFile read_source(const std::filesystem::path& path) {
     return source;
 }
 
+std::string_view without_utf8_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 void refuse_other_types(const SourceFile& source, std::string_view extension) {
     const std::string_view bytes = source.bytes;
     for (const Signature& signature : signatures)

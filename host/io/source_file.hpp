@@ -23,6 +23,9 @@ std::uintmax_t check_source(const std::filesystem::path& path);
 /// Reads what check_source() accepts. Throws FileError.
 SourceFile read_source(const std::filesystem::path& path);
 
+/// Without the three bytes that some programs put before text in UTF-8.
+std::string_view without_utf8_mark(std::string_view text);
+
 /// Throws FileError when the first bytes belong to something that is no mesh, or to a mesh of
 /// another type than `extension` (lower case, with its dot).
 void refuse_other_types(const SourceFile& source, std::string_view extension);

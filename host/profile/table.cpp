@@ -21,6 +21,8 @@ struct Work {
     std::string name;
     std::vector<double> each{}; ///< nanoseconds
     double sum = 0;
+    double items = 0, bytes = 0; ///< of all
+    std::uint32_t group = 0;
 };
 
 struct Stage {
@@ -70,13 +72,29 @@ struct Summary {
         }
         known->each.push_back(static_cast<double>(event.end - event.start));
         known->sum += known->each.back();
+        known->items += static_cast<double>(event.items);
+        known->bytes += static_cast<double>(event.bytes);
+        known->group = std::max(known->group, event.group);
     }
 };
 
 std::string row(const std::string& name, const char* track, double count, double middle, double sum,
                 double share) {
-    return fmt::format("{:<24}{:<9}{:>7.1f}{:>12.3f}{:>12.2f}{:>9.1f}\n", name, track, count,
+    return fmt::format("{:<24}{:<9}{:>7.1f}{:>12.3f}{:>12.2f}{:>9.1f}", name, track, count,
                        middle * 1e-6, sum * 1e-6, 100 * share);
+}
+
+/// The size of a launch, and its bytes a second beside those of a copy.
+std::string size_columns(const Work& work, double copy) {
+    if (work.bytes == 0) return {};
+    const auto launches = static_cast<double>(work.each.size());
+    const double rate = work.sum > 0 ? work.bytes / work.sum : 0;
+    std::string text = work.items > 0
+                           ? fmt::format("{:>11.0f}{:>7}", work.items / launches, work.group)
+                           : fmt::format("{:18}", "");
+    text += fmt::format("{:>10.2f}{:>9.2f}", work.bytes / launches * 1e-6, rate);
+    if (copy > 0) text += fmt::format("{:>9.1f}", 100 * rate / copy);
+    return text;
 }
 
 /// How exact the times of a queue are in the worst frame.
@@ -94,25 +112,34 @@ std::string profile_table(std::span<const FrameProfile> frames) {
     if (frames.empty()) return "no frame was profiled\n";
     const Summary summary{frames};
     const auto count = static_cast<double>(frames.size());
-    std::string text = fmt::format("{:<24}{:<9}{:>7}{:>12}{:>12}{:>9}\n", "stage, kernel or pass",
-                                   "queue", "a frame", "median ms", "sum ms", "% of all");
+    const double copy = frames.back().copy_gigabytes_per_second;
+    std::string text = fmt::format("{:<24}{:<9}{:>7}{:>12}{:>12}{:>9}{:>11}{:>7}{:>10}{:>9}{:>9}\n",
+                                   "stage, kernel or pass", "queue", "a frame", "median ms",
+                                   "sum ms", "% of all", "items", "group", "MB", "GB/s", "% copy");
     for (const Stage& stage : summary.stages) {
         text += row(stage.name, "", static_cast<double>(stage.frames.size()) / count,
-                    median(stage.frames), stage.sum, stage.sum / summary.sum);
+                    median(stage.frames), stage.sum, stage.sum / summary.sum) +
+                '\n';
         for (const Work& work : stage.work) {
             text += row("  " + work.name, name_of(work.track),
                         static_cast<double>(work.each.size()) / count, median(work.each), work.sum,
-                        work.sum / summary.sum);
+                        work.sum / summary.sum) +
+                    size_columns(work, copy) + '\n';
         }
     }
     text += row("stages", "", 1, summary.covered / count, summary.covered,
-                summary.covered / summary.sum);
-    text += row("frame", "", 1, median(summary.frames), summary.sum, 1);
+                summary.covered / summary.sum) +
+            '\n';
+    text += row("frame", "", 1, median(summary.frames), summary.sum, 1) + '\n';
     fmt::format_to(std::back_inserter(text), "covered: {:.1f} % of {} frames; {}; {}; {} dropped\n",
                    100 * summary.covered / summary.sum, frames.size(),
                    accuracy(frames, "GL", &FrameProfile::gl_error),
                    accuracy(frames, "compute", &FrameProfile::compute_error),
                    frames.back().dropped);
+    if (copy > 0) {
+        fmt::format_to(std::back_inserter(text), "a copy on the compute device: {:.2f} GB/s\n",
+                       copy);
+    }
     return text;
 }
 

@@ -70,9 +70,18 @@ class Trace {
                            {"ts", microseconds(frame.start - zero_)},
                            {"args", {{"samples", frame.samples}, {"runs", frame.runs}}}});
         for (const ProfileEvent& event : frame.events) {
+            Json arguments{{"frame", frame.number}, {"stage", event.stage}};
+            if (event.items > 0) {
+                arguments["items"] = event.items;
+                arguments["group"] = event.group;
+            }
+            if (event.bytes > 0) {
+                arguments["bytes"] = event.bytes;
+                arguments["gb_per_s"] = event.gigabytes_per_second();
+                arguments["copy_gb_per_s"] = frame.copy_gigabytes_per_second;
+            }
             add_complete(event.name, event.stage.empty() ? "none" : event.stage,
-                         thread_of(event.track), event.start, event.end,
-                         {{"frame", frame.number}, {"stage", event.stage}});
+                         thread_of(event.track), event.start, event.end, std::move(arguments));
         }
     }
 

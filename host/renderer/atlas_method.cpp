@@ -32,9 +32,9 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 } // namespace
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
-    : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raster_is_faster_(!interop::gl_is_software()), depth_(connection), strokes_(connection),
-      intervals_(backend_) {
+    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
+      handover_(device_), raster_is_faster_(!interop::gl_is_software()), depth_(connection),
+      strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -47,24 +47,22 @@ void AtlasMethod::release_scene() {
     offsets_.reset();
 }
 
-void AtlasMethod::set_scene(const SceneBuffers& scene) {
+void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables) {
     release_scene();
-    segment_count_ = scene.segment_count();
-    front_ = compute::allocate(backend_, scene.triangle_count(), purpose::model);
-    clipped_ = shared(std::size_t{segment_count_} * sizeof(ClippedSegment), purpose::segments);
-    const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(std::uint32_t);
+    const std::size_t segments = tables.most_segments();
+    front_ = compute::allocate(device_, scene.triangle_count(), purpose::model);
+    clipped_ = shared(segments * sizeof(ClippedSegment), purpose::segments);
+    const std::size_t sums = (segments + 1) * sizeof(std::uint32_t);
     offsets_ = shared(sums, purpose::segments);
-    arcs_ = compute::allocate(backend_, sums, purpose::segments);
+    arcs_ = compute::allocate(device_, sums, purpose::segments);
     depth_.set_scene(scene);
 }
 
 void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
     const std::uint32_t longest = longest_segment(frame);
-    const AtlasLayoutKind kind = frame.options.atlas_layout == AtlasLayoutChoice::wrap
-                                     ? AtlasLayoutKind::wrap
-                                     : AtlasLayoutKind::gutter;
     const auto row = std::min(static_cast<std::uint64_t>(longest_row), most_texels());
-    const AtlasLayout layout = make_atlas_layout(kind, longest, static_cast<std::uint32_t>(row));
+    const AtlasLayout layout =
+        make_atlas_layout(frame.options.atlas_layout, longest, static_cast<std::uint32_t>(row));
     if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
     layout_ = layout;
     past_ = {};
@@ -80,7 +78,7 @@ void AtlasMethod::make_atlas() {
 }
 
 std::uint64_t AtlasMethod::most_texels() const {
-    return std::min(static_cast<std::uint64_t>(largest_texture_buffer_), backend_.largest_buffer());
+    return std::min(static_cast<std::uint64_t>(largest_texture_buffer_), device_.largest_buffer());
 }
 
 std::uint64_t AtlasMethod::most_samples() const {
@@ -99,11 +97,26 @@ void AtlasMethod::prepare(const Frame& frame) {
     keeps_intervals_ = IntervalStage::wanted(frame);
 }
 
+void AtlasMethod::begin_chunk(Frame& frame, std::size_t chunk) {
+    if (chunk == 0) {
+        strokes_.begin_frame();
+        intervals_.begin_frame();
+    }
+    frame.scene.select(chunk);
+    segment_count_ = frame.scene.table().segment_count;
+}
+
+void AtlasMethod::keep_chunk(Frame& frame) {
+    if (frame.scene.chunk_count() == 1) return;
+    strokes_.keep(frame, alpha_.get(), layout_.texels(strokes_.sample_total()));
+    intervals_.keep(frame);
+}
+
 void AtlasMethod::project(Frame& frame) {
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     if ((frame.options.lines & mask_of(LineKind::silhouette)) != 0) {
         frame.clock("facing", [&] {
-            backend_.facing(
+            stages_.facing(
                 {.table = frame.scene.table(), .eye = frame.camera.eye(), .front = *front_});
         });
     }
@@ -114,7 +127,7 @@ void AtlasMethod::project(Frame& frame) {
         .tolerance = frame.depth_tolerance(),
         .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
-        backend_.project_clip(
+        stages_.project_clip(
             {.table = frame.scene.table(),
              .front = *front_,
              .clip_from_world = clip_from_world,
@@ -126,8 +139,8 @@ void AtlasMethod::project(Frame& frame) {
              .out = clipped_table()});
     });
     frame.clock("scan", [&] {
-        backend_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
-        backend_.scan(*arcs_, segment_count_, compute::ScanKind::wrap);
+        stages_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
+        stages_.scan(*arcs_, segment_count_, compute::ScanKind::wrap);
     });
 }
 
@@ -138,7 +151,7 @@ void AtlasMethod::sample(Frame& frame) {
 }
 
 void AtlasMethod::sample_compute(Frame& frame) {
-    frame.clock("atlas", [&] { backend_.atlas(atlas_args(frame, depth_.size())); });
+    frame.clock("atlas", [&] { stages_.atlas(atlas_args(frame, depth_.size())); });
 }
 
 bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
@@ -147,23 +160,18 @@ bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const
 }
 
 compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth) {
-    return {.clipped = clipped_table(),
-            .segment_count = segment_count_,
-            .depth = depth_.buffer(),
-            .depth_size = depth,
+    return {.segment_count = segment_count_,
+            .atlas = segment_atlas(),
+            .depth = frame.depth_buffer(depth_.buffer(), depth),
             .viewport = frame.viewport(),
-            .depth_scale = static_cast<float>(frame.depth_scale()),
-            .probes = frame.probes_per_axis(),
-            .tolerance = frame.depth_tolerance(),
-            .layout = layout_,
-            .capacity = sample_capacity_,
-            .alpha = alpha_->compute()};
+            .probes = frame.probes_per_axis()};
 }
 
 void AtlasMethod::sample_raster(Frame& frame) {
     frame.clock.handover([&] {
-        handover_.to_gl(
-            {{*clipped_, clipped_->size()}, {*offsets_, offsets_->size()}, {*alpha_, 0}});
+        clipped_->wrote(clipped_->size());
+        offsets_->wrote(offsets_->size());
+        handover_.to_gl({clipped_.get(), offsets_.get(), alpha_.get()});
     });
     // The total decides how many rows are drawn and read, so the host needs it here.
     std::uint32_t total = 0;
@@ -179,8 +187,8 @@ void AtlasMethod::sample_raster(Frame& frame) {
     });
     frame.clock.handover([&] {
         const bool drawn = total <= sample_capacity_ && !leaves_raster(frame, total);
-        handover_.to_compute(
-            {{*clipped_, 0}, {*offsets_, 0}, {*alpha_, drawn ? layout_.texels(total) : 0}});
+        alpha_->wrote(drawn ? layout_.texels(total) : 0);
+        handover_.to_compute({clipped_.get(), offsets_.get(), alpha_.get()});
     });
     if (total > sample_capacity_ || !leaves_raster(frame, total)) return;
     if (!reads_depth()) depth_.draw_for_compute(frame);
@@ -192,10 +200,10 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
     frame.clock("item_buffer", [&] {
         if (!item_buffer_) item_buffer_.emplace();
         const ItemBufferSampler::Tables tables = item_buffer_->tables(segment_count_);
-        backend_.download(offsets_->compute(), std::as_writable_bytes(tables.offsets));
+        device_.download(offsets_->compute(), std::as_writable_bytes(tables.offsets));
         if (tables.offsets.back() > sample_capacity_) return; // grow() sees to it
-        backend_.download(clipped_->compute(), std::as_writable_bytes(tables.clipped));
-        backend_.upload(alpha_->compute(), std::as_bytes(item_buffer_->sample(frame, layout_)));
+        device_.download(clipped_->compute(), std::as_writable_bytes(tables.clipped));
+        device_.upload(alpha_->compute(), std::as_bytes(item_buffer_->sample(frame, layout_)));
     });
 }
 
@@ -209,8 +217,8 @@ bool AtlasMethod::follows_past(const Frame& frame) const {
 }
 
 void AtlasMethod::steady(Frame& frame) {
-    const bool wanted =
-        frame.options.steady && frame.options.method == Method::atlas && frame.options.probes > 1;
+    const bool wanted = frame.options.steady && frame.options.method == Method::atlas &&
+                        frame.options.probes > 1 && frame.scene.chunk_count() == 1;
     if (!wanted) {
         past_.camera.reset();
         return;
@@ -218,26 +226,26 @@ void AtlasMethod::steady(Frame& frame) {
     frame.clock("temporal", [&] {
         if (!past_.offsets) {
             const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(la_uint);
-            past_.offsets = compute::allocate(backend_, sums, purpose::segments);
-            past_.ranges = compute::allocate(
-                backend_, std::size_t{segment_count_} * sizeof(la_uint), purpose::segments);
+            past_.offsets = compute::allocate(device_, sums, purpose::segments);
+            past_.ranges = compute::allocate(device_, std::size_t{segment_count_} * sizeof(la_uint),
+                                             purpose::segments);
         }
         if (!past_.alpha || past_.alpha->size() != alpha_->size()) {
             past_.alpha.reset(); // it may not fit beside another
-            past_.alpha = compute::allocate(backend_, alpha_->size(), purpose::atlas);
+            past_.alpha = compute::allocate(device_, alpha_->size(), purpose::atlas);
             past_.camera.reset();
         }
         const bool follows = follows_past(frame);
+        const bool objects_moved = past_.transforms != frame.scene.motion().transforms();
         if (follows) {
             frame.scene.forget_jumps(past_.transforms, frame.camera, slow_pixels, *past_.ranges);
         }
-        backend_.temporal({.clipped = clipped_table(),
-                           .segment_count = segment_count_,
-                           .layout = layout_,
-                           .capacity = sample_capacity_,
-                           .alpha = alpha_->compute(),
-                           .history = {*past_.alpha, *past_.offsets, *past_.ranges},
-                           .use_history = follows});
+        stages_.temporal({.segment_count = segment_count_,
+                          .atlas = segment_atlas(),
+                          .history = {*past_.alpha, *past_.offsets, *past_.ranges},
+                          .use = !follows        ? LA_HISTORY_NONE
+                                 : objects_moved ? LA_HISTORY_SCENE
+                                                 : LA_HISTORY_CAMERA});
         past_.camera = frame.camera;
         past_.probes = frame.options.probes;
         past_.depth_scale = frame.depth_scale();
@@ -257,9 +265,10 @@ bool AtlasMethod::grow_atlas(std::uint64_t needed) {
             "this device's atlas holds " + std::to_string(most)));
     }
     alpha_.reset(); // it may not fit beside another
-    sample_capacity_ = static_cast<std::uint32_t>(std::min(compute::roomy(backend_, needed), most));
+    sample_capacity_ =
+        static_cast<std::uint32_t>(std::min(compute::room_to_grow(device_, needed), most));
     make_atlas();
-    handover_.to_compute({{*alpha_, 0}});
+    handover_.to_compute({alpha_.get()});
     return true;
 }
 
@@ -276,48 +285,54 @@ void AtlasMethod::draw_strokes(Frame& frame) {
     else
         frame.backdrop.draw_fill(frame, frame.options.style.fill);
     pass_to_strokes(frame);
-    strokes_.draw(frame, alpha_->gl());
+    strokes_.draw(frame, *alpha_);
 }
 
 void AtlasMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
-        passed_.clear();
-        passed_.push_back({*clipped_, 0});
-        passed_.push_back({*offsets_, 0});
-        passed_.push_back({*alpha_, layout_.texels(strokes_.sample_total())});
-        strokes_.add_to_handover(passed_);
-        handover_.to_gl(passed_);
+        alpha_->wrote(layout_.texels(strokes_.sample_total()));
+        strokes_.note_written();
+        const auto [runs, record, hidden_runs, hidden_record, weights] = strokes_.tables();
+        handover_.to_gl({alpha_.get(), runs, record, hidden_runs, hidden_record, weights});
     });
 }
 
-void AtlasMethod::take_unread() {
-    passed_.clear();
-    passed_.push_back({*clipped_, 0});
-    passed_.push_back({*offsets_, 0});
-    passed_.push_back({*alpha_, 0});
-    strokes_.add_unread(passed_);
-    handover_.to_compute(passed_);
+void AtlasMethod::take_tables() {
+    const auto [runs, record, hidden_runs, hidden_record, weights] = strokes_.tables();
+    handover_.to_compute({clipped_.get(), offsets_.get(), alpha_.get(), runs, record, hidden_runs,
+                          hidden_record, weights});
 }
 
-FrameStats AtlasMethod::draw(Frame& frame) {
-    prepare(frame);
-    frame.clock.handover([&] { take_unread(); });
-    // The depth pyramid is what projection needs; without it, both go on at the same time.
-    if (!cull_hidden_) {
-        project(frame);
-        backend_.flush();
-    }
-    if (reads_depth())
-        depth_.draw_for_compute(frame);
-    else if (frame.options.method != Method::item_buffer)
-        depth_.draw_texture(frame);
-    if (cull_hidden_) project(frame);
+void AtlasMethod::find(Frame& frame) {
     do {
         sample(frame);
         steady(frame);
         intervals_.find(frame, segment_atlas(), depth_);
         strokes_.make_runs(frame, segment_atlas());
     } while (grow());
+    keep_chunk(frame);
+}
+
+FrameStats AtlasMethod::draw(Frame& frame) {
+    prepare(frame);
+    begin_chunk(frame, 0);
+    frame.clock.handover([&] { take_tables(); });
+    // The depth pyramid is what projection needs; without it, both go on at the same time.
+    if (!cull_hidden_) {
+        project(frame);
+        device_.flush();
+    }
+    if (reads_depth())
+        depth_.draw_for_compute(frame);
+    else if (frame.options.method != Method::item_buffer)
+        depth_.draw_texture(frame);
+    if (cull_hidden_) project(frame);
+    find(frame);
+    for (std::size_t chunk = 1; chunk < frame.scene.chunk_count(); ++chunk) {
+        begin_chunk(frame, chunk);
+        project(frame);
+        find(frame);
+    }
     if (frame.options.draw)
         draw_strokes(frame);
     else
@@ -329,9 +344,9 @@ FrameStats AtlasMethod::draw(Frame& frame) {
 FrameStats AtlasMethod::stats(Frame& frame) {
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),
-            .segments = segment_count_,
-            .samples = strokes_.sample_total(),
-            .runs = strokes_.run_total(),
+            .segments = frame.scene.segment_count(),
+            .samples = strokes_.samples_of_frame(),
+            .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
                              arcs_->size() + size_of(past_.offsets) + size_of(past_.ranges),
@@ -346,10 +361,10 @@ Renderer::Samples AtlasMethod::read_samples() {
     result.runs = strokes_.read_runs();
     result.density = strokes_.read_density();
     std::vector<std::uint8_t> texels(layout_.texels(strokes_.sample_total()));
-    handover_.to_compute({{*offsets_, 0}, {*alpha_, 0}});
-    backend_.download(offsets_->compute(), std::as_writable_bytes(std::span{result.offsets}));
-    backend_.download(alpha_->compute(), std::as_writable_bytes(std::span{texels}));
-    handover_.to_gl({{*offsets_, 0}, {*alpha_, 0}});
+    handover_.to_compute({alpha_.get()});
+    device_.download(offsets_->compute(), std::as_writable_bytes(std::span{result.offsets}));
+    device_.download(alpha_->compute(), std::as_writable_bytes(std::span{texels}));
+    handover_.to_gl({alpha_.get()});
     result.alpha.reserve(strokes_.sample_total());
     for (std::size_t i = 0; i < segment_count_; ++i) {
         const std::uint32_t l = result.offsets[i + 1] - result.offsets[i];

@@ -23,8 +23,8 @@ class AtlasMethod {
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release_scene();
-    /// Makes tables for another line set.
-    void set_scene(const SceneBuffers& scene);
+    /// Makes tables for another line set, and for chunks as large as those of `tables`.
+    void set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables);
     FrameStats draw(Frame& frame);
     /// See Renderer::draw_tiles().
     FrameStats draw_tiles(Frame& frame, const TileTarget& target);
@@ -38,12 +38,18 @@ class AtlasMethod {
     /// `longest_row`: of the atlas, in texels.
     void prepare_layout(const Frame& frame, GLint longest_row);
     void prepare_tiles(const Frame& frame, const TileTarget& target);
+    /// From here on stages are those of this chunk of the segments.
+    void begin_chunk(Frame& frame, std::size_t chunk);
+    /// After all stages of a chunk, where there are several: what comes of it goes to the host.
+    void keep_chunk(Frame& frame);
     void project(Frame& frame);
+    /// Samples, intervals and runs of the current chunk.
+    void find(Frame& frame);
     void sample(Frame& frame);
     void sample_tiles(Frame& frame, const TileTarget& target);
     /// `depth`: the texels of the buffer.
     compute::AtlasArgs atlas_args(const Frame& frame, glm::ivec2 depth);
-    SegmentAtlas segment_atlas() {
+    compute::SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
     }
     void sample_compute(Frame& frame);
@@ -53,15 +59,15 @@ class AtlasMethod {
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
-    /// Takes tables that kernels only write to from GL.
-    void take_unread();
+    /// Takes what GL has of the tables, which kernels only write to.
+    void take_tables();
     /// Hands what strokes are drawn from to GL.
     void pass_to_strokes(Frame& frame);
     void draw_strokes(Frame& frame);
     FrameStats stats(Frame& frame);
 
     std::unique_ptr<SharedBuffer> shared(std::size_t bytes, const Purpose& purpose) const {
-        return interop::make_shared_buffer(backend_, mode_, bytes, purpose);
+        return interop::make_shared_buffer(device_, mode_, bytes, purpose);
     }
     /// Makes the atlas anew, for `sample_capacity_`.
     void make_atlas();
@@ -76,7 +82,8 @@ class AtlasMethod {
         return {clipped_->compute(), offsets_->compute(), *arcs_};
     }
 
-    compute::Backend& backend_;
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
     interop::SharingMode mode_;
     interop::Handover handover_;
     bool raster_is_faster_;
@@ -86,7 +93,7 @@ class AtlasMethod {
     GLint largest_texture_buffer_ = 0;
 
     DepthStage depth_;
-    std::uint32_t segment_count_ = 0;
+    std::uint32_t segment_count_ = 0; ///< of the current chunk
     std::unique_ptr<compute::Buffer> front_, arcs_;
     std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
@@ -106,7 +113,6 @@ class AtlasMethod {
     bool follows_past(const Frame& frame) const;
 
     Past past_;
-    std::vector<interop::Passed> passed_; ///< kept for its memory
     bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
 
     gl::AtlasPass atlas_pass_;

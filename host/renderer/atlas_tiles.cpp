@@ -28,7 +28,7 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
         frame.clock("atlas", [&] {
             compute::AtlasArgs args = atlas_args(frame, depth_.size());
             args.tile = &depth;
-            backend_.atlas(args);
+            stages_.atlas(args);
         });
         frame.clock.handover([&] { depth_.take_tile_back(); });
     }
@@ -36,18 +36,23 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
 
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame, target);
-    frame.clock.handover([&] { take_unread(); });
-    project(frame);
-    // Counted first: drawing all depth again because the atlas was too small would take long.
-    std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
-    backend_.download(offsets_->compute(), std::as_writable_bytes(std::span{offsets}));
-    grow_atlas(offsets.back());
-    bool sampled = false;
-    do {
-        if (!sampled) sample_tiles(frame, target);
-        strokes_.make_runs(frame, segment_atlas());
-        sampled = !strokes_.changes_samples();
-    } while (grow());
+    frame.clock.handover([&] { take_tables(); });
+    for (std::size_t chunk = 0; chunk < frame.scene.chunk_count(); ++chunk) {
+        begin_chunk(frame, chunk);
+        project(frame);
+        // Counted first: drawing all depth again because the atlas was too small would take long.
+        std::uint32_t samples = 0;
+        device_.download(offsets_->compute(), std::as_writable_bytes(std::span{&samples, 1}),
+                         segment_count_ * sizeof(samples));
+        grow_atlas(samples);
+        bool sampled = false;
+        do {
+            if (!sampled) sample_tiles(frame, target);
+            strokes_.make_runs(frame, segment_atlas());
+            sampled = !strokes_.changes_samples();
+        } while (grow());
+        keep_chunk(frame);
+    }
     pass_to_strokes(frame);
     for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
         frame.tile = tile;
@@ -55,7 +60,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         const std::vector<gl::TriangleRange> seen =
             pieces_in_view(frame.scene, frame.clip_of_tile());
         frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
-        strokes_.draw(frame, alpha_->gl());
+        strokes_.draw(frame, *alpha_);
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });
     }

@@ -35,12 +35,13 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 }
 
 DepthStage::DepthStage(const interop::Connection& connection)
-    : backend_(*connection.backend), mode_(connection.mode), handover_(backend_) {}
+    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
+      handover_(device_) {}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
     appeared_.resize(seen_.size());
-    visible_ = compute::allocate(backend_, seen_.size(), purpose::model);
+    visible_ = compute::allocate(device_, seen_.size(), purpose::model);
 }
 
 void DepthStage::prepare(const Frame& frame) {
@@ -49,7 +50,7 @@ void DepthStage::prepare(const Frame& frame) {
     const std::size_t tile_bytes = area(compute::tiles_for(texels)) * sizeof(float);
     if (!tiles_ || tiles_->size() < tile_bytes) {
         tiles_.reset(); // it may not fit beside another
-        tiles_ = interop::make_shared_buffer(backend_, mode_, tile_bytes, purpose::depth);
+        tiles_ = interop::make_shared_buffer(device_, mode_, tile_bytes, purpose::depth);
     }
 }
 
@@ -57,7 +58,7 @@ void DepthStage::prepare_depth(glm::ivec2 size) {
     const std::size_t bytes = area(size) * sizeof(float);
     if (!depth_ || depth_->size() < bytes) {
         depth_.reset();
-        depth_ = interop::make_shared_buffer(backend_, mode_, bytes, purpose::depth);
+        depth_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::depth);
     }
 }
 
@@ -79,7 +80,10 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
         pass_.copy_to(depth_->gl(), {{0, 0}, size});
     });
     for (const gl::TriangleRange& range : ranges_) triangles_drawn_ += range.count;
-    frame.clock.handover([&] { handover_.to_compute({{*depth_, area(size) * sizeof(float)}}); });
+    frame.clock.handover([&] {
+        depth_->wrote(area(size) * sizeof(float));
+        handover_.to_compute({depth_.get()});
+    });
     // Lines end at the picture's borders, perhaps a rounding beyond.
     constexpr int far = 1 << 30;
     const glm::ivec2 core = tile.low * scale;
@@ -141,14 +145,14 @@ void DepthStage::draw_for_compute(Frame& frame) {
         appeared_[i] = appears ? 1 : 0;
     }
     if (!any) return;
-    frame.clock.handover([&] { handover_.to_gl({{*depth_, 0}, {*tiles_, 0}}); });
+    frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
     draw_clusters(frame, appeared_);
     build_pyramid(frame);
 }
 
 void DepthStage::take_back() {
-    const std::size_t tile_bytes = area(compute::tiles_for(size())) * sizeof(float);
-    handover_.to_gl({{*depth_, 0}, {*tiles_, tile_bytes}});
+    tiles_->wrote(area(compute::tiles_for(size())) * sizeof(float));
+    handover_.to_gl({depth_.get(), tiles_.get()});
 }
 
 void DepthStage::build_pyramid(Frame& frame) {
@@ -159,11 +163,12 @@ void DepthStage::build_pyramid(Frame& frame) {
             pass_.copy_to(depth_->gl(), covered(frame));
     });
     frame.clock.handover([&] {
-        handover_.to_compute({{*depth_, area(size()) * sizeof(float)}, {*tiles_, 0}});
+        depth_->wrote(area(size()) * sizeof(float));
+        handover_.to_compute({depth_.get(), tiles_.get()});
     });
     if (!frame.culls_hidden()) return;
     frame.clock("pyramid", [&] {
-        backend_.pyramid(
+        stages_.pyramid(
             {.depth = depth_->compute(), .depth_size = size(), .tiles = tiles_->compute()});
     });
 }
@@ -188,13 +193,13 @@ void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& se
 
 void DepthStage::cull(Frame& frame, std::vector<std::uint8_t>& visible) {
     frame.clock("cull", [&] {
-        backend_.cull({.clusters = frame.scene.cluster_buffer(),
-                       .count = static_cast<std::uint32_t>(visible.size()),
-                       .clip_from_world = frame.camera.clip_from_world(),
-                       .depth_size = size(),
-                       .tiles = tiles_->compute(),
-                       .visible = *visible_});
-        backend_.download(*visible_, std::as_writable_bytes(std::span{visible}));
+        stages_.cull({.clusters = frame.scene.cluster_buffer(),
+                      .count = static_cast<std::uint32_t>(visible.size()),
+                      .clip_from_world = frame.camera.clip_from_world(),
+                      .depth_size = size(),
+                      .tiles = tiles_->compute(),
+                      .visible = *visible_});
+        device_.download(*visible_, std::as_writable_bytes(std::span{visible}));
     });
 }
 

@@ -40,7 +40,7 @@ class DepthStage {
     /// made.
     compute::DepthTile draw_tile(Frame& frame, const PictureTile& tile);
     /// Before the next tile, and after the last: takes the depth back from compute.
-    void take_tile_back() { handover_.to_gl({{*depth_, 0}}); }
+    void take_tile_back() { handover_.to_gl({depth_.get()}); }
     /// Takes depth and pyramid back from compute: at the end of the frame, or before GL reads the
     /// pyramid.
     void take_back();
@@ -70,7 +70,8 @@ class DepthStage {
     /// Which clusters may be seen, judged by the pyramid.
     void cull(Frame& frame, std::vector<std::uint8_t>& visible);
 
-    compute::Backend& backend_;
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
     interop::SharingMode mode_;
     interop::Handover handover_;
     gl::DepthPass pass_;

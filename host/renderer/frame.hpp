@@ -21,21 +21,13 @@ namespace lineatlas {
 
 /// How many elements a table gets that must hold `needed` of them and may have to grow again.
 template <class Element>
-std::uint32_t capacity_for(const compute::Backend& backend, std::uint32_t needed) {
+std::uint32_t capacity_for(const compute::Device& device, std::uint32_t needed) {
     constexpr std::uint64_t most_counted = std::numeric_limits<std::uint32_t>::max();
     return static_cast<std::uint32_t>(
-        std::min(compute::roomy(backend, needed, sizeof(Element)), most_counted));
+        std::min(compute::room_to_grow(device, needed, sizeof(Element)), most_counted));
 }
 
 class Backdrop;
-
-/// The segments of a frame and the visibility of their samples.
-struct SegmentAtlas {
-    compute::ClippedTable clipped;
-    compute::Buffer& alpha;
-    AtlasLayout layout;
-    std::uint32_t capacity; ///< samples that `alpha` has room for
-};
 
 /// What a method needs to draw one frame.
 struct Frame {
@@ -59,6 +51,9 @@ struct Frame {
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).
     float depth_tolerance() const;
+    compute::DepthBuffer depth_buffer(compute::Buffer& texels, glm::ivec2 size) const {
+        return {texels, size, static_cast<float>(depth_scale()), depth_tolerance()};
+    }
     /// Whether segments and triangles that are hidden whole are looked for and left out.
     bool culls_hidden() const;
     /// Pens and visibility as the passes take them.

@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t matrix_floats = 12;
 
 template <class T>
-std::unique_ptr<compute::Buffer> upload(compute::Backend& backend, std::span<const T> values) {
+std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const T> values) {
     std::unique_ptr<compute::Buffer> buffer =
-        compute::allocate(backend, values.size_bytes(), purpose::motion);
-    backend.upload(*buffer, std::as_bytes(values));
+        compute::allocate(device, values.size_bytes(), purpose::motion);
+    device.upload(*buffer, std::as_bytes(values));
     return buffer;
 }
 
@@ -30,17 +30,18 @@ std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) 
 
 } // namespace
 
-MovingTables::MovingTables(compute::Backend& backend, interop::SharingMode mode, const Shape& shape)
-    : backend_(backend), handover_(backend), vertex_count_(shape.vertex_count),
+MovingTables::MovingTables(compute::Stages& stages, interop::SharingMode mode, const Shape& shape)
+    : stages_(stages), device_(stages.device()), handover_(device_),
+      vertex_count_(shape.vertex_count),
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
-      objects_(upload<std::uint32_t>(backend, object_of_vertices(shape))),
-      cluster_objects_(upload(backend, shape.cluster_objects)),
-      matrices_(compute::allocate(backend, shape.objects.size() * matrix_floats * sizeof(float),
+      objects_(upload<std::uint32_t>(device_, object_of_vertices(shape))),
+      cluster_objects_(upload(device_, shape.cluster_objects)),
+      matrices_(compute::allocate(device_, shape.objects.size() * matrix_floats * sizeof(float),
                                   purpose::motion)),
-      jumped_(compute::allocate(backend, shape.objects.size(), purpose::motion)),
-      vertices_(compute::allocate(backend, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
-      clusters_(compute::allocate(backend, cluster_count_ * sizeof(Cluster), purpose::motion)),
-      drawn_(interop::make_shared_buffer(backend, mode, vertex_count_ * sizeof(glm::vec3),
+      jumped_(compute::allocate(device_, shape.objects.size(), purpose::motion)),
+      vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
+      clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)),
+      drawn_(interop::make_shared_buffer(device_, mode, vertex_count_ * sizeof(glm::vec3),
                                          purpose::motion)) {}
 
 void MovingTables::transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
@@ -51,29 +52,30 @@ void MovingTables::transform(compute::Buffer& rest, compute::Buffer& rest_cluste
             for (int column = 0; column < 4; ++column) rows_.push_back(m[column][row]);
         }
     }
-    handover_.to_compute({{*drawn_, 0}});
-    backend_.upload(*matrices_, std::as_bytes(std::span{rows_}));
-    backend_.transform({.rest = rest,
-                        .objects = *objects_,
-                        .matrices = *matrices_,
-                        .vertex_count = vertex_count_,
-                        .vertices = *vertices_,
-                        .drawn = drawn_->compute(),
-                        .rest_clusters = rest_clusters,
-                        .cluster_objects = *cluster_objects_,
-                        .cluster_count = cluster_count_,
-                        .clusters = *clusters_});
-    handover_.to_gl({{*drawn_, vertex_count_ * sizeof(glm::vec3)}});
+    handover_.to_compute({drawn_.get()});
+    device_.upload(*matrices_, std::as_bytes(std::span{rows_}));
+    stages_.transform({.rest = rest,
+                       .objects = *objects_,
+                       .matrices = *matrices_,
+                       .vertex_count = vertex_count_,
+                       .vertices = *vertices_,
+                       .drawn = drawn_->compute(),
+                       .rest_clusters = rest_clusters,
+                       .cluster_objects = *cluster_objects_,
+                       .cluster_count = cluster_count_,
+                       .clusters = *clusters_});
+    drawn_->wrote(vertex_count_ * sizeof(glm::vec3));
+    handover_.to_gl({drawn_.get()});
 }
 
 void MovingTables::forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
                           compute::Buffer& ranges) {
-    backend_.upload(*jumped_, std::as_bytes(jumped));
-    backend_.forget({.segments = table.segments,
-                     .segment_count = table.segment_count,
-                     .objects = *objects_,
-                     .jumped = *jumped_,
-                     .ranges = ranges});
+    device_.upload(*jumped_, std::as_bytes(jumped));
+    stages_.transform_forget({.segments = table.segments,
+                              .segment_count = table.segment_count,
+                              .objects = *objects_,
+                              .jumped = *jumped_,
+                              .ranges = ranges});
 }
 
 std::uint64_t MovingTables::bytes() const {

@@ -7,7 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "compute/backend.hpp"
+#include "compute/stages/stages.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
 #include "lineatlas/lines.hpp"
@@ -24,7 +24,7 @@ class MovingTables {
         std::span<const std::uint32_t> cluster_objects; ///< per cluster
     };
     /// Throws DeviceError when memory runs out.
-    MovingTables(compute::Backend& backend, interop::SharingMode mode, const Shape& shape);
+    MovingTables(compute::Stages& stages, interop::SharingMode mode, const Shape& shape);
 
     /// Moves what is made as in `rest` and `rest_clusters`.
     void transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
@@ -39,7 +39,8 @@ class MovingTables {
     std::uint64_t bytes() const;
 
   private:
-    compute::Backend& backend_;
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
     interop::Handover handover_;
     std::uint32_t vertex_count_, cluster_count_;
     std::unique_ptr<compute::Buffer> objects_, cluster_objects_, matrices_, jumped_;

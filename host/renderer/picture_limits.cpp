@@ -15,6 +15,7 @@ namespace {
 int texels_per_pixel(const FrameOptions& options) {
     switch (options.method) {
     case Method::opengl:
+    case Method::exact:
         return 1;
     case Method::item_buffer:
         return static_cast<int>(std::lround(std::sqrt(options.probes)));
@@ -26,8 +27,8 @@ int texels_per_pixel(const FrameOptions& options) {
 }
 
 /// Depth texels that a buffer of the device holds.
-std::uint64_t most_depth_texels(const compute::Backend& backend) {
-    return backend.largest_buffer() / sizeof(float);
+std::uint64_t most_depth_texels(const compute::Device& device) {
+    return device.largest_buffer() / sizeof(float);
 }
 
 } // namespace
@@ -44,14 +45,16 @@ int probe_margin(float step, int depth_scale) {
     return static_cast<int>(std::ceil((0.5F * step + 1) * static_cast<float>(depth_scale))) + 1;
 }
 
-int tile_size_for(glm::ivec2 size, const FrameOptions& options, const compute::Backend& backend) {
+int tile_size_for(glm::ivec2 size, const FrameOptions& options, const compute::Device& device) {
     const int scale = texels_per_pixel(options);
     const int largest = gl::largest_side();
-    const std::uint64_t most_texels = most_depth_texels(backend);
+    const std::uint64_t most_texels = most_depth_texels(device);
     const auto texels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) *
                         static_cast<std::uint64_t>(scale) * static_cast<std::uint64_t>(scale);
-    const bool by_tiles = options.method == Method::atlas && options.atlas != AtlasForm::raster;
-    const bool depth_fits = !by_tiles || texels <= most_texels;
+    const bool exact = options.method == Method::exact;
+    const bool by_tiles =
+        exact || (options.method == Method::atlas && options.atlas != AtlasForm::raster);
+    const bool depth_fits = !by_tiles || exact || texels <= most_texels;
     if (std::max(size.x, size.y) <= largest / scale && depth_fits) return 0;
     if (!by_tiles) gl::check_side(size * scale, purpose::whole_picture);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compute/backend.hpp"
+#include "compute/stages/stages.hpp"
 #include "lineatlas/renderer.hpp"
 
 namespace lineatlas {
@@ -14,6 +14,6 @@ void check_picture(glm::ivec2 size);
 int probe_margin(float step, int depth_scale);
 
 /// See Renderer::tile_size().
-int tile_size_for(glm::ivec2 size, const FrameOptions& options, const compute::Backend& backend);
+int tile_size_for(glm::ivec2 size, const FrameOptions& options, const compute::Device& device);
 
 } // namespace lineatlas

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/host_clock.hpp"
+#include "core/limits.hpp"
 
 namespace lineatlas {
 namespace {
@@ -13,10 +14,31 @@ namespace {
 constexpr std::size_t most_pending = 4;
 constexpr std::size_t most_finished = 1024; // where nobody takes them
 
+/// FrameProfile::copy_gigabytes_per_second: the best of a few, since other work only slows it down.
+double measure_copy(compute::Device& device) try {
+    constexpr std::uint64_t bytes = std::uint64_t{32} << 20U; // more than most caches hold
+    constexpr int rounds = 5;
+    const auto from = device.allocate(bytes), to = device.allocate(bytes);
+    device.clear(*from, bytes);
+    double best = 0;
+    for (int i = 0; i < rounds; ++i) {
+        device.finish();
+        const std::int64_t start = host_nanoseconds();
+        device.copy(*from, *to, bytes);
+        device.finish();
+        const std::int64_t taken = std::max<std::int64_t>(host_nanoseconds() - start, 1);
+        best = std::max(best, 2.0 * static_cast<double>(bytes) / static_cast<double>(taken));
+    }
+    return best;
+} catch (const Shortage&) {
+    return 0; // a frame without that column, rather than none
+}
+
 } // namespace
 
-ProfileRecorder::ProfileRecorder(compute::Backend& backend, bool gl_is_software)
-    : backend_(backend), gl_is_software_(gl_is_software) {}
+ProfileRecorder::ProfileRecorder(compute::Device& device, bool gl_is_software)
+    : device_(device), gl_is_software_(gl_is_software),
+      copy_gigabytes_per_second_(measure_copy(device)) {}
 
 ProfileRecorder::Frame::Frame(ProfileRecorder& recorder) : recorder_(recorder) {
     recorder_.collect(false);
@@ -27,7 +49,8 @@ ProfileRecorder::Frame::Frame(ProfileRecorder& recorder) : recorder_(recorder) {
     }
     auto recording = std::make_unique<Recording>();
     recording->profile.number = recorder_.number_++;
-    recording->commands = recorder_.backend_.begin_log();
+    recording->profile.copy_gigabytes_per_second = recorder_.copy_gigabytes_per_second_;
+    recording->commands = recorder_.device_.begin_log();
     recording->gl_offset = gl::read_clock_offset();
     recording->profile.start = host_nanoseconds();
     recorder_.current_ = std::move(recording);
@@ -35,7 +58,7 @@ ProfileRecorder::Frame::Frame(ProfileRecorder& recorder) : recorder_(recorder) {
 
 ProfileRecorder::Frame::~Frame() {
     if (!recorder_.current_) return;
-    recorder_.backend_.end_log();
+    recorder_.device_.end_log();
     recorder_.in_pass_ = false;
     recorder_.release(*recorder_.current_);
     recorder_.current_.reset();
@@ -44,7 +67,7 @@ ProfileRecorder::Frame::~Frame() {
 void ProfileRecorder::Frame::finish(const FrameStats& stats) {
     Recording& recording = *recorder_.current_;
     if (recorder_.in_pass_) recorder_.end_pass();
-    recorder_.backend_.end_log();
+    recorder_.device_.end_log();
     recording.profile.end = host_nanoseconds();
     recording.profile.samples = stats.samples;
     recording.profile.runs = stats.runs;
@@ -133,7 +156,7 @@ void ProfileRecorder::add_passes(Recording& recording) {
         if (pass.start != 0) start = std::max(start, gl::TimerQueries::time(pass.start) + offset);
         gl_end_ = std::max(start, gl::TimerQueries::time(pass.end) + offset);
         recording.profile.events.push_back(
-            {ProfileTrack::gl, pass.stage, pass.stage, start, gl_end_});
+            {ProfileTrack::gl, pass.stage, pass.stage, start, gl_end_, 0, 0, 0});
     }
 }
 
@@ -147,7 +170,8 @@ void ProfileRecorder::add_commands(Recording& recording) {
         while (at < stages && events[at].end < command.submitted) ++at;
         const bool inside = at < stages && events[at].start <= command.submitted;
         events.push_back({ProfileTrack::compute, inside ? events[at].stage : std::string{},
-                          command.name, command.start, command.end});
+                          std::string{command.name}, command.start, command.end, command.items,
+                          command.group, command.bytes});
     }
     recording.profile.compute_error = recording.commands->error();
 }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "compute/backend.hpp"
+#include "compute/stages/stages.hpp"
 #include "glpasses/timer_queries.hpp"
 #include "lineatlas/profile.hpp"
 #include "lineatlas/renderer.hpp"
@@ -17,7 +17,7 @@ class ProfileRecorder {
   public:
     /// `gl_is_software`: GL works on this thread too, from the call on, and stamps say only when it
     /// is done.
-    ProfileRecorder(compute::Backend& backend, bool gl_is_software);
+    ProfileRecorder(compute::Device& device, bool gl_is_software);
 
     /// A frame while it is drawn; one that is not finished leaves nothing behind.
     class Frame {
@@ -60,8 +60,9 @@ class ProfileRecorder {
     void release(Recording& recording);
     static void add_commands(Recording& recording);
 
-    compute::Backend& backend_;
+    compute::Device& device_;
     bool gl_is_software_;
+    double copy_gigabytes_per_second_;
     gl::TimerQueries queries_;
     std::unique_ptr<Recording> current_;
     bool in_pass_ = false;

@@ -8,8 +8,10 @@
 
 #include "atlas_method.hpp"
 #include "backdrop.hpp"
-#include "compute/backends.hpp"
-#include "compute/compare/comparing_backend.hpp"
+#include "compute/compare/comparing_device.hpp"
+#include "compute/kernels.hpp"
+#include "core/limits.hpp"
+#include "exact_method.hpp"
 #include "frame.hpp"
 #include "glpasses/current_context.hpp"
 #include "glpasses/interop/connect.hpp"
@@ -25,8 +27,11 @@ namespace lineatlas {
 namespace {
 
 interop::ConnectOptions connect_options(const DeviceOptions& options) {
-    interop::ConnectOptions result{
-        .backend = options.compute, .device = options.device, .mode = std::nullopt};
+    interop::ConnectOptions result{.kind = options.compute,
+                                   .device = options.device,
+                                   .mode = std::nullopt,
+                                   .compare_with = options.compare_with,
+                                   .compare_until = options.compare_until};
     for (const auto mode : {interop::SharingMode::gl_sharing, interop::SharingMode::host_pointer,
                             interop::SharingMode::copy}) {
         if (options.interop == interop::name_of(mode)) result.mode = mode;
@@ -36,25 +41,13 @@ interop::ConnectOptions connect_options(const DeviceOptions& options) {
                          "\"; there is gl-sharing, host-pointer, copy");
     }
     if (!options.compare_with.empty()) {
-        // Two backends cannot open one GL buffer.
+        // Two devices cannot open one GL buffer.
         if (!result.mode) result.mode = interop::SharingMode::copy;
         if (result.mode == interop::SharingMode::gl_sharing) {
-            throw UsageError("comparing backends needs interop host-pointer or copy");
+            throw UsageError("comparing devices needs interop host-pointer or copy");
         }
     }
     return result;
-}
-
-/// Connects, to a pair of backends if they are to be compared.
-interop::Connection connect(const DeviceOptions& options) {
-    interop::Connection connection = interop::connect(connect_options(options));
-    if (options.compare_with.empty()) return connection;
-    const std::string& other = options.compare_with;
-    const std::string kind = other.substr(0, other.find(':'));
-    connection.backend = compute::make_comparing_backend(
-        std::move(connection.backend), compute::make_backend(kind, other == kind ? "" : other),
-        options.compare_until);
-    return connection;
 }
 
 void check(const Pen& pen, const std::string& name) {
@@ -71,7 +64,8 @@ void check(const Pen& pen, const std::string& name) {
 
 void check(const DepthTexture& depth, Method method) {
     if (method != Method::atlas && method != Method::spine) {
-        throw UsageError("depth: only the methods atlas and spine use a program's own depth");
+        throw UsageError("depth: only the methods atlas and spine use a program's own depth; exact "
+                         "knows no depth buffer at all");
     }
     if (depth.scale < 1 || depth.scale > 4) {
         throw UsageError("depth: scale must be 1, 2, 3 or 4, not " + std::to_string(depth.scale));
@@ -82,16 +76,17 @@ void check(const DepthTexture& depth, Method method) {
 }
 
 void check(const FrameOptions& options) {
-    if (options.depth_scale < 1 || options.depth_scale > 4) {
+    if (options.depth_scale < 1 || options.depth_scale > finest_depth_scale) {
         throw UsageError("depth-scale must be 1, 2, 3 or 4, not " +
                          std::to_string(options.depth_scale));
     }
-    if (!(options.step >= 0.01F) || !std::isfinite(options.step)) {
+    if (!(options.step >= finest_step) || !std::isfinite(options.step)) {
         throw UsageError("step must be a number of pixels of at least 0.01");
     }
-    const bool only_atlas = options.intervals != KeptIntervals::none || !options.draw;
-    if (only_atlas && options.method != Method::atlas) {
-        throw UsageError("renderer: intervals, and frames that are not drawn, need method atlas");
+    const bool needs_runs = options.intervals != KeptIntervals::none || !options.draw;
+    if (needs_runs && options.method != Method::atlas && options.method != Method::exact) {
+        throw UsageError("renderer: intervals, and frames that are not drawn, need method atlas or "
+                         "exact");
     }
     if (options.depth) check(*options.depth, options.method);
     check(options.style.pen, "pen");
@@ -116,30 +111,32 @@ GLuint framebuffer_name(GLuint framebuffer) {
 class Renderer::State {
   public:
     explicit State(const DeviceOptions& options)
-        : connection_(connect(options)), atlas_(std::make_unique<AtlasMethod>(connection_)) {}
+        : connection_(interop::connect(connect_options(options))),
+          atlas_(std::make_unique<AtlasMethod>(connection_)) {}
 
     void set_device(const DeviceOptions& options) {
-        interop::Connection connection = connect(options);
+        interop::Connection connection = interop::connect(connect_options(options));
         auto atlas = std::make_unique<AtlasMethod>(connection);
         std::optional<SceneBuffers::Tables> tables;
         if (scene_) {
-            tables = scene_->copy_tables(*connection.backend, connection.mode);
-            atlas->set_scene(*scene_);
+            tables = scene_->copy_tables(*connection.stages, connection.mode);
+            atlas->set_scene(*scene_, *tables);
         }
-        // Nothing throws from here on. Buffers go before the backend that made them.
+        // Nothing throws from here on. Buffers go before the device that made them.
         recorder_.reset();
         atlas_ = std::move(atlas);
         spine_.reset();
-        if (scene_) scene_->use(*connection.backend, connection.mode, std::move(*tables));
+        exact_.reset();
+        if (scene_) scene_->use(*connection.stages, connection.mode, std::move(*tables));
         connection_ = std::move(connection);
         samples_drawn_ = broken_ = false;
     }
 
     Comparison comparison() const {
         const auto* comparing =
-            dynamic_cast<const compute::ComparingBackend*>(connection_.backend.get());
+            dynamic_cast<const compute::ComparingDevice*>(&connection_.stages->device());
         if (comparing == nullptr) return {};
-        return {comparing->summary().stages, comparing->summary().elements};
+        return {comparing->summary().kernels, comparing->summary().elements};
     }
 
     bool context_is_current() const { return gl::current_context() == context_; }
@@ -156,9 +153,11 @@ class Renderer::State {
     }
 
     std::string description() const {
-        return connection_.backend->description() + ", sharing by " +
+        return connection_.stages->device().description() + ", sharing by " +
                std::string{interop::name_of(connection_.mode)};
     }
+
+    const std::string& note() const { return connection_.note; }
 
     void set_lines(const LineSet& lines) {
         scene_.reset();
@@ -166,10 +165,12 @@ class Renderer::State {
         mend();
         broken_ = false;
         atlas_->release_scene();
-        scene_.emplace(*connection_.backend, connection_.mode, lines);
+        if (exact_) exact_->release_scene();
+        scene_.emplace(*connection_.stages, connection_.mode, lines);
         try {
-            atlas_->set_scene(*scene_);
+            atlas_->set_scene(*scene_, scene_->tables());
             if (spine_) spine_->set_scene(*scene_);
+            if (exact_) exact_->set_scene(*scene_);
         } catch (...) {
             scene_.reset(); // half a scene is none
             throw;
@@ -188,6 +189,7 @@ class Renderer::State {
         samples_drawn_ = false;
         FrameStats stats = unbroken([&] { return draw_method(frame); });
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
+        has_exact_intervals_ = options.method == Method::exact;
         if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
         if (profiled) profiled->finish(stats);
@@ -197,7 +199,7 @@ class Renderer::State {
     int tile_size(glm::ivec2 size, const FrameOptions& options) const {
         check(options);
         check_picture(size);
-        return tile_size_for(size, options, *connection_.backend);
+        return tile_size_for(size, options, connection_.stages->device());
     }
 
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
@@ -209,9 +211,13 @@ class Renderer::State {
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, target.framebuffer);
         samples_drawn_ = false;
-        FrameStats stats = unbroken([&] { return atlas_->draw_tiles(frame, target); });
+        const bool by_cuts = options.method == Method::exact;
+        FrameStats stats = unbroken([&] {
+            return by_cuts ? exact().draw_tiles(frame, target) : atlas_->draw_tiles(frame, target);
+        });
+        has_exact_intervals_ = by_cuts;
         if (profiled) profiled->finish(stats);
-        samples_drawn_ = true;
+        samples_drawn_ = !by_cuts;
         return stats;
     }
 
@@ -224,20 +230,43 @@ class Renderer::State {
             throw UsageError(
                 "renderer: read_samples() needs a frame of method atlas or itembuffer");
         }
+        if (scene_->chunk_count() > 1) throw needs_whole_table(purpose::samples);
         return atlas_->read_samples();
     }
 
-    std::vector<Interval> read_intervals() { return atlas_->read_intervals(); }
+    std::vector<Interval> read_intervals() {
+        if (broken_) throw UsageError("renderer: read_intervals() needs a frame that was drawn");
+        return has_exact_intervals_ && exact_ ? exact_->read_intervals() : atlas_->read_intervals();
+    }
 
     std::vector<FrameProfile> take_profiles(bool wait) {
         return recorder_ ? recorder_->take(wait) : std::vector<FrameProfile>{};
     }
 
   private:
+    DeviceError needs_whole_table(const Purpose& purpose) const {
+        const std::uint64_t bytes = scene_->segment_count() * std::uint64_t{sizeof(ClippedSegment)};
+        const std::uint64_t most = connection_.stages->device().largest_buffer();
+        return DeviceError{beyond_limit(purpose,
+                                        "all line segments in one table of " + written_bytes(bytes),
+                                        "a buffer of this device holds " + written_bytes(most))};
+    }
+
+    /// Throws DeviceError for what looks at all segments together, which one buffer does not hold.
+    void check_chunks(const FrameOptions& options) const {
+        if (options.method == Method::item_buffer) throw needs_whole_table(purpose::all_items);
+        const bool has_strokes = options.method == Method::atlas || options.method == Method::exact;
+        if (!has_strokes || !options.draw) return;
+        if (options.style.filter.halo > 0) throw needs_whole_table(purpose::all_halos);
+        if (options.style.density.limit > 0) throw needs_whole_table(purpose::all_density);
+    }
+
     /// New tables in place of those that a frame has left half made.
     void mend() {
         if (!broken_) return;
         spine_.reset();
+        exact_.reset();
+        atlas_.reset(); // it may not fit beside another
         atlas_ = std::make_unique<AtlasMethod>(connection_);
     }
 
@@ -247,7 +276,7 @@ class Renderer::State {
     FrameStats unbroken(Action&& action) {
         if (broken_) {
             mend();
-            atlas_->set_scene(*scene_);
+            atlas_->set_scene(*scene_, scene_->tables());
         }
         broken_ = true;
         FrameStats stats;
@@ -264,7 +293,7 @@ class Renderer::State {
 
     std::optional<ProfileRecorder::Frame> begin_profile(const FrameOptions& options) {
         if (!options.profile) return std::nullopt;
-        if (!recorder_) recorder_.emplace(*connection_.backend, interop::gl_is_software());
+        if (!recorder_) recorder_.emplace(connection_.stages->device(), interop::gl_is_software());
         return std::optional<ProfileRecorder::Frame>{std::in_place, *recorder_};
     }
 
@@ -281,6 +310,7 @@ class Renderer::State {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
         check_picture(camera.size);
+        if (scene_->chunk_count() > 1) check_chunks(options);
         camera_ = standard_camera(camera, options);
         Frame frame{.camera = camera_.camera,
                     .depth_mapping = camera_.depth,
@@ -289,7 +319,7 @@ class Renderer::State {
                     .framebuffer = framebuffer_name(framebuffer),
                     .pens = pens_,
                     .backdrop = backdrop_,
-                    .clock = {*connection_.backend, options.measure_stages,
+                    .clock = {connection_.stages->device(), options.measure_stages,
                               options.profile ? &*recorder_ : nullptr}};
         frame.stroke_params(options.style.pen); // refuses an unknown pen and
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
@@ -297,11 +327,19 @@ class Renderer::State {
         return frame;
     }
 
+    /// Made when first used, for the current scene.
+    ExactMethod& exact() {
+        if (!exact_) exact_.emplace(connection_).set_scene(*scene_);
+        return *exact_;
+    }
+
     FrameStats draw_method(Frame& frame) {
         switch (frame.options.method) {
         case Method::atlas:
         case Method::item_buffer:
             return atlas_->draw(frame);
+        case Method::exact:
+            return exact().draw(frame);
         case Method::spine:
             if (!spine_) spine_.emplace(connection_).set_scene(*scene_);
             return spine_->draw(frame);
@@ -320,9 +358,11 @@ class Renderer::State {
     PenTextures pens_;
     Backdrop backdrop_;
     std::unique_ptr<AtlasMethod> atlas_;
-    bool broken_ = false;        ///< a frame was begun and not ended
-    bool samples_drawn_ = false; ///< the last frame left samples to read
-    // Shaders of the other methods are compiled when they are first used.
+    bool broken_ = false;              ///< a frame was begun and not ended
+    bool samples_drawn_ = false;       ///< the last frame left samples to read
+    bool has_exact_intervals_ = false; ///< the last frame's intervals are those of `exact_`
+    // Tables and shaders of the other methods are made when they are first used.
+    std::optional<ExactMethod> exact_;
     std::optional<SpineMethod> spine_;
     std::optional<OpenGlMethod> opengl_;
 };
@@ -348,6 +388,11 @@ Renderer& Renderer::operator=(Renderer&& other) noexcept {
 std::string Renderer::description() const {
     return state_->description();
 }
+
+std::string Renderer::note() const {
+    return state_->note();
+}
+
 void Renderer::set_device(const DeviceOptions& options) {
     const gl::StateGuard guard = state_->enter();
     state_->set_device(options);

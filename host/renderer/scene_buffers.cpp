@@ -39,23 +39,45 @@ const LineSet& checked(const LineSet& lines) {
     return lines;
 }
 
-std::unique_ptr<compute::Buffer> upload(compute::Backend& backend, std::span<const std::byte> data,
+std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
                                         const Purpose& purpose) {
-    std::unique_ptr<compute::Buffer> buffer = compute::allocate(backend, data.size(), purpose);
-    backend.upload(*buffer, data);
+    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, data.size(), purpose);
+    device.upload(*buffer, data);
     return buffer;
+}
+
+std::vector<SceneBuffers::Chunk> upload_segments(compute::Device& device,
+                                                 std::span<const Segment> segments) {
+    // The widest table per segment decides. Once it must be cut, the strokes and intervals of a
+    // chunk shall fit too: some per segment, where all are visible and hidden in parts.
+    constexpr std::uint64_t runs_per_segment = 4;
+    const bool is_whole = segments.size() <= device.largest_buffer() / sizeof(ClippedSegment);
+    const std::uint64_t usual =
+        is_whole ? segments.size() : device.largest_buffer() / (runs_per_segment * sizeof(Run));
+    std::vector<SceneBuffers::Chunk> chunks;
+    for (const SegmentRange& range : cut_segments(segments, usual)) {
+        const std::span<const Segment> part = segments.subspan(range.first, range.count);
+        chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
+    }
+    return chunks;
 }
 
 } // namespace
 
-SceneBuffers::SceneBuffers(compute::Backend& backend, interop::SharingMode mode,
-                           const LineSet& lines)
-    : backend_(&backend),
-      mode_(mode), tables_{.vertices =
-                               upload(backend, bytes_of(checked(lines).vertices), purpose::model),
-                           .triangles = upload(backend, bytes_of(lines.triangles), purpose::model),
-                           .segments = upload(backend, bytes_of(lines.segments), purpose::segments),
+std::uint32_t SceneBuffers::Tables::most_segments() const {
+    std::uint32_t most = 0;
+    for (const Chunk& chunk : chunks) most = std::max(most, chunk.range.count);
+    return most;
+}
+
+SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines)
+    : stages_(&stages),
+      mode_(mode), tables_{.vertices = upload(stages.device(), bytes_of(checked(lines).vertices),
+                                              purpose::model),
+                           .triangles =
+                               upload(stages.device(), bytes_of(lines.triangles), purpose::model),
                            .clusters = nullptr,
+                           .chunks = upload_segments(stages.device(), lines.segments),
                            .cluster_triangles = nullptr,
                            .moving = nullptr},
       motion_(lines), diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
@@ -73,7 +95,7 @@ SceneBuffers::SceneBuffers(compute::Backend& backend, interop::SharingMode mode,
         cluster_objects_ = std::move(parts.objects);
         upload_colors(lines, parts.order);
     }
-    tables_.clusters = upload(backend, bytes_of(clusters_), purpose::model);
+    tables_.clusters = upload(device(), bytes_of(clusters_), purpose::model);
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
@@ -86,23 +108,23 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
     std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
     motion_.set_positions(first, positions);
     start_moving(std::move(made));
-    backend_->upload_at(*tables_.vertices, first * sizeof(glm::vec3), std::as_bytes(positions));
+    device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
     if (clusters_.empty()) return;
     if (!tables_.cluster_triangles) {
         std::vector<glm::uvec3> triangles(triangle_count_);
         glGetNamedBufferSubData(gl_indices_.id(), 0,
                                 static_cast<GLsizeiptr>(bytes_of(triangles).size()),
                                 triangles.data());
-        tables_.cluster_triangles = upload(*backend_, bytes_of(triangles), purpose::motion);
+        tables_.cluster_triangles = upload(device(), bytes_of(triangles), purpose::motion);
     }
-    backend_->bounds({.vertices = *tables_.vertices,
-                      .triangles = *tables_.cluster_triangles,
-                      .clusters = *tables_.clusters,
-                      .count = static_cast<std::uint32_t>(clusters_.size())});
+    stages_->transform_bounds({.vertices = *tables_.vertices,
+                               .triangles = *tables_.cluster_triangles,
+                               .clusters = *tables_.clusters,
+                               .count = static_cast<std::uint32_t>(clusters_.size())});
 }
 
 std::unique_ptr<MovingTables> SceneBuffers::make_moving_once() const {
-    return tables_.moving ? nullptr : make_moving(*backend_, mode_);
+    return tables_.moving ? nullptr : make_moving(*stages_, mode_);
 }
 
 void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
@@ -113,10 +135,10 @@ void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
     moved_ = true;
 }
 
-std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Backend& backend,
+std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
                                                         interop::SharingMode mode) const {
     return std::make_unique<MovingTables>(
-        backend, mode,
+        stages, mode,
         MovingTables::Shape{.vertex_count = motion_.vertex_count(),
                             .objects = motion_.objects(),
                             .cluster_objects = cluster_objects_});
@@ -130,7 +152,7 @@ void SceneBuffers::move() {
 
 std::span<const Cluster> SceneBuffers::boxes() {
     if (boxes_are_old_) {
-        backend_->download(cluster_buffer(), std::as_writable_bytes(std::span{clusters_}));
+        device().download(cluster_buffer(), std::as_writable_bytes(std::span{clusters_}));
         boxes_are_old_ = false;
     }
     return clusters_;
@@ -176,27 +198,31 @@ void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint
 template <class T>
 std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count) {
     std::vector<T> values(count);
-    backend_->download(buffer, std::as_writable_bytes(std::span{values}));
+    device().download(buffer, std::as_writable_bytes(std::span{values}));
     return values;
 }
 
-SceneBuffers::Tables SceneBuffers::copy_tables(compute::Backend& backend,
-                                               interop::SharingMode mode) {
+SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::SharingMode mode) {
     const auto copy = [&](compute::Buffer& buffer) {
-        return upload(backend, bytes_of(download<std::byte>(buffer, buffer.size())),
+        return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
                       purpose::model);
     };
     return {.vertices = copy(*tables_.vertices),
             .triangles = copy(*tables_.triangles),
-            .segments = copy(*tables_.segments),
             .clusters = copy(*tables_.clusters),
+            .chunks = upload_segments(stages.device(), download_segments()),
             .cluster_triangles =
                 tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
-            .moving = tables_.moving ? make_moving(backend, mode) : nullptr};
+            .moving = tables_.moving ? make_moving(stages, mode) : nullptr};
 }
 
 std::vector<Segment> SceneBuffers::download_segments() {
-    return download<Segment>(*tables_.segments, segment_count_);
+    std::vector<Segment> segments(segment_count_);
+    for (const Chunk& chunk : tables_.chunks) {
+        const auto part = std::span{segments}.subspan(chunk.range.first, chunk.range.count);
+        device().download(*chunk.segments, std::as_writable_bytes(part));
+    }
+    return segments;
 }
 
 gl::SegmentBuffers SceneBuffers::gl_segments() {

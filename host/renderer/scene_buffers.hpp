@@ -7,7 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "compute/backend.hpp"
+#include "compute/stages/stages.hpp"
+#include "core/segment_chunks.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/fill_pass.hpp"
 #include "glpasses/line_pass.hpp"
@@ -22,10 +23,13 @@ namespace lineatlas {
 
 /// A line set on the device: what is uploaded once and read in every frame, by kernels and by GL
 /// passes.
+///
+/// Where a device's buffers are too small for the tables of all segments, these come in chunks of
+/// whole paths, one of which is the current one: table() is of it alone.
 class SceneBuffers {
   public:
     /// Throws DeviceError when memory runs out, or where there is more than GL can count.
-    SceneBuffers(compute::Backend& backend, interop::SharingMode mode, const LineSet& lines);
+    SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines);
 
     /// See Renderer. What they change is there after move().
     void set_transforms(std::span<const glm::mat4> world_from_object);
@@ -38,26 +42,41 @@ class SceneBuffers {
     void forget_jumps(std::span<const glm::mat4> transforms_from, const Camera& camera,
                       float most_pixels, compute::Buffer& ranges);
 
+    /// A part of the segment table.
+    struct Chunk {
+        SegmentRange range;
+        std::unique_ptr<compute::Buffer> segments;
+    };
     /// What compute stages read.
     struct Tables {
-        std::unique_ptr<compute::Buffer> vertices, triangles, segments, clusters;
+        std::unique_ptr<compute::Buffer> vertices, triangles, clusters;
+        std::vector<Chunk> chunks;                          ///< at least one
         std::unique_ptr<compute::Buffer> cluster_triangles; ///< from the first set_positions() on
         std::unique_ptr<MovingTables> moving;               ///< of a model that moves; else null
+
+        /// Of the largest chunk: what tables per segment must hold.
+        std::uint32_t most_segments() const;
     };
-    /// The same on another backend, from the memory of this one.
-    Tables copy_tables(compute::Backend& backend, interop::SharingMode mode);
+    const Tables& tables() const { return tables_; }
+    /// The same on another device, from the memory of this one.
+    Tables copy_tables(compute::Stages& stages, interop::SharingMode mode);
     /// From now on these.
-    void use(compute::Backend& backend, interop::SharingMode mode, Tables tables) noexcept {
-        backend_ = &backend;
+    void use(compute::Stages& stages, interop::SharingMode mode, Tables tables) noexcept {
+        stages_ = &stages;
         mode_ = mode;
         tables_ = std::move(tables);
+        chunk_ = 0;
         moved_ = tables_.moving != nullptr;
     }
 
     compute::SegmentTable table() const {
         return {tables_.moving ? tables_.moving->vertices() : *tables_.vertices, *tables_.triangles,
-                *tables_.segments, triangle_count_, segment_count_};
+                *chunk().segments, triangle_count_, chunk().range.count};
     }
+    std::size_t chunk_count() const { return tables_.chunks.size(); }
+    void select(std::size_t chunk) { chunk_ = chunk; }
+    /// In the whole segment table.
+    std::uint32_t first_segment() const { return chunk().range.first; }
     /// For drawing: the triangles in an order of their own.
     gl::TriangleBuffers gl_triangles() const {
         return {gl_vertices(), gl_indices_.id(), triangle_count_};
@@ -79,12 +98,12 @@ class SceneBuffers {
     /// Of the model as it was made: a measure that stays.
     float diagonal() const { return diagonal_; }
     std::uint32_t triangle_count() const { return triangle_count_; }
-    std::uint32_t segment_count() const { return segment_count_; }
+    std::uint32_t segment_count() const { return segment_count_; } ///< of all chunks
     std::uint64_t mesh_bytes() const {
         return tables_.vertices->size() + tables_.triangles->size() +
                (tables_.moving ? tables_.moving->bytes() : 0);
     }
-    std::uint64_t segment_bytes() const { return tables_.segments->size(); }
+    std::uint64_t segment_bytes() const { return std::uint64_t{segment_count_} * sizeof(Segment); }
 
   private:
     /// `order`: where each of gl_triangles() stands among the line set's; empty: there too.
@@ -95,15 +114,19 @@ class SceneBuffers {
     /// Null if they are there already.
     std::unique_ptr<MovingTables> make_moving_once() const;
     void start_moving(std::unique_ptr<MovingTables> made);
-    std::unique_ptr<MovingTables> make_moving(compute::Backend& backend,
+    std::unique_ptr<MovingTables> make_moving(compute::Stages& stages,
                                               interop::SharingMode mode) const;
     GLuint gl_vertices() const {
         return tables_.moving ? tables_.moving->gl_vertices() : gl_vertices_.id();
     }
 
-    compute::Backend* backend_;
+    compute::Device& device() const { return stages_->device(); }
+    const Chunk& chunk() const { return tables_.chunks[chunk_]; }
+
+    compute::Stages* stages_;
     interop::SharingMode mode_;
     Tables tables_;
+    std::size_t chunk_ = 0; ///< the current one
     SceneMotion motion_;
     float diagonal_;
     bool moved_ = false; ///< since the last move()

@@ -14,12 +14,12 @@ namespace lineatlas {
 class StageClock {
   public:
     /// `recorder`: of a profiled frame, else null.
-    StageClock(compute::Backend& backend, bool measure, ProfileRecorder* recorder = nullptr)
-        : backend_(backend), measure_(measure), recorder_(recorder) {
+    StageClock(compute::Device& device, bool measure, ProfileRecorder* recorder = nullptr)
+        : device_(device), measure_(measure), recorder_(recorder) {
         if (measure_) wait(); // else the first stage gets what was there before
     }
 
-    /// Runs `action` as (a part of) the stage `name` of the host or the compute backend.
+    /// Runs `action` as (a part of) the stage `name` of the host or the compute device.
     template <class Action>
     void operator()(const char* name, Action&& action) {
         run(ProfileTrack::host, name, std::forward<Action>(action));
@@ -57,7 +57,7 @@ class StageClock {
 
     void wait() {
         glFinish();
-        backend_.finish();
+        device_.finish();
     }
 
     void add(const char* name, double milliseconds) {
@@ -68,7 +68,7 @@ class StageClock {
             known->milliseconds += milliseconds;
     }
 
-    compute::Backend& backend_;
+    compute::Device& device_;
     bool measure_;
     ProfileRecorder* recorder_;
     std::vector<StageTime> stages_;

@@ -50,33 +50,25 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 } // namespace
 
 StrokeStage::StrokeStage(const interop::Connection& connection)
-    : backend_(*connection.backend), mode_(connection.mode), handover_(backend_),
-      raw_record_(compute::allocate(backend_, sizeof(FrameRecord), purpose::strokes)) {
+    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
+      handover_(device_),
+      raw_record_(compute::allocate(device_, sizeof(FrameRecord), purpose::strokes)) {
     make_table(visible_);
 }
 
 void StrokeStage::make_table(RunTable& table) {
-    table.capacity = first_run_capacity;
+    table.capacity = compute::first_capacity<Run>(device_, first_run_capacity);
     table.runs = interop::make_shared_buffer(
-        backend_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
+        device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
     table.record =
-        interop::make_shared_buffer(backend_, mode_, sizeof(FrameRecord), purpose::strokes);
-}
-
-void StrokeStage::add_unread(std::vector<interop::Passed>& buffers) {
-    for (RunTable* table : {&visible_, &hidden_}) {
-        if (!table->runs) continue;
-        buffers.push_back({*table->runs, 0});
-        buffers.push_back({*table->record, 0});
-    }
-    if (weights_) buffers.push_back({*weights_, 0});
+        interop::make_shared_buffer(device_, mode_, sizeof(FrameRecord), purpose::strokes);
 }
 
 void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
                             const Purpose& purpose) {
     if (buffer && buffer->size() >= bytes) return;
     buffer.reset(); // it may not fit beside another
-    buffer = compute::allocate(backend_, bytes, purpose);
+    buffer = compute::allocate(device_, bytes, purpose);
 }
 
 void StrokeStage::prepare(const Frame& frame) {
@@ -85,10 +77,11 @@ void StrokeStage::prepare(const Frame& frame) {
     filters_ = frame.options.draw && needs_filter(style);
     if (has_hidden_ && !hidden_.runs) {
         make_table(hidden_);
-        handover_.to_compute({{*hidden_.runs, 0}, {*hidden_.record, 0}});
+        handover_.to_compute({hidden_.runs.get(), hidden_.record.get()});
     }
     if (filters_) {
-        raw_capacity_ = std::max(raw_capacity_, first_run_capacity);
+        raw_capacity_ =
+            std::max(raw_capacity_, compute::first_capacity<Run>(device_, first_run_capacity));
         const std::size_t bytes = std::size_t{raw_capacity_} * sizeof(Run);
         make_room(raw_runs_, bytes, purpose::strokes);
         const std::size_t cut_bytes = std::size_t{raw_capacity_} * sizeof(RunCuts);
@@ -102,42 +95,55 @@ void StrokeStage::prepare(const Frame& frame) {
         if (!weights_ || weights_->size() < bytes) {
             gl::check_buffer_texture(bytes / sizeof(float), purpose::density);
             weights_.reset(); // it may not fit beside another
-            weights_ = interop::make_shared_buffer(backend_, mode_, bytes, purpose::density);
-            handover_.to_compute({{*weights_, 0}});
+            weights_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::density);
+            handover_.to_compute({weights_.get()});
         }
     }
 }
 
-void StrokeStage::compact(Frame& frame, const SegmentAtlas& input, bool hidden,
-                          compute::Buffer& runs, std::uint32_t capacity, compute::Buffer& record) {
+void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
+                          const compute::SpanTable* spans, bool hidden, compute::Buffer& runs,
+                          std::uint32_t capacity, compute::Buffer& record) {
     const Style& style = frame.options.style;
-    backend_.compact_runs({.table = frame.scene.table(),
-                           .clipped = input.clipped,
-                           .alpha = input.alpha,
-                           .layout = input.layout,
-                           .capacity = input.capacity,
-                           .viewport = frame.viewport(),
-                           .half_width = 0.5F * (hidden ? style.hidden_pen : style.pen).width,
-                           .hidden = hidden,
-                           .runs = runs,
-                           .run_capacity = capacity,
-                           .record = record});
+    const float half_width = 0.5F * (hidden ? style.hidden_pen : style.pen).width;
+    if (spans != nullptr) {
+        return stages_.span_runs({.table = frame.scene.table(),
+                                  .clipped = input.clipped,
+                                  .spans = *spans,
+                                  .viewport = frame.viewport(),
+                                  .half_width = half_width,
+                                  .hidden = hidden,
+                                  .runs = runs,
+                                  .run_capacity = capacity,
+                                  .record = record});
+    }
+    stages_.compact({.table = frame.scene.table(),
+                     .atlas = input,
+                     .viewport = frame.viewport(),
+                     .half_width = half_width,
+                     .hidden = hidden,
+                     .runs = runs,
+                     .run_capacity = capacity,
+                     .record = record});
 }
 
-void StrokeStage::make_runs(Frame& frame, const SegmentAtlas& input) {
+void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
+                            const compute::SpanTable* spans) {
     prepare(frame);
-    frame.clock("compact", [&] {
+    by_spans_ = spans != nullptr;
+    const char* stage = by_spans_ ? "spans" : "compact";
+    frame.clock(stage, [&] {
         if (filters_)
-            compact(frame, input, false, *raw_runs_, raw_capacity_, *raw_record_);
+            compact(frame, input, spans, false, *raw_runs_, raw_capacity_, *raw_record_);
         else
-            compact(frame, input, false, visible_.runs->compute(), visible_.capacity,
+            compact(frame, input, spans, false, visible_.runs->compute(), visible_.capacity,
                     visible_.record->compute());
     });
     if (has_hidden_) {
-        frame.clock("compact hidden", [&] {
-            compact(frame, input, true, hidden_.runs->compute(), hidden_.capacity,
+        frame.clock(stage, [&] {
+            compact(frame, input, spans, true, hidden_.runs->compute(), hidden_.capacity,
                     hidden_.record->compute());
-            backend_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
+            device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
     }
     if (filters_) {
@@ -145,79 +151,67 @@ void StrokeStage::make_runs(Frame& frame, const SegmentAtlas& input) {
         filter(frame, input);
     }
     if (limits_density_) density(frame, input);
-    frame.clock("compact",
-                [&] { backend_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
+    frame.clock(stage,
+                [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
 }
 
-void StrokeStage::halo(Frame& frame, const SegmentAtlas& input) {
+void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
     frame.clock("halo", [&] {
         const Style& style = frame.options.style;
-        backend_.halo({.table = frame.scene.table(),
-                       .clipped = input.clipped,
-                       .runs = *raw_runs_,
-                       .record = *raw_record_,
-                       .run_capacity = raw_capacity_,
-                       .viewport = frame.viewport(),
-                       .halo = style.filter.halo,
-                       .half_width = 0.5F * style.pen.width,
-                       .tolerance = frame.depth_tolerance(),
-                       .cuts = *cuts_});
+        stages_.halo({.table = frame.scene.table(),
+                      .clipped = input.clipped,
+                      .runs = *raw_runs_,
+                      .record = *raw_record_,
+                      .run_capacity = raw_capacity_,
+                      .viewport = frame.viewport(),
+                      .halo = style.filter.halo,
+                      .half_width = 0.5F * style.pen.width,
+                      .tolerance = frame.depth_tolerance(),
+                      .cuts = *cuts_});
     });
 }
 
-void StrokeStage::filter(Frame& frame, const SegmentAtlas& input) {
+void StrokeStage::filter(Frame& frame, const compute::SegmentAtlas& input) {
     frame.clock("filter", [&] {
         const StrokeFilter& lengths = frame.options.style.filter;
-        backend_.filter({.table = frame.scene.table(),
-                         .clipped = input.clipped,
-                         .alpha = input.alpha,
-                         .layout = input.layout,
-                         .capacity = input.capacity,
-                         .viewport = frame.viewport(),
-                         .half_width = 0.5F * frame.options.style.pen.width,
-                         .fill = lengths.fill,
-                         .drop = lengths.drop,
-                         .overshoot = lengths.overshoot,
-                         .overshoot_variation = lengths.overshoot_variation,
-                         .undershoot = lengths.undershoot,
-                         .runs = *raw_runs_,
-                         .record = *raw_record_,
-                         .cuts = lengths.halo > 0 ? cuts_.get() : nullptr,
-                         .run_capacity = raw_capacity_,
-                         .filtered = visible_.runs->compute(),
-                         .filtered_capacity = visible_.capacity,
-                         .filtered_record = visible_.record->compute()});
+        stages_.filter({.table = frame.scene.table(),
+                        .atlas = input,
+                        .viewport = frame.viewport(),
+                        .half_width = 0.5F * frame.options.style.pen.width,
+                        .filter = lengths,
+                        .runs = *raw_runs_,
+                        .record = *raw_record_,
+                        .cuts = lengths.halo > 0 ? cuts_.get() : nullptr,
+                        .run_capacity = raw_capacity_,
+                        .filtered = visible_.runs->compute(),
+                        .filtered_capacity = visible_.capacity,
+                        .filtered_record = visible_.record->compute()});
     });
 }
 
-void StrokeStage::density(Frame& frame, const SegmentAtlas& input) {
+void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input) {
     frame.clock("density", [&] {
         const Style& style = frame.options.style;
-        compute::DensityArgs args{.table = frame.scene.table(),
-                                  .clipped = input.clipped,
-                                  .alpha = input.alpha,
-                                  .layout = input.layout,
-                                  .runs = visible_.runs->compute(),
-                                  .record = visible_.record->compute(),
-                                  .run_capacity = visible_.capacity,
-                                  .viewport = frame.viewport(),
-                                  .limit = style.density.limit,
-                                  .priority = {},
-                                  .focus = focus_on_screen(frame),
-                                  .far_limit = style.focus.on ? style.focus.density : 1,
-                                  .weights = weights_->compute()};
-        std::ranges::copy(style.density.priority, args.priority);
-        backend_.density(args);
+        stages_.density({.table = frame.scene.table(),
+                         .atlas = input,
+                         .runs = visible_.runs->compute(),
+                         .record = visible_.record->compute(),
+                         .run_capacity = visible_.capacity,
+                         .viewport = frame.viewport(),
+                         .density = style.density,
+                         .focus = focus_on_screen(frame),
+                         .far_limit = style.focus.on ? style.focus.density : 1,
+                         .weights = weights_->compute()});
     });
 }
 
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.reset(); // it may not fit beside another
-    table.capacity = capacity_for<Run>(backend_, table.totals.run_total);
+    table.capacity = capacity_for<Run>(device_, table.totals.run_total);
     table.runs = interop::make_shared_buffer(
-        backend_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
-    handover_.to_compute({{*table.runs, 0}});
+        device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
+    handover_.to_compute({table.runs.get()});
     return true;
 }
 
@@ -226,23 +220,25 @@ bool StrokeStage::grow() {
     if (has_hidden_ && grow(hidden_)) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
-        raw_capacity_ = capacity_for<Run>(backend_, raw_total);
+        raw_capacity_ = capacity_for<Run>(device_, raw_total);
         grown = true;
     }
     return grown;
 }
 
-void StrokeStage::add_to_handover(std::vector<interop::Passed>& buffers) {
-    const auto add = [&](RunTable& table) {
-        buffers.push_back({*table.record, sizeof(FrameRecord)});
-        buffers.push_back({*table.runs, std::size_t{table.totals.points[0]} * sizeof(Run)});
+std::array<interop::Shared*, 5> StrokeStage::tables() const {
+    return {visible_.runs.get(), visible_.record.get(), hidden_.runs.get(), hidden_.record.get(),
+            weights_.get()};
+}
+
+void StrokeStage::note_written() {
+    const auto note = [](RunTable& table) {
+        table.record->wrote(sizeof(FrameRecord));
+        table.runs->wrote(std::size_t{table.totals.points[0]} * sizeof(Run));
     };
-    add(visible_);
-    if (hidden_.runs) {
-        if (!has_hidden_) hidden_.totals = {};
-        add(hidden_);
-    }
-    if (weights_) buffers.push_back({*weights_, weights_->size()});
+    note(visible_);
+    if (has_hidden_) note(hidden_);
+    if (limits_density_) weights_->wrote(weights_->size());
 }
 
 gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hidden) const {
@@ -256,7 +252,7 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
                           .cap_grain = {},
                           .focus = std::nullopt,
                           .hidden = hidden,
-                          .exact_ends = filters_ && !hidden};
+                          .exact_ends = by_spans_ || (filters_ && !hidden)};
     if (pen.cap == Cap::texture || pen.path_cap == Cap::texture) {
         style.cap_grain = frame.pens.get("brush", pen.width);
     }
@@ -279,15 +275,68 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
     return style;
 }
 
-void StrokeStage::draw(Frame& frame, GLuint alpha) {
-    const Style& style = frame.options.style;
+void StrokeStage::begin_frame() {
+    kept_.clear();
+    chunks_kept_ = false;
+    kept_samples_ = kept_runs_ = 0;
+}
+
+void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::size_t alpha_bytes) {
+    kept_samples_ += sample_total();
+    kept_runs_ += visible_.totals.run_total;
+    chunks_kept_ = true;
+    if (!frame.options.draw) return;
+    const auto read_back = [&](RunTable& table) {
+        std::vector<Run> runs(table.totals.points[0]);
+        device_.download(table.runs->compute(), std::as_writable_bytes(std::span{runs}));
+        return runs;
+    };
+    Kept& kept = kept_.emplace_back();
+    kept.visible = read_back(visible_);
+    kept.visible_record = visible_.totals;
     if (has_hidden_) {
+        kept.hidden = read_back(hidden_);
+        kept.hidden_record = hidden_.totals;
+    }
+    kept.alpha.resize(alpha_bytes);
+    if (alpha_bytes > 0) device_.download(alpha->compute(), kept.alpha);
+}
+
+void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha) {
+    RunTable& table = hidden ? hidden_ : visible_;
+    const std::span<const Run> runs{hidden ? kept.hidden : kept.visible};
+    handover_.to_compute({table.runs.get(), table.record.get(), &alpha});
+    table.totals = hidden ? kept.hidden_record : kept.visible_record;
+    if (!runs.empty()) device_.upload(table.runs->compute(), std::as_bytes(runs));
+    device_.upload(table.record->compute(), bytes_of(table.totals));
+    if (!kept.alpha.empty()) device_.upload(alpha.compute(), kept.alpha);
+    table.runs->wrote(runs.size_bytes());
+    table.record->wrote(sizeof(FrameRecord));
+    alpha.wrote(kept.alpha.size());
+    handover_.to_gl({table.runs.get(), table.record.get(), &alpha});
+}
+
+void StrokeStage::draw(Frame& frame, interop::SharedBuffer& alpha) {
+    for (const bool hidden : {true, false}) { // all hidden ones lie below all others
+        if (hidden && !has_hidden_) continue;
+        if (!chunks_kept_) draw(frame, alpha.gl(), hidden);
+        for (const Kept& kept : kept_) {
+            frame.clock.handover([&] { put_back(kept, hidden, alpha); });
+            draw(frame, alpha.gl(), hidden);
+        }
+    }
+}
+
+void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
+    const Style& style = frame.options.style;
+    if (hidden) {
         frame.clock.gl("strokes hidden", [&] {
             glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
             pass_.draw({.runs = hidden_.runs->gl(), .record = hidden_.record->gl(), .alpha = alpha},
                        frame.stroke_params(style.hidden_pen),
                        stroke_style(frame, style.hidden_pen, true));
         });
+        return;
     }
     frame.clock.gl("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
@@ -308,9 +357,9 @@ std::uint64_t StrokeStage::bytes() const {
 
 std::vector<Run> StrokeStage::read_runs() {
     std::vector<Run> runs(visible_.totals.points[0]);
-    handover_.to_compute({{*visible_.runs, 0}});
-    backend_.download(visible_.runs->compute(), std::as_writable_bytes(std::span{runs}));
-    handover_.to_gl({{*visible_.runs, 0}});
+    handover_.to_compute({visible_.runs.get()});
+    device_.download(visible_.runs->compute(), std::as_writable_bytes(std::span{runs}));
+    handover_.to_gl({visible_.runs.get()});
     return runs;
 }
 
@@ -318,9 +367,9 @@ std::vector<float> StrokeStage::read_density() {
     if (!limits_density_) return {};
     std::vector<float> weights(std::size_t{LA_DENSITY_BINS} *
                                static_cast<std::size_t>(cells_.x * cells_.y));
-    handover_.to_compute({{*weights_, 0}});
-    backend_.download(weights_->compute(), std::as_writable_bytes(std::span{weights}));
-    handover_.to_gl({{*weights_, 0}});
+    handover_.to_compute({weights_.get()});
+    device_.download(weights_->compute(), std::as_writable_bytes(std::span{weights}));
+    handover_.to_gl({weights_.get()});
     return weights;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -21,20 +22,30 @@ class StrokeStage {
         return frame.options.draw && frame.options.style.hidden;
     }
 
-    /// Adds its tables, to be passed to compute at the start of a frame.
-    void add_unread(std::vector<interop::Passed>& buffers);
+    /// What it shares with GL; null where there is none yet.
+    std::array<interop::Shared*, 5> tables() const;
+    /// Before the first make_runs() of a frame.
+    void begin_frame();
     /// Makes the runs, and waits for their totals. May change the visibility of samples (`filter`).
-    void make_runs(Frame& frame, const SegmentAtlas& input);
+    /// `spans`: what is visible, in place of samples; the atlas has none then.
+    void make_runs(Frame& frame, const compute::SegmentAtlas& input,
+                   const compute::SpanTable* spans = nullptr);
     /// Whether make_runs() changed the visibility of samples.
     bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
     bool grow();
-    /// Adds what GL needs, to be passed on before draw().
-    void add_to_handover(std::vector<interop::Passed>& buffers);
-    void draw(Frame& frame, GLuint alpha);
+    /// Says what kernels wrote of them, before they are passed to GL.
+    void note_written();
+    /// Where segments come in chunks: what was made of the current one, and the first `alpha_bytes`
+    /// of its samples, are kept on the host until they are drawn.
+    void keep(const Frame& frame, interop::SharedBuffer* alpha, std::size_t alpha_bytes);
+    /// Draws the runs, or those of all chunks that were kept. All that it reads is GL's.
+    void draw(Frame& frame, interop::SharedBuffer& alpha);
 
+    /// Of the last make_runs().
     std::uint32_t sample_total() const { return visible_.totals.sample_total; }
-    std::uint32_t run_total() const { return visible_.totals.run_total; }
+    std::uint32_t samples_of_frame() const { return kept_samples_ + unkept(sample_total()); }
+    std::uint32_t runs_of_frame() const { return kept_runs_ + unkept(visible_.totals.run_total); }
     std::uint64_t bytes() const;
     /// The visible runs of the last frame.
     std::vector<Run> read_runs();
@@ -49,28 +60,45 @@ class StrokeStage {
         FrameRecord totals{};
     };
 
+    /// The strokes of a chunk of the segments.
+    struct Kept {
+        std::vector<Run> visible, hidden;
+        FrameRecord visible_record, hidden_record;
+        std::vector<std::byte> alpha;
+    };
+
+    std::uint32_t unkept(std::uint32_t total) const { return chunks_kept_ ? 0 : total; }
+    void draw(Frame& frame, GLuint alpha, bool hidden);
+    /// Puts runs and samples back where they were, and hands them to GL.
+    void put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha);
     void prepare(const Frame& frame);
     void make_table(RunTable& table);
     void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
                    const Purpose& purpose);
     bool grow(RunTable& table);
-    void compact(Frame& frame, const SegmentAtlas& input, bool hidden, compute::Buffer& runs,
-                 std::uint32_t capacity, compute::Buffer& record);
-    void halo(Frame& frame, const SegmentAtlas& input);
-    void filter(Frame& frame, const SegmentAtlas& input);
-    void density(Frame& frame, const SegmentAtlas& input);
+    void compact(Frame& frame, const compute::SegmentAtlas& input, const compute::SpanTable* spans,
+                 bool hidden, compute::Buffer& runs, std::uint32_t capacity,
+                 compute::Buffer& record);
+    void halo(Frame& frame, const compute::SegmentAtlas& input);
+    void filter(Frame& frame, const compute::SegmentAtlas& input);
+    void density(Frame& frame, const compute::SegmentAtlas& input);
     gl::StrokeStyle stroke_style(Frame& frame, const Pen& pen, bool hidden) const;
 
-    compute::Backend& backend_;
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
     interop::SharingMode mode_;
     interop::Handover handover_;
     RunTable visible_, hidden_;
-    bool has_hidden_ = false, filters_ = false, limits_density_ = false; ///< the current frame's
+    // Of the current frame.
+    bool has_hidden_ = false, filters_ = false, limits_density_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.
     std::unique_ptr<compute::Buffer> raw_runs_, raw_record_, cuts_;
     std::uint32_t raw_capacity_ = 0;
     std::unique_ptr<interop::SharedBuffer> weights_; ///< of `density`
     glm::ivec2 cells_{0, 0};
+    std::vector<Kept> kept_; ///< of the frame's chunks, if it is drawn
+    bool chunks_kept_ = false;
+    std::uint32_t kept_samples_ = 0, kept_runs_ = 0;
     gl::StrokePass pass_;
 };
 

@@ -13,9 +13,10 @@
 
 #include "colors.hpp"
 #include "core/pens.hpp"
-#include "settings.hpp"
+#include "lineatlas/style.hpp"
+#include "setting.hpp"
 
-// One maker of settings for each type of member.
+// One maker of settings for each type of member, of a style unless it says otherwise.
 namespace lineatlas::makers {
 
 struct Range {
@@ -32,96 +33,98 @@ inline std::string words(const Range& range, std::string_view unit = {}) {
                        unit);
 }
 
-// Each maker takes `member`, a function from Style& or const Style& to the member.
+// Each maker takes `member`, a function from Struct& or const Struct& to the member.
 
-template <class Member>
-Setting number(std::string key, Member member, Range range, std::string_view unit,
-               std::string help) {
+template <class Struct = Style, class Member>
+SettingOf<Struct> number(std::string key, Member member, Range range, std::string_view unit,
+                         std::string help) {
     return {std::move(key),
             "a number " + words(range, unit),
             std::move(help),
             false,
-            [member](const Style& style) -> SettingValue { return double{member(style)}; },
-            [member, range](Style& style, const SettingValue& value) {
+            [member](const Struct& object) -> SettingValue { return double{member(object)}; },
+            [member, range](Struct& object, const SettingValue& value) {
                 const double* given = std::get_if<double>(&value);
                 if (given == nullptr || !range.contains(*given)) return false;
                 const auto narrowed = static_cast<float>(*given);
                 if (!range.contains(narrowed)) return false; // 1e-60 is above 0 only as a double
-                member(style) = narrowed;
+                member(object) = narrowed;
                 return true;
             }};
 }
 
-template <class Member>
-Setting whole(std::string key, Member member, Range range, std::string help) {
-    return {
-        std::move(key),
-        "a whole number " + words(range),
-        std::move(help),
-        false,
-        [member](const Style& style) -> SettingValue { return static_cast<double>(member(style)); },
-        [member, range](Style& style, const SettingValue& value) {
-            const double* given = std::get_if<double>(&value);
-            if (given == nullptr || !range.contains(*given) || *given != std::floor(*given)) {
-                return false;
-            }
-            member(style) = static_cast<int>(*given);
-            return true;
-        }};
+template <class Struct = Style, class Member>
+SettingOf<Struct> whole(std::string key, Member member, Range range, std::string help) {
+    return {std::move(key),
+            "a whole number " + words(range),
+            std::move(help),
+            false,
+            [member](const Struct& object) -> SettingValue {
+                return static_cast<double>(member(object));
+            },
+            [member, range](Struct& object, const SettingValue& value) {
+                const double* given = std::get_if<double>(&value);
+                if (given == nullptr || !range.contains(*given) || *given != std::floor(*given)) {
+                    return false;
+                }
+                member(object) = static_cast<int>(*given);
+                return true;
+            }};
 }
 
-template <class Member>
-Setting flag(std::string key, Member member, std::string help) {
+template <class Struct = Style, class Member>
+SettingOf<Struct> flag(std::string key, Member member, std::string help) {
     return {std::move(key),
             "true or false",
             std::move(help),
             true,
-            [member](const Style& style) -> SettingValue { return member(style); },
-            [member](Style& style, const SettingValue& value) {
+            [member](const Struct& object) -> SettingValue { return member(object); },
+            [member](Struct& object, const SettingValue& value) {
                 const bool* given = std::get_if<bool>(&value);
-                if (given != nullptr) member(style) = *given;
+                if (given != nullptr) member(object) = *given;
                 return given != nullptr;
             }};
 }
 
 /// `names` stand in the order of the enumerators.
-template <class Member>
-Setting choice(std::string key, Member member, std::vector<std::string> names, std::string help) {
+template <class Struct = Style, class Member>
+SettingOf<Struct> choice(std::string key, Member member, std::vector<std::string> names,
+                         std::string help) {
     return {std::move(key),
             fmt::format("one of {}", fmt::join(names, ", ")),
             std::move(help),
             false,
-            [member, names](const Style& style) -> SettingValue {
-                return names.at(static_cast<std::size_t>(member(style)));
+            [member, names](const Struct& object) -> SettingValue {
+                return names.at(static_cast<std::size_t>(member(object)));
             },
-            [member, names](Style& style, const SettingValue& value) {
+            [member, names](Struct& object, const SettingValue& value) {
                 const std::string* given = std::get_if<std::string>(&value);
                 if (given == nullptr) return false;
                 const auto found = std::ranges::find(names, *given);
                 if (found == names.end()) return false;
-                using Enum = std::remove_reference_t<decltype(member(style))>;
-                member(style) = static_cast<Enum>(found - names.begin());
+                using Enum = std::remove_reference_t<decltype(member(object))>;
+                member(object) = static_cast<Enum>(found - names.begin());
                 return true;
             },
             names};
 }
 
-template <class Member>
-Setting color(std::string key, Member member, std::string help) {
+template <class Struct = Style, class Member>
+SettingOf<Struct> color(std::string key, Member member, std::string help) {
     return {std::move(key),
             "\"#rrggbb\", a name such as \"navy\", or [r,g,b] from 0 to 1",
             std::move(help),
             false,
-            [member](const Style& style) -> SettingValue {
-                const glm::vec3 value = member(style);
+            [member](const Struct& object) -> SettingValue {
+                const glm::vec3 value = member(object);
                 const std::string hex = hex_color(value);
                 if (*parse_color(hex) == value) return hex;
                 return std::vector<double>{value.x, value.y, value.z};
             },
-            [member](Style& style, const SettingValue& value) {
+            [member](Struct& object, const SettingValue& value) {
                 if (const auto* text = std::get_if<std::string>(&value)) {
                     const std::optional<glm::vec3> parsed = parse_color(*text);
-                    if (parsed) member(style) = *parsed;
+                    if (parsed) member(object) = *parsed;
                     return parsed.has_value();
                 }
                 const auto* rgb = std::get_if<std::vector<double>>(&value);
@@ -129,24 +132,24 @@ Setting color(std::string key, Member member, std::string help) {
                 if (rgb == nullptr || rgb->size() != 3 || !std::ranges::all_of(*rgb, in_range)) {
                     return false;
                 }
-                member(style) = {(*rgb)[0], (*rgb)[1], (*rgb)[2]};
+                member(object) = {(*rgb)[0], (*rgb)[1], (*rgb)[2]};
                 return true;
             }};
 }
 
-template <class Member>
-Setting profile(std::string key, Member member, Range range, std::string help) {
+template <class Struct = Style, class Member>
+SettingOf<Struct> profile(std::string key, Member member, Range range, std::string help) {
     constexpr std::size_t most = 16;
     return {std::move(key),
             "one number or a list of at most 16, each " + words(range),
             std::move(help),
             false,
-            [member](const Style& style) -> SettingValue {
-                const Profile& profile = member(style);
+            [member](const Struct& object) -> SettingValue {
+                const Profile& profile = member(object);
                 if (profile.size() == 1) return double{profile[0]};
                 return std::vector<double>(profile.begin(), profile.end());
             },
-            [member, range](Style& style, const SettingValue& value) {
+            [member, range](Struct& object, const SettingValue& value) {
                 std::vector<double> given;
                 if (const auto* one = std::get_if<double>(&value)) given = {*one};
                 if (const auto* list = std::get_if<std::vector<double>>(&value)) given = *list;
@@ -154,14 +157,14 @@ Setting profile(std::string key, Member member, Range range, std::string help) {
                 if (given.empty() || given.size() > most || !std::ranges::all_of(given, in_range)) {
                     return false;
                 }
-                member(style) = Profile(given.begin(), given.end());
+                member(object) = Profile(given.begin(), given.end());
                 return true;
             }};
 }
 
 /// The name of a built-in mark or of an image file. `same`: a word for the empty name, or empty.
-template <class Member>
-Setting mark(std::string key, Member member, std::string same, std::string help) {
+template <class Struct = Style, class Member>
+SettingOf<Struct> mark(std::string key, Member member, std::string same, std::string help) {
     std::vector<std::string> names;
     for (const PenName& pen : pen_names()) names.emplace_back(pen.name);
     if (!same.empty()) names.push_back(same);
@@ -169,16 +172,16 @@ Setting mark(std::string key, Member member, std::string same, std::string help)
             fmt::format("one of {}, or an image file", fmt::join(names, ", ")),
             std::move(help),
             false,
-            [member, same](const Style& style) -> SettingValue {
-                return member(style).empty() ? same : member(style);
+            [member, same](const Struct& object) -> SettingValue {
+                return member(object).empty() ? same : member(object);
             },
-            [member, same, names](Style& style, const SettingValue& value) {
+            [member, same, names](Struct& object, const SettingValue& value) {
                 const auto* given = std::get_if<std::string>(&value);
                 if (given == nullptr) return false;
                 if (!is_pen_file(*given) && std::ranges::find(names, *given) == names.end()) {
                     return false;
                 }
-                member(style) = *given == same ? "" : *given;
+                member(object) = *given == same ? "" : *given;
                 return true;
             },
             names,

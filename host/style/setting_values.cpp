@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "lineatlas/error.hpp"
-#include "settings.hpp"
+#include "setting.hpp"
 
 namespace lineatlas {
 namespace {
@@ -54,23 +53,18 @@ std::string toml_string(std::string_view text) {
 
 } // namespace
 
-const Setting& find_setting(std::string_view key) {
-    const auto found = std::ranges::find(settings(), key, &Setting::key);
-    if (found != settings().end()) return *found;
-    std::vector<std::string> keys;
-    for (const Setting& setting : settings()) keys.push_back(setting.key);
+UsageError wrong_key(std::string_view key, const std::vector<std::string>& keys,
+                     std::string_view listed_by) {
     std::string near = suggestion(key, keys);
-    if (near.empty()) near = "; `lineatlas styles --keys` lists what there is";
-    throw UsageError(fmt::format("there is no setting {}{}", toml_string(key), near));
+    if (near.empty()) near = fmt::format("; {} lists what there is", listed_by);
+    return UsageError(fmt::format("there is no setting {}{}", toml_string(key), near));
 }
 
-void set_value(Style& style, const Setting& setting, const SettingValue& value,
-               std::string_view called) {
-    if (setting.set(style, value)) return;
+UsageError wrong_value(std::string_view called, std::string_view values,
+                       const std::vector<std::string>& names, const SettingValue& value) {
     const auto* word = std::get_if<std::string>(&value);
-    throw UsageError(fmt::format("{} must be {}, not {}{}", called, setting.values,
-                                 value_to_toml(value),
-                                 word != nullptr ? suggestion(*word, setting.names) : ""));
+    return UsageError(fmt::format("{} must be {}, not {}{}", called, values, value_to_toml(value),
+                                  word != nullptr ? suggestion(*word, names) : ""));
 }
 
 SettingValue value_from_text(std::string_view text) {
@@ -107,14 +101,9 @@ std::string value_to_toml(const SettingValue& value) {
     return fmt::format("[{}]", fmt::join(numbers, ", "));
 }
 
-std::string settings_table() {
-    std::string table = "| key | what it does | default | must be |\n|---|---|---|---|\n";
-    const Style defaults;
-    for (const Setting& setting : settings()) {
-        table += fmt::format("| `{}` | {} | `{}` | {} |\n", setting.key, setting.help,
-                             value_to_toml(setting.get(defaults)), setting.values);
-    }
-    return table;
+std::string settings_table_row(std::string_view key, std::string_view help,
+                               const SettingValue& value, std::string_view values) {
+    return fmt::format("| `{}` | {} | `{}` | {} |\n", key, help, value_to_toml(value), values);
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {

@@ -220,4 +220,12 @@ std::span<const Setting> settings() {
     return table;
 }
 
+const Setting& find_setting(std::string_view key) {
+    return find_setting(settings(), key, "`lineatlas styles --keys`");
+}
+
+std::string settings_table() {
+    return markdown_table(settings(), Style{});
+}
+
 } // namespace lineatlas

@@ -7,19 +7,16 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "core/pens.hpp"
-#include "core/sources.hpp"
 #include "lineatlas/error.hpp"
 #include "settings.hpp"
+#include "sources/sources.hpp"
 
 namespace lineatlas {
-
-const std::vector<EmbeddedSource>& embedded_styles(); ///< styles/
 
 namespace {
 
@@ -45,14 +42,17 @@ StyleText read_file(const fs::path& path) {
     if (!fs::exists(path, ignored)) throw refuse("no such file");
     if (!fs::is_regular_file(path, ignored)) throw refuse("it is no file");
     constexpr std::uintmax_t most_bytes = 1 << 20;
-    if (const std::uintmax_t size = fs::file_size(path, ignored); !ignored && size > most_bytes)
-        throw refuse("it is larger than 1 MiB, which no style is");
+    const std::uintmax_t size = fs::file_size(path, ignored);
+    if (size > most_bytes) throw refuse("it is larger than 1 MiB, which no style is");
+    // No more than the size: what the system makes up as it is read may have no end.
+    std::string text(size, '\0');
     std::ifstream file{path, std::ios::binary};
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file.is_open() || file.bad()) throw refuse("no permission, or a damaged disk");
-    return {
-        .name = path.stem().string(), .place = in_quotes(path), .path = path, .text = text.str()};
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+        throw refuse("no permission, or a damaged disk");
+    return {.name = path.stem().string(),
+            .place = in_quotes(path),
+            .path = path,
+            .text = std::move(text)};
 }
 
 /// The styles that go by a name.
@@ -182,6 +182,17 @@ class StyleLoader {
             } catch (const Error& error) {
                 throw refuse(node, fmt::format("include: {}", error.what()));
             }
+            // Files that include each other several times are read in exponential numbers, and each
+            // level takes stack.
+            if (open_.size() > most_levels) {
+                throw refuse(node, fmt::format("include \"{}\" is more than {} levels deep", *name,
+                                               most_levels));
+            }
+            if (++included_ > most_included) {
+                throw refuse(node, fmt::format("include \"{}\": more than {} files are included in "
+                                               "all, each counted as often as it is named",
+                                               *name, most_included));
+            }
             if (std::ranges::find(open_, identity(included)) != open_.end()) {
                 throw refuse(node, fmt::format("include \"{}\" leads back to a file that is "
                                                "being read: a circle",
@@ -224,7 +235,11 @@ class StyleLoader {
         return path.has_parent_path() ? path.string() : "./" + path.string();
     }
 
+    static constexpr std::size_t most_levels = 16;
+    static constexpr std::size_t most_included = 100;
+
     Style style_;
+    std::size_t included_ = 0;
     std::vector<std::string> open_; ///< identities of the files being read, outermost first
 };
 

@@ -11,20 +11,20 @@ namespace {
 /// Places along a strip are the same within this, pixels: rounding.
 constexpr double rounding = 1e-6;
 
-/// The stretches of a closed strip with those that meet at its seam joined: what is left of the
+/// The strokes of a closed strip with those that meet at its seam joined: what is left of the
 /// last one goes on beyond the strip's length.
-std::vector<Stretch> across_seam(const Strip& strip) {
-    std::vector<Stretch> stretches = strip.stretches;
-    if (!strip.closed || stretches.size() < 2) return stretches;
-    Stretch& first = stretches.front();
-    const Stretch last = stretches.back();
+std::vector<Stroke> across_seam(const Strip& strip) {
+    std::vector<Stroke> strokes = strip.strokes;
+    if (!strip.closed || strokes.size() < 2) return strokes;
+    Stroke& first = strokes.front();
+    const Stroke last = strokes.back();
     const bool meet =
         first.visible == last.visible && first.from + strip.length - last.to < same_place;
-    if (!meet) return stretches;
+    if (!meet) return strokes;
     first.from = last.from - strip.length;
     first.start_kind = last.start_kind;
-    stretches.pop_back();
-    return stretches;
+    strokes.pop_back();
+    return strokes;
 }
 
 class PathMaker {
@@ -32,22 +32,22 @@ class PathMaker {
     PathMaker(const LineSet& lines, const Pieces& pieces, const Strip& strip)
         : lines_(lines), pieces_(pieces), strip_(strip) {}
 
-    VectorPath make(const Stretch& stretch) const {
+    VectorPath make(const Stroke& stroke) const {
         VectorPath path{.kind = strip_.kind,
-                        .visible = stretch.visible,
-                        .alpha = stretch.alpha,
+                        .visible = stroke.visible,
+                        .alpha = stroke.alpha,
                         .points = {},
                         .pieces = {}};
         if (!strip_.closed) {
-            add_part(path, stretch.from, stretch.to, 0);
+            add_part(path, stroke.from, stroke.to, 0);
             return path;
         }
-        path.closed = stretch.length() > strip_.length - same_place;
-        const double to = path.closed ? stretch.from + strip_.length : stretch.to;
-        for (double lap = std::floor(stretch.from / strip_.length); lap * strip_.length < to;
+        path.closed = stroke.length() > strip_.length - same_place;
+        const double to = path.closed ? stroke.from + strip_.length : stroke.to;
+        for (double lap = std::floor(stroke.from / strip_.length); lap * strip_.length < to;
              ++lap) {
             const double passed = lap * strip_.length;
-            add_part(path, std::max(stretch.from - passed, 0.0),
+            add_part(path, std::max(stroke.from - passed, 0.0),
                      std::min(to - passed, strip_.length), passed);
         }
         // Bit by bit, whatever rounding made of it.
@@ -106,8 +106,8 @@ std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
     std::vector<VectorPath> paths;
     for (const Strip& strip : strips) {
         const PathMaker maker{lines, pieces, strip};
-        for (const Stretch& stretch : across_seam(strip)) {
-            VectorPath path = maker.make(stretch);
+        for (const Stroke& stroke : across_seam(strip)) {
+            VectorPath path = maker.make(stroke);
             if (path.points.size() > 1) paths.push_back(std::move(path));
         }
     }

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "constants.h"
 #include "segment_grid.hpp"
 
 namespace lineatlas {
@@ -18,7 +19,7 @@ constexpr double least_sine{LA_HALO_LEAST_SINE};
 constexpr double most_stretch{LA_HALO_STRETCH};
 
 /// What is visible of one segment.
-struct Part {
+struct StrokePiece {
     std::uint32_t strip, segment;
     double from;          ///< pixels from the start of the strip
     VectorPoint a, b;     ///< along the strip
@@ -38,9 +39,9 @@ class Halos {
         : lines_(lines), pieces_(pieces), options_(options), grid_(picture) {}
 
     std::vector<std::vector<Cut>> find(const std::vector<Strip>& strips) {
-        for (std::uint32_t i = 0; i < strips.size(); ++i) add_parts(strips[i], i);
+        for (std::uint32_t i = 0; i < strips.size(); ++i) add_strokes(strips[i], i);
         std::vector<std::vector<Cut>> cuts(strips.size());
-        for (const Part& part : parts_) find_cuts(part, cuts[part.strip]);
+        for (const StrokePiece& piece : stroke_pieces_) find_cuts(piece, cuts[piece.strip]);
         for (std::size_t i = 0; i < strips.size(); ++i) {
             if (strips[i].closed) wrap(strips[i].length, cuts[i]);
             std::ranges::sort(cuts[i], {}, &Cut::from);
@@ -49,21 +50,21 @@ class Halos {
     }
 
   private:
-    void add_parts(const Strip& strip, std::uint32_t index) {
-        for (const Stretch& stretch : strip.stretches) {
-            if (!stretch.visible) continue;
-            auto step = std::ranges::upper_bound(strip.steps, stretch.from, {}, &StripStep::start);
-            for (step = std::prev(step); step != strip.steps.end() && step->start < stretch.to;
+    void add_strokes(const Strip& strip, std::uint32_t index) {
+        for (const Stroke& stroke : strip.strokes) {
+            if (!stroke.visible) continue;
+            auto step = std::ranges::upper_bound(strip.steps, stroke.from, {}, &StripStep::start);
+            for (step = std::prev(step); step != strip.steps.end() && step->start < stroke.to;
                  ++step) {
-                add_part(stretch, *step, index);
+                add_piece(stroke, *step, index);
             }
         }
     }
 
-    void add_part(const Stretch& stretch, const StripStep& step, std::uint32_t index) {
+    void add_piece(const Stroke& stroke, const StripStep& step, std::uint32_t index) {
         const ScreenSegment& segment = pieces_.screen[step.screen];
-        const double from = std::max(stretch.from, step.start);
-        const double to = std::min(stretch.to, step.start + segment.length);
+        const double from = std::max(stroke.from, step.start);
+        const double to = std::min(stroke.to, step.start + segment.length);
         if (!(to > from)) return;
         const auto place = [&](double at) {
             const double share = (at - step.start) / segment.length;
@@ -73,56 +74,57 @@ class Halos {
         const auto reach = [](std::uint32_t kind) {
             return kind == LA_END_HIDDEN ? reach_hidden : 0;
         };
-        Part part{.strip = index,
-                  .segment = step.segment,
-                  .from = from,
-                  .a = place(from),
-                  .b = place(to),
-                  .along = {},
-                  .length = to - from,
-                  .before = from == stretch.from ? reach(stretch.start_kind) : 0,
-                  .after = to == stretch.to ? reach(stretch.end_kind) : 0};
-        part.along = (part.b.at - part.a.at) / part.length;
-        grid_.insert(part.a.at - part.along * reach_over, part.b.at + part.along * reach_over,
-                     static_cast<std::uint32_t>(parts_.size()));
-        parts_.push_back(part);
+        StrokePiece piece{.strip = index,
+                          .segment = step.segment,
+                          .from = from,
+                          .a = place(from),
+                          .b = place(to),
+                          .along = {},
+                          .length = to - from,
+                          .before = from == stroke.from ? reach(stroke.start_kind) : 0,
+                          .after = to == stroke.to ? reach(stroke.end_kind) : 0};
+        piece.along = (piece.b.at - piece.a.at) / piece.length;
+        grid_.insert(piece.a.at - piece.along * reach_over, piece.b.at + piece.along * reach_over,
+                     static_cast<std::uint32_t>(stroke_pieces_.size()));
+        stroke_pieces_.push_back(piece);
     }
 
-    void find_cuts(const Part& part, std::vector<Cut>& cuts) {
-        const glm::dvec2 start = part.a.at - part.along * part.before;
-        const glm::dvec2 end = part.b.at + part.along * part.after;
+    void find_cuts(const StrokePiece& piece, std::vector<Cut>& cuts) {
+        const glm::dvec2 start = piece.a.at - piece.along * piece.before;
+        const glm::dvec2 end = piece.b.at + piece.along * piece.after;
         for (const std::uint32_t i : grid_.near(start, end, 0)) {
-            const Part& other = parts_[i];
-            const std::optional<Crossing> crossing = crossing_of(part, other);
-            if (!crossing || !is_nearer(part, other, *crossing)) continue;
-            if (share_vertex(lines_.segments[part.segment], lines_.segments[other.segment])) {
+            const StrokePiece& other = stroke_pieces_[i];
+            const std::optional<Crossing> crossing = crossing_of(piece, other);
+            if (!crossing || !is_nearer(piece, other, *crossing)) continue;
+            if (share_vertex(lines_.segments[piece.segment], lines_.segments[other.segment])) {
                 continue;
             }
             const double half =
                 options_.width *
                 std::min(1 / crossing->sine, most_stretch * most_stretch * crossing->sine);
-            const double centre = part.from + crossing->on_line;
+            const double centre = piece.from + crossing->on_line;
             cuts.push_back({centre - half, centre + half});
         }
     }
 
-    static std::optional<Crossing> crossing_of(const Part& part, const Part& other) {
+    static std::optional<Crossing> crossing_of(const StrokePiece& piece, const StrokePiece& other) {
         const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
-        const double sine = cross(part.along, other.along);
+        const double sine = cross(piece.along, other.along);
         if (!(std::abs(sine) >= least_sine)) return {};
-        const glm::dvec2 between = other.a.at - part.a.at;
+        const glm::dvec2 between = other.a.at - piece.a.at;
         const Crossing crossing{.on_line = cross(between, other.along) / sine,
-                                .on_other = cross(between, part.along) / sine,
+                                .on_other = cross(between, piece.along) / sine,
                                 .sine = std::abs(sine)};
-        if (crossing.on_line < -part.before || crossing.on_line > part.length + part.after ||
+        if (crossing.on_line < -piece.before || crossing.on_line > piece.length + piece.after ||
             crossing.on_other < -reach_over || crossing.on_other > other.length + reach_over) {
             return {};
         }
         return crossing;
     }
 
-    bool is_nearer(const Part& part, const Part& other, const Crossing& crossing) const {
-        const VectorPoint own = between(part.a, part.b, crossing.on_line / part.length);
+    bool is_nearer(const StrokePiece& piece, const StrokePiece& other,
+                   const Crossing& crossing) const {
+        const VectorPoint own = between(piece.a, piece.b, crossing.on_line / piece.length);
         const double share = std::clamp(crossing.on_other / other.length, 0.0, 1.0);
         const double other_depth = std::lerp(other.a.depth, other.b.depth, share);
         const double apart =
@@ -144,7 +146,7 @@ class Halos {
     const Pieces& pieces_;
     HaloOptions options_;
     SegmentGrid grid_;
-    std::vector<Part> parts_;
+    std::vector<StrokePiece> stroke_pieces_;
 };
 
 } // namespace

@@ -75,6 +75,7 @@ Json head_json(const VectorDrawing& drawing, const JsonOptions& options) {
               {"units", "pixels"},
               {"size", {drawing.size.x, drawing.size.y}}};
     if (!options.description.empty()) json["description"] = options.description;
+    if (!options.certificate.empty()) json["certificate"] = options.certificate;
     if (drawing.travel) {
         json["pen_travel"] = {{"before", pixels(drawing.travel->before)},
                               {"after", pixels(drawing.travel->after)}};

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "constants.h"
 #include "segment_grid.hpp"
 
 namespace lineatlas {

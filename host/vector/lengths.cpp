@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "constants.h"
 #include "core/path_share.hpp"
 
 namespace lineatlas {
@@ -11,14 +12,12 @@ namespace {
 
 /// Nothing is shorter than this, in pixels: rounding of places.
 constexpr double shortest = 0.01;
-/// A stretch between two places where visibility changes is chance if it is shorter, in pixels: no
-/// sample of visibility is.
-constexpr double crumb = 1;
 /// Visibility from which on a stroke is drawn in full.
 constexpr float fully_shown = static_cast<float>(LA_FULLY_SHOWN) / 255;
 
-struct Stroke {
-    Stretch part;
+/// A stroke before it takes on its overshoots, pixels.
+struct ShortStroke {
+    Stroke stroke;
     double start_overshoot = 0, end_overshoot = 0;
 };
 
@@ -26,35 +25,36 @@ struct Stroke {
 bool is_cut_off(std::uint32_t kind) {
     return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
 }
-bool is_cut_off(const Stretch& stretch) {
-    return is_cut_off(stretch.start_kind) || is_cut_off(stretch.end_kind);
+bool is_cut_off(const Stroke& stroke) {
+    return is_cut_off(stroke.start_kind) || is_cut_off(stroke.end_kind);
 }
 
-void extend(Stretch& stretch, const Stretch& next) {
-    const auto length = static_cast<float>(stretch.length());
+void extend(Stroke& stroke, const Stroke& next) {
+    const auto length = static_cast<float>(stroke.length());
     const auto own = static_cast<float>(next.length());
     if (length + own > 0) {
-        stretch.alpha = (stretch.alpha * length + next.alpha * own) / (length + own);
+        stroke.alpha = (stroke.alpha * length + next.alpha * own) / (length + own);
     }
-    stretch.to = next.to;
-    stretch.end_kind = next.end_kind;
+    stroke.to = next.to;
+    stroke.end_kind = next.end_kind;
 }
 
 class Lengths {
   public:
-    Lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts)
-        : strip_(strip), fill_(filter.fill), drop_(filter.drop), undershoot_(filter.undershoot),
+    Lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts, double crumb)
+        : strip_(strip), crumb_(crumb), fill_(filter.fill), drop_(filter.drop),
+          undershoot_(filter.undershoot),
           overshoot_(filter.overshoot * (1 - filter.overshoot_variation * path_share(strip.path))),
           cuts_(cuts) {}
 
     void apply() {
-        const auto hidden = std::ranges::stable_partition(strip_.stretches, &Stretch::visible);
-        seen_.assign(strip_.stretches.begin(), hidden.begin());
+        const auto hidden = std::ranges::stable_partition(strip_.strokes, &Stroke::visible);
+        seen_.assign(strip_.strokes.begin(), hidden.begin());
         if (seen_.empty()) return;
-        strip_.stretches.erase(strip_.stretches.begin(), hidden.begin());
+        strip_.strokes.erase(strip_.strokes.begin(), hidden.begin());
         if (strip_.closed) find_seam();
-        for (const Stroke& stroke : meeting(long_enough(filled()))) emit(stroke);
-        std::ranges::stable_sort(strip_.stretches, {}, &Stretch::from);
+        for (const ShortStroke& stroke : meeting(long_enough(filled()))) emit(stroke);
+        std::ranges::stable_sort(strip_.strokes, {}, &Stroke::from);
     }
 
   private:
@@ -65,9 +65,9 @@ class Lengths {
         seam_room_ = 0.5 * gap;
     }
 
-    std::vector<Stretch> filled() const {
-        std::vector<Stretch> result;
-        for (const Stretch& next : seen_) {
+    std::vector<Stroke> filled() const {
+        std::vector<Stroke> result;
+        for (const Stroke& next : seen_) {
             const double gap = result.empty() ? 0 : next.from - result.back().to;
             if (!result.empty() && (gap <= shortest || gap < fill_)) {
                 extend(result.back(), next);
@@ -83,29 +83,29 @@ class Lengths {
         return result;
     }
 
-    std::vector<Stroke> long_enough(const std::vector<Stretch>& stretches) const {
-        std::vector<Stroke> strokes;
-        for (const Stretch& stretch : stretches) {
+    std::vector<ShortStroke> long_enough(const std::vector<Stroke>& strokes) const {
+        std::vector<ShortStroke> kept;
+        for (const Stroke& stroke : strokes) {
             const bool between_changes =
-                stretch.start_kind == LA_END_HIDDEN && stretch.end_kind == LA_END_HIDDEN;
-            const double least = between_changes ? std::max(drop_, crumb) : drop_;
-            if (!is_cut_off(stretch) && stretch.length() < least) continue;
-            strokes.push_back({.part = stretch,
-                               .start_overshoot = overshoot_at(stretch.from, true),
-                               .end_overshoot = overshoot_at(stretch.to, false)});
+                stroke.start_kind == LA_END_HIDDEN && stroke.end_kind == LA_END_HIDDEN;
+            const double least = between_changes ? std::max(drop_, crumb_) : drop_;
+            if (!is_cut_off(stroke) && stroke.length() < least) continue;
+            kept.push_back({.stroke = stroke,
+                            .start_overshoot = overshoot_at(stroke.from, true),
+                            .end_overshoot = overshoot_at(stroke.to, false)});
         }
-        return strokes;
+        return kept;
     }
 
     /// Strokes that overshoot into each other are one.
-    std::vector<Stroke> meeting(const std::vector<Stroke>& strokes) const {
-        std::vector<Stroke> result;
-        for (const Stroke& next : strokes) {
-            const bool meets = !result.empty() && next.part.from - result.back().part.to <=
+    std::vector<ShortStroke> meeting(const std::vector<ShortStroke>& strokes) const {
+        std::vector<ShortStroke> result;
+        for (const ShortStroke& next : strokes) {
+            const bool meets = !result.empty() && next.stroke.from - result.back().stroke.to <=
                                                       result.back().end_overshoot +
                                                           next.start_overshoot - 2 * undershoot_;
             if (meets) {
-                extend(result.back().part, next.part);
+                extend(result.back().stroke, next.stroke);
                 result.back().end_overshoot = next.end_overshoot;
             } else {
                 result.push_back(next);
@@ -141,51 +141,51 @@ class Lengths {
 
     double ink_of_lap(double low, double high) const {
         double ink = 0;
-        for (const Stretch& stretch : seen_) {
-            const double length = std::min(stretch.to, high) - std::max(stretch.from, low);
-            const float opacity = std::min(stretch.alpha / fully_shown, 1.0F);
+        for (const Stroke& stroke : seen_) {
+            const double length = std::min(stroke.to, high) - std::max(stroke.from, low);
+            const float opacity = std::min(stroke.alpha / fully_shown, 1.0F);
             ink += std::max(length, 0.0) * static_cast<double>(opacity);
         }
         return ink;
     }
 
     /// A stroke to its final length, in pieces between its gaps.
-    void emit(Stroke stroke) {
-        grow(stroke);
-        Stretch& part = stroke.part;
+    void emit(ShortStroke grown) {
+        grow(grown);
+        Stroke& stroke = grown.stroke;
         double least = shortest;
         for (const Cut& cut : cuts_) {
-            if (cut.to <= part.from || cut.from >= part.to) continue;
+            if (cut.to <= stroke.from || cut.from >= stroke.to) continue;
             least = std::max(drop_, shortest);
-            Stretch before = part;
+            Stroke before = stroke;
             before.to = cut.from;
             before.end_kind = LA_END_HIDDEN;
-            if (before.length() >= (is_cut_off(part.start_kind) ? shortest : least)) {
-                strip_.stretches.push_back(before);
+            if (before.length() >= (is_cut_off(stroke.start_kind) ? shortest : least)) {
+                strip_.strokes.push_back(before);
             }
-            part.from = cut.to;
-            part.start_kind = LA_END_HIDDEN;
+            stroke.from = cut.to;
+            stroke.start_kind = LA_END_HIDDEN;
         }
-        if (part.length() >= (is_cut_off(part.end_kind) ? shortest : least)) {
-            strip_.stretches.push_back(part);
+        if (stroke.length() >= (is_cut_off(stroke.end_kind) ? shortest : least)) {
+            strip_.strokes.push_back(stroke);
         }
     }
 
-    void grow(Stroke& stroke) const {
-        Stretch& part = stroke.part;
-        const bool first = part.from <= seen_.front().from;
-        const bool last = part.to >= seen_.back().to;
-        part.from -= growth(part.start_kind, stroke.start_overshoot, first);
-        part.to += growth(part.end_kind, stroke.end_overshoot, last);
+    void grow(ShortStroke& grown) const {
+        Stroke& stroke = grown.stroke;
+        const bool first = stroke.from <= seen_.front().from;
+        const bool last = stroke.to >= seen_.back().to;
+        stroke.from -= growth(stroke.start_kind, grown.start_overshoot, first);
+        stroke.to += growth(stroke.end_kind, grown.end_overshoot, last);
         // No farther than the path is drawn, unless it ends there.
         if (strip_.closed) return;
-        if (part.from < 0 && !strip_.open_start) {
-            part.from = 0;
-            part.start_kind = LA_END_CLIPPED;
+        if (stroke.from < 0 && !strip_.open_start) {
+            stroke.from = 0;
+            stroke.start_kind = LA_END_CLIPPED;
         }
-        if (part.to > strip_.length && !strip_.open_end) {
-            part.to = strip_.length;
-            part.end_kind = LA_END_CLIPPED;
+        if (stroke.to > strip_.length && !strip_.open_end) {
+            stroke.to = strip_.length;
+            stroke.end_kind = LA_END_CLIPPED;
         }
     }
 
@@ -197,17 +197,18 @@ class Lengths {
     }
 
     Strip& strip_;
-    double fill_, drop_, undershoot_, overshoot_;
+    double crumb_, fill_, drop_, undershoot_, overshoot_;
     std::span<const Cut> cuts_;
-    std::vector<Stretch> seen_; ///< what is visible before any change
-    bool joined_ = false;       ///< visible across the seam
+    std::vector<Stroke> seen_; ///< what is visible before any change
+    bool joined_ = false;      ///< visible across the seam
     double seam_room_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace
 
-void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts) {
-    Lengths{strip, filter, cuts}.apply();
+void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts,
+                    double crumb) {
+    Lengths{strip, filter, cuts, crumb}.apply();
 }
 
 } // namespace lineatlas

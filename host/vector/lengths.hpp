@@ -8,8 +8,14 @@
 
 namespace lineatlas {
 
+/// A stroke between two changes of visibility is chance if it is shorter, in pixels: no sample of
+/// visibility is.
+constexpr double crumb_of_samples = 1;
+
 /// Changes what is visible of a strip as the kernel `filter` does: closes short holes, drops short
 /// strokes, lets them overshoot or fall short of their ends, and cuts `cuts` (sorted) into them.
-void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts);
+/// crumb: strokes between two changes of visibility that are shorter, in pixels, go in any case.
+void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts,
+                    double crumb);
 
 } // namespace lineatlas

@@ -29,7 +29,7 @@ void sort_for_drawing(std::vector<VectorPath>& paths) {
 
 void drop_hidden(std::vector<Strip>& strips) {
     for (Strip& strip : strips) {
-        std::erase_if(strip.stretches, [](const Stretch& stretch) { return !stretch.visible; });
+        std::erase_if(strip.strokes, [](const Stroke& stroke) { return !stroke.visible; });
     }
 }
 
@@ -42,7 +42,9 @@ void apply_filter(const LineSet& lines, const Camera& camera, const Style& style
                           {.width = static_cast<double>(filter.halo + 0.5F * style.pen.width),
                            .tolerance = static_cast<double>(depth_tolerance(camera))});
     }
-    for (std::size_t i = 0; i < strips.size(); ++i) filter_lengths(strips[i], filter, cuts[i]);
+    const double crumb = pieces.exact ? 0 : crumb_of_samples;
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        filter_lengths(strips[i], filter, cuts[i], crumb);
 }
 
 void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
@@ -65,7 +67,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     const glm::dvec2 picture{camera.size};
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
-    meet_junctions(lines, picture, pieces);
+    if (!pieces.exact) meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (!style.hidden) drop_hidden(strips);
     apply_filter(lines, camera, style, pieces, strips);

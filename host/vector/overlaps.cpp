@@ -31,8 +31,9 @@ constexpr double shortest_rest = 0.5;
 /// By LineKind: crease, boundary, material, silhouette, file.
 constexpr std::array kind_rank{3, 1, 2, 4, 0};
 
+/// From one place of a line or path to another.
 struct Span {
-    double from, to; ///< pixels from the start of a line or path
+    double from, to; ///< pixels from its start
 };
 
 struct Line {
@@ -46,7 +47,7 @@ std::optional<Span> part_along(const Line& line, const Line& other) {
     if (!(std::abs(sine) < along_sine)) return {};
     const double cosine = glm::dot(line.along, other.along);
 
-    // The stretch beside the other line, then as much of it as is within reach.
+    // The span beside the other line, then as much of it as is within reach.
     const double start = glm::dot(line.a - other.a, other.along);
     const double at_a = -start / cosine;
     const double at_b = (other.length - start) / cosine;

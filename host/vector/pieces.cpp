@@ -129,6 +129,9 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
     const double height = camera.size.y;
     Pieces pieces;
     pieces.list.reserve(intervals.size());
+    pieces.exact = std::ranges::all_of(intervals, [](const Interval& interval) {
+        return (interval.flags & LA_INTERVAL_EXACT) != 0;
+    });
     std::uint32_t segment_of_last = VectorPiece::none;
     for (const Interval& interval : intervals) {
         if (interval.segment >= lines.segments.size() || !is_finite(interval)) continue;

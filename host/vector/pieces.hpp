@@ -38,6 +38,7 @@ struct Piece {
 struct Pieces {
     std::vector<ScreenSegment> screen;
     std::vector<Piece> list; ///< in order of the segments and along each
+    bool exact = false;      ///< see LA_INTERVAL_EXACT
 
     const ScreenSegment& segment_of(const Piece& piece) const { return screen[piece.screen]; }
     VectorPoint point(const Piece& piece, double t) const {

@@ -11,7 +11,7 @@
 namespace lineatlas {
 namespace {
 
-/// How far apart in the order two paths may be for the stretch between them to be turned round, and
+/// How far apart in the order two paths may be for the part between them to be turned round, and
 /// how often all are tried.
 constexpr std::size_t longest_stretch = 128;
 constexpr int most_rounds = 6;
@@ -58,7 +58,7 @@ void order_greedily(std::span<VectorPath> paths, glm::dvec2 at) {
     std::ranges::move(ordered, paths.begin());
 }
 
-/// Two ends of a path in the tour, or of a stretch of it.
+/// Two ends of a path in the tour, or of a part of it.
 struct Stop {
     glm::dvec2 start, end;
     std::uint32_t path;
@@ -69,7 +69,7 @@ double squared(glm::dvec2 way) {
     return glm::dot(way, way);
 }
 
-/// What turning the stretch from i to j round saves. `before`: where the pen comes from.
+/// What turning the part from i to j round saves. `before`: where the pen comes from.
 double gain_of(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, std::size_t j) {
     const glm::dvec2 start = tour[i].start;
     const glm::dvec2 end = tour[j].end;
@@ -90,16 +90,16 @@ bool may_gain(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, s
 }
 
 void turn(std::vector<Stop>& tour, std::size_t i, std::size_t j) {
-    const std::span<Stop> stretch{tour.data() + i, j + 1 - i};
-    std::ranges::reverse(stretch);
-    for (Stop& stop : stretch) {
+    const std::span<Stop> turned{tour.data() + i, j + 1 - i};
+    std::ranges::reverse(turned);
+    for (Stop& stop : turned) {
         std::swap(stop.start, stop.end);
         stop.reversed = !stop.reversed;
     }
 }
 
-/// Turns stretches of the tour round where that shortens it (2-opt).
-bool turn_stretches(std::vector<Stop>& tour, glm::dvec2 at) {
+/// Turns parts of the tour round where that shortens it (2-opt).
+bool turn_parts(std::vector<Stop>& tour, glm::dvec2 at) {
     constexpr double rounding = 1e-6; // pixels
     bool shorter = false;
     for (std::size_t i = 0; i < tour.size(); ++i) {
@@ -122,7 +122,7 @@ void improve(std::span<VectorPath> paths, glm::dvec2 at) {
     for (std::uint32_t i = 0; i < paths.size(); ++i) {
         tour.push_back({paths[i].points.front().at, paths[i].points.back().at, i, false});
     }
-    for (int round = 0; round < most_rounds && turn_stretches(tour, at); ++round) {
+    for (int round = 0; round < most_rounds && turn_parts(tour, at); ++round) {
     }
     std::vector<VectorPath> ordered;
     ordered.reserve(paths.size());

@@ -15,7 +15,7 @@ namespace {
 
 /// Silhouettes of fine meshes zigzag: they go on through all but the sharpest turns.
 constexpr float silhouette_chain_angle = 150.0F * std::numbers::pi_v<float> / 180;
-/// Shorter stretches are flickers of visibility, pixels.
+/// Shorter strokes are flickers of visibility, pixels.
 constexpr double shortest = 0.01;
 
 /// The pieces of one segment.
@@ -140,13 +140,13 @@ class StripMaker {
         const auto place = [&](double t) {
             return step.start + (step.reversed ? 1 - t : t) * length;
         };
-        Stretch stretch{.from = place(start.t),
-                        .to = place(end.t),
-                        .visible = piece.visible,
-                        .alpha = piece.alpha};
-        stretch.start_kind = end_kind(strip, start.kind, stretch.from <= 0, strip.open_start);
-        stretch.end_kind = end_kind(strip, end.kind, stretch.to >= strip.length, strip.open_end);
-        strip.stretches.push_back(stretch);
+        Stroke stroke{.from = place(start.t),
+                      .to = place(end.t),
+                      .visible = piece.visible,
+                      .alpha = piece.alpha};
+        stroke.start_kind = end_kind(strip, start.kind, stroke.from <= 0, strip.open_start);
+        stroke.end_kind = end_kind(strip, end.kind, stroke.to >= strip.length, strip.open_end);
+        strip.strokes.push_back(stroke);
     }
 
     static std::uint32_t end_kind(const Strip& strip, std::uint32_t kind, bool at_strip_end,
@@ -158,27 +158,26 @@ class StripMaker {
 
     /// Also joins neighbours that are both visible, or both hidden.
     static void drop_flickers(Strip& strip) {
-        std::vector<Stretch> kept;
-        for (const Stretch& stretch : strip.stretches) {
-            if (stretch.length() < shortest) continue;
-            const bool goes_on = !kept.empty() && kept.back().visible == stretch.visible &&
-                                 stretch.from - kept.back().to < same_place;
+        std::vector<Stroke> kept;
+        for (const Stroke& stroke : strip.strokes) {
+            if (stroke.length() < shortest) continue;
+            const bool goes_on = !kept.empty() && kept.back().visible == stroke.visible &&
+                                 stroke.from - kept.back().to < same_place;
             if (goes_on) {
-                extend(kept.back(), stretch);
+                extend(kept.back(), stroke);
             } else {
-                kept.push_back(stretch);
+                kept.push_back(stroke);
             }
         }
-        strip.stretches = std::move(kept);
+        strip.strokes = std::move(kept);
     }
 
-    static void extend(Stretch& stretch, const Stretch& next) {
-        const auto length = static_cast<float>(stretch.length());
+    static void extend(Stroke& stroke, const Stroke& next) {
+        const auto length = static_cast<float>(stroke.length());
         const auto next_length = static_cast<float>(next.length());
-        stretch.alpha =
-            (stretch.alpha * length + next.alpha * next_length) / (length + next_length);
-        stretch.to = next.to;
-        stretch.end_kind = next.end_kind;
+        stroke.alpha = (stroke.alpha * length + next.alpha * next_length) / (length + next_length);
+        stroke.to = next.to;
+        stroke.end_kind = next.end_kind;
     }
 
     const LineSet& lines_;

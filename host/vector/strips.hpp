@@ -17,9 +17,9 @@ struct StripStep {
     double start = 0;          ///< pixels from the start of the strip
 };
 
-/// A part of a strip that is visible all along, or hidden all along. Of a stroke that grew, it may
+/// What is drawn of a strip in one go: visible all along, or hidden all along. One that grew may
 /// reach beyond the strip: straight on where that is open, and around where it is closed.
-struct Stretch {
+struct Stroke {
     double from = 0, to = 0;                    ///< pixels from the start of the strip
     std::uint32_t start_kind = 0, end_kind = 0; ///< LA_END_*: CLIPPED, JOIN (a seam), HIDDEN, PATH
     bool visible = true;
@@ -38,7 +38,7 @@ struct Strip {
     double length = 0;
     double start_arc = 0; ///< arc length at its start
     std::vector<StripStep> steps;
-    std::vector<Stretch> stretches; ///< ascending
+    std::vector<Stroke> strokes; ///< ascending
 };
 
 /// Silhouettes are chained at the mesh's vertices, the straightest first.

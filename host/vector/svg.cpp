@@ -110,6 +110,7 @@ std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options) {
     pugi::xml_node svg = add_svg(document, sheet, options);
     add_text(svg, "title", options.title);
     add_text(svg, "desc", description_of(drawing, options));
+    if (!options.certificate.empty()) add_text(svg, "metadata", options.certificate);
     if (options.background) add_background(svg, drawing.style, sheet);
     PathWriter{svg, drawing, sheet, options}.write_all();
     std::ostringstream out;

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/up_axis.hpp"
+#include "io/extension.hpp"
 #include "io/isolated.hpp"
 #include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
@@ -49,6 +51,7 @@ std::shared_ptr<Model> Loader::read(const ModelSource& source) {
     model->mesh = std::move(loaded.mesh);
     model->origin = loaded.origin;
     model->notes = std::move(loaded.notes);
+    if (!source.up) model->source.up = guess_up(model->mesh, usual_up(source.file));
     return model;
 }
 

@@ -17,8 +17,8 @@ namespace lineatlas::viewer {
 /// What is to be shown: a file or a built-in scene.
 struct ModelSource {
     std::filesystem::path file;
-    std::string scene; ///< if there is no file
-    glm::vec3 up{0, 1, 0};
+    std::string scene;             ///< if there is no file
+    std::optional<glm::vec3> up{}; ///< none: as the model stands; once loaded there is one
     LineOptions lines{};
 
     ReadLimits read{}; ///< of the file
@@ -50,8 +50,8 @@ class Loader {
 
     /// In place of what is being read.
     void start(ModelSource source);
-    /// What is being read will not be taken. Its thread reads on to the end: readers can't be
-    /// stopped.
+    /// Forgets the model that is being read. Its thread can't be stopped: it reads to the end, and
+    /// the result is thrown away.
     void cancel();
 
     bool busy() const { return job_ != nullptr; }

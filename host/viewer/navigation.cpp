@@ -25,9 +25,15 @@ Axes axes_of(const View& view) {
     return {ahead, right, glm::cross(right, ahead)};
 }
 
-/// Length in the model of half the picture's height at distance 1.
-double half_height(const View& view) {
-    return std::tan(0.5 * static_cast<double>(view.fov_y));
+double distance_of(const View& view) {
+    return glm::distance(glm::dvec3{view.eye}, glm::dvec3{view.target});
+}
+
+/// Length in the model of half the picture's height for what is so far ahead of the eye.
+double half_height(const View& view, double depth) {
+    const double parallel = distance_of(view);
+    return std::tan(0.5 * static_cast<double>(view.fov_y)) *
+           (view.projection == Projection::orthographic ? parallel : depth);
 }
 
 /// Distance along the ray to the triangle, if it meets it.
@@ -45,10 +51,6 @@ double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     if (!(v >= 0 && u + v <= 1)) return missed;
     const double distance = glm::dot(ac, q) / determinant;
     return distance > 0 ? distance : missed;
-}
-
-double distance_of(const View& view) {
-    return glm::distance(glm::dvec3{view.eye}, glm::dvec3{view.target});
 }
 
 /// A direction as angles: about the vertical and above the horizon.
@@ -102,18 +104,21 @@ View between(const View& from, const View& to, double share) {
 
 Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size) {
     const Axes axes = axes_of(view);
-    const double scale = 2 * half_height(view) / size.y;
+    const double scale = 2 * half_height(view, 1) / size.y;
     const glm::dvec2 from_middle = (point - 0.5 * size) * scale;
-    return {view.eye,
-            glm::normalize(axes.ahead + from_middle.x * axes.right - from_middle.y * axes.above)};
+    const glm::dvec3 aside = from_middle.x * axes.right - from_middle.y * axes.above;
+    if (view.projection == Projection::perspective)
+        return {view.eye, glm::normalize(axes.ahead + aside)};
+    constexpr double behind = 1e4; // pictures high: what lies behind the eye is seen, too
+    return {glm::dvec3{view.eye} + aside - behind * half_height(view, 1) * axes.ahead, axes.ahead};
 }
 
 std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2 size) {
     const Axes axes = axes_of(view);
     const glm::dvec3 offset = point - glm::dvec3{view.eye};
     const double depth = glm::dot(offset, axes.ahead);
-    if (!(depth > 0)) return {};
-    const double scale = size.y / (2 * half_height(view) * depth);
+    if (!(depth > 0) && view.projection == Projection::perspective) return {};
+    const double scale = size.y / (2 * half_height(view, depth));
     return 0.5 * size +
            scale * glm::dvec2{glm::dot(offset, axes.right), -glm::dot(offset, axes.above)};
 }
@@ -163,6 +168,11 @@ void Navigation::glide_to(const View& view) {
     glide_->to.near = glide_->to.far = 0;
 }
 
+void Navigation::set_projection(Projection projection) {
+    view_.projection = projection;
+    if (glide_) glide_->from.projection = glide_->to.projection = projection;
+}
+
 void Navigation::advance(double seconds) {
     if (!glide_) return;
     glide_->done += seconds / glide_seconds;
@@ -203,7 +213,7 @@ void Navigation::pan(glm::dvec3 held, glm::dvec2 from, glm::dvec2 to, glm::dvec2
     glide_.reset();
     const Axes axes = axes_of(view_);
     const double depth = std::abs(glm::dot(held - glm::dvec3{view_.eye}, axes.ahead));
-    const glm::dvec2 way = (to - from) * (2 * half_height(view_) / size.y * depth);
+    const glm::dvec2 way = (to - from) * (2 * half_height(view_, depth) / size.y);
     move(-way.x * axes.right + way.y * axes.above);
 }
 

@@ -16,10 +16,11 @@ struct Ray {
     glm::dvec3 origin{0}, direction{0, 0, -1};
 };
 
-/// What is seen at a point of a picture of `size`, from its upper left corner.
+/// What is seen at a point of a picture of `size`, from its upper left corner: from the eye on, or
+/// with parallel lines of sight from far behind it.
 Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size);
 
-/// Where a point of the model is seen; nothing for one behind the eye.
+/// Where a point of the model is seen; nothing for one behind a perspective view's eye.
 std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2 size);
 
 /// The nearest triangle's point that the ray meets.
@@ -40,6 +41,8 @@ class Navigation {
 
     void set_view(const View& view); ///< at once
     void glide_to(const View& view);
+    /// What is at the target stays as large as it is.
+    void set_projection(Projection projection);
     bool gliding() const { return glide_.has_value(); }
     /// Goes on with a glide.
     void advance(double seconds);

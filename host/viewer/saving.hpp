@@ -24,9 +24,6 @@ void save(const SavedPicture& picture, const std::filesystem::path& path, Render
 /// The arguments with which `lineatlas` draws it, but for the camera.
 std::string command_of(const SavedPicture& picture);
 
-/// A camera path of one key, as `--camera-path` reads it.
-std::string camera_file(const View& view, glm::dvec3 origin);
-
 /// Throws FileError.
 void save_text(const std::string& text, const std::filesystem::path& path);
 

@@ -5,20 +5,22 @@
 
 #include <glm/geometric.hpp>
 
-#include "apps/camera_path.hpp"
-#include "apps/style_options.hpp"
+#include "cameras/camera_path.hpp"
+#include "command_line/style_options.hpp"
 #include "io/extension.hpp"
 #include "io/isolated.hpp"
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/style_files.hpp"
 #include "saving.hpp"
+#include "style/member_names.hpp"
 
 namespace lineatlas::viewer {
 namespace {
 
 bool same(const View& a, const View& b) {
-    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y;
+    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y &&
+           a.projection == b.projection;
 }
 
 } // namespace
@@ -26,7 +28,7 @@ bool same(const View& a, const View& b) {
 Session::Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake)
     : loader(std::move(wake)), writer_(writer), device_(device) {
     if (attempt([&] { renderer_ = std::make_unique<Renderer>(device_); })) return;
-    device_ = {.compute = "reference"}; // needs nothing
+    device_ = {.compute = "cpp"}; // needs nothing
     renderer_ = std::make_unique<Renderer>(device_);
 }
 
@@ -38,7 +40,7 @@ bool Session::attempt(const std::function<void()>& action) {
     } catch (const std::bad_alloc&) {
         messages.error("There is not enough memory for that");
     } catch (const std::exception& error) {
-        messages.error(error.what());
+        messages.error(in_words_of_the_tool(error.what()));
     }
     return false;
 }
@@ -51,19 +53,19 @@ void Session::open(const std::filesystem::path& file) {
 }
 
 void Session::open_scene(const std::string& name) {
-    loader.start({.file = {}, .scene = name, .up = {0, 1, 0}, .lines = line_options});
+    loader.start({.file = {}, .scene = name, .up = glm::vec3{0, 1, 0}, .lines = line_options});
 }
 
 void Session::open_camera(const std::filesystem::path& file) {
     attempt([&] {
-        const apps::CameraPath path{file, navigation.goal(), origin()};
+        const CameraPath path{file, navigation.goal(), origin()};
         navigation.glide_to(path.view(path.first_frame()));
     });
 }
 
 void Session::open_first_camera(const std::filesystem::path& file) {
     attempt([&] {
-        const apps::CameraPath checked{file, View{.up = up}};
+        const CameraPath checked{file, View{.up = up.value_or(glm::vec3{0, 1, 0})}};
         first_camera_ = file;
     });
 }
@@ -74,7 +76,7 @@ std::optional<View> Session::take_first_camera() {
     const std::filesystem::path file = std::exchange(first_camera_, {});
     if (file.empty()) return view;
     attempt([&] {
-        const apps::CameraPath path{file, View{.up = up}, origin()};
+        const CameraPath path{file, View{.up = up.value_or(glm::vec3{0, 1, 0})}, origin()};
         view = path.view(path.first_frame());
     });
     return view;
@@ -112,7 +114,8 @@ void Session::use_device(const DeviceOptions& device) {
 }
 
 std::string Session::device_description() const {
-    return renderer_->description();
+    const std::string note = renderer_->note();
+    return renderer_->description() + (note.empty() ? "" : "; " + note);
 }
 
 void Session::show(std::shared_ptr<Model> model) {
@@ -123,7 +126,7 @@ void Session::show(std::shared_ptr<Model> model) {
     if (!done) return;
     const glm::ivec2 size = glm::max(size_, 1);
     const auto framed = [&] {
-        return frame_points(model_->lines.vertices, size, model_->source.up);
+        return frame_points(model_->lines.vertices, size, *model_->source.up);
     };
     std::optional<View> first = take_first_camera();
     if (!first) first = model_->view ? *model_->view : framed();
@@ -135,17 +138,25 @@ void Session::show(std::shared_ptr<Model> model) {
 
 void Session::glide_to(StandardView view) {
     if (model_ == nullptr) return;
-    const glm::vec3 up_axis = model_->source.up;
-    navigation.glide_to(frame_points_from(direction_to(view, up_axis), model_->lines.vertices,
-                                          glm::max(size_, 1), up_axis, navigation.view().fov_y));
+    const glm::vec3 up_axis = *model_->source.up;
+    const View& now = navigation.view();
+    navigation.glide_to(frame_points_from({direction_to(view, up_axis), up_axis},
+                                          model_->lines.vertices, glm::max(size_, 1), now.fov_y,
+                                          now.projection));
+}
+
+void Session::toggle_projection() {
+    const bool parallel = navigation.goal().projection == Projection::orthographic;
+    navigation.set_projection(parallel ? Projection::perspective : Projection::orthographic);
+    changed();
 }
 
 void Session::fit() {
     if (model_ == nullptr) return;
     const View& view = navigation.goal();
-    navigation.glide_to(frame_points_from(glm::normalize(view.eye - view.target),
-                                          model_->lines.vertices, glm::max(size_, 1), view.up,
-                                          view.fov_y));
+    navigation.glide_to(frame_points_from({glm::normalize(view.eye - view.target), view.up},
+                                          model_->lines.vertices, glm::max(size_, 1), view.fov_y,
+                                          view.projection));
 }
 
 glm::dvec3 Session::point_at(glm::dvec2 point) const {

@@ -33,10 +33,10 @@ class Session {
     Messages messages;
     Timings timings;
     Loader loader;
-    bool profile = false;       ///< keep timings
-    glm::vec3 up{0, 1, 0};      ///< of files to be opened
-    LineOptions line_options{}; ///< the same
-    ReadLimits read_limits{};   ///< of files, those of pens too
+    bool profile = false;          ///< keep timings
+    std::optional<glm::vec3> up{}; ///< of files to be opened; none: as each stands
+    LineOptions line_options{};    ///< the same
+    ReadLimits read_limits{};      ///< of files, those of pens too
 
     /// A model, a style (.toml) or a camera (.json), by extension.
     void open(const std::filesystem::path& file);
@@ -49,10 +49,11 @@ class Session {
     void use_style(const std::string& name);
     void use_device(const DeviceOptions& device);
     const DeviceOptions& device() const { return device_; }
-    std::string device_description() const;
+    std::string device_description() const; ///< with a line of what is not as one may expect
 
     void glide_to(StandardView view);
-    void fit(); ///< all of the model, from where the eye looks
+    void toggle_projection(); ///< perspective or orthographic
+    void fit();               ///< all of the model, from where the eye looks
     /// What is seen at a point of the canvas, or else the model's centre.
     glm::dvec3 point_at(glm::dvec2 point) const;
     Camera camera() const; ///< there must be a model
@@ -66,14 +67,14 @@ class Session {
     glm::ivec2 size() const { return size_; }
     /// Something but the camera has changed.
     void changed() { stale_ = true; }
-    /// Takes what was loaded and goes on with glides and notices.
+    /// Shows a model that has been loaded, and moves glides and notices on by `seconds`.
     void advance(double seconds);
     /// Whether draw() has something to do.
     bool stale() const;
     void draw();
-    /// Takes what timings have come since; true: there were some.
+    /// Adds the timings that have arrived to `timings`. Returns whether there were any.
     bool take_timings();
-    /// Timings of frames that were drawn are still to come.
+    /// Whether timings of frames that were drawn have not arrived yet.
     bool timings_due() const { return timings_due_ > 0; }
     /// The picture of a side; null before the first.
     const gl::Canvas* picture(std::size_t side) const { return canvases_.at(side).get(); }

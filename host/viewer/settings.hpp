@@ -3,33 +3,32 @@
 #include <array>
 #include <string>
 
-#include "lineatlas/renderer.hpp"
+#include "style/frame_settings.hpp"
 
 namespace lineatlas::viewer {
 
 /// How one picture is made; a split screen has two.
 struct Side {
     Method method = Method::atlas;
-    std::uint32_t probes = 9;
-    int depth_scale = 2;
-    float step = 2;
+    std::uint32_t probes = sampling_of(Quality::high).probes;
+    int depth_scale = sampling_of(Quality::high).depth_scale;
+    float step = FrameOptions{}.step;
 
     bool operator==(const Side&) const = default;
 };
 
-struct MethodName {
+struct MethodLabel {
     Method method;
-    const char* name;  ///< as `--method` has it
     const char* label; ///< for people
 };
-inline constexpr std::array<MethodName, 4> method_names{
-    {{Method::atlas, "atlas", "Segment atlas"},
-     {Method::spine, "spine", "Spine test"},
-     {Method::item_buffer, "itembuffer", "Item buffer"},
-     {Method::opengl, "opengl", "OpenGL lines"}}};
+inline constexpr std::array<MethodLabel, 5> method_labels{{{Method::atlas, "Segment atlas"},
+                                                           {Method::exact, "Exact"},
+                                                           {Method::spine, "Spine test"},
+                                                           {Method::item_buffer, "Item buffer"},
+                                                           {Method::opengl, "OpenGL lines"}}};
 
-inline const MethodName& name_of(Method method) {
-    return method_names.at(static_cast<std::size_t>(method));
+inline const char* label_of(Method method) {
+    return method_labels.at(static_cast<std::size_t>(method)).label;
 }
 
 /// Everything about the pictures but model, camera and device.

@@ -12,10 +12,16 @@ from __future__ import annotations
 
 import enum as _enum
 import os as _os
+import sys as _sys
 from typing import Any as _Any
 from typing import Union as _Union
 
-import numpy as _numpy
+try:
+    import numpy as _numpy
+except ImportError as _error:
+    raise ImportError(
+        f"lineatlas needs NumPy, which {_sys.executable} cannot import ({_error}): install it for "
+        "that Python, or run the one that has it (Debian's is /usr/bin/python3)") from None
 
 from ._lineatlas import (
     SCENES,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import pathlib
 import sys
+import warnings
 
 import lineatlas
 
@@ -45,7 +46,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--quality", default="high", help="low or high")
     parser.add_argument("--transparent", action="store_true", help="leave the paper out")
     parser.add_argument("--device", default="", help="opencl:<platform>[:<device>]")
-    parser.add_argument("--compute", default="opencl", help="opencl or reference")
+    parser.add_argument("--compute", default="", help="opencl or cpp; opencl where there is a driver")
     return parser
 
 
@@ -103,7 +104,11 @@ def main(words: list[str] | None = None) -> int:
     """Runs the command line; returns its exit code: 0 done, 1 failed, 2 wrong usage."""
     arguments = _parser().parse_args(words)
     try:
-        _write(arguments)
+        with warnings.catch_warnings(record=True) as flaws:
+            warnings.simplefilter("always", UserWarning)
+            _write(arguments)
+        for flaw in flaws:
+            print(f"lineatlas: {flaw.message}", file=sys.stderr)
     except (lineatlas.Error, OSError) as error:
         print(f"lineatlas: {error}", file=sys.stderr)
         return 2 if isinstance(error, lineatlas.UsageError) else 1

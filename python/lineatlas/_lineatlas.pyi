@@ -77,6 +77,7 @@ class View:
         fov: float = 40.0,
         near: float = 0.0,
         far: float = 0.0,
+        projection: str = "perspective",
     ) -> None: ...
     @property
     def eye(self) -> _Triple: ...
@@ -90,6 +91,10 @@ class View:
     def near(self) -> float: ...
     @property
     def far(self) -> float: ...
+    @property
+    def projection(self) -> str: ...
+    @property
+    def shown_height(self) -> float: ...
 
 class Camera:
     def __init__(
@@ -116,6 +121,9 @@ class Options:
         probes: Optional[int] = None,
         depth_scale: Optional[int] = None,
         step: float = 2.0,
+        atlas: str = "auto",
+        atlas_layout: str = "wrap",
+        stroke_shader: str = "geometry",
         steady: bool = False,
     ) -> None: ...
 
@@ -126,7 +134,7 @@ class Renderer:
         *,
         lines: Optional[_Kinds] = None,
         crease: float = 30.0,
-        compute: str = "opencl",
+        compute: str = "",
         device: str = "",
         interop: str = "",
     ) -> None: ...
@@ -179,7 +187,13 @@ class Renderer:
         tags: bool = True,
     ) -> str: ...
     def frame(
-        self, *, size: _Size = (1024, 768), up: _Up = "y", fov: float = 40.0
+        self,
+        *,
+        size: _Size = (1024, 768),
+        up: _Up = "y",
+        fov: float = 40.0,
+        projection: str = "perspective",
+        view: str | None = None,
     ) -> View: ...
     @property
     def description(self) -> str: ...
@@ -201,7 +215,13 @@ class Device:
 def load(path: _Path) -> Mesh: ...
 def scene(name: str) -> Scene: ...
 def frame(
-    model: _Model, *, size: _Size = (1024, 768), up: _Up = "y", fov: float = 40.0
+    model: _Model,
+    *,
+    size: _Size = (1024, 768),
+    up: _Up = "y",
+    fov: float = 40.0,
+    projection: str = "perspective",
+    view: str | None = None,
 ) -> View: ...
 def styles() -> dict[str, str]: ...
 def devices() -> list[Device]: ...

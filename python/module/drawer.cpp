@@ -5,6 +5,7 @@
 #include "images/pixels.hpp"
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
+#include "process.hpp"
 
 namespace lineatlas::python {
 
@@ -22,24 +23,25 @@ std::vector<std::uint8_t> to_bytes(std::span<const std::byte> values) {
 
 ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options) {
     LineSet lines = extract_lines(model->mesh, options);
-    return {std::move(model), std::move(lines)};
+    return {std::move(model), std::move(lines), options.kinds};
 }
 
 /// From here to its end this thread has the drawer, and the drawer's context is current.
 class Drawer::InUse {
   public:
-    explicit InUse(const Drawer& drawer) : lock_(drawer.mutex_) {
+    explicit InUse(const Drawer& drawer) : lock_(drawer.lock()) {
         if (!drawer.state_) throw UsageError("the renderer is closed");
         drawer.state_->context.make_current();
     }
 
   private:
-    std::lock_guard<std::mutex> lock_;
+    std::unique_lock<std::mutex> lock_;
     gl::CurrentContextKeeper keeper_;
 };
 
 Drawer::Drawer(ModelLines subject, const DeviceOptions& device)
     : subject_(std::make_shared<ModelLines>(std::move(subject))) {
+    enter_drivers();
     const gl::CurrentContextKeeper keeper;
     state_ = std::make_unique<State>(device);
     state_->renderer.set_lines(subject_->lines);
@@ -49,8 +51,18 @@ Drawer::~Drawer() {
     close();
 }
 
+/// Checked first: a thread that the fork has left behind may have had the mutex.
+std::unique_lock<std::mutex> Drawer::lock() const {
+    enter_drivers();
+    return std::unique_lock{mutex_};
+}
+
 void Drawer::close() {
-    const std::lock_guard lock{mutex_};
+    if (has_lost_drivers()) {
+        static_cast<void>(state_.release()); // to take it apart would wait for drivers
+        return;
+    }
+    const std::unique_lock held = lock();
     if (!state_) return;
     const gl::CurrentContextKeeper keeper;
     state_->context.make_current();
@@ -64,13 +76,18 @@ void Drawer::set_subject(ModelLines subject) {
 }
 
 std::shared_ptr<const ModelLines> Drawer::subject() const {
-    const std::lock_guard lock{mutex_};
+    const std::unique_lock held = lock();
     return subject_;
 }
 
 std::string Drawer::description() {
     const InUse use{*this};
     return state_->renderer.description();
+}
+
+std::string Drawer::note() {
+    const InUse use{*this};
+    return state_->renderer.note();
 }
 
 void Drawer::set_pens(const Style& style) {
@@ -89,22 +106,24 @@ gl::Canvas& Drawer::canvas(glm::ivec2 size, int bits) {
     return *canvas;
 }
 
-std::vector<std::uint8_t> Drawer::draw(const Camera& camera, const FrameOptions& options,
-                                       bool transparent) {
+Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool transparent) {
     const InUse use{*this};
     set_pens(options.style);
     // Colours divided by a small alpha need more than the 8 bits that are left in the end.
     gl::Canvas& target = canvas(camera.size, transparent ? 16 : 8);
     target.clear(transparent ? glm::vec4{0} : glm::vec4{options.style.paper.color, 1});
-    state_->renderer.draw(camera, options, target.framebuffer());
+    const FrameStats stats = state_->renderer.draw(camera, options, target.framebuffer());
+    const bool counted = options.method == Method::atlas || options.method == Method::item_buffer;
+    std::optional<bool> shows_lines;
+    if (counted && (stats.runs > 0 || !options.style.hidden)) shows_lines = stats.runs > 0;
     std::vector<std::uint8_t> values = target.read();
-    if (!transparent) return values;
+    if (!transparent) return {std::move(values), shows_lines};
     const Pixels pixels{.size = camera.size,
                         .channels = 4,
                         .bits = 16,
                         .premultiplied = true,
                         .values = std::as_bytes(std::span{values})};
-    return to_bytes(straight(pixels));
+    return {to_bytes(straight(pixels)), shows_lines};
 }
 
 FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, bool hidden) {

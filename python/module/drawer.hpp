@@ -18,6 +18,7 @@ namespace lineatlas::python {
 struct ModelLines {
     std::shared_ptr<const Model> model;
     LineSet lines;
+    LineKindMask kinds = all_line_kinds;
 };
 
 ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options);
@@ -28,8 +29,15 @@ struct FoundIntervals {
     std::vector<Interval> intervals;
 };
 
+/// Pixels from the top left, 4 values each, colour not multiplied by alpha.
+struct Picture {
+    std::vector<std::uint8_t> pixels;
+    std::optional<bool> shows_lines{}; ///< if that is known
+};
+
 /// A renderer with an OpenGL context of its own, and what it draws. Calls may come from any thread
-/// and wait for each other; whatever context is current on the thread is again afterwards.
+/// and wait for each other; whatever context is current on the thread is again afterwards. All but
+/// its end throw DeviceError in a process that was forked after it was made.
 class Drawer {
   public:
     Drawer(ModelLines subject, const DeviceOptions& device);
@@ -40,10 +48,9 @@ class Drawer {
     void set_subject(ModelLines subject);
     std::shared_ptr<const ModelLines> subject() const;
     std::string description();
+    std::string note(); ///< Renderer::note()
 
-    /// Pixels from the top left, 4 values each, colour not multiplied by alpha.
-    std::vector<std::uint8_t> draw(const Camera& camera, const FrameOptions& options,
-                                   bool transparent);
+    Picture draw(const Camera& camera, const FrameOptions& options, bool transparent);
     /// What is visible of the lines, and with `hidden` the rest too.
     FoundIntervals intervals(const Camera& camera, FrameOptions options, bool hidden);
 
@@ -60,6 +67,7 @@ class Drawer {
         explicit State(const DeviceOptions& device) : renderer(device) {}
     };
 
+    std::unique_lock<std::mutex> lock() const;
     void set_pens(const Style& style);
     gl::Canvas& canvas(glm::ivec2 size, int bits);
 

@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <exception>
+#include <string>
+#include <string_view>
 
+#include "arguments.hpp"
 #include "bindings.hpp"
 #include "lineatlas/error.hpp"
+#include "style/member_names.hpp"
 
 namespace lineatlas::python {
 namespace {
@@ -27,19 +32,31 @@ PyObject* make_type(py::module_& module, const char* name, const char* doc,
     return type;
 }
 
+/// As arguments are called here.
+std::string called(const std::string& key) {
+    if (key == "tile") return "`lineatlas draw --tile`"; // there is none in Python
+    std::string name = key;
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+void raise(PyObject* type, const Error& error) {
+    PyErr_SetObject(type, readable(with_members_called(error.what(), called)).ptr());
+}
+
 void translate(std::exception_ptr thrown) {
     try {
         if (thrown) std::rethrow_exception(thrown);
     } catch (const UsageError& error) {
-        PyErr_SetString(types.usage, error.what());
+        raise(types.usage, error);
     } catch (const FileError& error) {
-        PyErr_SetString(types.file, error.what());
+        raise(types.file, error);
     } catch (const DeviceError& error) {
-        PyErr_SetString(types.device, error.what());
+        raise(types.device, error);
     } catch (const MismatchError& error) {
-        PyErr_SetString(types.mismatch, error.what());
+        raise(types.mismatch, error);
     } catch (const Error& error) {
-        PyErr_SetString(types.error, error.what());
+        raise(types.error, error);
     }
 }
 

@@ -3,18 +3,24 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
 #include "model.hpp"
+#include "process.hpp"
 
 namespace lineatlas::python {
 namespace {
 
 using GroupOrName = std::variant<MeshGroup, std::string>;
 using Groups = std::optional<std::vector<GroupOrName>>;
+
+using ColorArgument = Argument<std::optional<Triple>, "color", "three numbers">;
+using GroupsArgument = Argument<Groups, "groups", "a list of Group and names of materials">;
+using LinesArgument = Argument<py::iterable, "polylines", "a list of lines">;
 
 MeshGroup make_group(std::string object, std::string material, const std::optional<Triple>& color) {
     MeshGroup group{.object = std::move(object), .material = std::move(material)};
@@ -79,23 +85,23 @@ std::vector<glm::uvec3> triangles_in_order(std::size_t corners) {
 }
 
 std::shared_ptr<Model> make_model(const py::object& positions, const py::object& triangles,
-                                  const py::object& triangle_group, const Groups& groups,
-                                  const py::iterable& polylines) {
+                                  const py::object& triangle_group, const GroupsArgument& groups,
+                                  const LinesArgument& polylines) {
     auto model = std::make_shared<Model>();
     Mesh& mesh = model->mesh;
     mesh.positions = points_from(positions, "positions");
     const std::size_t corners = mesh.positions.size();
-    for (const py::handle line : polylines) add_polyline(mesh, line);
+    for (const py::handle line : *polylines) add_polyline(mesh, line);
     if (!triangles.is_none())
         mesh.triangles = triangles_from(triangles, "triangles", corners);
     else if (mesh.polylines.empty())
         mesh.triangles = triangles_in_order(corners);
-    add_groups(mesh, triangle_group, groups);
+    add_groups(mesh, triangle_group, *groups);
     return model;
 }
 
 std::shared_ptr<Model> load(const std::filesystem::path& path) {
-    const py::gil_scoped_release release;
+    const Released released;
     LoadedMesh loaded = load_mesh(path);
     return std::make_shared<Model>(
         Model{.mesh = std::move(loaded.mesh),
@@ -132,6 +138,12 @@ py::list polylines(const py::object& self) {
     return lines;
 }
 
+py::list notes(const Model& model) {
+    py::list lines;
+    for (const std::string& note : model.notes) lines.append(readable(note));
+    return lines;
+}
+
 std::string describe(const Model& model) {
     const Mesh& mesh = model.mesh;
     return "<lineatlas.Mesh: " + std::to_string(mesh.positions.size()) + " positions, " +
@@ -146,9 +158,9 @@ struct PythonScene {
     std::function<View(float)> view;
 };
 
-PythonScene make_python_scene(const std::string& name) {
-    const py::gil_scoped_release release;
-    Scene scene = make_scene(name);
+PythonScene make_python_scene(const Word<"name">& name) {
+    const Released released;
+    Scene scene = make_scene(*name);
     return {scene.name, std::make_shared<Model>(Model{.mesh = std::move(scene.mesh)}),
             std::move(scene.view)};
 }
@@ -159,7 +171,7 @@ void bind_scene(py::module_& module) {
         .def_readonly("name", &PythonScene::name, "What scene() was asked for.")
         .def_readonly("mesh", &PythonScene::mesh, "The model, y up.")
         .def(
-            "view", [](const PythonScene& scene, float t) { return scene.view(t); },
+            "view", [](const PythonScene& scene, Real<"t"> t) { return scene.view(t); },
             py::arg("t") = 0.0F, "The view at t, 0 to 1, along the camera path.");
     module.def("scene", &make_python_scene, py::arg("name"),
                "Builds a scene: clevis, house, ship or office.");
@@ -178,10 +190,16 @@ std::shared_ptr<const Model> model_of(const ModelOrPath& given) {
 void bind_mesh(py::module_& module) {
     py::class_<MeshGroup>(module, "Group",
                           "What triangles belong to. An edge between two groups is a line.")
-        .def(py::init(&make_group), py::arg("object") = "", py::arg("material") = "",
-             py::arg("color") = py::none())
-        .def_readonly("object", &MeshGroup::object, "Name of the object; may be empty.")
-        .def_readonly("material", &MeshGroup::material, "Name of the material; may be empty.")
+        .def(py::init([](Word<"object"> object, Word<"material"> material, ColorArgument color) {
+                 return make_group(std::move(object.value), std::move(material.value), color);
+             }),
+             py::arg("object") = "", py::arg("material") = "", py::arg("color") = py::none())
+        .def_property_readonly(
+            "object", [](const MeshGroup& group) { return readable(group.object); },
+            "Name of the object; may be empty.")
+        .def_property_readonly(
+            "material", [](const MeshGroup& group) { return readable(group.material); },
+            "Name of the material; may be empty.")
         .def_property_readonly(
             "color",
             [](const MeshGroup& group) {
@@ -211,14 +229,16 @@ void bind_mesh(py::module_& module) {
             "What triangle_group refers to.")
         .def_property_readonly("polylines", &polylines,
                                "(k,) uint32 indices of positions for each; read-only, not copied.")
-        .def_readonly("notes", &Model::notes,
-                      "What was repaired or left out when the file was read.")
+        .def_property_readonly("notes", &notes,
+                               "What was repaired or left out when the file was read.")
         .def_readonly("origin", &Model::origin,
                       "What was taken off the file's positions: zero, unless it lies so far from "
                       "zero, compared with its size, that float32 could not hold it there.")
         .def("__repr__", &describe);
-    module.def("load", &load, py::arg("path"),
-               "Reads an OBJ, PLY, STL, OFF or OM file. Raises FileError.");
+    module.def(
+        "load",
+        [](const Argument<std::filesystem::path, "path", "a path">& path) { return load(path); },
+        py::arg("path"), "Reads an OBJ, PLY, STL, OFF or OM file. Raises FileError.");
     bind_scene(module);
 }
 

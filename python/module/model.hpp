@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "arguments.hpp"
 #include "lineatlas/mesh.hpp"
 
 namespace lineatlas::python {
@@ -21,6 +22,8 @@ struct Model {
 
 /// Where a mesh or the name of its file will do.
 using ModelOrPath = std::variant<std::shared_ptr<Model>, std::filesystem::path>;
+
+using ModelArgument = Argument<ModelOrPath, "model", "a Mesh or the path of a file">;
 
 std::shared_ptr<const Model> model_of(const ModelOrPath& given);
 

@@ -7,17 +7,15 @@
 
 #include <pybind11/pybind11.h>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
-#include "lineatlas/renderer.hpp"
+#include "style/frame_settings.hpp"
 
 namespace lineatlas::python {
 
-/// How visibility is computed. What is left out of it depends on what it is for.
-struct Options {
-    FrameOptions frame{};
-    bool high = true;
-    bool usual_depth = true; ///< depth_scale was not given
-};
+/// How visibility is computed; `steady` is off unless it is asked for, since a picture would depend
+/// on those before it.
+using Options = FrameSettings;
 
 /// For a picture of pixels or, more exactly, for its lines as paths or intervals.
 FrameOptions frame_options(const std::optional<Options>& given, const Style& style);
@@ -26,6 +24,8 @@ FrameOptions path_options(const std::optional<Options>& given, const Style& styl
 
 /// "crease,silhouette" or a list of such names; nothing: all.
 using LineKinds = std::optional<std::variant<std::string, std::vector<std::string>>>;
+using KindsArgument =
+    Argument<LineKinds, "lines", "line kinds as \"crease,silhouette\" or as a list">;
 LineOptions line_options(const LineKinds& kinds, float crease_degrees);
 
 void bind_options(pybind11::module_& module);

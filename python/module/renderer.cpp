@@ -3,64 +3,95 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bindings.hpp"
+#include "core/empty_drawing.hpp"
 #include "drawer.hpp"
 #include "intervals.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 #include "options.hpp"
+#include "process.hpp"
 #include "style_values.hpp"
 #include "views.hpp"
 
 namespace lineatlas::python {
 namespace {
 
-using Release = py::gil_scoped_release;
-using MaybeView = std::optional<ViewOrCamera>;
-using MaybeStyle = std::optional<StyleOrName>;
-using MaybeOptions = std::optional<Options>;
+using MaybeView =
+    Argument<std::optional<ViewOrCamera>, "view", "a View, such as View(eye, target), or a Camera">;
+using MaybeStyle = Argument<std::optional<StyleOrName>, "style",
+                            "a Style, the name of one or the path of a style file">;
+using MaybeOptions = Argument<std::optional<Options>, "options", "an Options">;
+using MaybePage = Argument<std::optional<std::string>, "page", "text such as \"a4\"">;
 
-std::unique_ptr<Drawer> make_drawer(const ModelOrPath& model, const LineKinds& lines, float crease,
-                                    const std::string& compute, const std::string& device,
-                                    const std::string& interop) {
-    std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, crease);
-    const Release release;
-    return std::make_unique<Drawer>(
-        find_lines(std::move(mesh), found),
-        DeviceOptions{.compute = compute, .device = device, .interop = interop});
+/// Has Python warn, at the line that called the package, of a drawing without a line; empty: it has
+/// some.
+void warn_of_no_line(const std::string& why) {
+    if (why.empty()) return;
+    const py::object name = py::reinterpret_borrow<py::object>(PyEval_GetGlobals())["__name__"];
+    const py::ssize_t level = name.equal(py::str("lineatlas")) ? 2 : 1; // from one of its functions
+    const std::string text = "no line is drawn: " + why;
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), level) != 0) throw py::error_already_set();
 }
 
-void set_model(Drawer& drawer, const ModelOrPath& model, const LineKinds& lines, float crease) {
+std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgument& lines,
+                                    Real<"crease"> crease, const Word<"compute">& compute,
+                                    const Word<"device">& device, const Word<"interop">& interop) {
     std::shared_ptr<const Model> mesh = model_of(model);
     const LineOptions found = line_options(lines, crease);
-    const Release release;
+    std::unique_ptr<Drawer> drawer;
+    std::string note;
+    {
+        const Released released;
+        drawer = std::make_unique<Drawer>(
+            find_lines(std::move(mesh), found),
+            DeviceOptions{.compute = compute, .device = device, .interop = interop});
+        note = drawer->note();
+    }
+    if (!note.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), 1) != 0) {
+        throw py::error_already_set(); // where warnings are errors
+    }
+    return drawer;
+}
+
+void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& lines,
+               Real<"crease"> crease) {
+    std::shared_ptr<const Model> mesh = model_of(model);
+    const LineOptions found = line_options(lines, crease);
+    const Released released;
     drawer.set_subject(find_lines(std::move(mesh), found));
 }
 
-Camera camera_on(const Drawer& drawer, Size size, const MaybeView& view, const UpAxis& up) {
-    const std::shared_ptr<const ModelLines> subject = drawer.subject();
-    return camera_of(view, size, up, subject->lines.vertices, subject->lines.bounds);
+Camera camera_on(const ModelLines& subject, Size size, const MaybeView& view, const UpAxis& up) {
+    return camera_of(view, size, up, subject.lines.vertices, subject.lines.bounds);
 }
 
-py::array draw(Drawer& drawer, Size size, const MaybeView& view, const UpAxis& up,
-               const MaybeStyle& style, const MaybeOptions& options, bool transparent) {
+py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
+               const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
+               Flag<"transparent"> transparent) {
     const FrameOptions frame = frame_options(options, style_of(style));
-    std::vector<std::uint8_t> pixels;
+    Picture picture;
+    std::string flaw;
     {
-        const Release release;
-        pixels = drawer.draw(camera_on(drawer, size, view, up), frame, transparent);
+        const Released released;
+        const auto subject = drawer.subject();
+        const Camera camera = camera_on(*subject, size, view, up);
+        picture = drawer.draw(camera, frame, transparent);
+        const bool shows_lines =
+            picture.shows_lines ? *picture.shows_lines : any_in_view(subject->lines, camera);
+        if (!shows_lines) flaw = why_no_line(subject->lines, subject->kinds, camera);
     }
-    return array_of(std::move(pixels), {size[1], size[0], 4});
+    warn_of_no_line(flaw);
+    return array_of(std::move(picture.pixels), {(*size)[1], (*size)[0], 4});
 }
 
-py::array intervals(Drawer& drawer, Size size, const MaybeView& view, const UpAxis& up,
-                    const MaybeOptions& options, bool hidden) {
+py::array intervals(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
+                    const UpArgument& up, const MaybeOptions& options, Flag<"hidden"> hidden) {
     const FrameOptions frame = path_options(options, {}, size);
     std::vector<IntervalRow> rows;
     {
-        const Release release;
-        rows = interval_rows(drawer.intervals(camera_on(drawer, size, view, up), frame, hidden),
-                             size[1]);
+        const Released released;
+        const Camera camera = camera_on(*drawer.subject(), size, view, up);
+        rows = interval_rows(drawer.intervals(camera, frame, hidden), (*size)[1]);
     }
     const auto count = static_cast<py::ssize_t>(rows.size());
     return array_of(std::move(rows), {count});
@@ -68,23 +99,36 @@ py::array intervals(Drawer& drawer, Size size, const MaybeView& view, const UpAx
 
 /// The drawing as paths.
 struct PathArguments {
-    Size size;
+    const SizeArgument& size;
     const MaybeView& view;
-    const UpAxis& up;
+    const UpArgument& up;
     const MaybeStyle& style;
     const MaybeOptions& options;
     bool plotter, tags;
 };
 
-VectorDrawing find_paths(Drawer& drawer, const PathArguments& arguments) {
+/// As text, by `written`, without the interpreter's lock.
+template <class Written>
+std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Written& written) {
     const FrameOptions frame =
         path_options(arguments.options, style_of(arguments.style), arguments.size);
-    const Camera camera = camera_on(drawer, arguments.size, arguments.view, arguments.up);
-    // Hidden ones too: what hides a line may bridge a gap in it.
-    const FoundIntervals found = drawer.intervals(camera, frame, true);
-    const Mesh* mesh = arguments.tags ? &found.subject->model->mesh : nullptr;
-    return make_vector_drawing(found.subject->lines, camera, found.intervals, frame.style,
-                               {.mesh = mesh, .plotter = arguments.plotter});
+    std::string text, flaw;
+    {
+        const Released released;
+        const Camera camera =
+            camera_on(*drawer.subject(), arguments.size, arguments.view, arguments.up);
+        // Hidden ones too: what hides a line may bridge a gap in it.
+        const FoundIntervals found = drawer.intervals(camera, frame, true);
+        const LineSet& lines = found.subject->lines;
+        const Mesh* mesh = arguments.tags ? &found.subject->model->mesh : nullptr;
+        const VectorDrawing drawing =
+            make_vector_drawing(lines, camera, found.intervals, frame.style,
+                                {.mesh = mesh, .plotter = arguments.plotter});
+        if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->kinds, camera);
+        text = written(drawing);
+    }
+    warn_of_no_line(flaw);
+    return text;
 }
 
 SvgOptions svg_options(const std::optional<std::string>& page, const std::string& margin,
@@ -98,34 +142,38 @@ SvgOptions svg_options(const std::optional<std::string>& page, const std::string
     return options;
 }
 
-std::string svg(Drawer& drawer, Size size, const MaybeView& view, const UpAxis& up,
-                const MaybeStyle& style, const MaybeOptions& options,
-                const std::optional<std::string>& page, const std::string& margin, bool plotter,
-                bool tags, bool transparent, const std::string& title) {
+std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
+                const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
+                const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
+                Flag<"tags"> tags, Flag<"transparent"> transparent, const Word<"title">& title) {
     const SvgOptions sheet = svg_options(page, margin, title, tags, transparent);
-    const Release release;
-    return to_svg(find_paths(drawer, {size, view, up, style, options, plotter, tags}), sheet);
+    return draw_paths(drawer, {size, view, up, style, options, plotter, tags},
+                      [&](const VectorDrawing& drawing) { return to_svg(drawing, sheet); });
 }
 
-std::string json(Drawer& drawer, Size size, const MaybeView& view, const UpAxis& up,
-                 const MaybeStyle& style, const MaybeOptions& options, bool plotter, bool tags) {
-    const Release release;
-    return to_json(find_paths(drawer, {size, view, up, style, options, plotter, tags}),
-                   {.tags = tags, .description = {}});
+std::string json(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
+                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
+                 Flag<"plotter"> plotter, Flag<"tags"> tags) {
+    return draw_paths(drawer, {size, view, up, style, options, plotter, tags},
+                      [&](const VectorDrawing& drawing) {
+                          return to_json(drawing, {.tags = tags, .description = {}});
+                      });
 }
 
-View framed(const Drawer& drawer, Size size, const UpAxis& up, float fov) {
-    const Release release;
-    return frame(drawer.subject()->lines.vertices, size, up, fov);
+View framed(const Drawer& drawer, const SizeArgument& size, const UpArgument& up, Real<"fov"> fov,
+            const std::string& projection, const std::optional<std::string>& view) {
+    const Released released;
+    return frame(drawer.subject()->lines.vertices, size, up, fov, parse_projection(projection),
+                 view);
 }
 
 std::string description(Drawer& drawer) {
-    const Release release;
+    const Released released;
     return drawer.description();
 }
 
 void close(Drawer& drawer) {
-    const Release release;
+    const Released released;
     drawer.close();
 }
 
@@ -161,7 +209,8 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              py::arg("plotter") = false, py::arg("tags") = true,
              "The drawing as JSON (docs/vector.md).")
         .def("frame", &framed, py::kw_only(), size, up, py::arg("fov") = 40.0F,
-             "A view from the front, right and above in which the model just fits.");
+             py::arg("projection") = "perspective", py::arg("view") = py::none(),
+             "A view in which the model just fits; as lineatlas.frame().");
 }
 
 } // namespace
@@ -182,7 +231,7 @@ void bind_renderer(py::module_& module) {
         "`lineatlas draw --help`.");
     renderer
         .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease,
-             py::arg("compute") = "opencl", py::arg("device") = "", py::arg("interop") = "")
+             py::arg("compute") = "", py::arg("device") = "", py::arg("interop") = "")
         .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease,
              "Another model, or other lines of the same, from now on.");
     bind_drawing(renderer);

@@ -23,15 +23,17 @@ std::string key_of(std::string name) {
 
 void set(Style& style, const std::string& name, const py::object& value) {
     const Setting& setting = find_setting(key_of(name));
-    set_value(style, setting, setting_value(value), setting.key);
+    const std::optional<SettingValue> given = setting_value(value);
+    if (!given) throw wrong_argument(setting.key, setting.values, value);
+    set_value(style, setting, *given, setting.key);
 }
 
 py::object get(const Style& style, const std::string& name) {
     return python_value(find_setting(key_of(name)).get(style));
 }
 
-Style make_style(const std::optional<std::filesystem::path>& base, const py::kwargs& changes) {
-    Style style = base ? load_style(base->string()) : Style{};
+Style make_style(const BaseArgument& base, const py::kwargs& changes) {
+    Style style = *base ? load_style((*base)->string()) : Style{};
     for (const auto& [name, value] : changes)
         set(style, py::str(name), py::reinterpret_borrow<py::object>(value));
     return style;
@@ -63,12 +65,15 @@ Style style_of(const std::optional<StyleOrName>& given) {
     return std::get<Style>(*given);
 }
 
-SettingValue setting_value(const py::object& value) {
+std::optional<SettingValue> setting_value(const py::object& value) {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
-    if (py::isinstance<py::str>(value)) return value_from_text(value.cast<std::string>());
-    if (PyNumber_Check(value.ptr()) != 0 && !py::isinstance<py::sequence>(value))
-        return value.cast<double>();
-    return value.cast<std::vector<double>>();
+    if (py::detail::make_caster<std::string> text; text.load(value, false))
+        return value_from_text(py::detail::cast_op<std::string&>(text));
+    if (py::detail::make_caster<double> number; number.load(value, true))
+        return py::detail::cast_op<double>(number);
+    if (py::detail::make_caster<std::vector<double>> list; list.load(value, true))
+        return py::detail::cast_op<std::vector<double>&>(list);
+    return std::nullopt;
 }
 
 py::object python_value(const SettingValue& value) {

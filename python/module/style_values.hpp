@@ -6,6 +6,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "arguments.hpp"
 #include "lineatlas/style.hpp"
 #include "style/settings.hpp"
 
@@ -13,11 +14,13 @@ namespace lineatlas::python {
 
 /// Where a style or its name will do.
 using StyleOrName = std::variant<Style, std::filesystem::path>;
+using BaseArgument = Argument<std::optional<std::filesystem::path>, "base",
+                              "the name of a style or the path of a style file">;
 
 Style style_of(const std::optional<StyleOrName>& given);
 
-/// A value of a setting between Python and style files.
-SettingValue setting_value(const pybind11::object& value);
+/// A value of a setting as style files have it; nothing if they have no such values.
+std::optional<SettingValue> setting_value(const pybind11::object& value);
 pybind11::object python_value(const SettingValue& value);
 
 } // namespace lineatlas::python

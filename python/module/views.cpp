@@ -16,28 +16,39 @@ namespace {
 
 constexpr float radians_per_degree = std::numbers::pi_v<float> / 180;
 
-View make_view(const Triple& eye, const Triple& target, const Triple& up, float fov, float near,
-               float far) {
+template <Text name>
+using Point = Argument<Triple, name, "three numbers">;
+
+View make_view(const Point<"eye">& eye, const Point<"target">& target, const Point<"up">& up,
+               Real<"fov"> fov, Real<"near"> near, Real<"far"> far, const std::string& projection) {
     return {.eye = vector_of(eye),
             .target = vector_of(target),
             .up = vector_of(up),
             .fov_y = fov * radians_per_degree,
             .near = near,
-            .far = far};
+            .far = far,
+            .projection = parse_projection(projection)};
 }
 
 std::string describe(const View& view) {
     const auto written = [](glm::vec3 v) {
         return fmt::format("({:.7g}, {:.7g}, {:.7g})", v.x, v.y, v.z);
     };
-    return fmt::format("View(eye={}, target={}, up={}, fov={:.6g}, near={:.7g}, far={:.7g})",
+    return fmt::format("View(eye={}, target={}, up={}, fov={:.6g}, near={:.7g}, far={:.7g}, "
+                       "projection='{}')",
                        written(view.eye), written(view.target), written(view.up),
-                       view.fov_y / radians_per_degree, view.near, view.far);
+                       view.fov_y / radians_per_degree, view.near, view.far,
+                       name_of(view.projection));
 }
 
 /// A row per row; GLM keeps columns.
 glm::mat4 matrix_from(const py::object& object, const char* name) {
-    const py::array_t<double, py::array::c_style | py::array::forcecast> rows(object);
+    const auto rows =
+        py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(object);
+    if (!rows) {
+        PyErr_Clear();
+        throw wrong_argument(name, "a (4, 4) array of numbers", object);
+    }
     if (rows.ndim() != 2 || rows.shape(0) != 4 || rows.shape(1) != 4)
         throw UsageError(std::string{name} + " must have the shape (4, 4)");
     glm::mat4 matrix{1};
@@ -58,7 +69,8 @@ py::array matrix_of(const glm::mat4& matrix) {
     return array_of(std::move(rows), {4, 4});
 }
 
-Camera make_python_camera(const py::object& view, const py::object& projection, bool zero_to_one) {
+Camera make_python_camera(const py::object& view, const py::object& projection,
+                          Flag<"zero_to_one"> zero_to_one) {
     Camera camera;
     camera.view = matrix_from(view, "view");
     camera.projection = matrix_from(projection, "projection");
@@ -79,8 +91,11 @@ std::vector<glm::vec3> used_points(const Mesh& mesh) {
     return points;
 }
 
-View frame_model(const ModelOrPath& model, Size size, const UpAxis& up, float fov) {
-    return frame(used_points(model_of(model)->mesh), size, up, fov);
+View frame_model(const ModelArgument& model, const SizeArgument& size, const UpArgument& up,
+                 Real<"fov"> fov, const std::string& projection,
+                 const std::optional<std::string>& view) {
+    return frame(used_points(model_of(model)->mesh), size, up, fov, parse_projection(projection),
+                 view);
 }
 
 /// Bounds to fit planes to where a model has none.
@@ -96,12 +111,13 @@ std::tuple<float, float, float> triple(const View& view) {
 void bind_view_class(py::module_& module) {
     const View defaults;
     py::class_<View>(module, "View",
-                     "A perspective camera: where the eye is, what it looks at.\n\n"
+                     "A camera: where the eye is, what it looks at.\n\n"
                      "fov: vertical field of view in degrees. near, far: distances of the planes\n"
-                     "of the depth buffer; 0: fitted to the model.")
+                     "of the depth buffer; 0: fitted to the model. projection: \"perspective\" or\n"
+                     "\"orthographic\", which shows as much as the other does at the target.")
         .def(py::init(&make_view), py::arg("eye"), py::arg("target"),
              py::arg("up") = tuple_of(defaults.up), py::arg("fov") = 40.0F, py::arg("near") = 0.0F,
-             py::arg("far") = 0.0F)
+             py::arg("far") = 0.0F, py::arg("projection") = "perspective")
         .def_property_readonly("eye", &triple<&View::eye>, "Where the eye is.")
         .def_property_readonly("target", &triple<&View::target>, "What it looks at.")
         .def_property_readonly("up", &triple<&View::up>, "What is upwards.")
@@ -110,6 +126,12 @@ void bind_view_class(py::module_& module) {
             "Vertical field of view in degrees.")
         .def_readonly("near", &View::near, "Distance of the near plane; 0: fitted.")
         .def_readonly("far", &View::far, "Distance of the far plane; 0: fitted.")
+        .def_property_readonly(
+            "projection", [](const View& view) { return name_of(view.projection); },
+            "\"perspective\" or \"orthographic\".")
+        .def_property_readonly("shown_height", &shown_height,
+                               "Model units from the picture's lower border to its upper one; in\n"
+                               "perspective at the target.")
         .def("__repr__", &describe);
 }
 
@@ -124,14 +146,18 @@ glm::vec3 up_of(const UpAxis& up) {
     throw UsageError("up \"" + name + "\" is not x, y, z or three numbers");
 }
 
-View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov) {
+View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov,
+           Projection projection, const std::optional<std::string>& direction) {
     if (points.empty()) throw UsageError("there is nothing to frame: give a view");
     if (size[0] < 1 || size[1] < 1) throw UsageError("size: both sides must be at least 1");
     const glm::vec3 axis = up_of(up);
     if (axis != glm::abs(axis) || axis.x + axis.y + axis.z != 1 || glm::dot(axis, axis) != 1)
         throw UsageError("up must be an axis to frame a model: x, y or z; else give a view");
     if (!(fov > 0 && fov < 180)) throw UsageError("fov must be above 0 and below 180 degrees");
-    return frame_points(points, {size[0], size[1]}, axis, fov * radians_per_degree);
+    const glm::ivec2 pixels{size[0], size[1]};
+    const float fov_y = fov * radians_per_degree;
+    if (!direction) return frame_points(points, pixels, axis, fov_y, projection);
+    return frame_points_from(view_direction(*direction, axis), points, pixels, fov_y, projection);
 }
 
 Camera camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
@@ -161,10 +187,14 @@ void bind_view(py::module_& module) {
         .def_property_readonly(
             "projection", [](const Camera& camera) { return matrix_of(camera.projection); },
             "Eye to clip space, (4, 4) float32.");
-    module.def("frame", &frame_model, py::arg("model"), py::kw_only(),
-               py::arg("size") = Size{1024, 768}, py::arg("up") = "y", py::arg("fov") = 40.0F,
-               "A view from the front, right and above in which a mesh, or that of a file, just\n"
-               "fits. up: \"x\", \"y\" or \"z\". Raises UsageError for an empty mesh.");
+    module.def(
+        "frame", &frame_model, py::arg("model"), py::kw_only(), py::arg("size") = Size{1024, 768},
+        py::arg("up") = "y", py::arg("fov") = 40.0F, py::arg("projection") = "perspective",
+        py::arg("view") = py::none(),
+        "A view in which a mesh, or that of a file, just fits: from the front, right and\n"
+        "above, or from \"front\", \"back\", \"left\", \"right\", \"top\", \"bottom\",\n"
+        "\"isometric\", \"dimetric\" or \"AZIMUTH,ELEVATION\" in degrees. up: \"x\", \"y\" or\n"
+        "\"z\". Raises UsageError for an empty mesh.");
 }
 
 } // namespace lineatlas::python

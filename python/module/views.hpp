@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "lineatlas/camera.hpp"
 
@@ -14,10 +15,15 @@ using UpAxis = std::variant<std::string, Triple>; ///< "x", "y", "z" or a vector
 using ViewOrCamera = std::variant<View, Camera>;
 using Size = std::array<int, 2>;
 
+using SizeArgument = Argument<Size, "size", "two whole numbers, width and height">;
+using UpArgument = Argument<UpAxis, "up", "\"x\", \"y\", \"z\" or three numbers">;
+
 glm::vec3 up_of(const UpAxis& up);
 
 /// The view on `points` from the front; throws UsageError if there are none. `fov` in degrees.
-View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov);
+View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov,
+           Projection projection = Projection::perspective,
+           const std::optional<std::string>& direction = {});
 
 /// The camera of a picture of `size`. `given`: nothing frames `points`, which `bounds` holds.
 Camera camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,

@@ -65,7 +65,9 @@ class In(unittest.TestCase):
     def test_empty(self) -> None:
         for mesh in (lineatlas.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int)),
                      lineatlas.Mesh([], []), lineatlas.Mesh(CUBE_POSITIONS, [])):
-            self.assertEqual(dark_share(lineatlas.draw(mesh, size=(50, 40), view=CUBE_VIEW)), 0)
+            with self.assertWarnsRegex(UserWarning, "no triangles and no lines"):
+                picture = lineatlas.draw(mesh, size=(50, 40), view=CUBE_VIEW)
+            self.assertEqual(dark_share(picture), 0)
             self.assertEqual(len(lineatlas.intervals(mesh, view=CUBE_VIEW)), 0)
             with self.assertRaisesRegex(lineatlas.UsageError, "nothing to frame"):
                 lineatlas.draw(mesh)

@@ -69,6 +69,9 @@ class OfACube(unittest.TestCase):
         self.assertEqual(len(self.find(lines=["file"])), 0)
         with self.assertRaisesRegex(lineatlas.UsageError, "there is no line kind"):
             self.find(lines="creases")
+        for crease in (np.nan, np.inf, -1, 1e30):
+            with self.assertRaisesRegex(lineatlas.UsageError, "crease must be from 0 to 180"):
+                self.find(crease=crease)
         mesh = cube(triangle_group=[0] * 4 + [1] * 8, groups=["a", "b"])
         found = lineatlas.intervals(mesh, size=self.size, view=CUBE_VIEW)
         self.assertIn(lineatlas.LineKind.material, set(found["kind"]))

@@ -97,8 +97,8 @@ class OtherContexts(unittest.TestCase):
         check()
         renderer.draw(size=(16, 16))
         check()
-        with self.assertRaises(lineatlas.UsageError):
-            renderer.draw(size=(16, 16), options=lineatlas.Options(probes=5))
+        with self.assertRaises(lineatlas.FileError):
+            renderer.draw(size=(16, 16), style=lineatlas.Style(pen="./missing.png"))
         check()
         renderer.close()
         check()
@@ -167,17 +167,17 @@ class Life(unittest.TestCase):
     def test_goes_on_after_an_error(self) -> None:
         with lineatlas.Renderer(cube()) as renderer:
             before = renderer.draw(size=(100, 80))
-            with self.assertRaises(lineatlas.UsageError):
-                renderer.draw(size=(100, 80), options=lineatlas.Options(depth_scale=9))
+            with self.assertRaisesRegex(lineatlas.UsageError, "use a smaller size, or"):
+                renderer.draw(size=(70000, 80))
             with self.assertRaises(lineatlas.FileError):
                 renderer.draw(style=lineatlas.Style(pen="./missing.png"))
             with self.assertRaises(lineatlas.FileError):
                 renderer.set_model("missing.obj")
             np.testing.assert_array_equal(renderer.draw(size=(100, 80)), before)
 
-    def test_reference_backend(self) -> None:
-        with lineatlas.Renderer(cube(), compute="reference") as renderer:
-            self.assertIn("reference", renderer.description)
+    def test_cpp_device(self) -> None:
+        with lineatlas.Renderer(cube(), compute="cpp") as renderer:
+            self.assertIn("cpp", renderer.description)
             np.testing.assert_array_equal(renderer.draw(size=(100, 80)),
                                           lineatlas.draw(cube(), size=(100, 80)))
 
@@ -195,14 +195,23 @@ class Life(unittest.TestCase):
         with self.assertRaises(TypeError):
             lineatlas.draw(cube(), colour="red")
 
-    def test_no_device(self) -> None:
-        words = ("import lineatlas, support\n"
-                 "try: lineatlas.Renderer(support.cube())\n"
-                 "except lineatlas.DeviceError as error: print(error)")
-        done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True,
-                              cwd=pathlib.Path(__file__).parent,
-                              env=os.environ | {"OCL_ICD_VENDORS": "/none"})
-        self.assertIn("OpenCL", done.stdout, done.stderr)
+    def test_no_opencl(self) -> None:
+        def run(words: str) -> subprocess.CompletedProcess[str]:
+            return subprocess.run([sys.executable, "-c", "import lineatlas, support\n" + words],
+                                  capture_output=True, text=True,
+                                  cwd=pathlib.Path(__file__).parent,
+                                  env=os.environ | {"OCL_ICD_VENDORS": "/none"})
+        done = run("cube = support.cube()\n"
+                   "for _ in range(3): found = len(lineatlas.intervals(cube))\n"
+                   "with lineatlas.Renderer(cube, compute='cpp') as r: print(r.description, found)")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"^cpp .*, sharing by .* [1-9][0-9]*$")
+        self.assertEqual(done.stderr.count("RuntimeWarning: no OpenCL device was found"), 1,
+                         done.stderr)
+        done = run("try: lineatlas.Renderer(support.cube(), compute='opencl')\n"
+                   "except lineatlas.DeviceError as error: print(error)")
+        self.assertIn("no OpenCL device was found (on Debian", done.stdout, done.stderr)
+        self.assertEqual(done.stderr, "")
 
 
 if __name__ == "__main__":

@@ -103,6 +103,13 @@ class Compiled(unittest.TestCase):
                     compared += 1
         self.assertGreater(compared, 15)
 
+    def test_options_are_those_of_the_table(self) -> None:
+        """The docstring is made of the table, a line per option; the signature is not."""
+        lines = (lineatlas.Options.__doc__ or "").splitlines()
+        documented = [line.split(":")[0] for line in lines if ": " in line]
+        declared = stub_parameters(functions(classes(STUB)["Options"].body)["__init__"])
+        self.assertEqual(documented, [name for name, _ in declared if name != "*"])
+
     def test_bases_of_errors(self) -> None:
         for name, node in classes(STUB).items():
             if node.bases:

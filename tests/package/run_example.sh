@@ -43,6 +43,11 @@ own_depth) # CHECK_LINES
     "$1" own_depth.ppm 0
     check_checker "$1" own_depth.ppm 0
     ;;
+device) # CHECK_LINES
+    ./device device.ppm >messages.txt
+    expect 1 '^threads .* compared with cpp .*: equal in [1-9][0-9]+ kernels$' messages.txt
+    "$1" device.ppm 0
+    ;;
 headless) # LINEATLAS
     ./headless "$here/cube.obj" headless.ppm
     "$1" draw "$here/cube.obj" --size 800x600 -o tool.ppm
@@ -56,6 +61,11 @@ intervals)
     expect 1 '^edge 14-12: visible from -1 1 -2 to -1 0[.]55[0-9]+ -2$' intervals.txt
     expect 1 '^edge 2-3: visible from -1 1 -1 to 1 1 -1$' intervals.txt
     expect 1 '^edge 8-10: hidden from -1 -1 -4 to -1 1 -4$' intervals.txt
+    # Without any OpenCL driver the library does it by itself, and says so.
+    OCL_ICD_VENDORS=/nonexistent ./intervals >without_opencl.txt 2>note.txt
+    expect 1 '^no OpenCL device was found' note.txt
+    expect 1 '^edge 12-13: visible from 0[.]66[0-9]+ -1 -2 to 1 -1 -2$' without_opencl.txt
+    expect 1 '^edge 8-10: hidden from -1 -1 -4 to -1 1 -4$' without_opencl.txt
     ;;
 pkgconfig) # FOLDER COMPILER EXAMPLES
     export PKG_CONFIG_PATH=$1

@@ -1,6 +1,7 @@
 #include "layouts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -103,66 +104,69 @@ std::size_t Layout::size() const {
     return bytes;
 }
 
-namespace layouts {
+/// By the names that kernels.h gives them.
+const Layout& layout_of(std::string_view type) {
+    static const std::array layouts{
+        Layout{"uchar", {{"", FieldKind::byte}}},
+        Layout{"uint", {{"", FieldKind::integer}}},
+        Layout{"float", {{"", FieldKind::number}}},
+        Layout{"Cluster",
+               {{"low", FieldKind::number, 3},
+                {"high", FieldKind::number, 3},
+                {"first", FieldKind::integer},
+                {"count", FieldKind::integer}}},
+        Layout{"ClippedSegment",
+               {{"p", FieldKind::number, 4},
+                {"q", FieldKind::number, 4},
+                {"t0", FieldKind::number},
+                {"t1", FieldKind::number},
+                {"own_a", FieldKind::two_halves},
+                {"own_b", FieldKind::two_halves}}},
+        Layout{"Run",
+               {{"start", FieldKind::number, 2, 1e-5F, pixel},
+                {"end", FieldKind::number, 2, 1e-5F, pixel},
+                {"start_corner", FieldKind::number, 2, corner, pixel},
+                {"end_corner", FieldKind::number, 2, corner, pixel},
+                {"start_arc", FieldKind::number, 1, 1e-5F, pixel},
+                {"end_arc", FieldKind::number, 1, 1e-5F, pixel},
+                {"start_sample", FieldKind::number, 1, 1e-5F, pixel},
+                {"end_sample", FieldKind::number, 1, 1e-5F, pixel},
+                {"address", FieldKind::integer},
+                {"samples", FieldKind::integer},
+                {"flags", FieldKind::integer},
+                {"segment", FieldKind::integer},
+                {"stroke_start", FieldKind::number, 1, 1e-5F, pixel},
+                {"stroke_end", FieldKind::number, 1, 1e-5F, pixel},
+                {"start_depth", FieldKind::number},
+                {"end_depth", FieldKind::number}}},
+        Layout{"RunCuts",
+               {{"from", FieldKind::number, LA_MOST_CUTS, 1e-5F, pixel},
+                {"to", FieldKind::number, LA_MOST_CUTS, 1e-5F, pixel}}},
+        Layout{"Interval",
+               {{"start", FieldKind::number, 2, 1e-5F, pixel},
+                {"end", FieldKind::number, 2, 1e-5F, pixel},
+                {"start_depth", FieldKind::number},
+                {"end_depth", FieldKind::number},
+                {"start_world", FieldKind::number, 3, 1e-5F, world},
+                {"end_world", FieldKind::number, 3, 1e-5F, world},
+                {"start_arc", FieldKind::number, 1, 1e-5F, pixel},
+                {"end_arc", FieldKind::number, 1, 1e-5F, pixel},
+                {"start_sample", FieldKind::number, 1, 1e-5F, pixel},
+                {"end_sample", FieldKind::number, 1, 1e-5F, pixel},
+                {"alpha", FieldKind::number},
+                {"segment", FieldKind::integer},
+                {"flags", FieldKind::integer}}},
+        Layout{"FrameRecord",
+               {{"points", FieldKind::integer, 4},
+                {"quads", FieldKind::integer, 4},
+                {"sample_total", FieldKind::integer},
+                {"run_total", FieldKind::integer},
+                {"raw_run_total", FieldKind::integer},
+                {"unused", FieldKind::integer}}},
 
-const Layout byte{"byte", {{"", FieldKind::byte}}};
-const Layout integer{"integer", {{"", FieldKind::integer}}};
-const Layout number{"float", {{"", FieldKind::number}}};
-const Layout cluster{"Cluster",
-                     {{"low", FieldKind::number, 3},
-                      {"high", FieldKind::number, 3},
-                      {"first", FieldKind::integer},
-                      {"count", FieldKind::integer}}};
-const Layout clipped_segment{"ClippedSegment",
-                             {{"p", FieldKind::number, 4},
-                              {"q", FieldKind::number, 4},
-                              {"t0", FieldKind::number},
-                              {"t1", FieldKind::number},
-                              {"own_a", FieldKind::two_halves},
-                              {"own_b", FieldKind::two_halves}}};
-const Layout run{"Run",
-                 {{"start", FieldKind::number, 2, 1e-5F, pixel},
-                  {"end", FieldKind::number, 2, 1e-5F, pixel},
-                  {"start_corner", FieldKind::number, 2, corner, pixel},
-                  {"end_corner", FieldKind::number, 2, corner, pixel},
-                  {"start_arc", FieldKind::number, 1, 1e-5F, pixel},
-                  {"end_arc", FieldKind::number, 1, 1e-5F, pixel},
-                  {"start_sample", FieldKind::number, 1, 1e-5F, pixel},
-                  {"end_sample", FieldKind::number, 1, 1e-5F, pixel},
-                  {"address", FieldKind::integer},
-                  {"samples", FieldKind::integer},
-                  {"flags", FieldKind::integer},
-                  {"segment", FieldKind::integer},
-                  {"stroke_start", FieldKind::number, 1, 1e-5F, pixel},
-                  {"stroke_end", FieldKind::number, 1, 1e-5F, pixel},
-                  {"start_depth", FieldKind::number},
-                  {"end_depth", FieldKind::number}}};
-const Layout run_cuts{"RunCuts",
-                      {{"from", FieldKind::number, LA_MOST_CUTS, 1e-5F, pixel},
-                       {"to", FieldKind::number, LA_MOST_CUTS, 1e-5F, pixel}}};
-const Layout interval{"Interval",
-                      {{"start", FieldKind::number, 2, 1e-5F, pixel},
-                       {"end", FieldKind::number, 2, 1e-5F, pixel},
-                       {"start_depth", FieldKind::number},
-                       {"end_depth", FieldKind::number},
-                       {"start_world", FieldKind::number, 3, 1e-5F, world},
-                       {"end_world", FieldKind::number, 3, 1e-5F, world},
-                       {"start_arc", FieldKind::number, 1, 1e-5F, pixel},
-                       {"end_arc", FieldKind::number, 1, 1e-5F, pixel},
-                       {"start_sample", FieldKind::number, 1, 1e-5F, pixel},
-                       {"end_sample", FieldKind::number, 1, 1e-5F, pixel},
-                       {"alpha", FieldKind::number},
-                       {"segment", FieldKind::integer},
-                       {"flags", FieldKind::integer}}};
-const Layout frame_record{"FrameRecord",
-                          {{"points", FieldKind::integer, 4},
-                           {"quads", FieldKind::integer, 4},
-                           {"sample_total", FieldKind::integer},
-                           {"run_total", FieldKind::integer},
-                           {"raw_run_total", FieldKind::integer},
-                           {"unused", FieldKind::integer}}};
-
-} // namespace layouts
+    };
+    return *std::ranges::find(layouts, type, &Layout::name);
+}
 
 std::optional<Difference> first_difference(const Layout& layout, std::span<const std::byte> first,
                                            std::span<const std::byte> second) {

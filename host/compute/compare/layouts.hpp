@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lineatlas::compute {
@@ -35,10 +36,8 @@ struct Layout {
     std::size_t size() const; ///< bytes
 };
 
-namespace layouts {
-extern const Layout byte, integer, number, cluster, clipped_segment, run, run_cuts, interval,
-    frame_record;
-}
+/// Of what KernelTable::type names.
+const Layout& layout_of(std::string_view type);
 
 /// A place where two tables differ.
 struct Difference {

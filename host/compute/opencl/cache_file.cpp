@@ -50,6 +50,20 @@ bool read_all(int descriptor, std::span<unsigned char> content) {
     return true;
 }
 
+/// A program runs with the rights of who reads it: nobody else may have had a hand in it.
+bool is_own(const struct stat& status) {
+    return S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
+           (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+}
+
+/// For this user alone, whatever the umask is, as the XDG specification has it.
+void make_folders(const fs::path& folder) {
+    std::error_code error;
+    if (folder.empty() || fs::exists(folder, error)) return;
+    make_folders(folder.parent_path());
+    ::mkdir(folder.c_str(), S_IRWXU);
+}
+
 } // namespace
 
 std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
@@ -57,7 +71,7 @@ std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
     // Not to block on a pipe that someone put there.
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat status {};
-    if (!file.is_open() || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode) ||
+    if (!file.is_open() || ::fstat(file.number(), &status) != 0 || !is_own(status) ||
         static_cast<std::uintmax_t>(status.st_size) > most_bytes) {
         return std::nullopt;
     }
@@ -68,12 +82,12 @@ std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
 
 void write_cache_file(const fs::path& path, std::string_view part_extension,
                       std::span<const unsigned char> content) {
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
+    make_folders(path.parent_path());
     std::string part = (path.parent_path() / "XXXXXX").string() + std::string{part_extension};
     const Descriptor file{
         ::mkostemps(part.data(), static_cast<int>(part_extension.size()), O_CLOEXEC)};
     if (!file.is_open()) return;
+    std::error_code error;
     if (write_all(file.number(), content))
         fs::rename(part, path, error);
     else

@@ -11,7 +11,7 @@ DeviceMemory::DeviceMemory(const cl::Device& device)
     : largest_buffer_(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()),
       total_(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()) {}
 
-DeviceMemory::Part DeviceMemory::take(std::uint64_t bytes) {
+DeviceMemory::Share DeviceMemory::take(std::uint64_t bytes) {
     if (bytes > largest_buffer_) {
         throw Shortage(written_bytes(bytes), "a buffer of this OpenCL device holds " +
                                                  written_bytes(largest_buffer_) +
@@ -22,7 +22,7 @@ DeviceMemory::Part DeviceMemory::take(std::uint64_t bytes) {
                                                  " of this OpenCL device " + written_bytes(taken_) +
                                                  " are in use (CL_DEVICE_GLOBAL_MEM_SIZE)");
     }
-    return Part{*this, bytes};
+    return Share{*this, bytes};
 }
 
 void DeviceMemory::check(cl_int status, std::uint64_t bytes) const {

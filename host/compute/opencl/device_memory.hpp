@@ -16,19 +16,19 @@ class DeviceMemory {
     DeviceMemory& operator=(const DeviceMemory&) = delete;
 
     /// What one buffer takes, until this is destroyed.
-    class Part {
+    class Share {
       public:
-        Part() = default;
-        Part(Part&& other) noexcept
+        Share() = default;
+        Share(Share&& other) noexcept
             : memory_(std::exchange(other.memory_, nullptr)), bytes_(other.bytes_) {}
-        Part& operator=(Part&&) = delete;
-        ~Part() {
+        Share& operator=(Share&&) = delete;
+        ~Share() {
             if (memory_ != nullptr) memory_->taken_ -= bytes_;
         }
 
       private:
         friend class DeviceMemory;
-        Part(DeviceMemory& memory, std::uint64_t bytes) : memory_(&memory), bytes_(bytes) {
+        Share(DeviceMemory& memory, std::uint64_t bytes) : memory_(&memory), bytes_(bytes) {
             memory.taken_ += bytes;
         }
         DeviceMemory* memory_ = nullptr;
@@ -36,7 +36,7 @@ class DeviceMemory {
     };
 
     /// Throws Shortage where the device cannot hold another buffer of that size.
-    Part take(std::uint64_t bytes);
+    Share take(std::uint64_t bytes);
     /// Throws Shortage where `status`, of making a buffer, says that memory has run out.
     void check(cl_int status, std::uint64_t bytes) const;
     std::uint64_t largest_buffer() const { return largest_buffer_; }

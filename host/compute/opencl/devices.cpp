@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <sstream>
 
+#include "core/memory_limit.hpp"
+#include "driver_trial.hpp"
 #include "lineatlas/error.hpp"
+#include "pocl_cache.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -36,6 +40,24 @@ OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
             .is_gpu = (type & CL_DEVICE_TYPE_GPU) != 0};
 }
 
+/// Found once, before the drivers are loaded.
+struct DriverState {
+    std::string no_cache = give_pocl_a_cache();
+    DriverTrial trial = try_drivers();
+};
+
+const DriverState& driver_state() {
+    static const DriverState state;
+    return state;
+}
+
+bool works(const cl::Platform& platform) {
+    const std::optional<std::vector<std::string>>& working = driver_state().trial.working;
+    if (!working) return true;
+    const std::string name = platform.getInfo<CL_PLATFORM_NAME>();
+    return std::ranges::find(*working, name) != working->end();
+}
+
 } // namespace
 
 bool contains_ignoring_case(std::string_view text, std::string_view part) {
@@ -60,6 +82,9 @@ bool OpenClDevice::has_extension(std::string_view extension) const {
 
 std::vector<OpenClDevice> list_opencl_devices() {
     std::vector<OpenClDevice> result;
+    // What does not even load in the copy is not loaded here.
+    if (const DriverTrial& trial = driver_state().trial; trial.working && trial.working->empty())
+        return result;
     std::vector<cl::Platform> platforms;
     try {
         cl::Platform::get(&platforms);
@@ -68,6 +93,7 @@ std::vector<OpenClDevice> list_opencl_devices() {
     }
     for (const cl::Platform& platform : platforms) {
         try {
+            if (!works(platform)) continue;
             std::vector<cl::Device> devices;
             platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
             for (const cl::Device& device : devices) result.push_back(describe(platform, device));
@@ -92,7 +118,7 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
     const std::string_view device = colon == std::string_view::npos ? "" : name.substr(colon + 1);
 
     const std::vector<OpenClDevice> all = list_opencl_devices();
-    if (all.empty()) throw DeviceError("no OpenCL device was found; " + opencl_advice());
+    if (all.empty()) throw DeviceError(no_device_message());
     std::vector<OpenClDevice> found;
     for (const OpenClDevice& candidate : all) {
         if (contains_ignoring_case(candidate.platform_name, platform) &&
@@ -103,14 +129,32 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
     if (found.empty()) {
         std::string known;
         for (const OpenClDevice& candidate : all) known += " \"" + candidate.name() + "\"";
-        throw UsageError("no OpenCL device matches \"" + wanted + "\"; there is" + known);
+        const bool disabled =
+            contains_ignoring_case(platform, "rusticl") && std::getenv("RUSTICL_ENABLE") == nullptr;
+        throw UsageError("no OpenCL device matches \"" + wanted + "\"; there is" + known +
+                         (disabled ? "; rusticl has devices only where RUSTICL_ENABLE names their "
+                                     "drivers, as in RUSTICL_ENABLE=llvmpipe"
+                                   : ""));
     }
     return found;
 }
 
-std::string opencl_advice() {
-    return "install one (on Debian and Ubuntu: apt install pocl-opencl-icd) or use "
-           "--compute reference";
+std::string why_no_device() {
+    const DriverState& state = driver_state();
+    std::string cause = state.trial.cause;
+    if (!state.no_cache.empty()) cause += (cause.empty() ? "" : "; ") + state.no_cache;
+    if (!cause.empty()) return "no OpenCL device can be used (" + cause + ")";
+    const std::optional<std::string> limit = memory_limit();
+    return "no OpenCL device was found (on Debian and Ubuntu: apt install pocl-opencl-icd" +
+           (limit ? "; this process may have only " + *limit + " of memory)" : ")");
+}
+
+bool drivers_lack_memory() {
+    return !driver_state().trial.cause.empty() && memory_limit().has_value();
+}
+
+std::string no_device_message() {
+    return why_no_device() + "; DeviceOptions::compute cpp does without";
 }
 
 } // namespace lineatlas::compute

@@ -29,7 +29,8 @@ struct OpenClDevice {
 /// Whether `part` stands in `text`, letters of either case.
 bool contains_ignoring_case(std::string_view text, std::string_view part);
 
-/// Every device of every platform, in the order the loader reports them. Empty without OpenCL.
+/// Every device of every platform that works (driver_trial.hpp), in the order the loader reports
+/// them. Empty without OpenCL.
 std::vector<OpenClDevice> list_opencl_devices();
 
 /// The devices that `name` selects: "opencl:<platform substring>[:<device substring>]", letters of
@@ -37,7 +38,11 @@ std::vector<OpenClDevice> list_opencl_devices();
 /// if there is none.
 std::vector<OpenClDevice> find_opencl_devices(std::string_view name);
 
-/// Which package brings an OpenCL device, and what to do without one.
-std::string opencl_advice();
+/// Why list_opencl_devices() is empty: the beginning of a message.
+std::string why_no_device();
+/// That and the way out.
+std::string no_device_message();
+/// Whether drivers are there but have not got the memory that they need.
+bool drivers_lack_memory();
 
 } // namespace lineatlas::compute

@@ -3,9 +3,9 @@
 #include <memory>
 #include <span>
 
-#include "compute/backend.hpp"
 #include "device_memory.hpp"
 #include "devices.hpp"
+#include "lineatlas/compute_device.hpp"
 #include "tuning.hpp"
 
 namespace lineatlas::compute {
@@ -13,25 +13,25 @@ namespace lineatlas::compute {
 /// A buffer on an OpenCL device.
 class OpenClBuffer final : public Buffer {
   public:
-    OpenClBuffer(cl::Buffer buffer, std::size_t size, DeviceMemory::Part taken = {})
-        : Buffer(size), part(std::move(taken)), memory(std::move(buffer)) {}
+    OpenClBuffer(cl::Buffer buffer, std::size_t size, DeviceMemory::Share taken = {})
+        : Buffer(size), share(std::move(taken)), memory(std::move(buffer)) {}
 
-    DeviceMemory::Part part; ///< of the device's memory; none if GL has made the buffer
+    DeviceMemory::Share share; ///< of the device's memory; none if GL has made the buffer
     cl::Buffer memory;
     void* mapped = nullptr; ///< while the host has access to a wrapped buffer
 };
 
-/// What code that shares OpenCL objects with another API needs of the backend.
-class OpenClBackend : public Backend {
+/// What code that shares OpenCL objects with another API needs of the device.
+class OpenClBackend : public Device {
   public:
     virtual const OpenClDevice& device() const = 0;
     virtual const cl::Context& context() const = 0;
     virtual const cl::CommandQueue& queue() const = 0;
 };
 
-/// A backend on `device`. `context_properties`, if not empty, ties the context to a GL context:
-/// pairs of name and value without the closing 0. Throws DeviceError when the driver refuses. A
-/// kernel is built when first used; if it doesn't build, the message holds the whole build log.
+/// Kernels on `device`. `context_properties`, if not empty, ties the context to a GL context: pairs
+/// of name and value without the closing 0. Throws DeviceError when the driver refuses. A kernel is
+/// built when first used; if it doesn't build, the message holds the whole build log.
 std::unique_ptr<OpenClBackend>
 make_opencl_backend(const OpenClDevice& device,
                     std::span<const cl_context_properties> context_properties = {});

@@ -42,9 +42,9 @@ bool is_clock(const std::vector<DeviceTimes>& times) {
 
 } // namespace
 
-OpenClCommandLog::Pending::Pending(OpenClCommandLog* log, const char* name) : log_(log) {
+OpenClCommandLog::Pending::Pending(OpenClCommandLog* log, const Command& command) : log_(log) {
     if (log_ == nullptr) return;
-    entry_.name = name;
+    entry_.command = command;
     entry_.before = host_nanoseconds();
 }
 
@@ -83,8 +83,10 @@ std::vector<CommandTime> OpenClCommandLog::read() {
     error_ = offset.error();
     std::vector<CommandTime> commands;
     for (std::size_t i = 0; i < times.size(); ++i) {
-        commands.push_back({entries_[i].name, entries_[i].before, times[i].start + offset.value(),
-                            times[i].end + offset.value()});
+        const Command& command = entries_[i].command;
+        commands.push_back({command.name, entries_[i].before, times[i].start + offset.value(),
+                            times[i].end + offset.value(), command.items, command.group,
+                            command.bytes});
     }
     return commands;
 }

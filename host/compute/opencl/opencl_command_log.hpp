@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compute/command_log.hpp"
+#include "lineatlas/compute_device.hpp"
 #include "opencl.hpp"
 
 namespace lineatlas::compute {
@@ -11,10 +11,17 @@ namespace lineatlas::compute {
 /// each log.
 class OpenClCommandLog final : public CommandLog {
   public:
+    struct Command {
+        std::string_view name;
+        std::uint64_t bytes = 0; ///< that it moves, where that is known
+        std::uint64_t items = 0; ///< of a kernel
+        std::uint32_t group = 0;
+    };
+
     /// A command about to be enqueued: an argument to the enqueue call, which it must not outlive.
     class Pending {
       public:
-        Pending(OpenClCommandLog* log, const char* name);
+        Pending(OpenClCommandLog* log, const Command& command);
         ~Pending();
         Pending(const Pending&) = delete;
         Pending& operator=(const Pending&) = delete;
@@ -23,7 +30,7 @@ class OpenClCommandLog final : public CommandLog {
       private:
         friend class OpenClCommandLog;
         struct Entry {
-            const char* name;
+            Command command;
             std::int64_t before, after; ///< the host's clock about the call
             cl::Event event;
         };

@@ -11,8 +11,8 @@ namespace lineatlas::compute {
 
 /// Built programs in files, one each, in a folder that many processes may use at once.
 ///
-/// Nothing in the folder is trusted: what `find` returns is what was stored under this key, whole,
-/// or nothing. No failure is an error: what can't be stored is built again the next time.
+/// Nothing in the folder is trusted: what `find` returns is what this user stored under this key,
+/// whole, or nothing. No failure is an error: what can't be stored is built again the next time.
 class ProgramCache {
   public:
     static constexpr std::uintmax_t default_limit = std::uintmax_t{64} << 20U;

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/sources.hpp"
 #include "guarded.hpp"
+#include "sources/sources.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -95,28 +95,30 @@ std::optional<ProgramCache> user_program_cache(bool by_default) {
     return folder ? std::optional{ProgramCache{*folder}} : std::nullopt;
 }
 
-Programs::Programs(const OpenClDevice& device, cl::Context context,
+Programs::Programs(const OpenClDevice& device, cl::Context context, const std::string& options,
                    std::optional<ProgramCache> cache)
     : device_(device), context_(std::move(context)), cache_(std::move(cache)),
-      common_options_(common_options(device.device)) {}
+      options_(common_options(device.device) + options), kernels_(all_kernels().size()) {}
 
-void Programs::make_ready(LazyKernel& lazy) {
-    if (lazy.kernel() != nullptr) return;
-    const std::string key = std::string{lazy.file} + ' ' + lazy.defines;
+BuiltKernel& Programs::built(const Kernel& kernel) {
+    BuiltKernel& own = kernels_[kernel.index];
+    if (own.kernel() != nullptr) return own;
+    const std::string key = std::string{kernel.stage} + ' ' + std::string{kernel.defines};
     auto program = programs_.find(key);
     if (program == programs_.end()) {
-        const ProgramRecipe recipe{lazy.file, kernel_source(lazy.file),
-                                   common_options_ + lazy.defines};
+        const ProgramRecipe recipe{kernel.file(), source_of(kernel),
+                                   options_ + ' ' + std::string{kernel.defines}};
         program =
             programs_
                 .emplace(key, make_program(device_, context_, recipe, cache_ ? &*cache_ : nullptr))
                 .first;
     }
     guarded(device_, "creating a kernel", [&] {
-        cl::Kernel kernel{program->second, lazy.name};
-        lazy.largest_group = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device);
-        lazy.kernel = kernel;
+        cl::Kernel made{program->second, std::string{kernel.name}.c_str()};
+        own.largest_group = made.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device);
+        own.kernel = made;
     });
+    return own;
 }
 
 } // namespace lineatlas::compute

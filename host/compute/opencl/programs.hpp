@@ -6,16 +6,13 @@
 #include <string>
 
 #include "devices.hpp"
+#include "lineatlas/compute_device.hpp"
 #include "program_cache.hpp"
 
 namespace lineatlas::compute {
 
-/// A kernel of a program that is built when one of its kernels is first used: looking at a source
-/// takes some drivers 20 ms even if they know it, and few frames need all of them.
-struct LazyKernel {
-    const char* file;
-    const char* name;
-    std::string defines{};
+/// A kernel of a built program.
+struct BuiltKernel {
     cl::Kernel kernel{};
     std::size_t largest_group = 0; ///< of its work-groups, by the registers that it needs
 };
@@ -42,16 +39,21 @@ std::optional<ProgramCache> user_program_cache(bool by_default);
 /// The programs of one context, each made once.
 class Programs {
   public:
-    Programs(const OpenClDevice& device, cl::Context context, std::optional<ProgramCache> cache);
+    /// `options`: for the compiler, of every program.
+    Programs(const OpenClDevice& device, cl::Context context, const std::string& options,
+             std::optional<ProgramCache> cache);
 
-    /// Makes the kernel, with its program, if this is the first use. Throws as make_program does.
-    void make_ready(LazyKernel& lazy);
+    /// The kernel, built with its program if this is the first use: looking at a source takes some
+    /// drivers 20 ms even if they know it, and few frames need all of them. Throws as make_program
+    /// does.
+    BuiltKernel& built(const Kernel& kernel);
 
   private:
     OpenClDevice device_;
     cl::Context context_;
     std::optional<ProgramCache> cache_;
-    std::string common_options_;
+    std::string options_;
+    std::vector<BuiltKernel> kernels_;            ///< by Kernel::index
     std::map<std::string, cl::Program> programs_; ///< by file and defines
 };
 

@@ -10,7 +10,7 @@ namespace lineatlas::compute {
 namespace {
 
 /// Those that a working program can meet; others are numbers.
-constexpr std::array<std::pair<cl_int, const char*>, 16> names{{
+constexpr std::array<std::pair<cl_int, const char*>, 19> names{{
     {CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
     {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
     {CL_OUT_OF_RESOURCES, "CL_OUT_OF_RESOURCES"},
@@ -22,6 +22,9 @@ constexpr std::array<std::pair<cl_int, const char*>, 16> names{{
     {CL_INVALID_CONTEXT, "CL_INVALID_CONTEXT"},
     {CL_INVALID_COMMAND_QUEUE, "CL_INVALID_COMMAND_QUEUE"},
     {CL_INVALID_MEM_OBJECT, "CL_INVALID_MEM_OBJECT"},
+    {CL_INVALID_ARG_INDEX, "CL_INVALID_ARG_INDEX"},
+    {CL_INVALID_ARG_VALUE, "CL_INVALID_ARG_VALUE"},
+    {CL_INVALID_ARG_SIZE, "CL_INVALID_ARG_SIZE"},
     {CL_INVALID_KERNEL_ARGS, "CL_INVALID_KERNEL_ARGS"},
     {CL_INVALID_WORK_GROUP_SIZE, "CL_INVALID_WORK_GROUP_SIZE"},
     {CL_INVALID_WORK_ITEM_SIZE, "CL_INVALID_WORK_ITEM_SIZE"},
@@ -48,8 +51,8 @@ std::string advice_on(cl_int status) {
         return "; perhaps its memory has run out: " + std::string{purpose::scratch.help};
     }
     if (status == CL_DEVICE_NOT_AVAILABLE) {
-        return "; the device is lost: make a new renderer, on another --device or with --compute "
-               "reference";
+        return "; the device is lost: make a new renderer, on another DeviceOptions::device or "
+               "DeviceOptions::compute cpp";
     }
     return {};
 }

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "core/sources.hpp"
 #include "quirks.hpp"
+#include "sources/sources.hpp"
 #include "tuning_table.hpp"
 
 namespace lineatlas::compute {

@@ -43,8 +43,9 @@ std::span<const TuningField> tuning_fields() {
         {"atlas_block", &Tuning::atlas_block, {}, largest_block},
         {"atlas_vectors", &Tuning::atlas_vectors},
         {"halo_lanes", &Tuning::halo_lanes, {1, 8, 16}},
+        {"face_lanes", &Tuning::face_lanes, {1, 4, 8, 16}},
+        {"face_chunks", &Tuning::face_chunks, {}, 4096},
         {"segment_block", &Tuning::segment_block, {}, largest_block},
-        {"sample_block", &Tuning::sample_block, {}, largest_block},
         {"program_cache", &Tuning::program_cache},
     };
     return fields;

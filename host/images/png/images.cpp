@@ -33,9 +33,9 @@ bool can_write(const std::string& extension) {
     return extension == ".png";
 }
 
-Image read(const std::filesystem::path& path) {
+Image decode(const std::filesystem::path&, std::string_view file) {
     Picture picture;
-    picture.check(png_image_begin_read_from_file(&picture.image, path.c_str()));
+    picture.check(png_image_begin_read_from_memory(&picture.image, file.data(), file.size()));
     constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U; // 16384 x 16384
     if (std::uint64_t{picture.image.width} * picture.image.height > most_pixels)
         throw std::runtime_error("it has more than 2^28 pixels");
@@ -74,7 +74,7 @@ std::vector<unsigned char> encode(const std::filesystem::path& path, const Pixel
 } // namespace
 } // namespace lineatlas::images
 
-extern "C" const lineatlas::images::Module lineatlas_images_2{.can_write =
+extern "C" const lineatlas::images::Module lineatlas_images_3{.can_write =
                                                                   lineatlas::images::can_write,
-                                                              .read = lineatlas::images::read,
+                                                              .decode = lineatlas::images::decode,
                                                               .encode = lineatlas::images::encode};

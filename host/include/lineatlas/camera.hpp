@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -12,7 +13,19 @@
 
 namespace lineatlas {
 
-/// A perspective camera as a person describes it: where the eye is, what it looks at.
+/// How space is brought onto the picture.
+enum class Projection {
+    perspective,  ///< lines of sight meet in the eye
+    orthographic, ///< they are parallel: what is equally long looks so, near or far
+};
+
+/// "perspective" or "orthographic".
+LINEATLAS_API std::string_view name_of(Projection projection);
+
+/// The other way; throws UsageError with both names.
+LINEATLAS_API Projection parse_projection(std::string_view name);
+
+/// A camera as a person describes it: where the eye is, what it looks at.
 struct View {
     glm::vec3 eye{0, 0, 1};    ///< where the eye is, in model units
     glm::vec3 target{0, 0, 0}; ///< the point it looks at
@@ -20,7 +33,31 @@ struct View {
     float fov_y = 0.6981317F;  ///< vertical field of view in radians (40 degrees)
     float near = 0;            ///< distance of the near plane; 0: fitted to the bounds
     float far = 0;             ///< distance of the far plane; 0: fitted to the bounds
+    /// An orthographic view shows as much as a perspective one does at its target: moving the eye
+    /// away makes things smaller in both.
+    Projection projection = Projection::perspective;
 };
+
+/// What a view shows from the picture's lower border to its upper one, in model units; of a
+/// perspective view at its target.
+LINEATLAS_API float shown_height(const View& view);
+
+/// The same with the eye moved along the line of sight so that a height above 0 is shown: a drawing
+/// to scale, in orthographic projection.
+LINEATLAS_API View with_shown_height(const View& view, float height);
+
+/// From where one looks at a model.
+struct ViewDirection {
+    glm::vec3 toward_eye{0, 0, 1}; ///< a unit vector
+    glm::vec3 up{0, 1, 0};         ///< upwards in the picture; not along `toward_eye`
+};
+
+/// A direction by its name: "front", "back", "left", "right", "top", "bottom", "isometric",
+/// "dimetric" (ISO 5456-3: depth at half the scale of width and height), or "AZIMUTH,ELEVATION" in
+/// degrees: from the front to the right, and upwards. `up`: the model's, a unit axis; its front is
+/// where -y points if that is z, else where z does. "left" is seen from the left. Throws UsageError
+/// with all names.
+LINEATLAS_API ViewDirection view_direction(std::string_view name, glm::vec3 up);
 
 /// What glClipControl() was told where it was called; the default is GL's.
 struct ClipControl {
@@ -53,18 +90,22 @@ struct PictureTile {
     glm::ivec2 size{0, 0}; ///< width and height
 };
 
-/// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then.
-/// Throws UsageError when a number is not finite, the eye is the target, `up` is along the line of
-/// sight, the field of view is not in (0, pi) or the size is not positive.
+/// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then; an
+/// orthographic view then shows what lies behind its eye, too. Throws UsageError when a number is
+/// not finite, the eye is the target, `up` is along the line of sight, the field of view is not in
+/// (0, pi) or the size is not positive.
 LINEATLAS_API Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
 
 /// A view from the front, right and above in which all `points` just fit, with a small margin.
 /// There must be at least one. `up` must be a unit axis.
 LINEATLAS_API View frame_points(std::span<const glm::vec3> points, glm::ivec2 size,
-                                glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y);
+                                glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y,
+                                Projection projection = Projection::perspective);
 
-/// The same seen from another side: `toward_eye` is a unit vector, not along `up`.
-View frame_points_from(glm::vec3 toward_eye, std::span<const glm::vec3> points, glm::ivec2 size,
-                       glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y);
+/// The same seen from another side.
+LINEATLAS_API View frame_points_from(const ViewDirection& direction,
+                                     std::span<const glm::vec3> points, glm::ivec2 size,
+                                     float fov_y = View{}.fov_y,
+                                     Projection projection = Projection::perspective);
 
 } // namespace lineatlas

@@ -43,7 +43,7 @@ constexpr LineKindMask mask_of(LineKind kind) {
 struct LineOptions {
     LineKindMask kinds = all_line_kinds; ///< others are not extracted
     float crease_angle = 0.5235988F;     ///< radians, 0 to pi; edges bent by more are creases
-    /// Radians. A path goes on through a vertex where it turns by no more than this.
+    /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
     /// Objects move on their own (Renderer::set_transforms): nothing is welded between them, so
     /// that where they touch each has a line of its own. They are those of Mesh::triangle_object,
@@ -97,7 +97,9 @@ struct LineSet {
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
-/// Throws UsageError when an index of the mesh is out of range or a position is not finite.
+/// Throws UsageError when an index of the mesh, of a position or of a group, is out of range, when
+/// there are not as many of Mesh::triangle_group as of triangles, a position is not finite, or an
+/// angle out of range.
 LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {});
 
 /// Moves the vertices as Renderer::set_transforms() shows them: for make_drawing(), and for a

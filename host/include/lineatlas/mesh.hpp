@@ -47,13 +47,15 @@ struct Mesh {
 /// positions alone, and vertices that only differ in normals are one.
 struct MeshArrays {
     std::span<const float> positions;           ///< x, y, z of each vertex
-    std::size_t stride = 3;                     ///< floats from one vertex to the next
+    std::size_t stride = 3;                     ///< floats, not bytes, to the next vertex
     std::span<const std::uint32_t> indices{};   ///< three per triangle; none: vertices as they come
     std::span<const std::uint32_t> materials{}; ///< a number per triangle; none: all are one
 };
 
-/// A copy of the arrays as a mesh, whose groups are the materials, named by their numbers. Throws
-/// UsageError when the arrays do not fit each other.
+/// A copy of the arrays as a mesh, whose groups are the materials, named by their numbers. The last
+/// vertex may end before its stride does. Throws UsageError when the arrays do not fit each other:
+/// an index that no vertex has, corners or materials that are not three or one to a triangle, one
+/// or two floats after the last vertex.
 LINEATLAS_API Mesh make_mesh(const MeshArrays& arrays);
 
 /// Adds a line of the program's own, drawn from point to point (LineKind::file).
@@ -65,7 +67,8 @@ struct Bounds {
     glm::vec3 max{-std::numeric_limits<float>::infinity()}; ///< greatest coordinates
 };
 
-/// The box around the positions that triangles or polylines use.
+/// The box around the positions that triangles or polylines use. Throws UsageError when an index is
+/// out of range.
 LINEATLAS_API Bounds bounds_of(const Mesh& mesh);
 
 } // namespace lineatlas

@@ -24,7 +24,10 @@ namespace lineatlas {
 
 /// How visibility is computed and strokes are drawn (Table 1).
 enum class Method {
-    atlas,       ///< the segment atlas (§4)
+    atlas, ///< the segment atlas (§4)
+    /// Lines cut against the faces before them: exact, with no depth buffer and no samples (beyond
+    /// the paper)
+    exact,
     spine,       ///< the spine test in the fragment shader (§3)
     item_buffer, ///< an item buffer (Northrup & Markosian 2000, Cole & Finkelstein 2008)
     opengl,      ///< depth-tested GL lines, the yardstick; no pens, no silhouettes
@@ -39,8 +42,8 @@ enum class AtlasForm {
 
 /// How lines lie in the rows of the atlas that are longer than what is left of one (§4.2, Fig. 8).
 enum class AtlasLayoutChoice {
-    wrap,   ///< they go on in the next row
-    gutter, ///< rows are longer by the longest line, with some texels wasted
+    wrap,   ///< they go on in the next row; raster draws every proxy line twice
+    gutter, ///< rows are longer by the longest line: drawn once, with some texels wasted
 };
 
 /// What widens runs to strokes (§4.4); both draw the same picture.
@@ -51,11 +54,13 @@ enum class StrokeShader {
 
 /// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
 struct DeviceOptions {
-    std::string compute = "opencl"; ///< "opencl", "reference" or another (docs/backends.md)
-    std::string device{};           ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
-    std::string interop{};          ///< "gl-sharing", "host-pointer", "copy" or "": chosen
-    /// For finding errors, slow: every stage runs with the same input on this backend or OpenCL
-    /// device too ("reference", "opencl:<platform>[:<device>]"), and the first that differs ends
+    /// "opencl", "cpp" or another (docs/backends.md); empty: OpenCL, else cpp where no driver
+    /// works, which Renderer::note() says then.
+    std::string compute{};
+    std::string device{};  ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
+    std::string interop{}; ///< "gl-sharing", "host-pointer", "copy" or "": chosen
+    /// For finding errors, slow: every kernel runs with the same input on this backend or OpenCL
+    /// device too ("cpp", "opencl:<platform>[:<device>]"), and the first that differs ends
     /// the frame with MismatchError. Not with gl-sharing. Empty: nothing is compared.
     std::string compare_with{};
     std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
@@ -104,7 +109,7 @@ struct FrameOptions {
     /// Average visibility with that of the frame before where the picture moves slowly, so that
     /// lines don't sparkle. A still picture, or the first after a jump, is not touched. Atlas only.
     bool steady = true;
-    KeptIntervals intervals = KeptIntervals::none; ///< atlas only
+    KeptIntervals intervals = KeptIntervals::none; ///< atlas and exact only
     /// Draw the picture; without it a frame is only computed, for its intervals.
     bool draw = true;
     bool measure_stages = false; ///< wait after every stage and report its time; slower
@@ -168,6 +173,10 @@ class LINEATLAS_API Renderer {
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
 
+    /// One line for people where the device is not what they may expect: no OpenCL driver works, so
+    /// that kernels run as C++. Else empty, and always so where DeviceOptions names one.
+    std::string note() const;
+
     /// Changes backend, device and sharing mode between frames. Lines and pens stay, from memory of
     /// the old device; what the last frame left to read does not, and nothing is averaged with it.
     /// Throws as the constructor does, and then all is as it was. A device that is lost can't give
@@ -176,7 +185,7 @@ class LINEATLAS_API Renderer {
 
     /// What DeviceOptions::compare_with has found equal.
     struct Comparison {
-        std::uint64_t stages = 0;   ///< runs of a stage
+        std::uint64_t kernels = 0;  ///< that ran
         std::uint64_t elements = 0; ///< of the tables they wrote
     };
     /// Counted from the renderer's first frame.

@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "style_numbers.h"
+
 namespace lineatlas {
 
 /// How two segments of a path meet.
@@ -44,26 +46,6 @@ struct Pen {
     float cap_length = 12;      ///< of tapered and textured caps
     Profile width_profile{1};   ///< factors of the width along a visible stroke, 0 to 4
     Profile opacity_profile{1}; ///< factors of the opacity, 0 to 1
-};
-
-/// Changes to visibility along each path (§4.5). Pixels; 0: off. In this order.
-struct StrokeFilter {
-    float fill = 0;      ///< holes shorter than this are closed
-    float drop = 0;      ///< visible runs shorter than this are left out
-    float overshoot = 0; ///< visible runs are longer by this at either end, beyond the path's too
-    /// Share of the overshoot that varies from path to path, 0 to 1; the same in every frame.
-    float overshoot_variation = 0;
-    float undershoot = 0; ///< visible runs are shorter by this where something hides the line
-    float halo = 0;       ///< gap in the farther of two lines that cross, beside the nearer stroke
-};
-
-/// Line density control (§4.5, Fig. 11).
-struct Density {
-    /// Pixels of line per pixel of the picture at most, averaged over a neighbourhood; 0: off.
-    float limit = 0;
-    /// Weight of each line kind (crease, boundary, material, silhouette, file), 0 to 1: lines of
-    /// more weight stay longer, then longer lines.
-    std::array<float, 5> priority{0.5F, 0.6F, 0.5F, 1, 1};
 };
 
 /// How faces are coloured.

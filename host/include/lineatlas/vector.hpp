@@ -128,6 +128,7 @@ struct SvgOptions {
     bool relative = true;   ///< shorter path data
     std::string title = "Line drawing"; ///< of the document
     std::string description{};          ///< the settings that made it, for people
+    std::string certificate{};          ///< what a check of it found, as metadata; empty: none
 };
 
 /// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room.
@@ -137,6 +138,7 @@ LINEATLAS_API std::string to_svg(const VectorDrawing& drawing, const SvgOptions&
 struct JsonOptions {
     bool tags = true;          ///< the pieces of each path
     std::string description{}; ///< the settings that made it, for people
+    std::string certificate{}; ///< what a check of it found; empty: none
     glm::dvec3 origin{0};      ///< added to points in space: LoadedMesh::origin
 };
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "compute/backends.hpp"
 #include "glpasses/interop/connect.hpp"
+#include "lineatlas/compute_device.hpp"
 #include "widgets.hpp"
 
 namespace lineatlas::viewer {
@@ -14,7 +14,7 @@ std::vector<DeviceChoice> find_devices() {
     for (const compute::OpenClDevice& device : compute::list_opencl_devices()) {
         choices.push_back({device.name(), {.device = device.name()}});
     }
-    for (const compute::BackendKind& kind : compute::backend_kinds()) {
+    for (const compute::DeviceKind& kind : compute::device_kinds()) {
         if (kind.name != "opencl") choices.push_back({kind.name, {.compute = kind.name}});
     }
     return choices;

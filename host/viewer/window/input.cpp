@@ -69,6 +69,9 @@ void Application::press_key(int key, int mods) {
         settings.split = !settings.split;
         session_.changed();
         break;
+    case GLFW_KEY_P:
+        session_.toggle_projection();
+        break;
     case GLFW_KEY_T:
         ui_.timings = !ui_.timings;
         break;
@@ -102,7 +105,7 @@ void Application::press_escape() {
 void Application::next_method() {
     Side& side = session_.settings.sides[0];
     side.method =
-        method_names.at((static_cast<std::size_t>(side.method) + 1) % method_names.size()).method;
+        method_labels.at((static_cast<std::size_t>(side.method) + 1) % method_labels.size()).method;
     session_.changed();
 }
 

@@ -7,10 +7,11 @@
 #include <CLI/App.hpp>
 
 #include "application.hpp"
-#include "apps/program.hpp"
-#include "apps/read_options.hpp"
-#include "apps/style_options.hpp"
-#include "apps/values.hpp"
+#include "command_line/device_options.hpp"
+#include "command_line/program.hpp"
+#include "command_line/read_options.hpp"
+#include "command_line/style_options.hpp"
+#include "command_line/values.hpp"
 #include "lineatlas/error.hpp"
 
 namespace {
@@ -18,10 +19,10 @@ namespace {
 using namespace lineatlas;
 
 struct Arguments {
-    std::string model, scene, style, camera, up;
+    std::string model, scene, style, camera, up = "auto";
     std::string size = "1280x800";
     viewer::ApplicationOptions options;
-    apps::ReadOptions read;
+    ReadOptions read;
 };
 
 void declare(CLI::App& app, Arguments& a) {
@@ -30,12 +31,10 @@ void declare(CLI::App& app, Arguments& a) {
                    "A built-in scene in place of MODEL: clevis, house, ship, office");
     app.add_option("--style", a.style, "Name of a style, or a TOML file");
     app.add_option("--camera", a.camera, "A camera to begin with: JSON, as the viewer saves it");
-    app.add_option("--up", a.up, "Upward axis of the model: x, y, z or X,Y,Z; default y");
+    app.add_option("--up", a.up,
+                   "Upward axis of the model: x, y, z or X,Y,Z; auto looks how it stands");
     app.add_option("--size", a.size, "Size of the window")->capture_default_str();
-    app.add_option("--compute", a.options.device.compute, "Backend")->capture_default_str();
-    app.add_option("--device", a.options.device.device, "OpenCL device, see `lineatlas devices`");
-    app.add_option("--interop", a.options.device.interop,
-                   "How buffers are shared with GL: gl-sharing, host-pointer or copy");
+    declare_device(app, a.options.device);
     app.add_option("--ui-scale", a.options.scale,
                    "Size of letters and panels, 1 to 4; default as the display wants it")
         ->check(CLI::Range(0.5, 4.0));
@@ -45,11 +44,11 @@ void declare(CLI::App& app, Arguments& a) {
 
 void view(Arguments& arguments, ImageWriter& writer) {
     arguments.read.check();
-    arguments.options.size = apps::parse_size("--size", arguments.size);
+    arguments.options.size = parse_size("--size", arguments.size);
     viewer::Application application{arguments.options, writer};
     viewer::Session& session = application.session();
     session.read_limits = arguments.read.limits();
-    if (!arguments.up.empty()) session.up = apps::parse_up("--up", arguments.up);
+    if (arguments.up != "auto") session.up = parse_up("--up", arguments.up);
     if (!arguments.style.empty()) session.use_style(arguments.style);
     if (!arguments.camera.empty()) session.open_first_camera(arguments.camera);
     if (!arguments.model.empty())
@@ -63,7 +62,7 @@ int run(int argc, char** argv) {
     CLI::App app{"lineatlas view: look at a model in a window", "lineatlas view"};
     Arguments arguments;
     declare(app, arguments);
-    if (const std::optional<int> code = apps::parse(app, argc, argv)) return *code;
+    if (const std::optional<int> code = parse(app, argc, argv)) return *code;
     if (!arguments.model.empty() && !arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
@@ -82,5 +81,5 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    return lineatlas::apps::run_program(argc, argv, run);
+    return lineatlas::run_program(argc, argv, run);
 }

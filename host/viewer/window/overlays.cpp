@@ -35,6 +35,10 @@ void toolbar(Ui& ui, Area canvas) {
         if (button(ui, id, text)) ui.session.glide_to(view);
     }
     ImGui::SameLine(0, ui.points(14));
+    const bool parallel = ui.session.navigation.goal().projection == Projection::orthographic;
+    if (toggle(ui, "parallel", "Parallel", parallel)) ui.session.toggle_projection();
+    tip("Parallel lines of sight: what is equally long looks so (P)");
+    ImGui::SameLine();
     if (toggle(ui, "timings", "Timings", ui.timings)) ui.timings = !ui.timings;
     tip("Where a frame's time goes (T)");
     ImGui::SameLine();
@@ -46,13 +50,13 @@ void toolbar(Ui& ui, Area canvas) {
 
 /// On the side's end of the slider; below the toolbar where there is no room beside it.
 void side_name(const Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
-    std::string text = name_of(side.method).label;
+    std::string text = label_of(side.method);
     if (side.method != Method::opengl) {
         text += fmt::format(", {} probe{}", side.probes, side.probes == 1 ? "" : "s");
     }
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float left = x + direction * ui.points(20) - (direction < 0 ? size.x : 0);
-    const bool beside = left > canvas.low.x + ui.points(410);
+    const bool beside = left > canvas.low.x + ui.points(500);
     const ImVec2 low{left, canvas.low.y + ui.points(beside ? 21 : 66)};
     const ImVec2 padding{ui.points(8), ui.points(4)};
     const ImVec2 box_low{low.x - padding.x, low.y - padding.y};
@@ -162,7 +166,7 @@ void draw_help(Ui& ui, Area canvas) {
         const char* key;
         const char* what;
     };
-    static constexpr std::array<Row, 21> rows{{{"Left drag", "Orbit the point under the mouse"},
+    static constexpr std::array<Row, 22> rows{{{"Left drag", "Orbit the point under the mouse"},
                                                {"Middle or Shift + left drag", "Pan"},
                                                {"Wheel or Ctrl + left drag", "Go nearer, go away"},
                                                {"Right drag", "Look around"},
@@ -176,6 +180,7 @@ void draw_help(Ui& ui, Area canvas) {
                                                {"N", "Next style"},
                                                {"H", "Hidden lines"},
                                                {"X", "Split screen"},
+                                               {"P", "Parallel lines of sight"},
                                                {"T", "Timings"},
                                                {"Tab", "Sidebar"},
                                                {"", ""},

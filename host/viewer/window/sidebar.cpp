@@ -3,6 +3,7 @@
 // After imgui.h.
 #include <imgui_stdlib.h>
 
+#include "core/limits.hpp"
 #include "lineatlas/scenes.hpp"
 #include "viewer/saving.hpp"
 #include "widgets.hpp"
@@ -49,13 +50,14 @@ bool quality(Ui& ui, Side& side, const std::string& id) {
     label(ui, "Quality");
     const float half =
         0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemInnerSpacing.x);
-    for (const auto& [name, probes, scale] :
-         {std::tuple{"Low", 1U, 1}, std::tuple{"High", 9U, 2}}) {
-        const bool on = side.probes == probes && side.depth_scale == scale;
-        if (probes != 1) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    for (const auto& [name, quality] :
+         {std::pair{"Low", Quality::low}, std::pair{"High", Quality::high}}) {
+        const Sampling sampling = sampling_of(quality);
+        const bool on = sampling == Sampling{side.probes, side.depth_scale};
+        if (quality != Quality::low) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
         if (toggle(ui, (id + "." + name).c_str(), name, on, half) && !on) {
-            side.probes = probes;
-            side.depth_scale = scale;
+            side.probes = sampling.probes;
+            side.depth_scale = sampling.depth_scale;
             changed = true;
         }
     }
@@ -65,10 +67,10 @@ bool quality(Ui& ui, Side& side, const std::string& id) {
 bool method(Ui& ui, Side& side, const std::string& id, const char* text) {
     const Side before = side;
     choice(
-        ui, id.c_str(), text, name_of(side.method).label, method_names,
-        [](const MethodName& name) { return std::string{name.label}; },
-        [&](const MethodName& name) { return name.method == side.method; },
-        [&](const MethodName& name) { side.method = name.method; });
+        ui, id.c_str(), text, label_of(side.method), method_labels,
+        [](const MethodLabel& item) { return std::string{item.label}; },
+        [&](const MethodLabel& item) { return item.method == side.method; },
+        [&](const MethodLabel& item) { side.method = item.method; });
     ImGui::BeginDisabled(side.method == Method::opengl); // it has no probes
     const bool changed = quality(ui, side, id);
     ImGui::EndDisabled();
@@ -77,9 +79,8 @@ bool method(Ui& ui, Side& side, const std::string& id, const char* text) {
 
 bool fine_quality(Ui& ui, Side& side) {
     bool changed = false;
-    static constexpr std::array<std::uint32_t, 4> probes{1, 4, 9, 16};
     choice(
-        ui, "probes", "Probes", std::to_string(side.probes), probes,
+        ui, "probes", "Probes", std::to_string(side.probes), probe_counts,
         [](std::uint32_t n) { return std::to_string(n); },
         [&](std::uint32_t n) { return n == side.probes; },
         [&](std::uint32_t n) {
@@ -87,8 +88,8 @@ bool fine_quality(Ui& ui, Side& side) {
             changed = true;
         });
     label(ui, "Depth scale");
-    changed |=
-        ImGui::SliderInt("##depth", &side.depth_scale, 1, 4, "%dx", ImGuiSliderFlags_AlwaysClamp);
+    changed |= ImGui::SliderInt("##depth", &side.depth_scale, 1, finest_depth_scale, "%dx",
+                                ImGuiSliderFlags_AlwaysClamp);
     ui.spots.note("depth-scale");
     changed |= slider(ui, "step", "Step", side.step, 0.5F, 8, "%.1f px");
     return changed;

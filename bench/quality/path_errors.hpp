@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "truth/certificate.hpp"
+
+// How right drawings are as paths, and as pictures of pixels.
+namespace lineatlas::bench {
+
+/// Of one view; lengths in pixels.
+struct PathFigures {
+    double visible = 0, undecided = 0;
+    double missed = 0, false_drawn = 0;           ///< within 0.5 px
+    double missed_wide = 0, false_drawn_wide = 0; ///< within 1.5 px
+    double decided = 0, hidden = 0;               ///< by each piece's own segment
+    double surely_wrong = 0;
+    double ink = 0; ///< dark pixels
+    double missed_ink = 0, false_ink = 0;
+    double ink_visible = 0; ///< what `missed_ink` is a part of
+
+    double missed_share() const { return share(missed, visible); }
+    double false_share() const { return share(false_drawn, visible); }
+    double hidden_share() const { return share(hidden, decided); }
+    double missed_ink_share() const { return share(missed_ink, ink_visible); }
+    double false_ink_share() const { return share(false_ink, ink); }
+
+  private:
+    static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+};
+
+/// Of one view: its paths and its picture.
+PathFigures figures_of(const Certificate& paths, const DrawingErrors& ink);
+
+struct PathReport {
+    std::string name; ///< of the subject and the view
+    std::string method;
+    PathFigures figures;
+};
+
+void print_paths_header();
+void print_paths(const PathReport& report);
+
+} // namespace lineatlas::bench

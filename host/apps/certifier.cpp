@@ -1,0 +1,29 @@
+#include "certifier.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "truth/certificate.hpp"
+#include "truth/patches.hpp"
+
+namespace lineatlas::apps {
+
+Certifier::Certifier(const Mesh& mesh, const LineSet& lines, float crease_angle)
+    // Patches end at lines of every kind, drawn or not.
+    : scene_(std::make_unique<RayScene>(
+          lines, smooth_patches(extract_lines(mesh, {.crease_angle = crease_angle})))) {}
+
+Certifier::~Certifier() = default;
+
+std::string Certifier::check(const VectorDrawing& drawing, const Camera& camera,
+                             const std::filesystem::path& path) const {
+    const EdgeTruth truth{
+        *scene_, camera, {.threads = std::max(1U, std::thread::hardware_concurrency())}};
+    std::string found = certificate_line(certify(truth, drawn_lines(drawing)));
+    fmt::print("{}: {}\n", path.string(), found);
+    return found;
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "lineatlas/lines.hpp"
+#include "lineatlas/vector.hpp"
+
+namespace lineatlas {
+class RayScene;
+}
+
+namespace lineatlas::apps {
+
+/// `draw --certify`: checks drawings of one model by rays.
+class Certifier {
+  public:
+    /// `lines` are those that are drawn, of the mesh, and must outlive it; creases are bent by more
+    /// than `crease_angle` radians. Throws FileError when the module for rays can't be loaded.
+    Certifier(const Mesh& mesh, const LineSet& lines, float crease_angle);
+    ~Certifier();
+
+    /// Says on stdout, and returns, what rays find in one line.
+    std::string check(const VectorDrawing& drawing, const Camera& camera,
+                      const std::filesystem::path& path) const;
+
+  private:
+    std::unique_ptr<RayScene> scene_;
+};
+
+} // namespace lineatlas::apps

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "command_line/read_options.hpp"
+#include "command_line/values.hpp"
+#include "commands.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/io.hpp"
+#include "style/frame_settings.hpp"
+#include "truth/certificate.hpp"
+#include "truth/drawing_file.hpp"
+#include "truth/patches.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+constexpr float radians_per_degree = std::numbers::pi_v<float> / 180;
+constexpr int picture_scale = 2;
+
+struct CheckArguments {
+    std::string drawing, model, picture;
+    std::size_t worst = 5;
+    std::optional<double> at_most;
+    ReadOptions read;
+};
+
+/// How a drawing was made.
+struct Making {
+    View view;
+    LineOptions lines;
+};
+
+float parse_degrees(const std::string& text) {
+    float value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw UsageError("\"" + text + "\" is no angle");
+    return value * radians_per_degree;
+}
+
+/// `origin`: of the model, in its file's coordinates. Throws FileError when the drawing does not
+/// say how it was made.
+Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3 origin) {
+    const auto given = [&](const char* option) {
+        const auto value = described(drawing.description, option);
+        if (!value) throw UsageError(std::string{"it does not say "} + option);
+        return *value;
+    };
+    try {
+        Making making{.view = {.eye = parse_point("--eye", given("--eye")) - origin,
+                               .target = parse_point("--target", given("--target")) - origin,
+                               .up = parse_up("--up", given("--up")),
+                               .fov_y = parse_degrees(given("--fov"))},
+                      .lines = {}};
+        if (const auto projection = described(drawing.description, "--projection"))
+            making.view.projection = parse_projection(*projection);
+        if (const auto crease = described(drawing.description, "--crease"))
+            making.lines.crease_angle = parse_degrees(*crease);
+        if (const auto kinds = described(drawing.description, "--lines")) {
+            const std::optional<LineKindMask> known = line_kinds_from(*kinds);
+            if (!known) throw UsageError("--lines \"" + *kinds + "\" is unknown");
+            making.lines.kinds = *known;
+        }
+        return making;
+    } catch (const UsageError& error) {
+        throw FileError("cannot check \"" + path + "\": " + error.what() +
+                        "; draw it again by `lineatlas draw`");
+    }
+}
+
+/// Throws Error when more of the drawing is wrong than may be.
+void hold_to(double at_most, const DrawingErrors& errors, const std::string& path) {
+    for (const auto& [what, share] :
+         {std::pair{"missed", errors.missed_share()}, std::pair{"false", errors.false_share()}}) {
+        if (100 * share <= at_most) continue;
+        throw Error(
+            fmt::format("\"{}\": {:.4f} % is {} within {:g} pixels, more than --at-most {:g}", path,
+                        100 * share, what, errors.reach, at_most));
+    }
+}
+
+void check(const CheckArguments& arguments) {
+    arguments.read.check();
+    if (!arguments.picture.empty()) check_image_path(arguments.picture);
+    check_ray_module();
+    const DrawingFile drawing = read_drawing(arguments.drawing);
+    const LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
+    const Mesh& mesh = loaded.mesh;
+    const Making making = making_of(drawing, arguments.drawing, loaded.origin);
+    const std::vector<std::uint32_t> patches =
+        smooth_patches(extract_lines(mesh, {.crease_angle = making.lines.crease_angle}));
+    const LineSet lines = extract_lines(mesh, making.lines);
+    const Camera camera = make_camera(making.view, drawing.size, lines.bounds);
+
+    const RayScene scene{lines, patches};
+    const EdgeTruth truth{
+        scene, camera, {.threads = std::max(1U, std::thread::hardware_concurrency())}};
+    const DrawnLines drawn = find_segments(drawing, lines);
+    const Certificate certificate = certify(truth, drawn);
+    fmt::print("{}", certificate_table(certificate, arguments.worst));
+    if (!arguments.picture.empty())
+        write_image(arguments.picture,
+                    error_picture(truth, drawn.legs, certificate.narrow, picture_scale));
+    std::fflush(stdout); // what is said of it comes after it
+    if (arguments.at_most) hold_to(*arguments.at_most, certificate.narrow, arguments.drawing);
+}
+
+} // namespace
+
+Command setup_check(CLI::App& app) {
+    auto arguments = std::make_shared<CheckArguments>();
+    CheckArguments& a = *arguments;
+    app.add_option("DRAWING", a.drawing, "What `lineatlas draw` wrote: SVG or JSON")->required();
+    app.add_option("MODEL", a.model, "The model that it was drawn of")->required();
+    app.add_option("-o,--output", a.picture,
+                   "Picture of the errors to write: false lines red, missed ones blue");
+    app.add_option("--worst", a.worst, "Places of each kind of error to list")
+        ->capture_default_str();
+    app.add_option(
+           "--at-most", a.at_most,
+           "Fail (exit code 1) where more than this is missed or false within 0.5 pixels, in "
+           "% of what is visible")
+        ->check(CLI::Range(0.0, 100.0));
+    a.read.declare(app);
+    app.footer("Rays are cast from the eye to every quarter of a pixel of every line of the model, "
+               "and the\ndrawing is compared with what they say. Camera and lines are those that "
+               "the drawing names.\nHalos, overshoot and short lines left out count as errors.\n"
+               "Example:\n"
+               "  lineatlas check drawing.svg model.obj -o errors.png");
+    return [arguments] { check(*arguments); };
+}
+
+} // namespace lineatlas::apps

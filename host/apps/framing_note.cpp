@@ -1,0 +1,112 @@
+#include "framing_note.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace lineatlas::apps {
+namespace {
+
+/// A part is small with at most this share of all triangles and lines,
+constexpr double small_share = 0.02;
+/// and far away where the frame would be at most this large without it.
+constexpr float far_ratio = 0.5F;
+/// The model in slices along an axis: gaps narrower than one are not seen.
+constexpr std::size_t slices = 256;
+
+Bounds joined(const Bounds& a, const Bounds& b) {
+    return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
+}
+
+float extent(const Bounds& bounds) {
+    return glm::distance(bounds.min, bounds.max);
+}
+
+/// Calls `each` with the box of every triangle and line.
+template <class Each>
+void for_each_box(const LineSet& lines, Each each) {
+    const auto at = [&](std::uint32_t vertex) { return lines.vertices[vertex]; };
+    for (const glm::uvec3& t : lines.triangles) {
+        each(Bounds{glm::min(glm::min(at(t.x), at(t.y)), at(t.z)),
+                    glm::max(glm::max(at(t.x), at(t.y)), at(t.z))});
+    }
+    for (const Segment& s : lines.segments)
+        each(Bounds{glm::min(at(s.p), at(s.q)), glm::max(at(s.p), at(s.q))});
+}
+
+/// What lies in the slices along an axis.
+struct Slices {
+    std::array<std::size_t, slices> middles{};       ///< boxes whose middle lies there
+    std::array<std::ptrdiff_t, slices + 1> change{}; ///< of the number of boxes that reach there
+
+    void add(std::size_t from, std::size_t to) {
+        ++middles[(from + to) / 2];
+        ++change[from];
+        --change[to + 1];
+    }
+
+    /// The slices up to and from gaps that cut off at most `most` boxes at either end.
+    std::pair<std::size_t, std::size_t> main_part(std::size_t most) const {
+        std::array<bool, slices> covered{};
+        std::ptrdiff_t boxes = 0;
+        for (std::size_t i = 0; i < slices; ++i) covered[i] = (boxes += change[i]) > 0;
+        std::size_t first = 0, last = slices - 1, cut = 0;
+        for (std::size_t i = 0; i < slices && cut <= most; cut += middles[i++])
+            if (!covered[i]) first = i + 1;
+        cut = 0;
+        for (std::size_t i = slices; i-- > first && cut <= most; cut += middles[i])
+            if (!covered[i]) last = i - 1;
+        return {first, last};
+    }
+};
+
+} // namespace
+
+std::string framing_note(const LineSet& lines, glm::dvec3 origin) {
+    const Bounds& all = lines.bounds;
+    const glm::vec3 size = glm::max(all.max - all.min, glm::vec3{1e-30F});
+    const auto slice_of = [&](float value, int axis) {
+        const float place = (value - all.min[axis]) / size[axis] * static_cast<float>(slices);
+        return std::min(static_cast<std::size_t>(std::max(place, 0.0F)), slices - 1);
+    };
+    std::array<Slices, 3> axes{};
+    std::size_t total = 0;
+    for_each_box(lines, [&](const Bounds& box) {
+        ++total;
+        for (int axis = 0; axis < 3; ++axis) {
+            axes[static_cast<std::size_t>(axis)].add(slice_of(box.min[axis], axis),
+                                                     slice_of(box.max[axis], axis));
+        }
+    });
+    const auto most = static_cast<std::size_t>(small_share * static_cast<double>(total));
+    std::array<std::pair<std::size_t, std::size_t>, 3> kept;
+    std::ranges::transform(axes, kept.begin(),
+                           [&](const Slices& along) { return along.main_part(most); });
+    Bounds main;
+    std::size_t stray = 0;
+    for_each_box(lines, [&](const Bounds& box) {
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto [first, last] = kept[static_cast<std::size_t>(axis)];
+            inside = inside && slice_of(box.min[axis], axis) >= first &&
+                     slice_of(box.max[axis], axis) <= last;
+        }
+        if (inside)
+            main = joined(main, box);
+        else
+            ++stray;
+    });
+    if (stray == 0 || stray > most || extent(main) > far_ratio * extent(all)) return {};
+    const glm::dvec3 middle = 0.5 * (glm::dvec3{main.min} + glm::dvec3{main.max}) + origin;
+    return fmt::format("{} of {} triangles and lines lie far from all others, and the picture is "
+                       "{:.3g} times as wide for their sake; --eye and --target show the others, "
+                       "about {:.7g},{:.7g},{:.7g}",
+                       stray, total, extent(all) / extent(main), middle.x, middle.y, middle.z);
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lineatlas {
+
+/// How a program ended.
+struct ChildResult {
+    int exit_code = -1;     ///< -1 unless it ended by itself
+    int signal = 0;         ///< what ended it, 0 otherwise
+    bool timed_out = false; ///< it was ended, with all that it had started
+    std::string output;     ///< what it wrote
+    std::chrono::duration<double> took{};
+};
+
+enum class Captured { output, output_and_errors };
+
+/// Runs a program to its end or for `limit`, whichever comes first. `arguments` does not hold the
+/// name of the program. Throws Error if it can't be started.
+ChildResult run_child(const std::filesystem::path& program,
+                      const std::vector<std::string>& arguments, std::chrono::seconds limit,
+                      Captured captured = Captured::output);
+
+} // namespace lineatlas

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <CLI/App.hpp>
+
+namespace lineatlas {
+
+/// Reads the command line. Returns an exit code if the program should end now: 0 after --help, 2
+/// after a mistake, which has been printed.
+std::optional<int> parse(CLI::App& app, int argc, char** argv);
+
+/// The body of main() for every program; `name` begins its lines on stderr. Where this process was
+/// started as a reader of files (io/isolated.hpp) it reads. Otherwise it calls `run`, whose result
+/// is the exit code; an exception becomes a line on stderr and exit code 1 or 2, and so does output
+/// that could not be written.
+int run_program(int argc, char** argv, int (*run)(int argc, char** argv),
+                std::string_view name = "lineatlas");
+
+} // namespace lineatlas

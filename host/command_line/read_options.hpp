@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "io/isolated.hpp"
+#include "lineatlas/style.hpp"
+
+namespace lineatlas {
+
+/// --read-memory and --read-seconds: what the process that reads a file may take.
+class ReadOptions {
+  public:
+    void declare(CLI::App& app);
+    /// Throws UsageError.
+    void check() const;
+
+    ReadLimits limits() const;
+    /// The pictures of a style's pens. Throws FileError.
+    std::map<std::string, Image> pen_images(const Style& style) const;
+
+  private:
+    double gibibytes_ = 0; ///< 0: not given
+    double seconds_ = 0;
+    const CLI::App* app_ = nullptr;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+
+/// The user stopped the program with a signal; the exit code is 128 and its number.
+class Stopped : public Error {
+  public:
+    Stopped(int signal, const std::string& message) : Error(message), signal_(signal) {}
+    int exit_code() const { return 128 + signal_; }
+
+  private:
+    int signal_;
+};
+
+/// While it lives, SIGINT (Ctrl-C) and SIGTERM are noted instead of ending the program, so that it
+/// can stop where it suits. The second of a kind ends it at once. One at a time.
+class StopSignal {
+  public:
+    StopSignal();
+    ~StopSignal();
+    StopSignal(const StopSignal&) = delete;
+    StopSignal& operator=(const StopSignal&) = delete;
+
+    int received() const; ///< 0: none
+};
+
+} // namespace lineatlas

@@ -1,0 +1,27 @@
+#include "style_options.hpp"
+
+#include "lineatlas/style_files.hpp"
+#include "style/settings.hpp"
+
+namespace lineatlas {
+
+void StyleOptions::declare(CLI::App& app) {
+    const std::string group = "Style";
+    app.add_option("--style", name_,
+                   "Name of a style, see `lineatlas styles`, or a TOML file; default plain lines")
+        ->group(group);
+    app.add_option("--set", changes_, "key=value: change a setting of the style; may be repeated")
+        ->allow_extra_args(false)
+        ->group(group);
+    settings_.declare(app, settings(), group);
+}
+
+Style StyleOptions::style() const {
+    Style style;
+    if (!name_.empty()) style = load_style(name_);
+    for (const std::string& change : changes_) apply_setting(style, change);
+    settings_.apply(style);
+    return style;
+}
+
+} // namespace lineatlas

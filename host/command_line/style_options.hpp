@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "lineatlas/style.hpp"
+#include "setting_options.hpp"
+
+namespace lineatlas {
+
+/// --style, --set and an option for every setting (host/style/settings.hpp).
+class StyleOptions {
+  public:
+    /// Both live as long as each other.
+    void declare(CLI::App& app);
+
+    /// The style's file, then --set, then options of their own. Throws Error.
+    Style style() const;
+    /// As --style has it: a style's name or a file; empty: none.
+    const std::string& name() const { return name_; }
+
+  private:
+    std::string name_;
+    std::vector<std::string> changes_;
+    SettingOptions<Style> settings_;
+};
+
+} // namespace lineatlas

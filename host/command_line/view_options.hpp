@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "lineatlas/camera.hpp"
+
+namespace lineatlas {
+
+/// Where the camera stands, as the command line says it: --eye, --target, --up, --fov,
+/// --projection, --view, and --scale with --unit.
+class ViewOptions {
+  public:
+    /// Both live as long as each other.
+    void declare(CLI::App& app, const std::string& group);
+
+    /// Throws UsageError for what can't be or contradicts itself.
+    void check() const;
+
+    bool places_eye() const { return !eye_.empty(); }
+    bool to_scale() const { return !scale_.empty(); }
+    bool says_up() const { return !up_.empty() && up_ != "auto"; }
+    bool says_target() const { return !target_.empty(); }
+    bool says_direction() const { return !view_.empty(); }
+    glm::vec3 up(glm::vec3 otherwise) const; ///< `otherwise` where --up says none
+
+    /// From the side that --view names, else from the front, right and above.
+    View framed(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up) const;
+    /// Changes what options say otherwise. `origin`: of the view, in the file's coordinates.
+    /// `up_is_guessed`: the view's may turn where one looks along it.
+    void apply(View& view, glm::dvec3 origin, bool up_is_guessed) const;
+    /// The view to the scale that --scale asks for, if a pixel is `millimetres` on paper. `points`:
+    /// must all be in the picture, unless the options place the camera themselves. Throws
+    /// UsageError that names a scale which fits.
+    View scaled(const View& view, double millimetres, glm::ivec2 size,
+                std::span<const glm::vec3> points) const;
+
+  private:
+    float fov() const; ///< radians
+    Projection projection() const;
+
+    CLI::App* app_ = nullptr;
+    std::string eye_, target_, up_ = "auto", projection_, view_, scale_, unit_ = "mm";
+    float fov_ = 40;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace lineatlas::compute {
+
+/// Runs work-items `first` up to, without, `last` of `count` of a kernel, one after the other.
+/// `parameters`: its struct; `tables`: the memory of each of its tables, in the order of
+/// kernels/kernels.h.
+using HostFunction = void (*)(const void* parameters, void* const* tables, std::size_t first,
+                              std::size_t last, std::size_t count);
+
+/// A kernel as C++.
+struct HostKernel {
+    std::string_view name;
+    std::string_view defines; ///< as Kernel::defines
+    HostFunction run;
+};
+
+/// All kernels, compiled for the best instruction set that this processor has.
+std::span<const HostKernel> host_kernels();
+
+/// That instruction set, such as "avx2".
+std::string_view host_instruction_set();
+
+} // namespace lineatlas::compute

@@ -1,0 +1,155 @@
+// All kernels as C++, for one instruction set: LINEATLAS_INSTRUCTION_SET names the namespace, and
+// CMake gives the compiler's options.
+#include <utility>
+
+#include "host_kernels.hpp"
+
+#include "constants.h"
+#include "flags.h"
+#include "segment_table.h"
+#include "style_numbers.h"
+
+namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
+
+#include "opencl_c.hpp"
+
+#include "kernels.h"
+
+#include "atlas_address.h"
+#include "clipping.h"
+#include "exact.h"
+#include "float_pair.h"
+#include "run.h"
+
+// The form of a CPU: several probes, or lines, at once.
+#define HALO_LANES 16
+#define PROBE_VECTORS 1
+// As many as the instruction set holds: g++ 12 takes wider vectors apart into single numbers.
+#if defined(__AVX512F__)
+#define FACE_LANES 16
+#elif defined(__AVX2__)
+#define FACE_LANES 8
+#else
+#define FACE_LANES 4
+#endif
+
+namespace in_transform {
+#include "transform.cl"
+}
+namespace in_pyramid {
+#include "pyramid.cl"
+}
+namespace in_cull {
+#include "cull.cl"
+}
+namespace in_facing {
+#include "facing.cl"
+}
+namespace in_project_clip {
+#include "project_clip.cl"
+}
+namespace in_temporal {
+#include "temporal.cl"
+}
+namespace in_surfaces {
+#include "surfaces.cl"
+}
+namespace in_tile_lists {
+#include "tile_lists.cl"
+}
+namespace in_visible {
+#undef LANES
+#undef LANES_IN_USE
+#include "visible.cl"
+} // namespace in_visible
+namespace in_spans {
+#include "spans.cl"
+}
+namespace in_compact {
+#include "compact.cl"
+}
+namespace in_halo {
+#undef LANES
+#undef LANES_IN_USE
+#include "halo.cl"
+} // namespace in_halo
+namespace in_filter {
+#include "filter.cl"
+}
+namespace in_density {
+#include "density.cl"
+}
+
+#define SCAN_SATURATE 0
+namespace in_scan_0 {
+#include "scan.cl"
+}
+#undef SCAN_SATURATE
+#undef SCAN_ADD
+#define SCAN_SATURATE 1
+namespace in_scan_1 {
+#include "scan.cl"
+}
+
+namespace in_intervals {
+#undef LANES
+#undef LANES_IN_USE
+#include "intervals.cl"
+#undef PROBES
+} // namespace in_intervals
+
+#define PROBES_PER_AXIS 1
+#include "atlas_variants.hpp"
+#define PROBES_PER_AXIS 2
+#include "atlas_variants.hpp"
+#define PROBES_PER_AXIS 3
+#include "atlas_variants.hpp"
+#define PROBES_PER_AXIS 4
+#include "atlas_variants.hpp"
+
+namespace {
+
+template <auto kernel>
+struct Form;
+
+template <class Parameters, class... Tables,
+          void (*kernel)(WorkItem, const Parameters&, Tables*...)>
+struct Form<kernel> {
+    static void run(const void* parameters, void* const* tables, size_t first, size_t last,
+                    size_t count) {
+        run(parameters, tables, first, last, count, std::index_sequence_for<Tables...>{});
+    }
+    template <size_t... i>
+    static void run(const void* parameters, void* const* tables, size_t first, size_t last,
+                    size_t count, std::index_sequence<i...>) {
+        const Parameters args = *static_cast<const Parameters*>(parameters);
+        for (size_t id = first; id < last; ++id) {
+            kernel({id, count}, args, static_cast<Tables*>(tables[i])...);
+        }
+    }
+};
+
+#define FORM(stage, name, Parameters) {#name, "", Form<in_##stage::name>::run},
+#define SUM_FORMS(stage, name, Parameters)                                                         \
+    {#name, "-DSCAN_SATURATE=0", Form<in_scan_0::name>::run},                                      \
+        {#name, "-DSCAN_SATURATE=1", Form<in_scan_1::name>::run},
+#define PROBE_FORMS(stage, name, Parameters)                                                       \
+    {#name, "-DPROBES_PER_AXIS=1", Form<in_atlas_1::name>::run},                                   \
+        {#name, "-DPROBES_PER_AXIS=2", Form<in_atlas_2::name>::run},                               \
+        {#name, "-DPROBES_PER_AXIS=3", Form<in_atlas_3::name>::run},                               \
+        {#name, "-DPROBES_PER_AXIS=4", Form<in_atlas_4::name>::run},                               \
+        {#name, "-DPROBES_PER_AXIS=1 -DTILED", Form<in_tiled_atlas_1::name>::run},                 \
+        {#name, "-DPROBES_PER_AXIS=2 -DTILED", Form<in_tiled_atlas_2::name>::run},                 \
+        {#name, "-DPROBES_PER_AXIS=3 -DTILED", Form<in_tiled_atlas_3::name>::run},                 \
+        {#name, "-DPROBES_PER_AXIS=4 -DTILED", Form<in_tiled_atlas_4::name>::run},
+#define NO_FORM(stage, name, Parameters) // needs barriers
+
+constexpr HostKernel forms[] = {LA_KERNELS(FORM, SUM_FORMS, NO_FORM, PROBE_FORMS)};
+
+} // namespace
+
+std::span<const HostKernel> kernels() {
+    return forms;
+}
+
+} // namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET

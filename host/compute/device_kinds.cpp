@@ -1,0 +1,52 @@
+#include <algorithm>
+
+#include "cpp/cpp_device.hpp"
+#include "lineatlas/error.hpp"
+#include "opencl/opencl_backend.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+std::unique_ptr<Device> make_opencl(std::string_view device) {
+    return make_opencl_backend(find_opencl_devices(device.empty() ? "opencl" : device).front());
+}
+
+std::unique_ptr<Device> make_cpp(std::string_view) {
+    return make_cpp_device();
+}
+
+std::vector<DeviceKind>& table() {
+    static std::vector<DeviceKind> kinds{
+        {"opencl", "kernels on an OpenCL device", make_opencl},
+        {"cpp", "kernels as C++ on all cores", make_cpp},
+    };
+    return kinds;
+}
+
+} // namespace
+
+const std::vector<DeviceKind>& device_kinds() {
+    return table();
+}
+
+void register_device(DeviceKind kind) {
+    if (std::ranges::find(table(), kind.name, &DeviceKind::name) != table().end()) {
+        throw UsageError("there is a compute backend \"" + kind.name + "\" already");
+    }
+    table().push_back(std::move(kind));
+}
+
+std::string device_kind_names() {
+    std::string names;
+    for (const DeviceKind& kind : table()) names += (names.empty() ? "" : ", ") + kind.name;
+    return names;
+}
+
+std::unique_ptr<Device> make_device(std::string_view name, std::string_view device) {
+    const auto found = std::ranges::find(table(), name, &DeviceKind::name);
+    if (found != table().end()) return found->make(device);
+    throw UsageError("unknown compute backend \"" + std::string{name} + "\"; there is " +
+                     device_kind_names());
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lineatlas/compute_device.hpp"
+
+namespace lineatlas::compute {
+
+/// No kernel has more tables than that.
+inline constexpr std::size_t most_tables = 16;
+
+/// What a launch reads and writes if it touches its tables once: their sizes, those that are both
+/// read and written twice.
+inline std::uint64_t bytes_moved(const Launch& launch) {
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < launch.tables.size(); ++i) {
+        const Access access = launch.kernel.tables[i].access;
+        const bool twice = access == Access::inout || access == Access::unordered;
+        bytes += launch.tables[i]->size() * (twice ? 2 : 1);
+    }
+    return bytes;
+}
+
+} // namespace lineatlas::compute

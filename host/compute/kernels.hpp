@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "constants.h"
+#include "language.h"
+#include "lineatlas/compute_device.hpp"
+#include "segment_table.h"
+#include "style_numbers.h"
+
+namespace lineatlas::compute {
+
+using uint = std::uint32_t;
+using uchar = std::uint8_t;
+using la_int = std::int32_t;
+using la_vec2 = glm::vec2;
+using la_vec4 = glm::vec4;
+using la_ivec2 = glm::ivec2;
+using la_ivec4 = glm::ivec4;
+using la_mat4 = glm::mat4;
+
+#include "kernels.h"
+
+/// Every kernel of kernels/kernels.h as a type: its Parameters, and its Tables by their names.
+namespace kernels {
+
+#define LA_MEMBER(type, name) Buffer& name;
+#define LA_ADDRESS(type, name) &tables.name,
+#define LA_KERNEL_TYPE(stage, kernel, Parameters_)                                                 \
+    struct kernel {                                                                                \
+        static constexpr std::string_view name = #kernel;                                          \
+        using Parameters = Parameters_;                                                            \
+        struct Tables {                                                                            \
+            kernel##_tables(LA_MEMBER, LA_MEMBER, LA_MEMBER, LA_MEMBER)                            \
+        };                                                                                         \
+        static auto list(const Tables& tables) {                                                   \
+            return std::to_array<Buffer*>(                                                         \
+                {kernel##_tables(LA_ADDRESS, LA_ADDRESS, LA_ADDRESS, LA_ADDRESS)});                \
+        }                                                                                          \
+    };
+LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
+#undef LA_KERNEL_TYPE
+#undef LA_ADDRESS
+#undef LA_MEMBER
+
+} // namespace kernels
+
+/// The first of a kernel's variants; the others follow it in all_kernels().
+const Kernel& first_variant(std::string_view name);
+
+/// Variants count through SCAN_SATURATE 0 and 1; PROBES_PER_AXIS from 1 to 4, then those TILED.
+template <class K>
+const Kernel& kernel_of(std::uint32_t variant = 0) {
+    static const Kernel& first = first_variant(K::name);
+    return (&first)[variant];
+}
+
+} // namespace lineatlas::compute

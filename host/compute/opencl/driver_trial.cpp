@@ -1,0 +1,222 @@
+#include "driver_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/memory_limit.hpp"
+#include "opencl.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is left for the frame itself, beside what the drivers take for one small kernel.
+constexpr std::size_t room = std::size_t{192} << 20U;
+/// Some drivers wait for ever. A good one takes less than a second, but on a busy machine many: so
+/// what counts is how long nothing of it runs or wants to run.
+constexpr std::chrono::seconds most_asleep{3};
+constexpr std::chrono::seconds most_time{60};
+constexpr std::string_view of_pocl = "Portable Computing Language";
+
+bool has_linker() {
+    const char* folders = std::getenv("PATH");
+    std::istringstream path{folders != nullptr ? folders : ""};
+    for (std::string folder; std::getline(path, folder, ':');) {
+        if (::access((fs::path{folder} / "ld").c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+void try_device(const cl::Device& device) {
+    const cl::Context context{device};
+    const cl::CommandQueue queue{context, device};
+    const cl::Program program{
+        context, "kernel void tried(global uint* result) { result[get_global_id(0)] = 1; }", true};
+    const cl::Buffer buffer{context, CL_MEM_READ_WRITE, 64 * sizeof(cl_uint)};
+    cl::Kernel kernel{program, "tried"};
+    kernel.setArg(0, buffer);
+    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{64}, cl::NDRange{16});
+    queue.finish();
+}
+
+/// In the copy. Says which platform comes next before it is tried, so that the last one named is
+/// the one that failed.
+[[noreturn]] void try_all(int output, const std::vector<std::string>& without, const char* cache) {
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    ::signal(SIGABRT, SIG_DFL);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+        ::dup2(nowhere, STDOUT_FILENO);
+        ::dup2(nowhere, STDERR_FILENO);
+    }
+    if (cache != nullptr) ::setenv("POCL_CACHE_DIR", cache, 1); // what is built already needs no ld
+    const auto say = [&](const std::string& line) {
+        if (::write(output, line.data(), line.size()) < 0) ::_exit(1);
+    };
+    void* const taken =
+        ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (taken == MAP_FAILED) ::_exit(1);
+    try {
+        std::vector<cl::Platform> platforms;
+        cl::Platform::get(&platforms);
+        for (const cl::Platform& platform : platforms) {
+            const std::string name = platform.getInfo<CL_PLATFORM_NAME>();
+            if (std::ranges::find(without, name) != without.end()) continue;
+            say(name + "\n");
+            std::vector<cl::Device> devices;
+            if (::clGetDeviceIDs(platform(), CL_DEVICE_TYPE_ALL, 0, nullptr, nullptr) !=
+                CL_DEVICE_NOT_FOUND)
+                platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+            for (const cl::Device& device : devices) try_device(device);
+        }
+    } catch (const cl::Error& error) {
+        ::_exit(error.err() == CL_PLATFORM_NOT_FOUND_KHR ? 0 : 1);
+    } catch (const std::exception&) {
+        ::_exit(1);
+    }
+    ::_exit(0);
+}
+
+/// Whether all threads of a process sleep, and those of the processes that it has started.
+bool is_asleep(const std::string& process) {
+    std::error_code error;
+    for (fs::directory_iterator task{fs::path{"/proc"} / process / "task", error}, end;
+         !error && task != end; task.increment(error)) {
+        std::string text;
+        std::getline(std::ifstream{task->path() / "stat"}, text);
+        const std::size_t name = text.rfind(") "); // may hold anything; the state follows
+        if (name != std::string::npos && text[name + 2] != 'S' && text[name + 2] != 'Z')
+            return false;
+        std::ifstream children{task->path() / "children"};
+        while (children >> text)
+            if (!is_asleep(text)) return false;
+    }
+    return true;
+}
+
+/// How a copy ended, and the platforms that it tried.
+struct Ending {
+    bool good = false;
+    bool idle = false; ///< ended for doing nothing
+    bool late = false; ///< or for taking too long
+    std::vector<std::string> tried;
+};
+
+Ending run_copy(const std::vector<std::string>& without, const char* cache) {
+    std::array<int, 2> pipe{};
+    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
+    const pid_t copy = ::fork();
+    if (copy == 0) try_all(pipe[1], without, cache);
+    ::close(pipe[1]);
+    Ending ending;
+    std::string said;
+    std::array<char, 256> part{};
+    constexpr std::chrono::milliseconds step{100};
+    std::chrono::milliseconds asleep{0}, waited{0};
+    for (ssize_t count = 1; copy > 0 && count != 0;) {
+        pollfd waiting{.fd = pipe[0], .events = POLLIN, .revents = 0};
+        if (::poll(&waiting, 1, static_cast<int>(step.count())) != 0) {
+            count = ::read(pipe[0], part.data(), part.size());
+            if (count > 0) said.append(part.data(), static_cast<std::size_t>(count));
+            if (count < 0 && errno != EINTR) break;
+            continue;
+        }
+        waited += step;
+        asleep = is_asleep(std::to_string(copy)) ? asleep + step : step.zero();
+        ending.idle = asleep >= most_asleep;
+        ending.late = waited >= most_time;
+        if (ending.idle || ending.late) ::kill(copy, SIGKILL);
+    }
+    ::close(pipe[0]);
+    int status = 0;
+    if (copy < 0 || ::waitpid(copy, &status, 0) != copy) return {};
+    ending.good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    std::istringstream lines{said};
+    for (std::string line; std::getline(lines, line);) ending.tried.push_back(line);
+    return ending;
+}
+
+class EmptyCache {
+  public:
+    EmptyCache() {
+        std::error_code error;
+        name_ = (fs::temp_directory_path(error) / "lineatlas-trial-XXXXXX").string();
+        made_ = !error && ::mkdtemp(name_.data()) != nullptr;
+    }
+    ~EmptyCache() {
+        std::error_code ignored;
+        if (made_) fs::remove_all(name_, ignored);
+    }
+    EmptyCache(const EmptyCache&) = delete;
+    EmptyCache& operator=(const EmptyCache&) = delete;
+
+    const char* path() const { return made_ ? name_.c_str() : nullptr; }
+
+  private:
+    std::string name_;
+    bool made_ = false;
+};
+
+/// `platform`: that failed; empty: before any was found.
+std::string why(const std::string& platform, const Ending& ending, bool linker,
+                const std::optional<std::string>& limit) {
+    const auto seconds = [](std::chrono::seconds time) {
+        return std::to_string(time.count()) + " seconds";
+    };
+    if (!linker && !ending.idle && !ending.late && platform == of_pocl)
+        return "PoCL needs the linker ld, and there is none in PATH (on Debian and Ubuntu: apt "
+               "install binutils)";
+    std::string text = platform.empty() ? "the OpenCL drivers" : '"' + platform + '"';
+    text += ending.idle   ? " did nothing for " + seconds(most_asleep)
+            : ending.late ? " took more than " + seconds(most_time)
+                          : std::string{" failed a trial"};
+    if (limit) text += " with the memory that this process may have, " + *limit;
+    return text;
+}
+
+} // namespace
+
+DriverTrial try_drivers() {
+    DriverTrial trial;
+    const bool linker = has_linker();
+    const std::optional<std::string> limit = memory_limit();
+    if (linker && !limit) return trial;
+    const EmptyCache cache;
+    std::vector<std::string> working, known;
+    for (bool all = false; !all;) {
+        Ending ending = run_copy(known, cache.path());
+        known.insert(known.end(), ending.tried.begin(), ending.tried.end());
+        all = ending.good || ending.tried.empty();
+        if (!ending.good) {
+            const std::string failing = ending.tried.empty() ? "" : ending.tried.back();
+            if (!failing.empty()) ending.tried.pop_back();
+            trial.cause += (trial.cause.empty() ? "" : "; ") + why(failing, ending, linker, limit);
+        }
+        working.insert(working.end(), ending.tried.begin(), ending.tried.end());
+    }
+    trial.working = std::move(working);
+    return trial;
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,175 @@
+// The exact method: what is visible of lines by cutting them against faces.
+#include <algorithm>
+
+#include "divide_up.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+std::uint32_t tiles_of(const ExactParameters& parameters) {
+    return static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y);
+}
+
+ExactParameters in_chunks(ExactParameters parameters, const Tuning& tuning) {
+    parameters.chunks = tuning.face_chunks;
+    parameters.chunk = std::max(divide_up(parameters.triangle_count, tuning.face_chunks), 1U);
+    return parameters;
+}
+
+} // namespace
+
+void Stages::surfaces(const ExactArgs& args) {
+    const ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    launch<kernels::surfaces_vertices>(parameters.vertex_count, tuning_.local_size, parameters,
+                                       {.vertices = args.table.vertices, .screen = args.screen});
+    device_.clear(args.occluders, tiles_of(parameters) * sizeof(la_uint));
+    launch<kernels::surfaces_faces>(parameters.triangle_count, tuning_.local_size, parameters,
+                                    {.vertices = args.table.vertices,
+                                     .triangles = args.table.triangles,
+                                     .screen = args.screen,
+                                     .faces = args.faces,
+                                     .planes = args.planes,
+                                     .occluders = args.occluders});
+}
+
+void Stages::tile_lists(const ExactArgs& args) {
+    const ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    const std::uint32_t tiles = tiles_of(parameters);
+    const std::uint32_t counts = tiles * parameters.chunks;
+    device_.clear(args.ends, counts * sizeof(la_uint));
+    launch<kernels::tile_lists_count>(parameters.chunks, tuning_.block_local_size, parameters,
+                                      {.vertices = args.table.vertices,
+                                       .triangles = args.table.triangles,
+                                       .screen = args.screen,
+                                       .faces = args.faces,
+                                       .planes = args.planes,
+                                       .occluders = args.occluders,
+                                       .counts = args.ends});
+    scan(args.ends, counts, ScanKind::saturate);
+    launch<kernels::tile_lists_groups>(tiles, tuning_.local_size, parameters,
+                                       {.offsets = args.ends, .groups = args.groups});
+    scan(args.groups, tiles, ScanKind::saturate);
+    launch<kernels::tile_lists_fill>(parameters.chunks, tuning_.block_local_size, parameters,
+                                     {.vertices = args.table.vertices,
+                                      .triangles = args.table.triangles,
+                                      .screen = args.screen,
+                                      .faces = args.faces,
+                                      .planes = args.planes,
+                                      .occluders = args.occluders,
+                                      .ends = args.ends,
+                                      .entries = args.entries});
+    launch<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters,
+                                        {.vertices = args.table.vertices,
+                                         .triangles = args.table.triangles,
+                                         .screen = args.screen,
+                                         .faces = args.faces,
+                                         .planes = args.planes,
+                                         .ends = args.ends,
+                                         .entries = args.entries,
+                                         .groups = args.groups,
+                                         .blocks = args.blocks,
+                                         .boxes = args.boxes});
+}
+
+void Stages::visible(const ExactArgs& args) {
+    const ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    const std::uint32_t n = parameters.count;
+    launch<kernels::visible_count>(n, tuning_.local_size, parameters,
+                                   {.segments = args.table.segments,
+                                    .clipped = args.clipped.clipped,
+                                    .arcs = args.clipped.arcs,
+                                    .vertices = args.table.vertices,
+                                    .triangles = args.table.triangles,
+                                    .faces = args.faces,
+                                    .planes = args.planes,
+                                    .occluders = args.occluders,
+                                    .ends = args.ends,
+                                    .groups = args.groups,
+                                    .blocks = args.blocks,
+                                    .boxes = args.boxes,
+                                    .counts = args.span_offsets,
+                                    .kept = args.kept});
+    scan(args.span_offsets, n, ScanKind::saturate);
+    launch<kernels::visible_write>(n, tuning_.local_size, parameters,
+                                   {.segments = args.table.segments,
+                                    .clipped = args.clipped.clipped,
+                                    .vertices = args.table.vertices,
+                                    .triangles = args.table.triangles,
+                                    .faces = args.faces,
+                                    .planes = args.planes,
+                                    .occluders = args.occluders,
+                                    .ends = args.ends,
+                                    .groups = args.groups,
+                                    .blocks = args.blocks,
+                                    .boxes = args.boxes,
+                                    .offsets = args.span_offsets,
+                                    .kept = args.kept,
+                                    .spans = args.spans});
+}
+
+Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,
+                            const SpanTable& spans, const SpansParameters& parameters) {
+    Buffer& counts = scratch(block_counts_, parameters.blocks + 1);
+    launch<kernels::spans_count>(parameters.blocks, tuning_.block_local_size, parameters,
+                                 {.segments = table.segments,
+                                  .arcs = clipped.arcs,
+                                  .span_offsets = spans.offsets,
+                                  .spans = spans.spans,
+                                  .counts = counts});
+    scan(counts, parameters.blocks, ScanKind::saturate);
+    return counts;
+}
+
+void Stages::span_runs(const SpanRunsArgs& args) {
+    const std::uint32_t n = args.table.segment_count;
+    const SpansParameters parameters{.count = n,
+                                     .viewport = args.viewport,
+                                     .half_width = args.half_width,
+                                     .wanted = args.hidden ? LA_WANTS_HIDDEN | LA_WANTS_NO_DOTS
+                                                           : LA_WANTS_VISIBLE,
+                                     .block = tuning_.segment_block,
+                                     .blocks = divide_up(n, tuning_.segment_block),
+                                     .span_capacity = args.spans.capacity,
+                                     .capacity = args.run_capacity};
+    Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
+    launch<kernels::spans_runs>(std::max(parameters.blocks, 1U), // the first writes the record
+                                tuning_.block_local_size, parameters,
+                                {.segments = args.table.segments,
+                                 .clipped = args.clipped.clipped,
+                                 .offsets = args.clipped.offsets,
+                                 .arcs = args.clipped.arcs,
+                                 .span_offsets = args.spans.offsets,
+                                 .spans = args.spans.spans,
+                                 .block_offsets = counts,
+                                 .runs = args.runs,
+                                 .record = args.record});
+}
+
+void Stages::span_intervals(const SpanIntervalsArgs& args) {
+    const std::uint32_t n = args.table.segment_count;
+    const SpansParameters parameters{.count = n,
+                                     .viewport = args.viewport,
+                                     .half_width = 0,
+                                     .wanted = args.hidden_too ? LA_WANTS_VISIBLE | LA_WANTS_HIDDEN
+                                                               : LA_WANTS_VISIBLE,
+                                     .block = tuning_.segment_block,
+                                     .blocks = divide_up(n, tuning_.segment_block),
+                                     .span_capacity = args.spans.capacity,
+                                     .capacity = args.interval_capacity};
+    Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
+    launch<kernels::spans_intervals>(std::max(parameters.blocks, 1U), // the first writes the total
+                                     tuning_.block_local_size, parameters,
+                                     {.segments = args.table.segments,
+                                      .clipped = args.clipped.clipped,
+                                      .offsets = args.clipped.offsets,
+                                      .arcs = args.clipped.arcs,
+                                      .vertices = args.table.vertices,
+                                      .span_offsets = args.spans.offsets,
+                                      .spans = args.spans.spans,
+                                      .block_offsets = counts,
+                                      .intervals = args.intervals,
+                                      .interval_total = args.total});
+}
+
+} // namespace lineatlas::compute

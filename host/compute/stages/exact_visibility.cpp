@@ -1,0 +1,223 @@
+#include "exact_visibility.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/screen_bounds.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+/// What is nearer to a face than this share of the model's diagonal touches it: coordinates of
+/// files, and floats, are not more exact.
+constexpr float contact_share = 2e-6F;
+/// Rounding of a sum of four products of floats, with some to spare.
+constexpr float sum_rounding = 2.5e-7F;
+/// Rounding of a position on the screen, as a share of the picture's longer side.
+constexpr float place_rounding = 1e-7F;
+
+/// Triangles that are good to have in a tile, were they all in one layer.
+constexpr float triangles_per_tile = 400;
+constexpr float smallest_tile = 4, largest_tile = 64;
+constexpr float most_tiles_a_side = 128; // or tiles are larger
+
+/// First guesses; a frame that needs more makes its tables grow.
+constexpr std::uint32_t first_entry_capacity = 1U << 14U;
+constexpr std::uint32_t first_group_capacity = 1U << 12U;
+constexpr std::uint32_t first_span_capacity = 1U << 13U;
+
+/// Pixels, a power of two: small where many triangles lie in few pixels.
+float tile_size_for(const Camera& camera, const Bounds& bounds, std::uint32_t triangles) {
+    const glm::vec2 covered{
+        screen_bounds(bounds, camera.clip_from_world(), camera.size, 0, 1).size()};
+    const float area = std::max(covered.x * covered.y, 1.0F);
+    const float good = std::sqrt(area * triangles_per_tile / static_cast<float>(triangles + 1));
+    const float size =
+        std::clamp(std::exp2(std::round(std::log2(good))), smallest_tile, largest_tile);
+    const auto side = static_cast<float>(std::max(camera.size.x, camera.size.y));
+    return std::max(size, std::exp2(std::ceil(std::log2(side / most_tiles_a_side))));
+}
+
+/// The row of a matrix that gives one coordinate.
+glm::vec4 row_of(const glm::mat4& m, int row) {
+    return {m[0][row], m[1][row], m[2][row], m[3][row]};
+}
+
+ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
+                              float diagonal) {
+    const glm::mat4 clip_from_world = camera.clip_from_world();
+    glm::vec4 eye = camera.eye();
+    const bool parallel = eye.w == 0;
+    if (parallel) eye /= glm::length(glm::vec3{eye});
+    const glm::vec4 depth = row_of(clip_from_world, parallel ? 2 : 3);
+    const glm::vec3 farthest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+    const float size = tile_size_for(camera, bounds, table.triangle_count);
+    const glm::ivec2 pixels{static_cast<int>(size)};
+    return {.count = table.segment_count,
+            .vertex_count = static_cast<std::uint32_t>(table.vertices.size() / (3 * sizeof(float))),
+            .triangle_count = table.triangle_count,
+            .clip_from_world = clip_from_world,
+            .eye = eye,
+            .viewport = glm::vec2{camera.size},
+            .tiles = (camera.size + pixels - 1) / pixels,
+            .tile_size = size,
+            .contact = contact_share * diagonal,
+            .slack = place_rounding * static_cast<float>(std::max(camera.size.x, camera.size.y)),
+            .depth_rate = parallel ? glm::length(glm::vec3{depth}) : 0,
+            .rounding =
+                sum_rounding * (glm::dot(glm::abs(glm::vec3{depth}), farthest) + std::abs(depth.w)),
+            .chunk = 0,
+            .chunks = 0,
+            .entry_capacity = 0,
+            .group_capacity = 0,
+            .span_capacity = 0};
+}
+
+std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t element) {
+    if (needed == std::numeric_limits<std::uint32_t>::max()) { // where sums stop
+        throw DeviceError(beyond_limit(purpose::exact, "over 4 billion faces in its lists",
+                                       "kernels count to 4 billion"));
+    }
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(
+        room_to_grow(device, needed, element), std::numeric_limits<std::uint32_t>::max() - 1));
+}
+
+} // namespace
+
+void ExactVisibility::release() {
+    table_.reset();
+    for (std::unique_ptr<Buffer>* buffer :
+         {&screen_, &faces_, &planes_, &kept_, &span_offsets_, &occluders_, &ends_, &groups_,
+          &entries_, &blocks_, &boxes_, &spans_}) {
+        buffer->reset();
+    }
+    parameters_ = {};
+}
+
+void ExactVisibility::make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes) {
+    if (buffer && buffer->size() >= bytes) return;
+    buffer.reset(); // it may not fit beside another
+    buffer = allocate(device_, bytes, purpose::exact);
+}
+
+void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
+                            float diagonal) {
+    table_.emplace(table);
+    const ExactParameters before = parameters_;
+    parameters_ = parameters_of(table, camera, bounds, diagonal);
+    using Group = std::array<float, LA_GROUP_FLOATS>;
+    parameters_.entry_capacity =
+        std::max(before.entry_capacity, first_capacity<Entry>(device_, first_entry_capacity));
+    parameters_.group_capacity =
+        std::max(before.group_capacity, first_capacity<Group>(device_, first_group_capacity));
+    parameters_.span_capacity = std::max(
+        before.span_capacity, first_capacity<std::array<float, 2>>(device_, first_span_capacity));
+    constexpr std::uint64_t four = 4 * sizeof(float);
+    make_room(screen_, parameters_.vertex_count * four);
+    make_room(faces_, std::uint64_t{parameters_.triangle_count} * sizeof(ScreenFace));
+    make_room(planes_, parameters_.triangle_count * four);
+    make_room_for_segments();
+    make_room(occluders_, std::uint64_t{tiles()} * sizeof(la_uint));
+    make_room(ends_, (std::uint64_t{tiles()} * device_.tuning().face_chunks + 1) * sizeof(la_uint));
+    make_room(groups_, (std::uint64_t{tiles()} + 1) * sizeof(la_uint));
+    make_lists();
+    make_room(spans_, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
+}
+
+void ExactVisibility::make_room_for_segments() {
+    make_room(kept_, parameters_.count * std::uint64_t{4 * sizeof(float)});
+    make_room(span_offsets_, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
+}
+
+void ExactVisibility::go_on(const SegmentTable& table) {
+    table_.emplace(table);
+    parameters_.count = table.segment_count;
+    make_room_for_segments();
+}
+
+void ExactVisibility::make_lists() {
+    const std::uint64_t groups = parameters_.group_capacity;
+    make_room(entries_, std::uint64_t{parameters_.entry_capacity} * sizeof(Entry));
+    make_room(blocks_, groups * LA_GROUP_FLOATS * sizeof(float));
+    make_room(boxes_, (groups + LA_GROUP) * LA_BOX_FLOATS * sizeof(float));
+}
+
+ExactArgs ExactVisibility::args(const ClippedTable& clipped) const {
+    return {.table = *table_,
+            .clipped = clipped,
+            .parameters = parameters_,
+            .screen = *screen_,
+            .faces = *faces_,
+            .planes = *planes_,
+            .occluders = *occluders_,
+            .ends = *ends_,
+            .groups = *groups_,
+            .entries = *entries_,
+            .blocks = *blocks_,
+            .boxes = *boxes_,
+            .kept = *kept_,
+            .span_offsets = *span_offsets_,
+            .spans = *spans_};
+}
+
+void ExactVisibility::surfaces(const ClippedTable& clipped) {
+    stages_.surfaces(args(clipped));
+}
+
+void ExactVisibility::tile_lists(const ClippedTable& clipped) {
+    stages_.tile_lists(args(clipped));
+}
+
+void ExactVisibility::visible(const ClippedTable& clipped) {
+    stages_.visible(args(clipped));
+}
+
+std::uint32_t ExactVisibility::read(Buffer& buffer, std::size_t index) const {
+    std::uint32_t value = 0;
+    device_.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(value));
+    return value;
+}
+
+bool ExactVisibility::grow() {
+    const std::uint32_t entries = read(*ends_, std::size_t{tiles()} * device_.tuning().face_chunks);
+    const std::uint32_t groups = read(*groups_, tiles());
+    const std::uint32_t spans = read(*span_offsets_, parameters_.count);
+    bool again = false;
+    if (entries > parameters_.entry_capacity) {
+        parameters_.entry_capacity = grown(device_, entries, sizeof(Entry));
+        again = true;
+    }
+    if (groups > parameters_.group_capacity) {
+        parameters_.group_capacity = grown(device_, groups, LA_GROUP_FLOATS * sizeof(float));
+        again = true;
+    }
+    if (again) make_lists();
+    if (spans > parameters_.span_capacity) {
+        parameters_.span_capacity = grown(device_, spans, 2 * sizeof(float));
+        make_room(spans_, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
+        again = true;
+    }
+    return again;
+}
+
+SpanTable ExactVisibility::spans() const {
+    return {*span_offsets_, *spans_, parameters_.span_capacity};
+}
+
+std::uint64_t ExactVisibility::bytes() const {
+    std::uint64_t sum = 0;
+    for (const std::unique_ptr<Buffer>* buffer :
+         {&screen_, &faces_, &planes_, &kept_, &span_offsets_, &occluders_, &ends_, &groups_,
+          &entries_, &blocks_, &boxes_, &spans_}) {
+        if (*buffer) sum += (*buffer)->size();
+    }
+    return sum;
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/mesh.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+
+/// The exact method (kernels/exact.h): what is visible of every segment, with neither a depth
+/// buffer nor samples. Keeps the tables of its stages, which grow when a frame needs more.
+class ExactVisibility {
+  public:
+    /// `stages` must outlive it.
+    explicit ExactVisibility(Stages& stages) : stages_(stages), device_(stages.device()) {}
+
+    /// Gives up its tables: those of a large model may not fit beside another's.
+    void release();
+    /// Before the stages of a frame. `camera`: a standard one; `bounds`: around the model as it
+    /// stands; `diagonal`: of the model as it was made, whose precision decides what touches.
+    void begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
+               float diagonal);
+    /// To other segments of the same frame: visible() for these, by the lists of before.
+    void go_on(const SegmentTable& table);
+    // The stages of a frame, in this order; again where grow() says so.
+    void surfaces(const ClippedTable& clipped);
+    void tile_lists(const ClippedTable& clipped);
+    void visible(const ClippedTable& clipped);
+    /// Enlarges the tables that were too small, and waits for that; true if tile_lists() and
+    /// visible() must be done again.
+    bool grow();
+
+    /// Of the last visible().
+    SpanTable spans() const;
+    /// A uint32 per segment and one more, not in use before visible(): for what project_clip
+    /// counts.
+    Buffer& counts() const { return *span_offsets_; }
+    std::uint64_t bytes() const; ///< of all its tables
+
+  private:
+    ExactArgs args(const ClippedTable& clipped) const;
+    void make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes);
+    void make_lists();
+    void make_room_for_segments();
+    std::uint32_t read(Buffer& buffer, std::size_t index) const;
+    std::uint32_t tiles() const {
+        return static_cast<std::uint32_t>(parameters_.tiles.x * parameters_.tiles.y);
+    }
+
+    Stages& stages_;
+    Device& device_;                    ///< of stages_
+    std::optional<SegmentTable> table_; ///< of the current frame
+    ExactParameters parameters_{};
+    std::unique_ptr<Buffer> screen_, faces_, planes_, kept_, span_offsets_; // per model
+    std::unique_ptr<Buffer> occluders_, ends_, groups_;                     // per picture
+    std::unique_ptr<Buffer> entries_, blocks_, boxes_, spans_;              // that grow
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,171 @@
+// Runs of visible samples, and what a style makes of them.
+#include <algorithm>
+
+#include "divide_up.hpp"
+#include "lineatlas/error.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+/// Work-items of kernels that take runs in turns: enough for a GPU.
+constexpr std::uint32_t most_items_in_turns = 1U << 14U;
+
+} // namespace
+
+void Stages::compact(const CompactArgs& args) {
+    const std::uint32_t n = args.table.segment_count;
+    const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
+    const ClippedTable& clipped = args.atlas.clipped;
+    const CompactParameters parameters{.count = n,
+                                       .rows = args.atlas.rows(),
+                                       .viewport = args.viewport,
+                                       .half_width = args.half_width,
+                                       .hidden = args.hidden ? 1U : 0U,
+                                       .block = tuning_.segment_block,
+                                       .blocks = blocks,
+                                       .run_capacity = args.run_capacity};
+    Buffer& counts = scratch(block_counts_, blocks + 1);
+    launch<kernels::compact_count>(blocks, tuning_.block_local_size, parameters,
+                                   {.segments = args.table.segments,
+                                    .clipped = clipped.clipped,
+                                    .offsets = clipped.offsets,
+                                    .arcs = clipped.arcs,
+                                    .alpha = args.atlas.alpha,
+                                    .counts = counts});
+    scan(counts, blocks, ScanKind::saturate);
+    launch<kernels::compact_write>(std::max(blocks, 1U), // the first writes the record
+                                   tuning_.block_local_size, parameters,
+                                   {.segments = args.table.segments,
+                                    .clipped = clipped.clipped,
+                                    .offsets = clipped.offsets,
+                                    .arcs = clipped.arcs,
+                                    .alpha = args.atlas.alpha,
+                                    .block_offsets = counts,
+                                    .runs = args.runs,
+                                    .record = args.record});
+}
+
+void Stages::halo(const HaloArgs& args) {
+    const glm::ivec2 tiles = (glm::ivec2{args.viewport} + (LA_HALO_TILE - 1)) / LA_HALO_TILE;
+    const auto tile_count = static_cast<std::uint32_t>(tiles.x * tiles.y);
+    const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+    HaloParameters parameters{.tiles = tiles,
+                              .width = args.halo + args.half_width,
+                              .tolerance = args.tolerance,
+                              .total = 0};
+    Buffer& ends = scratch(halo_ends_, tile_count + std::size_t{1});
+    device_.clear(ends, tile_count * sizeof(la_uint));
+    launch<kernels::halo_count>(items, tuning_.local_size, parameters,
+                                {.runs = args.runs, .record = args.record, .counts = ends});
+    scan(ends, tile_count, ScanKind::saturate);
+    device_.download(ends, std::as_writable_bytes(std::span{&parameters.total, 1}),
+                     tile_count * sizeof(la_uint));
+    constexpr std::size_t tables = 7;      // of struct Lists
+    if (parameters.total == 0xFFFFFFFFU) { // where sums stop
+        throw DeviceError(beyond_limit(purpose::halos, "over 4 billion pieces of lines",
+                                       "kernels count to 4 billion"));
+    }
+    Buffer& lists = for_purpose(purpose::halos, [&]() -> Buffer& {
+        return scratch(halo_lists_, (parameters.total + std::size_t{tuning_.halo_lanes}) * tables);
+    });
+    launch<kernels::halo_fill>(
+        items, tuning_.local_size, parameters,
+        {.runs = args.runs, .record = args.record, .ends = ends, .memory = lists});
+    launch<kernels::halo_cut>(items, tuning_.local_size, parameters,
+                              {.segments = args.table.segments,
+                               .clipped = args.clipped.clipped,
+                               .runs = args.runs,
+                               .record = args.record,
+                               .ends = ends,
+                               .memory = lists,
+                               .cuts = args.cuts});
+}
+
+void Stages::filter(const FilterArgs& args) {
+    const std::uint32_t n = args.run_capacity;
+    const ClippedTable& clipped = args.atlas.clipped;
+    const FilterParameters parameters{.rows = args.atlas.rows(),
+                                      .viewport = args.viewport,
+                                      .half_width = args.half_width,
+                                      .filter = args.filter,
+                                      .use_cuts = args.cuts != nullptr ? 1U : 0U,
+                                      .run_capacity = n,
+                                      .filtered_capacity = args.filtered_capacity};
+    Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
+    Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any: it isn't read
+    launch<kernels::filter_count>(n, tuning_.block_local_size, parameters,
+                                  {.segments = args.table.segments,
+                                   .clipped = clipped.clipped,
+                                   .offsets = clipped.offsets,
+                                   .arcs = clipped.arcs,
+                                   .alpha = args.atlas.alpha,
+                                   .runs = args.runs,
+                                   .record = args.record,
+                                   .cuts = cuts,
+                                   .counts = counts});
+    scan(counts, n, ScanKind::saturate);
+    launch<kernels::filter_write>(n, tuning_.block_local_size, parameters,
+                                  {.segments = args.table.segments,
+                                   .clipped = clipped.clipped,
+                                   .offsets = clipped.offsets,
+                                   .arcs = clipped.arcs,
+                                   .alpha = args.atlas.alpha,
+                                   .runs = args.runs,
+                                   .record = args.record,
+                                   .cuts = cuts,
+                                   .run_offsets = counts,
+                                   .filtered = args.filtered,
+                                   .filtered_record = args.filtered_record});
+    launch<kernels::filter_show>(args.filtered_capacity, tuning_.local_size,
+                                 {args.filtered_capacity},
+                                 {.filtered = args.filtered,
+                                  .filtered_record = args.filtered_record,
+                                  .alpha = args.atlas.alpha});
+    launch<kernels::filter_show_ends>(n, tuning_.local_size, {n},
+                                      {.segments = args.table.segments,
+                                       .runs = args.runs,
+                                       .record = args.record,
+                                       .alpha = args.atlas.alpha});
+}
+
+void Stages::density(const DensityArgs& args) {
+    const glm::ivec2 cells = density_cells(args.viewport);
+    const auto plane = static_cast<std::uint32_t>(cells.x * cells.y);
+    const std::size_t planes = std::size_t{LA_DENSITY_BINS} * plane;
+    const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+    DensityParameters parameters{.cells = cells,
+                                 .density = args.density,
+                                 .focus = args.focus,
+                                 .far_limit = args.far_limit,
+                                 .again = 0};
+    Buffer& grid = scratch(density_grid_, planes);
+    Buffer& smooth = scratch(density_rows_, planes);
+    Buffer& drawn = scratch(density_drawn_, plane);
+    Buffer& excess = scratch(density_excesses_, plane);
+    device_.clear(grid, planes * sizeof(la_uint));
+    launch<kernels::density_lines>(items, tuning_.local_size, parameters,
+                                   {.segments = args.table.segments,
+                                    .arcs = args.atlas.clipped.arcs,
+                                    .alpha = args.atlas.alpha,
+                                    .record = args.record,
+                                    .runs = args.runs,
+                                    .grid = grid});
+    launch<kernels::density_smooth>(LA_DENSITY_BINS * plane, tuning_.local_size, parameters,
+                                    {.grid = grid, .smooth = smooth});
+    const auto share_out = [&] {
+        launch<kernels::density_weights>(plane, tuning_.local_size, parameters,
+                                         {.grid = grid,
+                                          .smooth = smooth,
+                                          .excess = excess,
+                                          .weights = args.weights,
+                                          .drawn = drawn});
+    };
+    share_out();
+    launch<kernels::density_excess>(plane, tuning_.local_size, parameters,
+                                    {.drawn = drawn, .excess = excess});
+    parameters.again = 1;
+    share_out();
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,125 @@
+// From the model to clipped segments with their places in the atlas.
+#include "stages.hpp"
+
+#include "divide_up.hpp"
+
+namespace lineatlas::compute {
+
+Buffer& Stages::scratch(std::unique_ptr<Buffer>& buffer, std::size_t count) {
+    const std::size_t bytes = count * sizeof(la_uint);
+    if (buffer && buffer->size() >= bytes) return *buffer;
+    buffer.reset(); // it may not fit beside another
+    buffer = device_.allocate(room_to_grow(device_, bytes));
+    return *buffer;
+}
+
+void Stages::transform(const TransformArgs& args) {
+    launch<kernels::transform>(args.vertex_count, tuning_.local_size, {args.vertex_count},
+                               {.rest = args.rest,
+                                .objects = args.objects,
+                                .matrices = args.matrices,
+                                .vertices = args.vertices,
+                                .drawn = args.drawn});
+    launch<kernels::transform_boxes>(args.cluster_count, tuning_.local_size, {args.cluster_count},
+                                     {.rest = args.rest_clusters,
+                                      .objects = args.cluster_objects,
+                                      .matrices = args.matrices,
+                                      .clusters = args.clusters});
+}
+
+void Stages::transform_bounds(const BoundsArgs& args) {
+    launch<kernels::transform_bounds>(
+        args.count, tuning_.local_size, {args.count},
+        {.vertices = args.vertices, .triangles = args.triangles, .clusters = args.clusters});
+}
+
+void Stages::transform_forget(const ForgetArgs& args) {
+    launch<kernels::transform_forget>(args.segment_count, tuning_.local_size, {args.segment_count},
+                                      {.segments = args.segments,
+                                       .objects = args.objects,
+                                       .jumped = args.jumped,
+                                       .ranges = args.ranges});
+}
+
+void Stages::pyramid(const PyramidArgs& args) {
+    const glm::ivec2 tiles = tiles_for(args.depth_size);
+    launch<kernels::pyramid>(static_cast<std::uint32_t>(tiles.x * tiles.y), tuning_.local_size,
+                             {.depth_size = args.depth_size, .tile_count = tiles},
+                             {.depth = args.depth, .tiles = args.tiles});
+}
+
+void Stages::cull(const CullArgs& args) {
+    launch<kernels::cull>(
+        args.count, tuning_.local_size,
+        {.count = args.count,
+         .clip_from_world = args.clip_from_world,
+         .depth_size = args.depth_size,
+         .tile_count = tiles_for(args.depth_size)},
+        {.clusters = args.clusters, .tiles = args.tiles, .visible = args.visible});
+}
+
+void Stages::facing(const FacingArgs& args) {
+    const std::uint32_t n = args.table.triangle_count;
+    launch<kernels::facing>(
+        n, tuning_.local_size, {.count = n, .eye = args.eye},
+        {.vertices = args.table.vertices, .triangles = args.table.triangles, .front = args.front});
+}
+
+void Stages::project_clip(const ProjectClipArgs& args) {
+    const std::uint32_t n = args.table.segment_count;
+    ProjectClipParameters parameters{.count = n,
+                                     .clip_from_world = args.clip_from_world,
+                                     .world_from_clip = args.world_from_clip,
+                                     .viewport = args.viewport,
+                                     .step = args.step,
+                                     .kind_mask = args.kind_mask,
+                                     .hidden = LA_HIDDEN_SAMPLED,
+                                     .tile_count = {1, 1},
+                                     .depth_scale = 1,
+                                     .tolerance = 0};
+    if (const OcclusionTest* test = args.occlusion) {
+        parameters.hidden = test->keep_clipped ? LA_HIDDEN_CLIPPED : LA_HIDDEN_DROPPED;
+        parameters.tile_count = test->tile_count;
+        parameters.depth_scale = test->depth_scale;
+        parameters.tolerance = test->tolerance;
+    }
+    launch<kernels::project_clip>(
+        n, tuning_.local_size, parameters,
+        {.segments = args.table.segments,
+         .vertices = args.table.vertices,
+         .triangles = args.table.triangles,
+         .front = args.front,
+         // Any table will do where there is no pyramid.
+         .tiles = args.occlusion != nullptr ? args.occlusion->tiles : args.table.vertices,
+         .clipped = args.out.clipped,
+         .counts = args.out.offsets,
+         .arcs = args.out.arcs});
+}
+
+void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
+    if (n == 0) return device_.clear(values, sizeof(la_uint));
+    const std::uint32_t variant = kind == ScanKind::saturate ? 1 : 0;
+    if (!tuning_.scan_tiles) {
+        const std::uint32_t chunks =
+            std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
+        const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
+        Buffer& sums = scratch(scan_sums_, chunks);
+        launch<kernels::scan_chunks_reduce>(chunks, 1, parameters, {values, sums},
+                                            kernel_of<kernels::scan_chunks_reduce>(variant));
+        launch<kernels::scan_chunks_apply>(chunks, 1, parameters, {values, sums},
+                                           kernel_of<kernels::scan_chunks_apply>(variant));
+        return;
+    }
+    const std::uint32_t items = divide_up(n, tuning_.scan_per_item);
+    const std::uint32_t tiles = divide_up(items, tuning_.scan_tile);
+    const ScanParameters parameters{.n = n, .chunk = 0};
+    Buffer& sums = scratch(scan_sums_, tiles);
+    launch<kernels::scan_tiles_reduce>(items, tuning_.scan_tile, parameters, {values, sums},
+                                       kernel_of<kernels::scan_tiles_reduce>(variant));
+    launch<kernels::scan_tiles_sums>(tuning_.scan_tile, tuning_.scan_tile, {.n = tiles, .chunk = 0},
+                                     {sums}, kernel_of<kernels::scan_tiles_sums>(variant));
+    launch<kernels::scan_tiles_apply>(items, tuning_.scan_tile, parameters, {values, sums},
+                                      kernel_of<kernels::scan_tiles_apply>(variant));
+}
+
+} // namespace lineatlas::compute

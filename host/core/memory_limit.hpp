@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <sys/resource.h>
+
+namespace lineatlas {
+
+/// What this process may have of memory, for people: "195 MiB (ulimit -v)". Nothing where neither
+/// its address space nor its data is limited, as is usual.
+inline std::optional<std::string> memory_limit() {
+    rlimit space{}, data{};
+    ::getrlimit(RLIMIT_AS, &space);
+    ::getrlimit(RLIMIT_DATA, &data);
+    const rlim_t least = std::min(space.rlim_cur, data.rlim_cur);
+    if (least == RLIM_INFINITY) return {};
+    return std::to_string(least >> 20U) + " MiB (ulimit " +
+           (least == space.rlim_cur ? "-v)" : "-d)");
+}
+
+/// A clause for messages about what may have failed for that.
+inline std::string memory_limit_remark() {
+    const std::optional<std::string> limit = memory_limit();
+    return limit ? "; or raise the limit on this process's memory, " + *limit : "";
+}
+
+} // namespace lineatlas

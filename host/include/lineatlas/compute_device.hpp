@@ -1,0 +1,215 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lineatlas/export.hpp"
+
+// What runs the kernels. The library brings `opencl` and `cpp`; a program can bring another: a
+// class derived from Device and one call of register_device(). docs/backends.md shows one whole.
+namespace lineatlas::compute {
+
+/// Memory that kernels read and write. Made by the device that uses it; may outlive neither the
+/// device nor, if it wraps other memory, that memory.
+class LINEATLAS_API Buffer {
+  public:
+    /// `size`: in bytes.
+    explicit Buffer(std::size_t size) : size_(size) {}
+    virtual ~Buffer() = default;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    std::size_t size() const { return size_; } ///< in bytes
+
+  private:
+    std::size_t size_;
+};
+
+/// What a kernel does with one of its tables.
+enum class Access {
+    in,        ///< only read
+    out,       ///< only written, perhaps not everywhere
+    inout,     ///< both
+    unordered, ///< both, and what it writes may come in any order
+};
+
+/// A table that a kernel takes, in the order of its arguments.
+struct KernelTable {
+    std::string_view name;    ///< of the argument
+    std::string_view type;    ///< of its elements: "float", "uint", "uchar" or a struct of kernels/
+    std::size_t element_size; ///< bytes
+    Access access;            ///< what the kernel does with it
+};
+
+/// A kernel of the library. They live as long as the program.
+struct Kernel {
+    std::string_view stage; ///< "project_clip": docs/architecture.md has the list
+    std::string_view name;  ///< of its function
+    /// Macros that choose its form, in the syntax of a compiler's options: "-DPROBES_PER_AXIS=3".
+    /// Empty for most. A device adds those of how it launches (docs/devices.md).
+    std::string_view defines;
+    std::size_t parameter_size;          ///< bytes of the struct that is its first argument
+    std::span<const KernelTable> tables; ///< the arguments after that
+    bool has_barriers; ///< needs work-groups that share memory; chosen by Tuning::scan_tiles alone
+    std::uint32_t index; ///< its place in all_kernels()
+
+    /// Of its source, in kernels/: "project_clip.cl".
+    std::string file() const { return std::string{stage} + ".cl"; }
+};
+
+/// Every kernel, in the order of a frame.
+LINEATLAS_API std::span<const Kernel> all_kernels();
+
+/// The OpenCL C 1.2 of a kernel's file, with all that it includes. Throws FileError if
+/// LINEATLAS_KERNEL_DIR is set and lacks it.
+LINEATLAS_API std::string source_of(const Kernel& kernel);
+
+/// Runs work-items `first` up to, without, `last` of `count` as C++ on the calling thread.
+/// `tables`: their memory, in the order of Kernel::tables, aligned to 64 bytes. Several threads may
+/// run parts of one launch at the same time. Throws UsageError for a kernel that has barriers.
+LINEATLAS_API void run_on_host(const Kernel& kernel, std::span<const std::byte> parameters,
+                               std::span<void* const> tables, std::size_t first, std::size_t last,
+                               std::size_t count);
+
+/// A kernel to be run.
+struct Launch {
+    const Kernel& kernel;                  ///< one of all_kernels()
+    std::span<const std::byte> parameters; ///< Kernel::parameter_size bytes; copied by launch()
+    std::span<Buffer* const> tables;       ///< in the order of Kernel::tables
+    std::uint32_t items;                   ///< work-items, above 0
+    /// Of a work-group, at most; kernels ignore work-items beyond their last element, so that their
+    /// number may be rounded up.
+    std::uint32_t group;
+};
+
+/// How kernels are launched on a device: kernels/tuning.toml for OpenCL devices. Values are above
+/// 0.
+struct Tuning {
+    bool scan_tiles = false;            ///< tiles in local memory instead of serial chunks
+    std::uint32_t scan_chunks = 16;     ///< serial chunks per scan, or more so that none is longer
+    std::uint32_t longest_chunk = ~0U;  ///< than this; not in the table, a quirk's
+    std::uint32_t scan_tile = 64;       ///< work-group size of a tile; a power of two
+    std::uint32_t scan_per_item = 8;    ///< values per work-item of a tile
+    std::uint32_t local_size = 256;     ///< work-group size of kernels with a work-item per element
+    std::uint32_t block_local_size = 1; ///< work-group size of kernels with a work-item per block
+    std::uint32_t atlas_block = 256;    ///< samples per work-item
+    bool atlas_vectors = true;          ///< all probes of a sample in one vector
+    std::uint32_t halo_lanes = 16;      ///< lines tested at a time: 1, 8 or 16
+    std::uint32_t face_lanes = 16;      ///< faces tested at a time: 1, 4, 8 or 16
+    std::uint32_t face_chunks = 64;     ///< chunks of faces that go into tiles at the same time
+    std::uint32_t segment_block = 4096; ///< segments per work-item of compact
+    bool program_cache = false;         ///< built programs are kept in the user's cache
+};
+
+/// A kernel or a transfer that a device has run. Times are nanoseconds of
+/// std::chrono::steady_clock.
+struct CommandTime {
+    std::string_view name;   ///< of the kernel; "write", "read", "copy" or "fill"
+    std::int64_t submitted;  ///< when the host did it
+    std::int64_t start;      ///< when the device began
+    std::int64_t end;        ///< when it was done
+    std::uint64_t items = 0; ///< work-items, of a kernel
+    std::uint32_t group = 0; ///< of one work-group
+    std::uint64_t bytes = 0; ///< of the tables that it reads and those that it writes
+};
+
+/// The commands that a device gets while it keeps this log, in order.
+class LINEATLAS_API CommandLog {
+  public:
+    virtual ~CommandLog() = default;
+
+    /// Whether all of them have run; doesn't wait.
+    virtual bool complete() const = 0;
+    /// Their times, with a wait if not complete(); none if the device keeps no times.
+    virtual std::vector<CommandTime> read() = 0;
+    /// How far the times read may be off those of the host, in nanoseconds.
+    virtual std::optional<std::int64_t> error() const = 0;
+};
+
+/// What runs kernels and keeps their memory.
+///
+/// Calls are asynchronous where a device can, and run in the order they are made; `finish` and
+/// `download` wait. All methods throw DeviceError when the device fails. A device and its buffers
+/// belong to one thread at a time. Integer results are equal bit by bit on every device, floats
+/// within 1e-5 relative.
+class LINEATLAS_API Device {
+  public:
+    Device() = default;
+    virtual ~Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    /// "cpp", or "opencl: <device> (<platform>)".
+    virtual std::string description() const = 0;
+    /// How the library is to launch its kernels here; always the same.
+    virtual const Tuning& tuning() const = 0;
+
+    /// Device memory; its content is undefined. Never smaller than 16 bytes.
+    virtual std::unique_ptr<Buffer> allocate(std::size_t bytes) = 0;
+    /// What one buffer can hold, in bytes; always the same.
+    virtual std::uint64_t largest_buffer() const {
+        return std::numeric_limits<std::uint64_t>::max();
+    }
+    /// What all buffers that are still to come can hold.
+    virtual std::uint64_t free_memory() const { return std::numeric_limits<std::uint64_t>::max(); }
+    /// A buffer over memory of the caller (page-aligned), without a copy where the device can.
+    virtual std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) = 0;
+    /// Between these two, the memory behind a wrapped buffer is the host's to read and write.
+    virtual void begin_host_access(Buffer& buffer) = 0;
+    /// Ends what begin_host_access() began: the memory is the device's again.
+    virtual void end_host_access(Buffer& buffer) = 0;
+
+    /// Into the buffer, from a place on in bytes. `data` may be changed once this returns.
+    virtual void upload(Buffer& buffer, std::span<const std::byte> data,
+                        std::size_t offset = 0) = 0;
+    /// Out of it; waits.
+    virtual void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0) = 0;
+    /// The first `bytes` bytes of one buffer into another.
+    virtual void copy(Buffer& from, Buffer& to, std::size_t bytes) = 0;
+    /// Sets the first `bytes` bytes, a multiple of 4, to 0.
+    virtual void clear(Buffer& buffer, std::size_t bytes) = 0;
+
+    /// Runs a kernel over `launch.items` work-items.
+    virtual void launch(const Launch& launch) = 0;
+
+    virtual void flush() = 0;  ///< starts what was submitted
+    virtual void finish() = 0; ///< waits for all of it
+
+    /// Keeps the times of all commands from here to end_log(), for a profile. Null, and no log, if
+    /// the device keeps no times.
+    virtual std::shared_ptr<CommandLog> begin_log() { return nullptr; }
+    /// Ends the log that begin_log() began; what it holds can still be read.
+    virtual void end_log() {}
+};
+
+/// A kind of device that one can choose by its name.
+struct DeviceKind {
+    std::string name;    ///< what `--compute` and DeviceOptions::compute take
+    std::string summary; ///< a few words for lists
+    /// `device`: what the user chose, in the kind's own terms; empty: its best. Throws UsageError
+    /// for one that there is not, DeviceError when it can't work here.
+    std::unique_ptr<Device> (*make)(std::string_view device);
+};
+
+/// All that there are: the library's, then those that were registered.
+LINEATLAS_API const std::vector<DeviceKind>& device_kinds();
+
+/// Makes another kind known to this process, from outside the library. Before any thread uses the
+/// library; throws UsageError if the name is taken.
+LINEATLAS_API void register_device(DeviceKind kind);
+
+/// "opencl, cpp, ...", for messages.
+LINEATLAS_API std::string device_kind_names();
+
+/// A device of the kind `name`; throws UsageError, listing what there is, if there is none.
+LINEATLAS_API std::unique_ptr<Device> make_device(std::string_view name,
+                                                  std::string_view device = {});
+
+} // namespace lineatlas::compute

@@ -1,0 +1,99 @@
+#include "confinement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "landlock.hpp"
+#include "lineatlas/error.hpp"
+#include "reader_protocol.hpp"
+#include "system_calls.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kept{
+    "LD_LIBRARY_PATH", "LINEATLAS_MODULE_DIR",
+    // What findings of a sanitizer are to do; nothing else reads them.
+    "ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"};
+
+void check(int result) {
+    if (result != 0) throw std::system_error(errno, std::generic_category(), "a limit");
+}
+
+void allow_no_more_than(rlim_t most, __rlimit_resource resource) {
+    const rlimit limits{.rlim_cur = most, .rlim_max = most};
+    check(::setrlimit(resource, &limits));
+}
+
+} // namespace
+
+Confinement offered_confinement() {
+    if (reader::sanitized) return {};
+    return {.system_calls = has_seccomp(), .files = landlock_version()};
+}
+
+std::string describe(const Confinement& confinement) {
+    if (reader::sanitized) return "not confined: built with a sanitizer";
+    std::string by, missing;
+    const auto add = [](std::string& list, const std::string& part) {
+        list += (list.empty() ? "" : ", ") + part;
+    };
+    add(confinement.system_calls ? by : missing, confinement.system_calls ? "seccomp"
+                                                 : knows_seccomp() ? "this kernel has no seccomp"
+                                                                   : "built without libseccomp");
+    add(confinement.files > 0 ? by : missing, confinement.files > 0
+                                                  ? "Landlock " + std::to_string(confinement.files)
+                                                  : "this kernel has no Landlock");
+    std::string text = by.empty() ? "confined by limits alone" : "confined by " + by;
+    return missing.empty() ? text : text + "; " + missing;
+}
+
+std::vector<std::string> small_environment() {
+    std::vector<std::string> environment;
+    for (const std::string_view name : kept) {
+        if (const char* value = std::getenv(std::string{name}.c_str()))
+            environment.push_back(std::string{name} + '=' + value);
+    }
+    return environment;
+}
+
+void forget_what_was_inherited() {
+    const std::vector<std::string> environment = small_environment();
+    // The memory too: a variable may be a password.
+    for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable)
+        ::explicit_bzero(*variable, std::strlen(*variable));
+    ::clearenv();
+    for (const std::string& variable : environment) {
+        const std::size_t equals = variable.find('=');
+        ::setenv(variable.substr(0, equals).c_str(), variable.c_str() + equals + 1, 1);
+    }
+    ::close_range(STDERR_FILENO + 1, ~0U, 0);
+}
+
+void confine() {
+    if (reader::sanitized) return;
+    const Confinement offered = offered_confinement();
+    try {
+        check(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
+        if (offered.files > 0) restrict_files();
+        // What is open stays open.
+        allow_no_more_than(0, RLIMIT_NOFILE);
+        allow_no_more_than(0, RLIMIT_FSIZE);
+        if (offered.system_calls) restrict_system_calls();
+    } catch (const std::system_error& error) {
+        throw DeviceError("cannot confine the process that works on files by " +
+                          std::string(error.what()));
+    }
+}
+
+} // namespace lineatlas

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lineatlas {
+
+// What a process that works on other people's files gives up before it does so, so that a file that
+// takes it over has won nothing.
+
+/// What this machine and this build confine processes by. A build with sanitizers does not: they
+/// read /proc, and start what names their findings.
+struct Confinement {
+    bool system_calls = false; ///< seccomp
+    int files = 0;             ///< the version of Landlock; 0: none
+};
+Confinement offered_confinement();
+
+/// In words, with the reason for what is missing.
+std::string describe(const Confinement& confinement);
+
+/// `NAME=value` of the few variables that such a process gets: where libraries and modules are.
+std::vector<std::string> small_environment();
+
+/// For a process that was forked: keeps small_environment() and the descriptors up to stderr. One
+/// that is started anew gets no more in the first place.
+void forget_what_was_inherited();
+
+/// From here on this process computes, and talks through the descriptors up to stderr: it opens
+/// nothing, connects to nothing, starts no process. By all that offered_confinement() says, and by
+/// limits that every kernel has. Throws DeviceError: then the work must not be done.
+void confine();
+
+} // namespace lineatlas

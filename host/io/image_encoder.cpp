@@ -1,0 +1,228 @@
+#include "image_encoder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "confinement.hpp"
+#include "image_codec.hpp"
+#include "image_loader.hpp"
+#include "message_socket.hpp"
+#include "reader_process.hpp"
+#include "reader_protocol.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+/// How the process ends when it has no memory left.
+constexpr int no_memory = 3;
+
+/// JPEG files end with a mark; what is cut off before it, readers fill up with grey.
+bool is_cut_jpeg(std::string_view bytes) {
+    return bytes.starts_with("\xFF\xD8") && !bytes.ends_with("\xFF\xD9");
+}
+
+/// What the file is to hold; of a check nothing. Throws FileError.
+std::vector<unsigned char> do_task(const PictureTask& task, std::string bytes) {
+    const PictureTask::Numbers& numbers = task.numbers;
+    const glm::ivec2 size{numbers.width, numbers.height};
+    if (numbers.kind == PictureTask::Kind::encode)
+        return encode_image(
+            task.path,
+            {.size = size,
+             .channels = numbers.channels,
+             .bits = numbers.bits,
+             .premultiplied = numbers.premultiplied != 0,
+             .values = std::as_bytes(std::span{bytes})},
+            {.bits = numbers.file_bits, .dpi = numbers.dpi, .description = task.description});
+    if (is_whole_picture({task.path, std::move(bytes)}, size)) return {};
+    throw read_error(task.path, "it is damaged");
+}
+
+/// Does the next task; false when no more will come. The answer is a message, empty if all is well,
+/// and what came out.
+bool answer_next(int socket, std::string message) {
+    const std::optional<PictureTask> task = receive_task(socket);
+    if (!task) return false;
+    std::string bytes(task->numbers.bytes, '\0');
+    if (!receive_all(socket, std::as_writable_bytes(std::span{bytes}))) return false;
+    std::vector<unsigned char> result;
+    try {
+        if (message.empty()) result = do_task(*task, std::move(bytes));
+    } catch (const FileError& error) {
+        message = error.what();
+    }
+    return send_text(socket, message) &&
+           send_text(socket, {reinterpret_cast<const char*>(result.data()), result.size()});
+}
+
+/// What the process does until the other side is gone.
+void serve(int socket) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    ::dup2(socket, STDIN_FILENO);
+    forget_what_was_inherited();
+    std::set_new_handler([] { ::_exit(no_memory); });
+    std::string no_module;
+    try {
+        image_module(); // later there is no loading
+    } catch (const FileError& error) {
+        no_module = error.what();
+    }
+    confine();
+    while (answer_next(STDIN_FILENO, no_module)) continue;
+}
+
+} // namespace
+
+bool send_task(int socket, const PictureTask& task) {
+    return send_all(socket, std::as_bytes(std::span{&task.numbers, 1})) &&
+           send_text(socket, task.path) && send_text(socket, task.description);
+}
+
+std::optional<PictureTask> receive_task(int socket) {
+    PictureTask task{};
+    if (!receive_all(socket, std::as_writable_bytes(std::span{&task.numbers, 1})))
+        return std::nullopt;
+    const std::optional<std::string> path = receive_text(socket);
+    const std::optional<std::string> description = receive_text(socket);
+    if (!path || !description) return std::nullopt;
+    task.path = *path;
+    task.description = *description;
+    return task;
+}
+
+bool is_whole_picture(const SourceFile& file, glm::ivec2 size) {
+    try {
+        return !is_cut_jpeg(file.bytes) && decode_image(file).size == size;
+    } catch (const FileError&) {
+        return false;
+    }
+}
+
+ImageEncoder::ImageEncoder(const ReadLimits& limits) : limits_(limits) {
+    start(); // the module loads while others draw
+}
+
+ImageEncoder::~ImageEncoder() {
+    if (socket_ >= 0) ::close(socket_);
+    socket_ = -1;
+    end();
+}
+
+void ImageEncoder::start() {
+    std::array<int, 2> sockets{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return;
+    process_ = ::fork();
+    if (process_ == 0) {
+        try {
+            serve(sockets[1]);
+        } catch (const std::exception&) {
+            // No answer is one, too.
+        }
+        ::_exit(0);
+    }
+    ::close(sockets[1]);
+    socket_ = sockets[0];
+}
+
+void ImageEncoder::end() {
+    if (socket_ >= 0) {
+        ::close(socket_);
+        if (process_ > 0) ::kill(process_, SIGKILL);
+    }
+    while (process_ > 0 && ::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+    socket_ = process_ = -1;
+}
+
+void ImageEncoder::limit(const PictureTask& task) {
+    constexpr std::uint64_t bytes_per_pixel = 8; // of 16 bits a channel, when it is decoded
+    const PictureTask::Numbers& numbers = task.numbers;
+    const std::uint64_t decoded = bytes_per_pixel * static_cast<std::uint64_t>(numbers.width) *
+                                  static_cast<std::uint64_t>(numbers.height);
+    task_limits_ = limits_for(std::max(decoded, numbers.bytes), limits_);
+    patience_ = Patience{task_limits_.time};
+    if (reader::sanitized) return;
+    // From here: the process itself may not change its limits.
+    rlimit memory{};
+    ::getrlimit(RLIMIT_DATA, &memory);
+    memory.rlim_cur = std::min<rlim_t>(memory.rlim_cur, task_limits_.memory);
+    task_limits_.memory = memory.rlim_cur;
+    ::prlimit(process_, RLIMIT_DATA, &memory, nullptr);
+}
+
+void ImageEncoder::begin(const PictureTask& task) {
+    path_ = task.path;
+    checks_ = task.numbers.kind == PictureTask::Kind::check;
+    if (process_ <= 0) start();
+    limit(task);
+    if (!send_task(socket_, task)) fail();
+}
+
+void ImageEncoder::append(std::span<const std::byte> bytes) {
+    if (!send_all(socket_, bytes, patience_)) fail();
+}
+
+void ImageEncoder::receive(std::span<std::byte> bytes) {
+    if (!receive_all(socket_, bytes, patience_)) fail();
+}
+
+std::string ImageEncoder::receive_text() {
+    std::uint64_t size = 0;
+    receive(std::as_writable_bytes(std::span{&size, 1}));
+    if (size > task_limits_.memory) fail(); // it cannot have had that
+    std::string text(size, '\0');
+    receive(std::as_writable_bytes(std::span{text}));
+    return text;
+}
+
+std::string ImageEncoder::finish() {
+    const std::string message = receive_text();
+    std::string encoded = receive_text();
+    if (!message.empty()) throw FileError(message);
+    return encoded;
+}
+
+void ImageEncoder::fail() {
+    const std::string work = checks_ ? "decoding it" : "encoding it";
+    std::string cause = work + " failed: its process";
+    int status = 0;
+    if (patience_.is_over()) {
+        const auto seconds =
+            std::chrono::duration_cast<std::chrono::duration<double>>(task_limits_.time);
+        std::ostringstream text;
+        text << work << " took more than " << seconds.count() << " s";
+        cause = text.str();
+    } else if (process_ <= 0) {
+        cause += " cannot be started";
+    } else {
+        ::shutdown(socket_, SHUT_RDWR); // one that is still there has made no sense: it ends
+        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+        process_ = -1;
+        if (WIFEXITED(status) && WEXITSTATUS(status) == no_memory)
+            cause =
+                work + " needs more than " + written_gibibytes(task_limits_.memory) + " of memory";
+        else if (WIFSIGNALED(status))
+            cause += " was ended by signal " + std::to_string(WTERMSIG(status));
+        else
+            cause += " gave no answer";
+    }
+    end();
+    throw checks_ ? read_error(path_, cause) : write_error(path_, cause);
+}
+
+} // namespace lineatlas

@@ -1,0 +1,105 @@
+#include "material_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace lineatlas {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view blanks = " \t";
+
+/// What follows each `mtllib`, which stands first in its line; each name once.
+std::vector<std::string> material_names(std::string_view text) {
+    constexpr std::string_view keyword = "mtllib";
+    std::vector<std::string> names;
+    std::set<std::string_view> known;
+    text = without_utf8_mark(text);
+    for (std::size_t at = text.find(keyword); at != text.npos; at = text.find(keyword, at + 1)) {
+        const std::size_t before = text.substr(0, at).find_last_not_of(blanks);
+        const bool first = before == text.npos || text[before] == '\n' || text[before] == '\r';
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        std::string_view rest = text.substr(at + keyword.size(), end - at - keyword.size());
+        const std::size_t begin = rest.find_first_not_of(blanks);
+        if (!first || begin == 0 || begin == rest.npos) continue;
+        rest = rest.substr(begin, rest.find_last_not_of(blanks) + 1 - begin);
+        if (known.insert(rest).second) names.emplace_back(rest);
+    }
+    return names;
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+    return std::ranges::mismatch(folder, path).in1 == folder.end();
+}
+
+enum class Outcome { read, missing, outside };
+
+class Reader {
+  public:
+    explicit Reader(const fs::path& obj) {
+        std::error_code error;
+        folder_ = fs::absolute(obj, error).lexically_normal().parent_path();
+        real_folder_ = fs::canonical(folder_, error);
+    }
+
+    void read(std::string name) {
+        std::ranges::replace(name, '\\', '/');
+        // A name may hold blanks, or the line may name several files: the first that exists counts.
+        Outcome outcome = read_one(name);
+        std::istringstream words(name);
+        bool any = outcome == Outcome::read;
+        for (std::string word; outcome != Outcome::read && words >> word;) {
+            const Outcome of_word = read_one(word);
+            any = any || of_word == Outcome::read;
+            if (of_word == Outcome::outside) outcome = of_word;
+        }
+        if (any) return;
+        files_.notes.push_back("material file " + lineatlas::quoted(name) +
+                               (outcome == Outcome::outside
+                                    ? " is not beside the model or below its folder"
+                                    : " cannot be read") +
+                               "; its materials have no colour");
+    }
+
+    MaterialFiles take() { return std::move(files_); }
+
+  private:
+    Outcome read_one(const fs::path& name) {
+        // By its name first, so that nothing outside is even asked for.
+        const fs::path path = (folder_ / name).lexically_normal();
+        if (!is_below(path, folder_)) return Outcome::outside;
+        std::error_code error;
+        const fs::path real = fs::canonical(path, error);
+        if (error) return Outcome::missing;
+        if (!is_below(real, real_folder_)) return Outcome::outside;
+        if (!fs::is_regular_file(real, error)) return Outcome::missing;
+        try {
+            files_.contents.push_back(fs::is_empty(real) ? "" : read_source(real).bytes);
+        } catch (const FileError&) {
+            return Outcome::missing;
+        } catch (const fs::filesystem_error&) {
+            return Outcome::missing;
+        }
+        return Outcome::read;
+    }
+
+    fs::path folder_, real_folder_;
+    MaterialFiles files_;
+};
+
+} // namespace
+
+MaterialFiles read_material_files(const SourceFile& obj) {
+    Reader reader(obj.path);
+    for (const std::string& name : material_names(obj.bytes)) reader.read(name);
+    return reader.take();
+}
+
+} // namespace lineatlas

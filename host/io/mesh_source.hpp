@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+#include "lineatlas/io.hpp"
+#include "material_files.hpp"
+#include "source_file.hpp"
+
+namespace lineatlas {
+
+// load_mesh() in two steps: what opens files, and what believes what is in them.
+
+/// All files that a model consists of.
+struct MeshSource {
+    SourceFile model;
+    MaterialFiles materials;
+};
+
+/// Throws FileError for what can't be read and for types that are no mesh.
+MeshSource read_mesh_source(const std::filesystem::path& path);
+
+/// Opens nothing. Throws FileError.
+LoadedMesh parse_mesh(MeshSource source);
+
+} // namespace lineatlas

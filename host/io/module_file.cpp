@@ -1,0 +1,77 @@
+#include "module_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include "source_file.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder of the program or shared library that this code is part of.
+fs::path own_folder() {
+    Dl_info info{};
+    link_map* object = nullptr;
+    const bool known = dladdr1(reinterpret_cast<const void*>(&own_folder), &info,
+                               reinterpret_cast<void**>(&object), RTLD_DL_LINKMAP) != 0;
+    // The linker gives the program itself no name.
+    const bool is_program = !known || object == nullptr || *object->l_name == '\0';
+    std::error_code error;
+    return fs::canonical(is_program ? "/proc/self/exe" : object->l_name, error).parent_path();
+}
+
+FileError load_error(const ModuleFile& module, const fs::path& path, const std::string& cause) {
+    return FileError("cannot load " + quoted(path) + ", " + module.purpose + ": " + cause);
+}
+
+} // namespace
+
+fs::path find_module(const ModuleFile& module) {
+    const std::string file_name = std::string{module.name} + ".so";
+    std::error_code error;
+    if (const char* folder = std::getenv("LINEATLAS_MODULE_DIR")) {
+        const fs::path path = fs::path(folder) / file_name;
+        if (fs::exists(path, error)) return path;
+        throw load_error(module, path, "no such file; LINEATLAS_MODULE_DIR names its folder");
+    }
+    const fs::path own = own_folder();
+    // Of a shared library, of an installed program, of the programs and tests of a build.
+    const std::array folders{own, own / LINEATLAS_LIBRARIES_FROM_PROGRAMS, own / "lib",
+                             own.parent_path() / "lib"};
+    std::array<fs::path, folders.size()> places;
+    std::ranges::transform(folders, places.begin(), [&](const fs::path& folder) {
+        return folder / "lineatlas" / file_name;
+    });
+    for (const fs::path& path : places)
+        if (fs::exists(path, error)) return path;
+    std::string cause{"no such file; "};
+    if (module.own_package != nullptr)
+        cause += std::string{"install the package "} + module.own_package + ", ";
+    cause += std::string{"build the target "} + module.name +
+             ", or set LINEATLAS_MODULE_DIR to its folder";
+    throw load_error(module, places.back(), cause);
+}
+
+const void* load_module(const ModuleFile& module, const char* symbol) {
+    const fs::path path = find_module(module);
+    void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (library == nullptr)
+        throw load_error(module, path,
+                         std::string(dlerror()) + "; is " + module.library +
+                             " installed (on Debian: apt install " + module.package + ")?");
+    const void* found = dlsym(library, symbol);
+    if (found == nullptr)
+        throw load_error(module, path, "it belongs to another version; build both anew");
+    return found;
+}
+
+} // namespace lineatlas

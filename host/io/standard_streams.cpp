@@ -1,0 +1,61 @@
+#include "standard_streams.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+
+namespace {
+
+bool pipes_end_the_program = false; ///< as they did before open_standard_streams()
+
+[[noreturn]] void fail_output(int error) {
+    if (error == EPIPE && pipes_end_the_program) {
+        std::signal(SIGPIPE, SIG_DFL);
+        std::raise(SIGPIPE);
+    }
+    const std::string cause =
+        error != 0 ? std::generic_category().message(error) : "not all of it was taken";
+    throw FileError("cannot write to standard output: " + cause);
+}
+
+} // namespace
+
+void open_standard_streams() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+        // The wrong way round: who reads or writes it is told. The lowest free number is this one.
+        (void)::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+    // Not SIG_IGN, which programs that this one starts would inherit.
+    const auto before = std::signal(SIGPIPE, [](int) {});
+    pipes_end_the_program = before == SIG_DFL;
+    if (before == SIG_IGN) std::signal(SIGPIPE, SIG_IGN);
+}
+
+void print_error(std::string_view text) noexcept {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
+int run_with_output(const std::function<int()>& run) {
+    try {
+        const int code = run();
+        errno = 0;
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail_output(errno);
+        return code;
+    } catch (const std::system_error& error) { // of a print that went no further
+        if (std::ferror(stdout) != 0) fail_output(error.code().value());
+        throw;
+    }
+}
+
+} // namespace lineatlas

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace lineatlas {
+
+// By seccomp/system_calls.cpp, or where libseccomp is not there when this is built by
+// seccomp/none.cpp.
+
+/// Whether this program was built with libseccomp.
+bool knows_seccomp();
+
+/// Whether the kernel filters system calls, and this program knows how to ask it.
+bool has_seccomp();
+
+/// From here on this process is left with what computing takes: memory, threads, clocks, its own
+/// end, and the descriptors up to stderr, which it can read and write. All else fails with EPERM.
+/// For ever. Needs PR_SET_NO_NEW_PRIVS. Throws std::system_error.
+void restrict_system_calls();
+
+} // namespace lineatlas

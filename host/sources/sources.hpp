@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lineatlas {
+
+/// A kernel, shader or style file, embedded at build time.
+struct EmbeddedSource {
+    std::string_view name; ///< the file's name without its folder
+    std::string_view text;
+};
+
+const std::vector<EmbeddedSource>& embedded_kernels(); ///< kernels/
+const std::vector<EmbeddedSource>& embedded_shaders(); ///< shaders/
+const std::vector<EmbeddedSource>& embedded_styles();  ///< styles/
+
+/// The text of a kernel or shader file, with lines `#include "name"` replaced by the files they
+/// name (each once); in a kernel's, between line_directive()s (GLSL has none that name a file).
+/// Read from the folder in LINEATLAS_KERNEL_DIR or LINEATLAS_SHADER_DIR if that is set, so that
+/// sources can be edited and profiled without a build. Headers (`.h`) that shaders include are
+/// those of kernels. Throws FileError if there is no such file.
+std::string kernel_source(std::string_view name);
+std::string shader_source(std::string_view name);
+
+/// What tells compilers of C that the next line is line `line` of `file`.
+std::string line_directive(std::size_t line, std::string_view file);
+
+} // namespace lineatlas

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "lineatlas/renderer.hpp"
+#include "setting.hpp"
+
+namespace lineatlas {
+
+/// How exactly a frame is computed, in one word.
+enum class Quality { low, high };
+
+/// What a quality stands for in a picture of pixels.
+struct Sampling {
+    std::uint32_t probes; ///< FrameOptions::probes
+    int depth_scale;      ///< FrameOptions::depth_scale
+    bool operator==(const Sampling&) const = default;
+};
+constexpr Sampling sampling_of(Quality quality) {
+    return quality == Quality::high ? Sampling{9, 2} : Sampling{1, 1};
+}
+
+inline constexpr std::array<std::uint32_t, 4> probe_counts{1, 4, 9, 16};
+
+/// How frames are drawn, as people choose it: what they leave open follows from the quality and
+/// from what the frame is for.
+struct FrameSettings {
+    Quality quality = Quality::high;
+    std::optional<std::uint32_t> probes{}; ///< nothing: the quality's
+    std::optional<int> depth_scale{};      ///< nothing: the quality's
+    FrameOptions rest{};                   ///< all else; its probes and depth_scale don't count
+
+    /// For a picture of pixels.
+    FrameOptions for_pixels() const;
+    /// For intervals or paths of a picture of this size.
+    FrameOptions for_paths(glm::ivec2 size) const;
+};
+
+/// Paths end where the depth buffer has it: where pixels have more than one depth texel, paths get
+/// the finest there is, if no GL's limit is in the way of a picture of this size.
+int depth_scale_of_paths(int depth_scale, glm::ivec2 size);
+
+/// One member of FrameSettings.
+using FrameSetting = SettingOf<FrameSettings>;
+
+/// The one table of them, in the order in which people read it; without what only a program chooses
+/// that draws one frame after the other (FrameOptions::steady). Names of choices stand in the order
+/// of their enumerators.
+std::span<const FrameSetting> frame_settings();
+
+/// Throws UsageError with the nearest key.
+const FrameSetting& find_frame_setting(std::string_view key);
+
+/// As `--method` has it.
+const std::string& name_of(Method method);
+
+/// All of them as a Markdown table; it stands in docs/output.md.
+std::string frame_settings_table();
+
+/// Kinds of line by name with commas between, as in "crease,silhouette"; nothing if there is no
+/// such kind.
+std::optional<LineKindMask> line_kinds_from(std::string_view text);
+std::string line_kinds_to_text(LineKindMask kinds);
+
+} // namespace lineatlas

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "drawn_lines.hpp"
+
+namespace lineatlas {
+
+/// What rays say of a drawing.
+struct Certificate {
+    DrawingErrors wide;                   ///< within 1.5 pixels
+    DrawingErrors narrow;                 ///< within 0.5 pixels
+    std::optional<StrictErrors> strict{}; ///< of a drawing with tags
+};
+
+Certificate certify(const EdgeTruth& truth, const DrawnLines& drawn);
+
+/// In one line, for a file's metadata.
+std::string certificate_line(const Certificate& certificate);
+
+/// A table, and the places where most is wrong: at most `places` of each kind, by the pixels of
+/// line that are wrong there.
+std::string certificate_table(const Certificate& certificate, std::size_t places);
+
+} // namespace lineatlas

@@ -1,0 +1,144 @@
+#include "drawing_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "io/extension.hpp"
+#include "io/source_file.hpp"
+#include "svg_path.hpp"
+#include "vector/sheet.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr const char* not_ours = "it is no drawing of lineatlas; check what `lineatlas draw` wrote";
+
+/// "..., seen at 1024x768 pixels", as to_svg() says it.
+glm::ivec2 size_in(const std::string& description) {
+    glm::ivec2 size{0};
+    const std::size_t at = description.rfind("seen at ");
+    if (at != std::string::npos)
+        std::sscanf(description.c_str() + at, "seen at %dx%d pixels", &size.x, &size.y);
+    return size;
+}
+
+Sheet sheet_of(const DrawingFile& drawing) {
+    SvgOptions options;
+    const auto page = described(drawing.description, "--page");
+    if (page) {
+        options.page = parse_page(*page);
+        options.units = Unit::mm;
+    }
+    if (const auto units = described(drawing.description, "--units"))
+        options.units = parse_unit(*units);
+    if (const auto margin = described(drawing.description, "--margin"))
+        options.margin = parse_length(*margin, options.units);
+    return lay_out(drawing.size, options);
+}
+
+DrawingFile of_svg(const SourceFile& file) {
+    pugi::xml_document document;
+    if (!document.load_buffer(file.bytes.data(), file.bytes.size()))
+        throw read_error(file.path, "it is no XML, or damaged");
+    const pugi::xml_node svg = document.child("svg");
+    DrawingFile drawing{.description = svg.child_value("desc")};
+    drawing.size = size_in(drawing.description);
+    if (!svg || drawing.size.x <= 0 || drawing.size.y <= 0) throw read_error(file.path, not_ours);
+    const Sheet sheet = sheet_of(drawing);
+    for (const pugi::xml_node group : svg.children("g")) {
+        if (std::string_view{group.attribute("class").value()}.ends_with("hidden")) continue;
+        for (const pugi::xml_node path : group.children("path")) {
+            const auto lines = parse_path(path.attribute("d").value());
+            if (!lines) throw read_error(file.path, not_ours);
+            for (const auto& [from, to] : *lines)
+                drawing.legs.push_back(
+                    {(from - sheet.corner) / sheet.scale, (to - sheet.corner) / sheet.scale});
+        }
+    }
+    return drawing;
+}
+
+glm::dvec2 point(const nlohmann::json& json) {
+    return {json.at(0).get<double>(), json.at(1).get<double>()};
+}
+
+void add_path(const nlohmann::json& path, DrawingFile& drawing) {
+    if (!path.at("visible").get<bool>()) return;
+    std::vector<glm::dvec2> points;
+    for (const nlohmann::json& one : path.at("points")) points.push_back(point(one));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        drawing.legs.push_back({points[i], points[i + 1]});
+    if (!path.contains("pieces")) return;
+    for (const nlohmann::json& piece : path.at("pieces")) {
+        const auto at = piece.at("point").get<std::size_t>();
+        const glm::dvec2 a = points.at(at);
+        const glm::dvec2 b = points.at((at + 1) % points.size());
+        const glm::dvec2 part = piece.contains("part") ? point(piece.at("part")) : glm::dvec2{0, 1};
+        drawing.tags.push_back({glm::mix(a, b, part.x), glm::mix(a, b, part.y),
+                                piece.at("from").get<std::uint32_t>(),
+                                piece.at("to").get<std::uint32_t>()});
+    }
+}
+
+DrawingFile of_json(const SourceFile& file) {
+    try {
+        const nlohmann::json json = nlohmann::json::parse(file.bytes);
+        if (json.value("format", "") != "lineatlas-drawing") throw read_error(file.path, not_ours);
+        DrawingFile drawing{.size = glm::ivec2{point(json.at("size"))},
+                            .description = json.value("description", "")};
+        for (const nlohmann::json& path : json.at("paths")) add_path(path, drawing);
+        return drawing;
+    } catch (const nlohmann::json::exception&) {
+        throw read_error(file.path, "it is no JSON of a drawing, or damaged");
+    } catch (const std::out_of_range&) {
+        throw read_error(file.path, "a piece names a point that is not there");
+    }
+}
+
+std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
+    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
+}
+
+} // namespace
+
+DrawingFile read_drawing(const std::filesystem::path& path) {
+    const std::string extension = lower_extension(path);
+    if (extension == ".svg") return of_svg(read_source(path));
+    if (extension == ".json") return of_json(read_source(path));
+    throw read_error(path, "a drawing to check ends in .svg or .json");
+}
+
+std::optional<std::string> described(std::string_view description, std::string_view option) {
+    for (const char sign : {' ', '='}) {
+        std::string name{" "};
+        name += option;
+        name += sign;
+        const std::size_t at = description.find(name);
+        if (at == std::string_view::npos) continue;
+        std::string_view value = description.substr(at + name.size());
+        const bool in_quotes = value.starts_with('\'');
+        if (in_quotes) value.remove_prefix(1);
+        return std::string{value.substr(0, value.find_first_of(in_quotes ? "'" : " ;"))};
+    }
+    return std::nullopt;
+}
+
+DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines) {
+    std::unordered_map<std::uint64_t, std::uint32_t> segments;
+    for (std::uint32_t i = 0; i < lines.sources.size(); ++i)
+        segments.emplace(edge_key(lines.sources[i].from, lines.sources[i].to), i);
+    DrawnLines drawn{.legs = drawing.legs, .pieces = {}};
+    for (const TaggedPiece& tag : drawing.tags) {
+        const auto found = segments.find(edge_key(tag.p, tag.q));
+        drawn.pieces.push_back(
+            {tag.from, tag.to, found != segments.end() ? found->second : DrawnPiece::unknown});
+    }
+    return drawn;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,76 @@
+#include "patches.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_set>
+
+namespace lineatlas {
+namespace {
+
+std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
+    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
+}
+
+struct TriangleEdge {
+    std::uint64_t key;
+    std::uint32_t triangle;
+};
+
+std::vector<TriangleEdge> sorted_edges(const std::vector<glm::uvec3>& triangles) {
+    std::vector<TriangleEdge> edges;
+    edges.reserve(3 * triangles.size());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            edges.push_back({edge_key(triangles[i][k], triangles[i][(k + 1) % 3]), i});
+        }
+    }
+    std::ranges::sort(edges, {}, [](const TriangleEdge& edge) {
+        return std::pair{edge.key, edge.triangle};
+    });
+    return edges;
+}
+
+/// Disjoint sets; each is named by its least member.
+class Sets {
+  public:
+    explicit Sets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+} // namespace
+
+std::vector<std::uint32_t> smooth_patches(const LineSet& lines) {
+    std::unordered_set<std::uint64_t> borders;
+    for (const Segment& segment : lines.segments) {
+        if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE)
+            borders.insert(edge_key(segment.p, segment.q));
+    }
+    const std::vector<TriangleEdge> edges = sorted_edges(lines.triangles);
+    Sets patches{lines.triangles.size()};
+    for (std::size_t first = 0; first < edges.size();) {
+        std::size_t end = first;
+        while (end < edges.size() && edges[end].key == edges[first].key) ++end;
+        if (end - first == 2 && !borders.contains(edges[first].key))
+            patches.unite(edges[first].triangle, edges[first + 1].triangle);
+        first = end;
+    }
+    std::vector<std::uint32_t> result(lines.triangles.size());
+    for (std::uint32_t i = 0; i < result.size(); ++i) result[i] = patches.find(i);
+    return result;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace lineatlas {
+
+/// The straight lines of path data (SVG 1.1 §8.3): moves, lines and closings, absolute or relative.
+/// Nothing if there is anything else in it.
+std::optional<std::vector<std::pair<glm::dvec2, glm::dvec2>>> parse_path(std::string_view data);
+
+} // namespace lineatlas

@@ -1,0 +1,91 @@
+/* Numbers that kernels, shaders and the host share and nobody else needs. Nothing but defines,
+ * which OpenCL C, C++ and GLSL read. */
+#ifndef LINEATLAS_CONSTANTS_H
+#define LINEATLAS_CONSTANTS_H
+
+/* Visibility (of 255) from which on a sample belongs to a visible interval: half of its box. Beside
+ * a smooth silhouette half of the box is the surface itself, so half of it is all there is to see.
+ */
+#define LA_INTERVAL_SHOWN(kind) ((kind) == LA_KIND_SILHOUETTE ? 64u : 128u)
+/* Steps by which a change of visibility is narrowed down, from one sample's length. */
+#define LA_INTERVAL_STEPS 6
+
+/* Visibility (of 255) from which on a stroke is drawn in full: a third (shaders/mark.glsl). */
+#define LA_FULLY_SHOWN 85
+
+/* Pixels per axis of a tile in which `halo` looks for lines that cross. */
+#define LA_HALO_TILE 16
+/* A visible run is longer by this for `halo`, in pixels: one that ends behind the line that hides
+ * it, and any that crosses another near its end. */
+#define LA_HALO_REACH_HIDDEN 4.0f
+#define LA_HALO_REACH_OVER 1.0f
+/* Lines at less than this sine to each other run along each other and do not cross. */
+#define LA_HALO_LEAST_SINE 0.01f
+/* A gap is at most this much longer than that of a line that crosses at a right angle. Where they
+ * cross at a smaller angle than that it is shorter again: one that came at its full length when two
+ * lines begin to cross would flash up. */
+#define LA_HALO_STRETCH 3.0f
+
+/* Priorities of lines that `density` tells apart, and pixels per axis of a cell of its grid. */
+#define LA_DENSITY_BINS 16u
+#define LA_DENSITY_CELL 8
+#define LA_BIN_STEPS 16u /* a line between two bins is shared out between them in such steps */
+#define LA_DENSITY_UNITS_PER_PIXEL 256.0f /* of length of line, summed as integers */
+#define LA_DENSITY_TENT 81.0f             /* sum of the weights that smooth the grid */
+/* What kind, length and chance contribute to a priority. */
+#define LA_PRIORITY_KIND 0.5f
+#define LA_PRIORITY_LENGTH 0.3f
+#define LA_PRIORITY_CHANCE 0.2f
+/* Lines fade where those before them take up from 1 - this to 1 + this of the limit. */
+#define LA_DENSITY_SOFTNESS 0.5f
+/* What is left of lines may exceed the limit by this factor before it is shared out again. */
+#define LA_DENSITY_TOLERATED 1.04f
+
+/* Cosine of the sharpest turn that is joined; a sharper one gets round ends. 150 degrees. */
+#define LA_JOIN_LIMIT_COSINE -0.866025f
+
+/* Arc lengths are summed in fixed point, so that every device gets the same result in any order of
+ * summation; the sum may wrap, differences along one path stay right. */
+#define LA_ARC_UNITS_PER_PIXEL 256.0f
+
+/* Largest slope (window depth per pixel) and height (pixels) kept of a line's own face. */
+#define LA_SLOPE_LIMIT 100.0f
+#define LA_HEIGHT_LIMIT 100000.0f
+
+/* A line's own face is recognised by its place and by its depth to within this many pixels (worth
+ * of slope): the rasteriser snaps corners to a grid. */
+#define LA_OWN_FACE_SNAP 0.00390625f
+
+/* A single probe beside a fold stands this many depth texels outside it: far enough that its
+ * texel's centre cannot lie on the surface that folds away. */
+#define LA_FOLD_CLEARANCE 0.75f
+
+/* A face whose depth changes by no more than this many pixel widths is recognised by depth alone:
+ * beyond its own third corner other faces may lie in the same plane. */
+#define LA_OWN_FACE_REACH 2.0f
+
+/* Rounding in the depth buffer: a few units in the last place of a float just below 1. */
+#define LA_DEPTH_ROUNDING 2.4e-7f
+
+/* No probe touches a texel whose centre is farther than this many texels from its line: half a
+ * pixel across, or for a single probe the clearance from a fold, and half a diagonal to the texel's
+ * centre. */
+#define LA_PROBE_REACH(depth_scale) (0.5f * (depth_scale) + 1.0f)
+
+/* The moving average over frames: the share of the new frame in it, and changes of visibility (of
+ * 255) that are too large to be chance, or too small to bother at either extreme. */
+#define LA_TEMPORAL_SHARE 0.27f
+#define LA_TEMPORAL_LARGEST_CHANGE 105.0f
+#define LA_TEMPORAL_SMALLEST_CHANGE 16.0f
+
+/* Texels per axis of a tile of the depth pyramid. */
+#define LA_TILE 16
+
+/* How much larger a moved box is than it must be: rounding of what is moved. */
+#define LA_BOX_ROUNDING 1e-6f
+
+/* Segments over more tiles than this are not tested against the pyramid: they are seldom hidden
+ * whole. */
+#define LA_MOST_TILES_TESTED 64
+
+#endif

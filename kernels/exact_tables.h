@@ -1,0 +1,112 @@
+/* Tables and scalars of the exact method (exact.h). Valid in OpenCL C and in C++, as
+ * segment_table.h is. */
+#ifndef LINEATLAS_EXACT_TABLES_H
+#define LINEATLAS_EXACT_TABLES_H
+
+/* A triangle on the screen. */
+typedef struct ScreenFace {
+    float low[2], high[2]; /* the box around what lies beyond the near plane, pixels */
+    float nearest;         /* its greatest nearness, see nearness_of() */
+    la_uint kind;          /* FACE_* */
+} ScreenFace;
+
+/* A face in the list of a tile. */
+typedef struct Entry {
+    la_uint face;   /* triangle */
+    float nearness; /* the greatest in the tile */
+    la_uint key;    /* by which the list is sorted, see tile_lists_arrange */
+} Entry;
+
+/* Faces of a tile's list that stand together: LA_ENTRY_FLOATS rows of LA_GROUP numbers. */
+#define LA_GROUP 16u
+#define LA_ENTRY_LOW_X 0u
+#define LA_ENTRY_LOW_Y 1u
+#define LA_ENTRY_HIGH_X 2u
+#define LA_ENTRY_HIGH_Y 3u
+#define LA_ENTRY_NEAREST 4u
+#define LA_ENTRY_SIDES 5u  /* a, b, c of each of three */
+#define LA_ENTRY_PLANE 14u /* a, b, c */
+#define LA_ENTRY_DOUBT 17u
+#define LA_ENTRY_FACE 18u /* the bits of an uint: the triangle */
+#define LA_ENTRY_FLOATS 19u
+#define LA_GROUP_FLOATS (LA_GROUP * LA_ENTRY_FLOATS)
+/* The boxes of groups: the first five of these rows, and the nearest of this and all later groups
+ * of the tile. */
+#define LA_BOX_BEHIND 5u
+#define LA_BOX_FLOATS 6u
+
+typedef struct ExactParameters {
+    la_uint count; /* segments */
+    la_uint vertex_count, triangle_count;
+    la_mat4 clip_from_world;
+    la_vec4 eye;      /* homogeneous, as in FacingParameters; a unit vector if its w is 0 */
+    la_vec2 viewport; /* pixels */
+    la_ivec2 tiles;
+    float tile_size; /* pixels */
+    float contact;   /* what is nearer than this to a face touches it; model units */
+    /* Faces are wider by this on the screen, pixels: about the rounding of a position there, so
+     * that no line shines through where one face ends in the middle of another's side. */
+    float slack;
+    float depth_rate; /* of a parallel view: clip z per model unit; of a perspective one 0 */
+    float rounding;   /* most that rounding changes the depth coordinate in clip space */
+    la_uint chunk;    /* triangles per work-item of tile_lists */
+    la_uint chunks;
+    la_uint entry_capacity, group_capacity, span_capacity;
+} ExactParameters;
+
+/* SpansParameters.wanted, a sum of: */
+#define LA_WANTS_VISIBLE 1u
+#define LA_WANTS_HIDDEN 2u
+#define LA_WANTS_NO_DOTS 4u /* no parts of segments that are dots, see is_dot() */
+
+typedef struct SpansParameters {
+    la_uint count; /* segments */
+    la_vec2 viewport;
+    float half_width; /* as in CompactParameters */
+    la_uint wanted;   /* LA_WANTS_* */
+    la_uint block;    /* segments per work-item */
+    la_uint blocks;
+    la_uint span_capacity;
+    la_uint capacity; /* of runs, or of intervals */
+} SpansParameters;
+
+/* Lists stay lists: */
+/* clang-format off */
+#define EXACT_MODEL_TABLES(in) in(float, vertices) in(uint, triangles)
+#define EXACT_LIST_TABLES(in) \
+    EXACT_MODEL_TABLES(in) \
+    in(ScreenFace, faces) in(float, planes) in(uint, occluders) in(uint, ends) in(uint, groups) \
+    in(float, blocks) in(float, boxes)
+
+#define surfaces_vertices_tables(in, out, inout, unordered) in(float, vertices) out(float, screen)
+#define surfaces_faces_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) in(float, screen) out(ScreenFace, faces) out(float, planes) \
+        inout(uint, occluders)
+#define tile_lists_count_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
+    in(uint, occluders) inout(uint, counts)
+#define tile_lists_groups_tables(in, out, inout, unordered) in(uint, offsets) out(uint, groups)
+#define tile_lists_fill_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
+    in(uint, occluders) inout(uint, ends) out(Entry, entries)
+#define tile_lists_arrange_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
+    in(uint, ends) inout(Entry, entries) in(uint, groups) out(float, blocks) \
+    out(float, boxes)
+#define visible_count_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) EXACT_LIST_TABLES(in) \
+    out(uint, counts) out(float, kept)
+#define visible_write_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(ClippedSegment, clipped) EXACT_LIST_TABLES(in) in(uint, offsets) \
+    in(float, kept) out(float, spans)
+#define spans_count_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(uint, arcs) in(uint, span_offsets) in(float, spans) out(uint, counts)
+#define spans_runs_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uint, span_offsets) in(float, spans) in(uint, block_offsets) \
+    out(Run, runs) out(FrameRecord, record)
+#define spans_intervals_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(float, vertices) in(uint, span_offsets) in(float, spans) \
+    in(uint, block_offsets) out(Interval, intervals) out(uint, interval_total)
+
+/* clang-format on */
+#endif

@@ -1,0 +1,61 @@
+/* The numbers in the members of tables: kinds, flags and what they mean. Nothing but defines, which
+ * OpenCL C, C++ and GLSL read. */
+#ifndef LINEATLAS_FLAGS_H
+#define LINEATLAS_FLAGS_H
+
+/* Line kinds; bit 1 << kind selects one in a kind mask. */
+#define LA_KIND_CREASE 0u
+#define LA_KIND_BOUNDARY 1u
+#define LA_KIND_MATERIAL 2u
+#define LA_KIND_SILHOUETTE 3u
+#define LA_KIND_FILE 4u
+#define LA_KIND_COUNT 5u
+
+/* Segment.tag: the kind in the low bits, then flags. */
+#define LA_TAG_KIND_MASK 0x7u
+#define LA_TAG_CLOSED 0x8u /* the path is a loop: its last segment continues in its first */
+#define LA_TAG_LONE 0x10u  /* touches no other segment: dropped when sub-pixel (§4.1) */
+
+/* Segment.face_a, face_b: a triangle index, or LA_NO_FACE. LA_FACE_FLIPPED in face_b says that its
+ * winding disagrees with face_a's, so that its facing must be negated before the two are compared.
+ */
+#define LA_NO_FACE 0xFFFFFFFFu
+#define LA_FACE_FLIPPED 0x80000000u
+#define LA_FACE_INDEX 0x7FFFFFFFu
+
+/* Run.flags: what either end of a run or a stroke is. */
+#define LA_END_CLIPPED 0u /* the viewport ends here: cut square */
+#define LA_END_JOIN 1u    /* the path goes on: cut along the bisector with the next segment */
+#define LA_END_ROUND 2u   /* the path goes on, but too sharply for a join: round, overlapping */
+#define LA_END_HIDDEN 3u  /* visibility ends here */
+#define LA_END_PATH 4u    /* the path ends here */
+#define LA_END_MASK 7u
+#define LA_RUN_START_SHIFT 0u /* of the run */
+#define LA_RUN_END_SHIFT 3u
+#define LA_STROKE_START_SHIFT 6u /* of the stroke that the run is a part of */
+#define LA_STROKE_END_SHIFT 9u
+#define LA_RUN_KIND_SHIFT 12u
+#define LA_RUN_SOLID 0x8000u /* visible all along: the atlas has no samples of it */
+#define LA_RUN_BIN_SHIFT 16u /* priority of the line, in 1/LA_BIN_STEPS of a bin, see `density` */
+#define LA_RUN_BIN_MASK 0xFFu
+
+/* Interval.flags: whether it is visible, what either end is (LA_END_CLIPPED, JOIN, ROUND, HIDDEN:
+ * visibility changes, or PATH), and between what visibility changes there; whether it was cut and
+ * not sampled, so that its ends are where they are however short it is. */
+#define LA_INTERVAL_VISIBLE 1u
+#define LA_INTERVAL_START_SHIFT 1u
+#define LA_INTERVAL_END_SHIFT 4u
+#define LA_INTERVAL_START_CHANGE_SHIFT 7u
+#define LA_INTERVAL_END_CHANGE_SHIFT 9u
+#define LA_INTERVAL_EXACT 0x800u
+#define LA_CHANGE_MASK 3u
+#define LA_CHANGE_NONE 0u
+#define LA_CHANGE_WITHIN 1u /* the middles of two samples of the segment */
+#define LA_CHANGE_HEAD 2u   /* the segment's start and the middle of its first sample */
+#define LA_CHANGE_TAIL 3u   /* the middle of its last sample and the segment's end */
+
+/* Arc length, either way, of the ends of a stroke that has none: so far away that profiles have
+ * their middle value all along. */
+#define LA_ENDLESS 1e9f
+
+#endif

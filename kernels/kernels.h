@@ -1,0 +1,258 @@
+/* Every kernel with its scalars and its tables: the one list that kernels are compiled from, and
+ * that launching, comparing, profiling and checking them reads.
+ *
+ * A kernel's scalars are one struct, passed by value. Its tables follow as NAME_tables(in, out,
+ * inout, unordered): `in` is only read, `out` only written, `inout` both; what stands in an
+ * `unordered` one may come in any order. Valid in OpenCL C and in C++ (host/compute/kernels.hpp),
+ * where la_vec2 and the like are GLM's. */
+#ifndef LINEATLAS_KERNELS_H
+#define LINEATLAS_KERNELS_H
+
+#include "constants.h"
+#include "language.h"
+#include "segment_table.h"
+#include "style_numbers.h"
+
+/* Lists stay lists: */
+/* clang-format off */
+
+/* For each element of a table. */
+typedef struct CountParameters {
+    la_uint count;
+} CountParameters;
+
+/* How samples lie in the atlas (eq. 2): rows of `pitch` texels of which the first `width` can start
+ * a segment, and room for `capacity` samples. */
+typedef struct AtlasRows {
+    la_uint width, pitch, capacity;
+} AtlasRows;
+
+/* What of a frame most stages read. */
+#define FRAME_TABLES(in) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(uint, arcs)
+
+#define transform_tables(in, out, inout, unordered) \
+    in(float, rest) in(uint, objects) in(float, matrices) out(float, vertices) out(float, drawn)
+#define transform_boxes_tables(in, out, inout, unordered) \
+    in(Cluster, rest) in(uint, objects) in(float, matrices) out(Cluster, clusters)
+#define transform_bounds_tables(in, out, inout, unordered) \
+    in(float, vertices) in(uint, triangles) inout(Cluster, clusters)
+#define transform_forget_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(uint, objects) in(uchar, jumped) inout(uint, ranges)
+
+typedef struct PyramidParameters {
+    la_ivec2 depth_size; /* texels */
+    la_ivec2 tile_count;
+} PyramidParameters;
+#define pyramid_tables(in, out, inout, unordered) in(float, depth) out(float, tiles)
+
+typedef struct CullParameters {
+    la_uint count;
+    la_mat4 clip_from_world;
+    la_ivec2 depth_size; /* texels */
+    la_ivec2 tile_count;
+} CullParameters;
+#define cull_tables(in, out, inout, unordered) \
+    in(Cluster, clusters) in(float, tiles) out(uchar, visible)
+
+typedef struct FacingParameters {
+    la_uint count;
+    la_vec4 eye; /* homogeneous: w is 1 for a point, 0 for the direction to a parallel viewer */
+} FacingParameters;
+#define facing_tables(in, out, inout, unordered) \
+    in(float, vertices) in(uint, triangles) out(uchar, front)
+
+/* ProjectClipParameters.hidden: segments that the pyramid shows hidden. */
+#define LA_HIDDEN_SAMPLED 0u /* get samples like all others: there is no pyramid */
+#define LA_HIDDEN_DROPPED 1u /* are left out but for what their neighbours need */
+#define LA_HIDDEN_CLIPPED 2u /* are clipped though they get no samples */
+
+typedef struct ProjectClipParameters {
+    la_uint count;
+    la_mat4 clip_from_world, world_from_clip;
+    la_vec2 viewport;  /* pixels */
+    float step;        /* k: pixels per sample, above 0 */
+    la_uint kind_mask; /* kinds to draw, bit 1 << kind */
+    la_uint hidden;    /* LA_HIDDEN_* */
+    la_ivec2 tile_count;
+    float depth_scale; /* depth texels per pixel */
+    float tolerance;   /* window depth that may stand before a line, times w */
+} ProjectClipParameters;
+#define project_clip_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(float, vertices) in(uint, triangles) in(uchar, front) \
+    in(float, tiles) out(ClippedSegment, clipped) out(uint, counts) out(uint, arcs)
+
+typedef struct ScanParameters {
+    la_uint n;     /* values; tiles of `scan_tiles_sums` */
+    la_uint chunk; /* values per work-item, of chunks */
+} ScanParameters;
+#define scan_chunks_reduce_tables(in, out, inout, unordered) in(uint, values) out(uint, sums)
+#define scan_chunks_apply_tables(in, out, inout, unordered) inout(uint, values) in(uint, sums)
+#define scan_tiles_reduce_tables(in, out, inout, unordered) in(uint, values) out(uint, sums)
+#define scan_tiles_sums_tables(in, out, inout, unordered) inout(uint, sums)
+#define scan_tiles_apply_tables(in, out, inout, unordered) inout(uint, values) in(uint, sums)
+
+typedef struct AtlasParameters {
+    la_uint count; /* segments */
+    la_ivec2 depth_size;
+    la_vec2 viewport;
+    float depth_scale, tolerance; /* as in ProjectClipParameters */
+    AtlasRows rows;
+    la_uint block;   /* samples per work-item */
+    la_ivec2 origin; /* TILED: the first texel of `depth` in the whole */
+    la_ivec4 core;   /* TILED: samples in these texels, from xy up to, without, zw, are computed */
+} AtlasParameters;
+#define atlas_tables(in, out, inout, unordered) \
+    in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) out(uchar, alpha)
+
+/* TemporalParameters.history: what the frame before is good for. */
+#define LA_HISTORY_NONE 0u   /* only remember the ranges */
+#define LA_HISTORY_CAMERA 1u /* the camera alone has moved since */
+#define LA_HISTORY_SCENE 2u  /* objects have moved too: what is hidden now may be so for good */
+
+typedef struct TemporalParameters {
+    la_uint count; /* segments */
+    AtlasRows rows;
+    la_uint block;   /* segments per work-item */
+    la_uint history; /* LA_HISTORY_* */
+} TemporalParameters;
+#define temporal_tables(in, out, inout, unordered) \
+    in(ClippedSegment, clipped) in(uint, offsets) in(uint, offsets_before) in(uchar, before) \
+    inout(uint, ranges) inout(uchar, alpha)
+
+typedef struct CompactParameters {
+    la_uint count; /* segments */
+    AtlasRows rows;
+    la_vec2 viewport;
+    float half_width; /* of the stroke, in pixels: decides where a join has room */
+    la_uint hidden;   /* 1: runs of hidden samples instead of visible ones */
+    la_uint block;    /* segments per work-item */
+    la_uint blocks;
+    la_uint run_capacity;
+} CompactParameters;
+#define compact_count_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uchar, alpha) out(uint, counts)
+#define compact_write_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uchar, alpha) in(uint, block_offsets) out(Run, runs) \
+    out(FrameRecord, record)
+
+typedef struct FilterParameters {
+    AtlasRows rows;
+    la_vec2 viewport;
+    float half_width; /* as in CompactParameters */
+    StrokeFilter filter;
+    la_uint use_cuts; /* 0: `cuts` is not read */
+    la_uint run_capacity, filtered_capacity;
+} FilterParameters;
+#define filter_count_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uchar, alpha) in(Run, runs) in(FrameRecord, record) in(RunCuts, cuts) \
+    out(uint, counts)
+#define filter_write_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uchar, alpha) in(Run, runs) in(FrameRecord, record) in(RunCuts, cuts) \
+    in(uint, run_offsets) out(Run, filtered) out(FrameRecord, filtered_record)
+#define filter_show_tables(in, out, inout, unordered) \
+    in(Run, filtered) in(FrameRecord, filtered_record) inout(uchar, alpha)
+#define filter_show_ends_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(Run, runs) in(FrameRecord, record) inout(uchar, alpha)
+
+typedef struct HaloParameters {
+    la_ivec2 tiles;
+    float width;     /* from the middle of the nearer stroke to the end of the gap, pixels */
+    float tolerance; /* as in ProjectClipParameters: a line is nearer if it is so by more */
+    la_uint total;   /* entries of all lists */
+} HaloParameters;
+#define halo_count_tables(in, out, inout, unordered) \
+    in(Run, runs) in(FrameRecord, record) inout(uint, counts)
+#define halo_fill_tables(in, out, inout, unordered) \
+    in(Run, runs) in(FrameRecord, record) inout(uint, ends) unordered(float, memory)
+#define halo_cut_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(Run, runs) in(FrameRecord, record) \
+    in(uint, ends) unordered(float, memory) out(RunCuts, cuts)
+
+typedef struct DensityParameters {
+    la_ivec2 cells;
+    Density density;
+    la_vec4 focus;   /* centre x and y, radius and falloff in pixels; falloff 0: no focus */
+    float far_limit; /* factor of the limit far from the focus */
+    la_uint again;   /* 1: where the first weights left too much */
+} DensityParameters;
+#define density_lines_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(uint, arcs) in(uchar, alpha) in(FrameRecord, record) \
+    inout(Run, runs) inout(uint, grid)
+#define density_smooth_tables(in, out, inout, unordered) in(uint, grid) out(uint, smooth)
+#define density_weights_tables(in, out, inout, unordered) \
+    in(uint, grid) in(uint, smooth) in(float, excess) inout(float, weights) inout(float, drawn)
+#define density_excess_tables(in, out, inout, unordered) in(float, drawn) out(float, excess)
+
+typedef struct IntervalsParameters {
+    la_uint count; /* segments */
+    AtlasRows rows;
+    la_vec2 viewport;
+    la_uint wanted; /* bit 0 visible ones, bit 1 hidden ones */
+    la_uint block;  /* segments per work-item */
+    la_uint blocks;
+    la_uint interval_capacity;
+    la_ivec2 depth_size;
+    float depth_scale, tolerance; /* as in ProjectClipParameters */
+} IntervalsParameters;
+#define intervals_count_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uchar, alpha) out(uint, counts)
+#define intervals_write_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(uchar, alpha) in(uint, block_offsets) out(Interval, intervals) \
+    out(uint, interval_total)
+#define intervals_refine_tables(in, out, inout, unordered) \
+    FRAME_TABLES(in) in(float, vertices) in(float, depth) inout(Interval, intervals) \
+    in(uint, interval_total)
+
+#include "exact_tables.h"
+
+/* All of them, in the order of a frame: the stage that the kernel belongs to, which names its file,
+ * the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE; `of_tiles`:
+ * those of them that need local memory and barriers; `of_probes`: one for each PROBES_PER_AXIS,
+ * with TILED and without. */
+#define LA_KERNELS(kernel, of_sums, of_tiles, of_probes) \
+    kernel(transform, transform_bounds, CountParameters) \
+    kernel(transform, transform, CountParameters) \
+    kernel(transform, transform_boxes, CountParameters) \
+    kernel(pyramid, pyramid, PyramidParameters) \
+    kernel(cull, cull, CullParameters) \
+    kernel(facing, facing, FacingParameters) \
+    kernel(project_clip, project_clip, ProjectClipParameters) \
+    of_sums(scan, scan_chunks_reduce, ScanParameters) \
+    of_sums(scan, scan_chunks_apply, ScanParameters) \
+    of_tiles(scan, scan_tiles_reduce, ScanParameters) \
+    of_tiles(scan, scan_tiles_sums, ScanParameters) \
+    of_tiles(scan, scan_tiles_apply, ScanParameters) \
+    of_probes(atlas, atlas, AtlasParameters) \
+    kernel(transform, transform_forget, CountParameters) \
+    kernel(temporal, temporal, TemporalParameters) \
+    kernel(intervals, intervals_count, IntervalsParameters) \
+    kernel(intervals, intervals_write, IntervalsParameters) \
+    kernel(intervals, intervals_refine, IntervalsParameters) \
+    kernel(surfaces, surfaces_vertices, ExactParameters) \
+    kernel(surfaces, surfaces_faces, ExactParameters) \
+    kernel(tile_lists, tile_lists_count, ExactParameters) \
+    kernel(tile_lists, tile_lists_groups, ExactParameters) \
+    kernel(tile_lists, tile_lists_fill, ExactParameters) \
+    kernel(tile_lists, tile_lists_arrange, ExactParameters) \
+    kernel(visible, visible_count, ExactParameters) \
+    kernel(visible, visible_write, ExactParameters) \
+    kernel(spans, spans_count, SpansParameters) \
+    kernel(spans, spans_runs, SpansParameters) \
+    kernel(spans, spans_intervals, SpansParameters) \
+    kernel(compact, compact_count, CompactParameters) \
+    kernel(compact, compact_write, CompactParameters) \
+    kernel(halo, halo_count, HaloParameters) \
+    kernel(halo, halo_fill, HaloParameters) \
+    kernel(halo, halo_cut, HaloParameters) \
+    kernel(filter, filter_count, FilterParameters) \
+    kernel(filter, filter_write, FilterParameters) \
+    kernel(filter, filter_show, CountParameters) \
+    kernel(filter, filter_show_ends, CountParameters) \
+    kernel(density, density_lines, DensityParameters) \
+    kernel(density, density_smooth, DensityParameters) \
+    kernel(density, density_weights, DensityParameters) \
+    kernel(density, density_excess, DensityParameters)
+
+/* clang-format on */
+#endif

@@ -1,0 +1,121 @@
+/* Vectors that do several things of a kernel at once. LANES: how many, 1 on GPUs, else 4, 8 or 16;
+ * of those LANES_IN_USE (else all) hold something. Included once by each kernel file that says how
+ * many it wants, so there is no guard.
+ *
+ * A comparison of vectors gives -1 for true, of scalars 1; `& 1` serves both. LANE_BITS makes bit k
+ * of an uint of what lane k has. */
+#if !defined(LANES)
+#error "LANES must be 1, 4, 8 or 16"
+#endif
+#ifndef LANES_IN_USE
+#define LANES_IN_USE LANES
+#endif
+
+#undef LANE_INDEX
+#undef TO_FLOAT
+#undef FLOOR_TO_INT
+#undef LOAD_LANES
+#undef STORE_LANES
+#undef GATHER_LANES
+#undef ANY
+#undef COUNT
+#undef LANE_BITS
+#undef LARGEST
+
+#if LANES == 1
+typedef float lanes_float;
+typedef int lanes_int;
+typedef int lanes_mask;
+#define LANE_INDEX 0
+#define TO_FLOAT(x) ((float)(x))
+#define FLOOR_TO_INT(x) convert_int_rtn(x)
+#define LOAD_LANES(from) (*(from))
+#define STORE_LANES(mask, to) (*(to) = (mask))
+#define GATHER_LANES(from, i) ((from)[i])
+#define ANY(mask) ((mask) != 0)
+#define COUNT(mask) ((mask)&1)
+#define LANE_BITS(mask) ((uint)((mask)&1))
+
+#elif defined(__OPENCL_VERSION__)
+#define LANES_TYPE_OF(type, n) type##n
+#define LANES_TYPE(type, n) LANES_TYPE_OF(type, n)
+typedef LANES_TYPE(float, LANES) lanes_float;
+typedef LANES_TYPE(int, LANES) lanes_int;
+typedef LANES_TYPE(int, LANES) lanes_mask;
+#define TO_FLOAT(x) LANES_TYPE(convert_float, LANES)(x)
+#define LANES_ROUNDED_OF(n) convert_int##n##_rtn
+#define LANES_ROUNDED(n) LANES_ROUNDED_OF(n)
+#define FLOOR_TO_INT(x) LANES_ROUNDED(LANES)(x)
+#define LOAD_LANES(from) LANES_TYPE(vload, LANES)(0, from)
+#define STORE_LANES(mask, to) LANES_TYPE(vstore, LANES)(mask, 0, to)
+#define ANY(mask) any(mask)
+#define COUNT(mask) count_lanes(mask)
+#define LANE_BITS(mask) lane_bits(mask)
+#define LARGEST(x) largest_lane(x)
+static uint bits_of_four(const int4 bits) {
+    return (uint)((bits.x | bits.y) | (bits.z | bits.w));
+}
+#if LANES == 4
+static uint lane_bits(const int4 mask) {
+    return bits_of_four(mask & (int4)(1, 2, 4, 8));
+}
+#elif LANES == 8
+static uint lane_bits(const int8 mask) {
+    const int8 bits = mask & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
+    return bits_of_four(bits.lo | bits.hi);
+}
+#else
+static uint lane_bits(const int16 mask) {
+    const int16 bits =
+        mask & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+    const int8 eight = bits.lo | bits.hi;
+    return bits_of_four(eight.lo | eight.hi);
+}
+#endif
+#if LANES == 4
+#define LANE_INDEX (int4)(0, 1, 2, 3)
+#define GATHER_LANES(from, i) (float4)((from)[i.x], (from)[i.y], (from)[i.z], (from)[i.w])
+static int count_lanes(const int4 mask) {
+    const int4 ones = mask & 1;
+    return ones.x + ones.y + ones.z + ones.w;
+}
+#elif LANES == 16
+#define LANE_INDEX (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
+#if LANES_IN_USE == 9
+#define GATHER_LANES(from, i)                                                                      \
+    (float16)((from)[i.s0], (from)[i.s1], (from)[i.s2], (from)[i.s3], (from)[i.s4], (from)[i.s5],  \
+              (from)[i.s6], (from)[i.s7], (from)[i.s8], 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f)
+#else
+#define GATHER_LANES(from, i)                                                                      \
+    (float16)((from)[i.s0], (from)[i.s1], (from)[i.s2], (from)[i.s3], (from)[i.s4], (from)[i.s5],  \
+              (from)[i.s6], (from)[i.s7], (from)[i.s8], (from)[i.s9], (from)[i.sa], (from)[i.sb],  \
+              (from)[i.sc], (from)[i.sd], (from)[i.se], (from)[i.sf])
+#endif
+static int count_lanes(const int16 mask) {
+    const int16 ones = mask & 1;
+    const int8 eight = ones.lo + ones.hi;
+    const int4 four = eight.lo + eight.hi;
+    return four.x + four.y + four.z + four.w;
+}
+static float largest_lane(const float16 x) {
+    const float8 eight = fmax(x.lo, x.hi);
+    const float4 four = fmax(eight.lo, eight.hi);
+    return fmax(fmax(four.x, four.y), fmax(four.z, four.w));
+}
+#endif
+
+#else
+typedef LanesOf<float, LANES> lanes_float;
+typedef LanesOf<int, LANES> lanes_int;
+typedef LanesOf<int, LANES> lanes_mask;
+#define LANE_INDEX first_numbers<LANES>()
+#define TO_FLOAT(x) to_float_lanes(x)
+#define FLOOR_TO_INT(x) floor_to_int_lanes(x)
+#define LOAD_LANES(from) load_lanes<lanes_float>(from)
+#define STORE_LANES(mask, to) store_lanes(mask, to)
+#define GATHER_LANES(from, i) gather_lanes<LANES_IN_USE>(from, i)
+#define ANY(mask) any_lane(mask)
+#define COUNT(mask) count_true_lanes(mask)
+#define LANE_BITS(mask) lane_bits(mask)
+#define LARGEST(x) largest_of_lanes(x)
+#endif

@@ -1,0 +1,125 @@
+/* What a line's samples see of the depth buffer (§3.2, §4.3): what `atlas` and `intervals` share
+ * with the atlas and spine passes. The file that includes it says first what lanes are, and what
+ * Depth and depth_at(depths, column, row) are; included once by each, so there is no guard. */
+
+/* One of the two faces of a line, as describe_own_face() in clipping.h packs it. */
+struct OwnFace {
+    float slope;  /* window depth per pixel across the line, to the left */
+    float height; /* of the third corner above the line, pixels, positive to the left; 0: no face */
+};
+LA_TYPEDEF(OwnFace)
+
+FUNCTION OwnFace unpack_own_face(const uint bits) {
+    OwnFace face;
+    face.slope = as_float(bits << 16);
+    face.height = as_float(bits & 0xFFFF0000u);
+    return face;
+}
+
+/* A segment on the screen, ready for its samples. Texels are those of the depth buffer. */
+struct Spine {
+    float2 p, d;                    /* p' in texels, and the way to q' */
+    float depth_p, depth_d;         /* window depth, linear on the screen */
+    float inverse_w_p, inverse_w_d; /* so is 1/w */
+    float2 along;                   /* unit vector along the segment */
+    float depth_along;              /* window depth per pixel along it */
+    OwnFace a, b;
+    float outside; /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; else 0 */
+};
+LA_TYPEDEF(Spine)
+
+/* p, q: clipped ends in clip space; own_a, own_b: packed faces. */
+FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, const uint own_b,
+                          const float2 viewport, const float depth_scale) {
+    const float3 scale = float3(viewport * 0.5f, 0.5f);
+    const float3 window_p = (xyz(p) / p.w + 1.0f) * scale;
+    const float3 window_q = (xyz(q) / q.w + 1.0f) * scale;
+    const float3 d = window_q - window_p;
+    const float length_px = sqrt(d.x * d.x + d.y * d.y);
+    const bool has_length = length_px > 0.0f;
+    Spine spine;
+    spine.p = xy(window_p) * depth_scale;
+    spine.d = xy(d) * depth_scale;
+    spine.depth_p = window_p.z;
+    spine.depth_d = d.z;
+    spine.inverse_w_p = 1.0f / p.w;
+    spine.inverse_w_d = 1.0f / q.w - 1.0f / p.w;
+    spine.along = has_length ? xy(d) / length_px : float2(1.0f, 0.0f);
+    spine.depth_along = has_length ? d.z / length_px : 0.0f;
+    spine.a = unpack_own_face(own_a);
+    spine.b = unpack_own_face(own_b);
+    const bool both_left = spine.a.height > 0.0f && spine.b.height > 0.0f;
+    const bool both_right = spine.a.height < 0.0f && spine.b.height < 0.0f;
+    spine.outside = both_left ? -1.0f : both_right ? 1.0f : 0.0f;
+    return spine;
+}
+
+/* Which probes see the line's own face. seen: depth less the line's depth beside it; across: pixels
+ * to the left of the line; before: the tolerance there, in window depth. */
+FUNCTION lanes_mask is_own_face(const OwnFace face, const lanes_float seen,
+                                const lanes_float across, const lanes_float before) {
+    const float sign = face.height > 0.0f ? 1.0f : -1.0f;
+    const float reach = fabs(face.height) + LA_OWN_FACE_SNAP;
+    const float snap = fabs(face.slope) * LA_OWN_FACE_SNAP + LA_DEPTH_ROUNDING;
+    const lanes_float expected = face.slope * across;
+    const lanes_mask on_side = across * sign > -LA_OWN_FACE_SNAP;
+    const lanes_mask in_reach =
+        fabs(across) <= reach || fabs(expected) <= LA_OWN_FACE_REACH * before;
+    return on_side && in_reach && fabs(seen - expected) <= fmin(snap, before);
+}
+
+/* Which probes see the line: those at `side` pixels to the left of the point at share u of the
+ * segment, where nothing in the depth buffer stands before it by more than the tolerance, or where
+ * what stands there is one of the line's own two faces: their planes are known, so they need no
+ * bias. Only lanes in `in_use` are of interest. */
+FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lanes_float side,
+                              const lanes_mask in_use, const Depth depths) {
+    const float inverse_scale = 1.0f / depths.scale;
+    const float2 left = float2(-spine.along.y, spine.along.x);
+    const lanes_float x = spine.p.x + spine.d.x * u;
+    const lanes_float y = spine.p.y + spine.d.y * u;
+    const lanes_float side_texels = side * depths.scale;
+    /* Vectors on both sides: Oclgrind reads past a scalar beside a vector in min and max. */
+    const lanes_int none = 0, right = depths.size.x - 1, top = depths.size.y - 1;
+    const lanes_int column = min(max(FLOOR_TO_INT(x + left.x * side_texels), none), right);
+    const lanes_int row = min(max(FLOOR_TO_INT(y + left.y * side_texels), none), top);
+    const lanes_float offset_x = (TO_FLOAT(column) + 0.5f - x) * inverse_scale;
+    const lanes_float offset_y = (TO_FLOAT(row) + 0.5f - y) * inverse_scale;
+    const lanes_float along = offset_x * spine.along.x + offset_y * spine.along.y;
+    const lanes_float across = offset_x * left.x + offset_y * left.y;
+    const lanes_float line_depth = (spine.depth_p + spine.depth_d * u) + spine.depth_along * along;
+    const lanes_float before =
+        depths.tolerance * (spine.inverse_w_p + spine.inverse_w_d * u) + LA_DEPTH_ROUNDING;
+
+    const lanes_float seen = depth_at(depths, column, row) - line_depth;
+    lanes_mask sees = seen >= -before;
+    if (ANY(!sees && in_use)) {
+        sees = sees || is_own_face(spine.a, seen, across, before) ||
+               is_own_face(spine.b, seen, across, before);
+    }
+    return sees && in_use;
+}
+
+/* The box of probes around a sample is one pixel wide across the line and one sample long along it
+ * (§3.2, §4.3). Each row and column of them is a little further along than the one before, so that
+ * no two are at the same place along or across the line. Where probe `column` of `row` stands:
+ * pixels to the left of the line, and samples from the start of the box. per_axis: probes. */
+FUNCTION lanes_float probe_side(const lanes_int column, const lanes_int row, const int per_axis) {
+    const float inverse = 1.0f / float_of(per_axis);
+    const float middle = 0.5f * float_of(per_axis - 1);
+    const lanes_float shift = (TO_FLOAT(row) - middle) * (1.0f / float_of(per_axis * per_axis));
+    return (TO_FLOAT(column) + 0.5f) * inverse - 0.5f + shift;
+}
+
+FUNCTION lanes_float probe_ahead(const lanes_int column, const lanes_int row, const int per_axis) {
+    const float inverse = 1.0f / float_of(per_axis);
+    const float middle = 0.5f * float_of(per_axis - 1);
+    const lanes_float shift = (TO_FLOAT(column) - middle) * (1.0f / float_of(per_axis * per_axis));
+    return (TO_FLOAT(row) + 0.5f) * inverse + shift;
+}
+
+/* A single probe on a smooth silhouette would hit the surface or miss it by chance, and the outline
+ * would be dashed; it stands outside instead, by so many pixels to the left. */
+FUNCTION float lone_probe_shift(const Spine spine, const int per_axis, const float depth_scale) {
+    return per_axis == 1 ? spine.outside * LA_FOLD_CLEARANCE * (1.0f / depth_scale) : 0.0f;
+}

@@ -1,0 +1,47 @@
+/* The numbers of a style that kernels read: what a style file sets is what a kernel gets. Valid as
+ * OpenCL C 1.2 and as C++20; includes no other header of kernels. */
+#ifndef LINEATLAS_STYLE_NUMBERS_H
+#define LINEATLAS_STYLE_NUMBERS_H
+
+#ifdef __OPENCL_VERSION__
+#define LA_BY_DEFAULT(value)
+#define LA_ARRAY(type, name, size, ...) type name[size]
+#else
+#include <array>
+#define LA_BY_DEFAULT(value) = value
+#define LA_ARRAY(type, name, size, ...)                                                            \
+    std::array<type, size> name {                                                                  \
+        __VA_ARGS__                                                                                \
+    }
+
+namespace lineatlas {
+#endif
+
+/** Changes to visibility along each path (§4.5). Pixels; 0: off. In this order. */
+typedef struct StrokeFilter {
+    float fill LA_BY_DEFAULT(0);      /**< holes shorter than this are closed */
+    float drop LA_BY_DEFAULT(0);      /**< visible runs shorter than this are left out */
+    float overshoot LA_BY_DEFAULT(0); /**< visible runs are longer by this at either end, beyond the
+                                           path's too */
+    /** Share of the overshoot that varies from path to path, 0 to 1; the same in every frame. */
+    float overshoot_variation LA_BY_DEFAULT(0);
+    float undershoot LA_BY_DEFAULT(0); /**< visible runs are shorter by this where something hides
+                                            the line */
+    float halo LA_BY_DEFAULT(0); /**< gap in the farther of two lines that cross, beside the nearer
+                                      stroke */
+} StrokeFilter;
+
+/** Line density control (§4.5, Fig. 11). */
+typedef struct Density {
+    /** Pixels of line per pixel of the picture at most, averaged over a neighbourhood; 0: off. */
+    float limit LA_BY_DEFAULT(0);
+    /** Weight of each line kind (crease, boundary, material, silhouette, file), 0 to 1: lines of
+     * more weight stay longer, then longer lines. */
+    LA_ARRAY(float, priority, 5, 0.5F, 0.6F, 0.5F, 1, 1);
+} Density;
+
+#ifndef __OPENCL_VERSION__
+} // namespace lineatlas
+#endif
+
+#endif

@@ -1,0 +1,137 @@
+/* surfaces: the model as the exact method sees it: corners and faces on the screen, planes in
+ * space, and what hides a whole tile.
+ *
+ * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. */
+
+#include "exact.h"
+
+/* screen: four numbers a vertex: window position in pixels, nearness, and 1; before the near plane
+ * -1, and the others mean nothing. */
+KERNEL(surfaces_vertices, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.vertex_count) return;
+    const Matrix m = to_matrix(args.clip_from_world);
+    const float4 clip = transform_point(m, vload3(i, vertices));
+    const bool is_before = !(clip.w > 0.0f) || clip.z + clip.w < 0.0f;
+    const float2 window = (xy(clip) / clip.w + 1.0f) * (to_float2(args.viewport) * 0.5f);
+    vstore4(is_before ? float4(0.0f, 0.0f, 0.0f, -1.0f)
+                      : float4(window.x, window.y, nearness_of(&args, clip), 1.0f),
+            i, screen);
+}
+
+/* The plane of a face: its unit normal away from the eye, and how far from the plane the eye is (of
+ * a parallel view the sine between them). Of two of its edges the product is taken that loses
+ * least: the shorter two. */
+static float4 plane_of(const float3 a, const float3 b, const float3 c, const float4 eye) {
+    const float3 ab = b - a, bc = c - b, ca = a - c;
+    const float ab2 = dot_product(ab, ab), bc2 = dot_product(bc, bc), ca2 = dot_product(ca, ca);
+    const float3 normal = ab2 >= bc2 && ab2 >= ca2 ? cross_product(bc, ca)
+                          : bc2 >= ca2             ? cross_product(ca, ab)
+                                                   : cross_product(ab, bc);
+    const float length = sqrt(dot_product(normal, normal));
+    if (!(length > 0.0f)) return float4(0.0f, 0.0f, 0.0f, 0.0f);
+    const float3 n = normal / length;
+    const float3 to_eye = xyz(eye) - a * eye.w;
+    const float reach = dot_product(n, to_eye);
+    if (fabs(reach) < EDGE_ON * sqrt(dot_product(to_eye, to_eye)))
+        return float4(0.0f, 0.0f, 0.0f, 0.0f);
+    return reach > 0.0f ? float4(-n.x, -n.y, -n.z, reach) : float4(n.x, n.y, n.z, -reach);
+}
+
+static void enclose(ScreenFace* face, const float2 place) {
+    face->low[0] = fmin(face->low[0], place.x);
+    face->low[1] = fmin(face->low[1], place.y);
+    face->high[0] = fmax(face->high[0], place.x);
+    face->high[1] = fmax(face->high[1], place.y);
+}
+
+/* The box of what lies beyond the near plane. */
+static void enclose_crossing(const ExactParameters* args, const uint t,
+                             __global const float* vertices, __global const uint* triangles,
+                             ScreenFace* face) {
+    const Matrix m = to_matrix(args->clip_from_world);
+    const float2 half_size = to_float2(args->viewport) * 0.5f;
+    for (int k = 0; k < 3; ++k) {
+        const float4 p = transform_point(m, vload3(triangles[3 * t + k], vertices));
+        const float4 q = transform_point(m, vload3(triangles[3 * t + (k + 1) % 3], vertices));
+        const float from = p.z + p.w, to = q.z + q.w;
+        if (from >= 0.0f) {
+            enclose(face, (xy(p) / p.w + 1.0f) * half_size);
+            face->nearest = fmax(face->nearest, nearness_of(args, p));
+        }
+        if ((from >= 0.0f) == (to >= 0.0f)) continue;
+        const float4 cut = p + (q - p) * (from / (from - to));
+        if (!(cut.w > 0.0f)) continue;
+        enclose(face, (xy(cut) / cut.w + 1.0f) * half_size);
+        face->nearest = fmax(face->nearest, nearness_of(args, cut));
+    }
+}
+
+/* Of tiles that the face covers alone: nothing that is farther than it is everywhere in them is
+ * seen, or hides what is. */
+static void cover_tiles(const ExactParameters* args, const uint t, const ScreenFace box,
+                        const float reach, __global const float* vertices,
+                        __global const uint* triangles, __global const float* screen,
+                        __global uint* occluders) {
+    const int4 range = tiles_of(args, box);
+    const float size = args->tile_size;
+    const int columns = to_int2(args->tiles).x;
+    TileFace face;
+    for (int y = range.y; y <= range.w; ++y) {
+        for (int x = range.x; x <= range.z; ++x) {
+            const float2 origin = float2((float)x, (float)y) * size;
+            if (!face_in_tile(args, t, FACE_PLAIN, reach, vertices, triangles, screen, origin,
+                              &face))
+                return;
+            if (face.doubt == INFINITY) return;
+            const float inside =
+                fmin(least_in(face.sides[0], size),
+                     fmin(least_in(face.sides[1], size), least_in(face.sides[2], size)));
+            if (inside < COVER_MARGIN) continue;
+            const float farthest = least_in(face.nearness, size);
+            const float sure = farthest - 2.0f * face.doubt - farthest * NEARNESS_DOUBT;
+            if (sure > 0.0f) atomic_max(occluders + (y * columns + x), as_uint(sure));
+        }
+    }
+}
+
+/* planes: four numbers a triangle, see plane_of; 0 where it hides nothing. */
+KERNEL(surfaces_faces, ExactParameters) {
+    const uint t = (uint)get_global_id(0);
+    if (t >= args.triangle_count) return;
+    ScreenFace face = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}, 0.0f, FACE_UNSEEN};
+    const uint i0 = triangles[3 * t], i1 = triangles[3 * t + 1], i2 = triangles[3 * t + 2];
+    const float4 a = vload4(i0, screen), b = vload4(i1, screen), c = vload4(i2, screen);
+    const bool any = a.w > 0.0f || b.w > 0.0f || c.w > 0.0f;
+    const bool all = a.w > 0.0f && b.w > 0.0f && c.w > 0.0f;
+    if (all) {
+        face.kind = FACE_PLAIN;
+        enclose(&face, xy(a));
+        enclose(&face, xy(b));
+        enclose(&face, xy(c));
+        face.nearest = fmax(a.z, fmax(b.z, c.z));
+    } else if (any) {
+        face.kind = FACE_CROSSES;
+        enclose_crossing(&args, t, vertices, triangles, &face);
+    }
+    face.nearest *= 1.0f + FEW_ULPS;
+    for (int k = 0; k < 2; ++k) {
+        face.low[k] -= 2.0f * args.slack;
+        face.high[k] += 2.0f * args.slack;
+    }
+    const float2 viewport = to_float2(args.viewport);
+    const bool beside = !(face.high[0] >= 0.0f && face.high[1] >= 0.0f &&
+                          face.low[0] <= viewport.x && face.low[1] <= viewport.y);
+    float4 plane = float4(0.0f, 0.0f, 0.0f, 0.0f);
+    if (!beside) {
+        plane = plane_of(vload3(i0, vertices), vload3(i1, vertices), vload3(i2, vertices),
+                         to_float4(args.eye));
+    }
+    if (!(plane.w > 0.0f)) face.kind = FACE_UNSEEN;
+    faces[t] = face;
+    vstore4(plane, t, planes);
+    const bool large =
+        face.high[0] - face.low[0] > args.tile_size && face.high[1] - face.low[1] > args.tile_size;
+    if (face.kind == FACE_PLAIN && large)
+        cover_tiles(&args, t, face, plane.w, vertices, triangles, screen, occluders);
+}

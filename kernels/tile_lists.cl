@@ -1,0 +1,203 @@
+/* tile_lists: for every tile of the screen the faces that may hide something in it, nearest first,
+ * in groups of LA_GROUP with a box around each.
+ *
+ * tile_lists_count, tile_lists_fill: one work-item per chunk of triangles. Between them a scan of
+ * the counts, whose order (tile, then chunk) makes lists equal on every device.
+ * tile_lists_groups, tile_lists_arrange: one work-item per tile; between them a scan of the
+ * numbers of groups. */
+
+#include "exact.h"
+
+/* Keys by which a list is sorted: buckets of depth, and cells of the tile within each. */
+#define DEPTH_BUCKETS 16
+#define CELLS_ACROSS 4
+#define KEYS (DEPTH_BUCKETS * CELLS_ACROSS * CELLS_ACROSS)
+
+/* Enters face t into its tiles: counts, or writes where `ends` says, which it moves on. */
+static void enter(const ExactParameters* args, const uint t, const uint chunk, const ScreenFace box,
+                  __global const float* vertices, __global const uint* triangles,
+                  __global const float* screen, __global const float* planes,
+                  __global const uint* occluders, __global uint* ends, __global Entry* entries) {
+    const int4 range = tiles_of(args, box);
+    const int columns = to_int2(args->tiles).x;
+    const bool few = (range.z - range.x) + (range.w - range.y) < 2;
+    TileFace face;
+    for (int y = range.y; y <= range.w; ++y) {
+        for (int x = range.x; x <= range.z; ++x) {
+            const uint tile = (uint)(y * columns + x);
+            float nearness = box.nearest;
+            if (as_float(occluders[tile]) > nearness) continue;
+            if (!few) {
+                const float2 origin = float2((float)x, (float)y) * args->tile_size;
+                if (!face_in_tile(args, t, box.kind, planes[4 * t + 3], vertices, triangles, screen,
+                                  origin, &face))
+                    return;
+                nearness = nearness_in_tile(args, face, nearness);
+                if (nearness < as_float(occluders[tile]) || nearness < 0.0f) continue;
+            }
+            __global uint* end = ends + (tile * args->chunks + chunk);
+            if (entries != 0) {
+                entries[*end].face = t;
+                entries[*end].nearness = nearness;
+            }
+            *end += 1u;
+        }
+    }
+}
+
+/* counts: per tile, per chunk; all 0 before. */
+KERNEL(tile_lists_count, ExactParameters) {
+    const uint chunk = (uint)get_global_id(0);
+    if (chunk >= args.chunks) return;
+    const uint first = chunk * args.chunk;
+    const uint last = min(first + args.chunk, args.triangle_count);
+    for (uint t = first; t < last; ++t) {
+        const ScreenFace box = faces[t];
+        if (box.kind == FACE_UNSEEN) continue;
+        enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, counts, 0);
+    }
+}
+
+/* ends: the scanned counts, and behind them the number of all entries. Afterwards each says where
+ * its part of the list ends. If there are more than fit, nothing is written; the host sees how
+ * many, enlarges the table and does the frame again. */
+KERNEL(tile_lists_fill, ExactParameters) {
+    const uint chunk = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (chunk >= args.chunks || ends[tiles * args.chunks] > args.entry_capacity) return;
+    const uint first = chunk * args.chunk;
+    const uint last = min(first + args.chunk, args.triangle_count);
+    for (uint t = first; t < last; ++t) {
+        const ScreenFace box = faces[t];
+        if (box.kind == FACE_UNSEEN) continue;
+        enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, ends, entries);
+    }
+}
+
+/* groups[tile]: how many groups its list takes. */
+KERNEL(tile_lists_groups, ExactParameters) {
+    const uint tile = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (tile >= tiles) return;
+    const uint count = offsets[(tile + 1) * args.chunks] - offsets[tile * args.chunks];
+    groups[tile] = (count + LA_GROUP - 1u) / LA_GROUP;
+}
+
+/* Where an entry belongs in its tile's list. */
+static uint key_of(const ScreenFace box, const float nearness, const float nearest,
+                   const float per_bucket, const float2 origin, const float size) {
+    const uint bucket =
+        (uint)clamp((nearest - nearness) * per_bucket, 0.0f, (float)(DEPTH_BUCKETS - 1));
+    const float scale = 0.5f * (float)CELLS_ACROSS / size, most = (float)(CELLS_ACROSS - 1);
+    const uint x = (uint)clamp((box.low[0] + box.high[0] - 2.0f * origin.x) * scale, 0.0f, most);
+    const uint y = (uint)clamp((box.low[1] + box.high[1] - 2.0f * origin.y) * scale, 0.0f, most);
+    return (bucket * CELLS_ACROSS + y) * CELLS_ACROSS + x;
+}
+
+/* A place in a group that nothing stands in. */
+static void write_nothing(__global float* group, const uint lane) {
+    for (uint k = 0; k < LA_ENTRY_FLOATS; ++k) group[k * LA_GROUP + lane] = 0.0f;
+    group[LA_ENTRY_LOW_X * LA_GROUP + lane] = INFINITY;
+    group[LA_ENTRY_HIGH_X * LA_GROUP + lane] = -INFINITY;
+    group[LA_ENTRY_NEAREST * LA_GROUP + lane] = -1.0f;
+}
+
+static void write_entry(const TileFace face, const ScreenFace box, const float nearness,
+                        const float2 origin, __global float* group, const uint lane) {
+    __global float* to = group + lane;
+    to[LA_ENTRY_LOW_X * LA_GROUP] = box.low[0] - origin.x;
+    to[LA_ENTRY_LOW_Y * LA_GROUP] = box.low[1] - origin.y;
+    to[LA_ENTRY_HIGH_X * LA_GROUP] = box.high[0] - origin.x;
+    to[LA_ENTRY_HIGH_Y * LA_GROUP] = box.high[1] - origin.y;
+    to[LA_ENTRY_NEAREST * LA_GROUP] = nearness;
+    for (uint k = 0; k < 3; ++k) {
+        to[(LA_ENTRY_SIDES + 3 * k) * LA_GROUP] = face.sides[k].a;
+        to[(LA_ENTRY_SIDES + 3 * k + 1) * LA_GROUP] = face.sides[k].b;
+        to[(LA_ENTRY_SIDES + 3 * k + 2) * LA_GROUP] = face.sides[k].c;
+    }
+    to[LA_ENTRY_PLANE * LA_GROUP] = face.nearness.a;
+    to[(LA_ENTRY_PLANE + 1) * LA_GROUP] = face.nearness.b;
+    to[(LA_ENTRY_PLANE + 2) * LA_GROUP] = face.nearness.c;
+    to[LA_ENTRY_DOUBT * LA_GROUP] = face.doubt;
+}
+
+/* The box around a group, and the nearest that anything in it and behind it in the list comes. */
+static float enclose_group(const ExactParameters* args, __global const float* group, const uint g,
+                           const float behind, __global float* boxes) {
+    float low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
+    float nearest = -1.0f;
+    for (uint lane = 0; lane < LA_GROUP; ++lane) {
+        if (group[LA_ENTRY_NEAREST * LA_GROUP + lane] < 0.0f) continue;
+        low_x = fmin(low_x, group[LA_ENTRY_LOW_X * LA_GROUP + lane]);
+        low_y = fmin(low_y, group[LA_ENTRY_LOW_Y * LA_GROUP + lane]);
+        high_x = fmax(high_x, group[LA_ENTRY_HIGH_X * LA_GROUP + lane]);
+        high_y = fmax(high_y, group[LA_ENTRY_HIGH_Y * LA_GROUP + lane]);
+        nearest = fmax(nearest, group[LA_ENTRY_NEAREST * LA_GROUP + lane]);
+    }
+    const uint stride = args->group_capacity + LA_GROUP;
+    boxes[LA_ENTRY_LOW_X * stride + g] = low_x;
+    boxes[LA_ENTRY_LOW_Y * stride + g] = low_y;
+    boxes[LA_ENTRY_HIGH_X * stride + g] = high_x;
+    boxes[LA_ENTRY_HIGH_Y * stride + g] = high_y;
+    boxes[LA_ENTRY_NEAREST * stride + g] = nearest;
+    const float all = fmax(nearest, behind);
+    boxes[LA_BOX_BEHIND * stride + g] = all;
+    return all;
+}
+
+/* Sorts a tile's entries (stably, by counting) and writes them out as lines and planes. */
+KERNEL(tile_lists_arrange, ExactParameters) {
+    const uint tile = (uint)get_global_id(0);
+    const int columns = args.tiles.v[0];
+    const uint tiles = (uint)(columns * args.tiles.v[1]);
+    if (tile >= tiles || ends[tiles * args.chunks] > args.entry_capacity ||
+        groups[tiles] > args.group_capacity)
+        return;
+    const uint first = tile > 0 ? ends[tile * args.chunks - 1] : 0;
+    const uint last = ends[(tile + 1) * args.chunks - 1];
+    if (first == last) return;
+    const float2 origin =
+        float2((float)(tile % (uint)columns), (float)(tile / (uint)columns)) * args.tile_size;
+    float nearest = 0.0f, farthest = INFINITY;
+    for (uint i = first; i < last; ++i) {
+        nearest = fmax(nearest, entries[i].nearness);
+        farthest = fmin(farthest, entries[i].nearness);
+    }
+    const float per_bucket =
+        nearest > farthest ? (float)DEPTH_BUCKETS / (nearest - farthest) : 0.0f;
+    uint places[KEYS];
+    for (uint k = 0; k < KEYS; ++k) places[k] = 0;
+    for (uint i = first; i < last; ++i) {
+        const uint key = key_of(faces[entries[i].face], entries[i].nearness, nearest, per_bucket,
+                                origin, args.tile_size);
+        entries[i].key = key;
+        places[key] += 1u;
+    }
+    uint sum = 0;
+    for (uint k = 0; k < KEYS; ++k) {
+        const uint count = places[k];
+        places[k] = sum;
+        sum += count;
+    }
+    __global float* own_blocks = blocks + (size_t)groups[tile] * LA_GROUP_FLOATS;
+    for (uint i = first; i < last; ++i) {
+        const Entry entry = entries[i];
+        const ScreenFace box = faces[entry.face];
+        const uint place = places[entry.key]++;
+        __global float* group = own_blocks + (size_t)(place / LA_GROUP) * LA_GROUP_FLOATS;
+        group[LA_ENTRY_FACE * LA_GROUP + place % LA_GROUP] = as_float(entry.face);
+        TileFace face;
+        if (face_in_tile(&args, entry.face, box.kind, planes[4 * entry.face + 3], vertices,
+                         triangles, screen, origin, &face))
+            write_entry(face, box, entry.nearness, origin, group, place % LA_GROUP);
+        else
+            write_nothing(group, place % LA_GROUP);
+    }
+    const uint group_count = groups[tile + 1] - groups[tile];
+    for (uint place = last - first; place < group_count * LA_GROUP; ++place)
+        write_nothing(own_blocks + (size_t)(place / LA_GROUP) * LA_GROUP_FLOATS, place % LA_GROUP);
+    float behind = -1.0f;
+    for (uint g = group_count; g > 0; --g)
+        behind = enclose_group(&args, own_blocks + (size_t)(g - 1) * LA_GROUP_FLOATS,
+                               groups[tile] + g - 1, behind, boxes);
+}

@@ -1,0 +1,450 @@
+/* visible: what is seen of every segment, cut against the faces before it (tile_lists.cl), with
+ * continuous ends.
+ *
+ * One work-item per segment, which goes from tile to tile. Two steps: count what is visible of each
+ * segment, and keep the first two parts of it; from the scanned counts on, write all parts. The few
+ * segments with more parts are done again.
+ *
+ * FACE_LANES: how many faces are looked at in one go, 1 on GPUs. */
+
+#define LANES FACE_LANES
+#include "exact.h"
+#include "float_pair.h"
+#include "lanes.h"
+
+/* Parts of a piece that are held at once. A piece with more is halved, and each half done alone. */
+#define MOST_PARTS 8
+/* Visible parts shorter than this, in pixels, are left out, and gaps of that length closed. */
+#define SHORTEST_PART 0.02f
+
+/* A piece whose ends are both nearer than this to a side's line, in pixels, is compared with it in
+ * space: rounded places on the screen cannot tell which side of it the piece is on. */
+#define CLOSE_TO_SIDE 0.01f
+
+/* What the lists of a frame are. */
+typedef struct Lists {
+    __global const float* vertices;
+    __global const uint* triangles;
+    __global const ScreenFace* faces;
+    __global const float* planes;
+    __global const uint* occluders;
+    __global const uint* groups;
+    __global const float* blocks;
+    __global const float* boxes;
+} Lists;
+
+/* A segment on the screen, and in space. Along it counts s: 0 at p', 1 at q', linear on the
+ * screen. */
+typedef struct Line {
+    float2 p, way; /* window position of p', and the way to q' */
+    float nearness_p, nearness_way;
+    float w_p, w_q;
+    float t0, t1;
+    uint vertex_p, vertex_q;
+    float doubt; /* of nearness, by rounding */
+} Line;
+
+/* A piece of it within a tile, in the tile's coordinates. Along it counts u: 0 to 1. */
+typedef struct Piece {
+    float2 a, b;
+    float nearness_a, nearness_b;
+    float s_a, s_b;
+    float2 origin;
+} Piece;
+
+/* Visible parts of a piece: from x to y each, ascending. */
+typedef struct Parts {
+    float2 part[MOST_PARTS];
+    int count;
+    bool full; /* there were more: `part` is not all */
+} Parts;
+
+/* The parameter of the segment in space, 0 at its vertex p and 1 at q, of a place on the screen. */
+static float along_in_space(const Line* line, const float s) {
+    const float near_share = s * line->w_p;
+    return line->t0 + (line->t1 - line->t0) * (near_share / ((1.0f - s) * line->w_q + near_share));
+}
+
+/* Keeps of u from `low` to `high` where a function that is linear on the screen is not below 0. */
+static void keep_above(const float at_a, const float at_b, float* low, float* high) {
+    if (at_a < 0.0f && at_b < 0.0f) {
+        *low = 1.0f;
+        *high = 0.0f;
+    } else if (at_a < 0.0f) {
+        *low = fmax(*low, at_a / (at_a - at_b));
+    } else if (at_b < 0.0f) {
+        *high = fmin(*high, at_a / (at_a - at_b));
+    }
+}
+
+/* The same of a function that is linear in space, of its values at the segment's vertices. */
+static void keep_above_in_space(const ExactParameters* args, const Line* line, const Piece* piece,
+                                const float at_p, const float at_q, float* low, float* high) {
+    const float more = at_q - at_p;
+    const float at_a = at_p + more * along_in_space(line, piece->s_a);
+    const float at_b = at_p + more * along_in_space(line, piece->s_b);
+    const bool parallel = args->depth_rate > 0.0f;
+    keep_above(parallel ? at_a : at_a * piece->nearness_a,
+               parallel ? at_b : at_b * piece->nearness_b, low, high);
+}
+
+/* On which side of the plane through the eye, b and c a place is: to the left of the way from b to
+ * c as the eye sees it, above 0. */
+static float left_of(const ExactParameters* args, const float3 place, const float3 b,
+                     const float3 c) {
+    const float4 eye = to_float4(args->eye);
+    const float3 origin = eye.w != 0.0f ? place : float3(0.0f, 0.0f, 0.0f);
+    return pair_determinant(pair_difference(xyz(eye), origin), pair_difference(b, place),
+                            pair_difference(c, place));
+}
+
+/* Where the piece lies within those sides of face t that `which` says (bit k: the side opposite
+ * corner k), of u from `low` to `high`. */
+static void find_within_sides(const ExactParameters* args, const Lists* lists, const Line* line,
+                              const Piece* piece, const uint t, const uint which, float* low,
+                              float* high) {
+    const float3 at_p = vload3(line->vertex_p, lists->vertices);
+    const float3 at_q = vload3(line->vertex_q, lists->vertices);
+    float3 corner[3];
+    for (int k = 0; k < 3; ++k) corner[k] = vload3(lists->triangles[3 * t + k], lists->vertices);
+    const float3 normal = cross_product(corner[1] - corner[0], corner[2] - corner[0]);
+    const bool turned = dot_product(normal, vload3(0, lists->planes + 4 * t)) > 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        if ((which >> k & 1u) == 0) continue;
+        const float3 first = corner[(k + 1) % 3], second = corner[(k + 2) % 3];
+        const float3 b = turned ? second : first, c = turned ? first : second;
+        keep_above_in_space(args, line, piece, left_of(args, at_p, b, c), left_of(args, at_q, b, c),
+                            low, high);
+    }
+}
+
+/* Where face t hides the piece, of u from `low` to `high`, decided in space: by how far the line's
+ * ends lie behind the face's plane. */
+static void find_behind(const ExactParameters* args, const Lists* lists, const Line* line,
+                        const Piece* piece, const uint t, float* low, float* high) {
+    const uint i0 = lists->triangles[3 * t], i1 = lists->triangles[3 * t + 1],
+               i2 = lists->triangles[3 * t + 2];
+    const uint p = line->vertex_p, q = line->vertex_q;
+    const bool holds_p = i0 == p || i1 == p || i2 == p, holds_q = i0 == q || i1 == q || i2 == q;
+    const float3 normal = vload3(0, lists->planes + 4 * t);
+    const float3 at_p = vload3(p, lists->vertices), at_q = vload3(q, lists->vertices);
+    const float behind_p = holds_p ? 0.0f : dot_product(normal, at_p - vload3(i0, lists->vertices));
+    const float behind_q = holds_q ? 0.0f : behind_p + dot_product(normal, at_q - at_p);
+    keep_above_in_space(args, line, piece, behind_p - args->contact, behind_q - args->contact, low,
+                        high);
+    if (lists->faces[t].kind == FACE_CROSSES && *low < *high) {
+        Linear sides[3], near;
+        crossing_sides(args, t, lists->vertices, lists->triangles, piece->origin, sides, &near);
+        keep_above(near.a * piece->a.x + near.b * piece->a.y + near.c,
+                   near.a * piece->b.x + near.b * piece->b.y + near.c, low, high);
+    }
+}
+
+/* Takes u from `low` to `high` away from what is visible. least: shorter parts are left out. */
+static void hide(Parts* parts, const float low, const float high, const float least) {
+    int k = 0;
+    while (k < parts->count && parts->part[k].y <= low) ++k;
+    while (k < parts->count && parts->part[k].x < high) {
+        const float2 part = parts->part[k];
+        const bool before = low - part.x > least, after = part.y - high > least;
+        if (before && after) {
+            if (parts->count == MOST_PARTS) {
+                parts->full = true;
+                return;
+            }
+            for (int j = parts->count; j > k; --j) parts->part[j] = parts->part[j - 1];
+            ++parts->count;
+            parts->part[k].y = low;
+            parts->part[k + 1].x = high;
+            return;
+        }
+        if (before) {
+            parts->part[k++].y = low;
+        } else if (after) {
+            parts->part[k++].x = high;
+        } else {
+            --parts->count;
+            for (int j = k; j < parts->count; ++j) parts->part[j] = parts->part[j + 1];
+        }
+    }
+}
+
+/* A linear function of LANES faces, at a place. */
+static lanes_float value_at(__global const float* coefficients, const float2 place) {
+    return LOAD_LANES(coefficients) * place.x + (LOAD_LANES(coefficients + LA_GROUP) * place.y +
+                                                 LOAD_LANES(coefficients + 2 * LA_GROUP));
+}
+
+/* Takes what LANES faces hide away from the piece. */
+static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const Line* line,
+                         const Piece* piece, __global const float* entries, const float4 box,
+                         const float farthest, const float doubt, const float least, Parts* parts) {
+    lanes_int may = LOAD_LANES(entries + LA_ENTRY_LOW_X * LA_GROUP) <= box.z &&
+                    LOAD_LANES(entries + LA_ENTRY_LOW_Y * LA_GROUP) <= box.w &&
+                    LOAD_LANES(entries + LA_ENTRY_HIGH_X * LA_GROUP) >= box.x &&
+                    LOAD_LANES(entries + LA_ENTRY_HIGH_Y * LA_GROUP) >= box.y &&
+                    LOAD_LANES(entries + LA_ENTRY_NEAREST * LA_GROUP) >= farthest;
+    if (!ANY(may)) return;
+    lanes_float at_a[3], at_b[3];
+    lanes_int along[3];
+    for (int k = 0; k < 3; ++k) {
+        __global const float* side = entries + (LA_ENTRY_SIDES + 3 * k) * LA_GROUP;
+        at_a[k] = value_at(side, piece->a) + args->slack;
+        at_b[k] = value_at(side, piece->b) + args->slack;
+        along[k] = fmax(fabs(at_a[k]), fabs(at_b[k])) < CLOSE_TO_SIDE;
+        may = may && (at_a[k] >= 0.0f || at_b[k] >= 0.0f || along[k]);
+    }
+    if (!ANY(may)) return;
+    lanes_float low = 0.0f, high = 1.0f;
+    for (int k = 0; k < 3; ++k) {
+        const lanes_float root = at_a[k] / (at_a[k] - at_b[k]);
+        low = select(low, fmax(low, root), at_a[k] < 0.0f && !along[k]);
+        high = select(high, fmin(high, root), at_b[k] < 0.0f && !along[k]);
+    }
+    may = may && low < high;
+    const lanes_float margin = LOAD_LANES(entries + LA_ENTRY_DOUBT * LA_GROUP) + doubt;
+    __global const float* plane = entries + LA_ENTRY_PLANE * LA_GROUP;
+    const lanes_float before_a = value_at(plane, piece->a) - piece->nearness_a;
+    const lanes_float before_b = value_at(plane, piece->b) - piece->nearness_b;
+    uint may_hide = LANE_BITS(may && fmax(before_a, before_b) >= -margin);
+    if (may_hide == 0) return;
+    const lanes_int surely = fmin(before_a, before_b) >= margin;
+    float lows[LANES], highs[LANES];
+    const uint hides_surely = LANE_BITS(surely);
+    const uint along_0 = LANE_BITS(along[0]), along_1 = LANE_BITS(along[1]),
+               along_2 = LANE_BITS(along[2]);
+    const uint is_close = along_0 | along_1 | along_2;
+    STORE_LANES(low, lows);
+    STORE_LANES(high, highs);
+    const uint hides_whole =
+        LANE_BITS(low <= 0.0f && high >= 1.0f) & may_hide & hides_surely & ~is_close;
+    if (hides_whole != 0) {
+        parts->count = 0;
+        return;
+    }
+    for (; may_hide != 0; may_hide &= may_hide - 1u) {
+        const uint lane = lowest_bit(may_hide);
+        const uint t = as_uint(entries[LA_ENTRY_FACE * LA_GROUP + lane]);
+        float from = lows[lane], to = highs[lane];
+        if ((hides_surely >> lane & 1u) == 0) find_behind(args, lists, line, piece, t, &from, &to);
+        if ((is_close >> lane & 1u) != 0 && from < to) {
+            const uint which =
+                (along_0 >> lane & 1u) | (along_1 >> lane & 1u) << 1 | (along_2 >> lane & 1u) << 2;
+            find_within_sides(args, lists, line, piece, t, which, &from, &to);
+        }
+        if (!(from < to)) continue;
+        hide(parts, from <= 0.0f ? -1.0f : from, to >= 1.0f ? 2.0f : to, least);
+        if (parts->count == 0) return;
+    }
+}
+
+/* What is visible of a piece in a tile. */
+static void cut_piece(const ExactParameters* args, const Lists* lists, const Line* line,
+                      const Piece* piece, const uint tile, Parts* parts) {
+    parts->part[0] = float2(0.0f, 1.0f);
+    parts->count = 1;
+    parts->full = false;
+    const float margin = 2.0f * args->slack;
+    const float4 box =
+        float4(fmin(piece->a.x, piece->b.x) - margin, fmin(piece->a.y, piece->b.y) - margin,
+               fmax(piece->a.x, piece->b.x) + margin, fmax(piece->a.y, piece->b.y) + margin);
+    const float nearest = fmax(piece->nearness_a, piece->nearness_b);
+    const float doubt = line->doubt + nearest * NEARNESS_DOUBT + projection_doubt(args, nearest);
+    const float farthest = fmin(piece->nearness_a, piece->nearness_b) - doubt;
+    const float2 way = piece->b - piece->a;
+    const float least = SHORTEST_PART / sqrt(way.x * way.x + way.y * way.y);
+    const uint first = lists->groups[tile], last = lists->groups[tile + 1];
+    const uint stride = args->group_capacity + LA_GROUP;
+    for (uint at = first; at < last; at += LANES) {
+        __global const float* boxes = lists->boxes + at;
+        if (boxes[LA_BOX_BEHIND * stride] < farthest) return;
+        const lanes_int meets = LOAD_LANES(boxes + LA_ENTRY_LOW_X * stride) <= box.z &&
+                                LOAD_LANES(boxes + LA_ENTRY_LOW_Y * stride) <= box.w &&
+                                LOAD_LANES(boxes + LA_ENTRY_HIGH_X * stride) >= box.x &&
+                                LOAD_LANES(boxes + LA_ENTRY_HIGH_Y * stride) >= box.y &&
+                                LOAD_LANES(boxes + LA_ENTRY_NEAREST * stride) >= farthest;
+        uint meeting = LANE_BITS(meets);
+        if (last - at < LANES) meeting &= (1u << (last - at)) - 1u;
+        for (; meeting != 0; meeting &= meeting - 1u) {
+            const uint k = lowest_bit(meeting);
+            __global const float* entries = lists->blocks + (size_t)(at + k) * LA_GROUP_FLOATS;
+            for (uint lane = 0; lane < LA_GROUP; lane += LANES) {
+                cut_by_lanes(args, lists, line, piece, entries + lane, box, farthest, doubt, least,
+                             parts);
+                if (parts->count == 0 || parts->full) return;
+            }
+        }
+    }
+}
+
+/* Where visible parts of a segment go: joined where they touch, counted, the first two kept, and
+ * written if there is a table. */
+typedef struct Found {
+    float gap;   /* SHORTEST_PART as s: what is nearer to an end of the segment is that end */
+    float2 open; /* the part that may go on; none if x > y */
+    uint count;
+    float4 kept;
+    __global float* out;
+} Found;
+
+static Found nothing_found(const Line* line, __global float* out) {
+    const float length_px = sqrt(line->way.x * line->way.x + line->way.y * line->way.y);
+    const Found found = {SHORTEST_PART / length_px, float2(1.0f, 0.0f), 0,
+                         float4(0.0f, 0.0f, 0.0f, 0.0f), out};
+    return found;
+}
+
+static void close_part(Found* found) {
+    if (found->open.x > found->open.y) return;
+    if (found->open.x <= found->gap) found->open.x = 0.0f;
+    if (1.0f - found->open.y <= found->gap) found->open.y = 1.0f;
+    if (found->count == 0) found->kept = float4(found->open.x, found->open.y, 0.0f, 0.0f);
+    if (found->count == 1)
+        found->kept = float4(found->kept.x, found->kept.y, found->open.x, found->open.y);
+    if (found->out != 0) vstore2(found->open, found->count, found->out);
+    found->count += 1u;
+}
+
+static void add_part(Found* found, const float2 part) {
+    if (found->open.x <= found->open.y && part.x - found->open.y <= found->gap) {
+        found->open.y = part.y;
+        return;
+    }
+    close_part(found);
+    found->open = part;
+}
+
+static Piece piece_of(const Line* line, const float s_a, const float s_b, const float2 origin) {
+    Piece piece;
+    piece.a = line->p + line->way * s_a - origin;
+    piece.b = line->p + line->way * s_b - origin;
+    piece.nearness_a = line->nearness_p + line->nearness_way * s_a;
+    piece.nearness_b = line->nearness_p + line->nearness_way * s_b;
+    piece.s_a = s_a;
+    piece.s_b = s_b;
+    piece.origin = origin;
+    return piece;
+}
+
+/* What is visible of the segment from s_a to s_b, all in one tile. */
+static void find_in_tile(const ExactParameters* args, const Lists* lists, const Line* line,
+                         const int2 tile, const float s_a, const float s_b, Found* found) {
+    const uint index = (uint)(tile.y * args->tiles.v[0] + tile.x);
+    const float2 origin = float2((float)tile.x, (float)tile.y) * args->tile_size;
+    float from = s_a, to = s_b;
+    while (from < s_b) {
+        const Piece piece = piece_of(line, from, to, origin);
+        const float nearest = fmax(piece.nearness_a, piece.nearness_b);
+        if (nearest < as_float(lists->occluders[index])) return;
+        Parts parts;
+        cut_piece(args, lists, line, &piece, index, &parts);
+        const float middle = 0.5f * (from + to);
+        if (parts.full && middle > from && middle < to) {
+            to = middle;
+            continue;
+        }
+        for (int k = 0; k < parts.count; ++k) {
+            const float2 part = parts.part[k];
+            add_part(found, float2(from + (to - from) * part.x,
+                                   part.y == 1.0f ? to : from + (to - from) * part.y));
+        }
+        from = to;
+        to = s_b;
+    }
+}
+
+/* Where a line that starts at p, in one coordinate, leaves the tile. */
+static float leaves_at(const float p, const float way, const int tile, const float size) {
+    if (way > 0.0f) return ((float)(tile + 1) * size - p) / way;
+    if (way < 0.0f) return ((float)tile * size - p) / way;
+    return 2.0f;
+}
+
+/* What is visible of the segment, tile by tile. */
+static void find_visible(const ExactParameters* args, const Lists* lists, const Line* line,
+                         Found* found) {
+    const int2 tiles = to_int2(args->tiles);
+    const float size = args->tile_size;
+    int2 tile = clamp(convert_int2_rtn(line->p * (1.0f / size)), int2(0, 0), tiles - 1);
+    float s = 0.0f;
+    while (s < 1.0f) {
+        const float x = leaves_at(line->p.x, line->way.x, tile.x, size);
+        const float y = leaves_at(line->p.y, line->way.y, tile.y, size);
+        int2 next = tile;
+        if (x <= y)
+            next.x += line->way.x > 0.0f ? 1 : -1;
+        else
+            next.y += line->way.y > 0.0f ? 1 : -1;
+        const bool outside = next.x < 0 || next.y < 0 || next.x >= tiles.x || next.y >= tiles.y;
+        const float end = outside ? 1.0f : fmin(fmin(x, y), 1.0f);
+        if (end > s) {
+            find_in_tile(args, lists, line, tile, s, end, found);
+            s = end;
+        }
+        tile = next;
+    }
+    close_part(found);
+}
+
+static Line line_of(const ExactParameters* args, __global const Segment* segment,
+                    __global const ClippedSegment* clipped) {
+    const float4 p = vload4(0, clipped->p), q = vload4(0, clipped->q);
+    const float2 half_size = to_float2(args->viewport) * 0.5f;
+    Line line;
+    line.p = (xy(p) / p.w + 1.0f) * half_size;
+    line.way = (xy(q) / q.w + 1.0f) * half_size - line.p;
+    line.nearness_p = nearness_of(args, p);
+    const float nearness_q = nearness_of(args, q);
+    line.nearness_way = nearness_q - line.nearness_p;
+    line.w_p = p.w;
+    line.w_q = q.w;
+    line.t0 = clipped->t0;
+    line.t1 = clipped->t1;
+    line.vertex_p = segment->p;
+    line.vertex_q = segment->q;
+    line.doubt = fmax(line.nearness_p, nearness_q) * FEW_ULPS;
+    return line;
+}
+
+/* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
+static bool lists_fit(const ExactParameters* args, const uint entries, const uint groups) {
+    return entries <= args->entry_capacity && groups <= args->group_capacity;
+}
+
+#define LISTS                                                                                      \
+    { vertices, triangles, faces, planes, occluders, groups, blocks, boxes }
+
+/* counts: visible parts of each segment; kept: the first two of them. */
+KERNEL(visible_count, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    counts[i] = 0;
+    if (arcs[i + 1] == arcs[i] || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles]))
+        return;
+    const Lists lists = LISTS;
+    const Line line = line_of(&args, segments + i, clipped + i);
+    Found found = nothing_found(&line, 0);
+    find_visible(&args, &lists, &line, &found);
+    counts[i] = found.count;
+    vstore4(found.kept, i, kept);
+}
+
+/* spans: the visible parts of all segments, from and to, 0 at p' and 1 at q', linear on the screen.
+ * offsets: the scanned counts. */
+KERNEL(visible_write, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count || offsets[args.count] > args.span_capacity) return;
+    const uint first = offsets[i];
+    const uint count = offsets[i + 1] - first;
+    if (count == 0) return;
+    __global float* out = spans + 2 * (size_t)first;
+    const float4 two = vload4(i, kept);
+    vstore2(xy(two), 0, out);
+    if (count == 2) vstore2(zw(two), 1, out);
+    if (count <= 2) return;
+    const Lists lists = LISTS;
+    const Line line = line_of(&args, segments + i, clipped + i);
+    Found found = nothing_found(&line, out);
+    find_visible(&args, &lists, &line, &found);
+}

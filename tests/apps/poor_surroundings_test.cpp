@@ -1,0 +1,115 @@
+// What OpenCL drivers need of their surroundings, and do not have: a home, a linker, memory. A
+// picture, or one line that says what is missing; never an abort.
+#include <cstdlib>
+
+#include <linux/capability.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+
+#include "io/reader_protocol.hpp"
+#include "tool.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+class PoorSurroundings : public Tool {
+  protected:
+    static void SetUpTestSuite() {
+        ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions hold for the superuser, too
+        for (const char* name : {"POCL_CACHE_DIR", "XDG_CACHE_HOME"}) ::unsetenv(name);
+    }
+    void SetUp() override {
+        Tool::SetUp();
+        for (const char* name : {"closed", "tmp", "cold"}) fs::create_directory(path(name));
+        fs::permissions(path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+    }
+    void TearDown() override {
+        fs::permissions(path("closed"), fs::perms::owner_all);
+        Tool::TearDown();
+    }
+
+    /// `before`: commands of the shell, and variables for the tool.
+    Result draw(const std::string& before, const std::string& options = "") const {
+        return shell("bash -c '" + before +
+                     " " LINEATLAS_TOOL " draw --scene clevis --size 64x48 -o " + path("x.png") +
+                     " " + options + "' 2>&1");
+    }
+    fs::path private_folder() const {
+        return fs::path{path("tmp")} / ("lineatlas-" + std::to_string(::geteuid()));
+    }
+};
+
+TEST_F(PoorSurroundings, AHomeThatCannotBeWrittenTo) {
+    const std::string temporary = "TMPDIR=" + path("tmp") + " ";
+    for (const std::string& home :
+         {"HOME=" + path("closed"), "HOME=" + path("closed/none"), std::string{"env -u HOME"},
+          "HOME=" + path("tmp") + " XDG_CACHE_HOME=" + path("closed")}) {
+        fs::remove_all(private_folder());
+        const Result result = draw(temporary + home);
+        EXPECT_EQ(result.exit_code, 0) << home << "\n" << result.output;
+        struct stat status {};
+        ASSERT_EQ(::lstat(private_folder().c_str(), &status), 0) << home;
+        EXPECT_EQ(status.st_mode & 0777U, 0700U);
+        EXPECT_FALSE(fs::is_empty(private_folder() / "pocl")) << home;
+    }
+    // One that can be is used.
+    fs::remove_all(private_folder());
+    EXPECT_EQ(draw(temporary + "HOME=" + path("cold")).exit_code, 0);
+    EXPECT_TRUE(fs::is_empty(path("tmp")));
+    EXPECT_FALSE(fs::is_empty(path("cold")));
+}
+
+TEST_F(PoorSurroundings, AFolderThatOthersCanWriteToIsNotUsed) {
+    fs::create_directory(private_folder());
+    fs::permissions(private_folder(), fs::perms::all);
+    const std::string home = "HOME=" + path("closed") + " TMPDIR=";
+    const Result open = draw(home + path("tmp"));
+    EXPECT_NE(open.output.find("set POCL_CACHE_DIR to a folder of your own"), std::string::npos)
+        << open.output;
+    EXPECT_TRUE(fs::is_empty(private_folder()));
+    fs::remove(private_folder());
+    fs::create_directory_symlink(path("cold"), private_folder());
+    EXPECT_NE(draw(home + path("tmp")).output.find("POCL_CACHE_DIR"), std::string::npos);
+    EXPECT_TRUE(fs::is_empty(path("cold")));
+    const Result none = draw(home + path("none"));
+    EXPECT_NE(none.output.find("no temporary directory"), std::string::npos) << none.output;
+    EXPECT_EQ(draw(home + path("none") + " POCL_CACHE_DIR=" + path("cold")).exit_code, 0);
+}
+
+TEST_F(PoorSurroundings, NoLinker) {
+    const std::string surroundings =
+        "TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("closed");
+    const Result result = draw(surroundings);
+    EXPECT_LE(result.exit_code, 1) << result.output;
+    EXPECT_NE(result.output.find("PoCL needs the linker ld"), std::string::npos) << result.output;
+    EXPECT_EQ(std::ranges::count(result.output, '\n'), 1) << result.output;
+    EXPECT_TRUE(fs::is_empty(path("tmp"))) << "the trial leaves nothing behind";
+    EXPECT_EQ(draw(surroundings, "--compute cpp").exit_code, 0);
+    // Elsewhere than usual is good enough.
+    fs::create_directory(path("bin"));
+    fs::create_symlink("/usr/bin/ld", path("bin/ld"));
+    EXPECT_EQ(
+        draw("TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("bin")).exit_code,
+        0);
+}
+
+TEST_F(PoorSurroundings, LittleMemory) {
+    if (reader::sanitized) GTEST_SKIP() << "sanitizers reserve terabytes";
+    for (const char* limit : {"-v 100000", "-v 300000", "-v 600000", "-v 700000", "-v 800000",
+                              "-v 4000000", "-d 20000", "-d 100000", "-d 300000", "-d 2000000"}) {
+        const Result result = draw(std::string{"ulimit "} + limit + ";");
+        EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
+            << limit << ": " << result.exit_code << "\n"
+            << result.output;
+        if (result.exit_code == 1) {
+            EXPECT_NE(result.output.find("MiB (ulimit"), std::string::npos) << limit << "\n"
+                                                                            << result.output;
+        }
+        if (std::string_view{limit}.ends_with("000000")) {
+            EXPECT_EQ(result.exit_code, 0) << limit;
+        }
+    }
+}
+
+} // namespace
+} // namespace lineatlas::test

@@ -1,0 +1,77 @@
+// facing: against the sign of a volume, in whole numbers, which floats of this size hold exactly.
+
+#include <array>
+#include <random>
+
+#include <glm/fwd.hpp>
+
+#include "stage_test.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+LINEATLAS_STAGE_TEST(FacingStage);
+
+struct Triangles {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> corners;
+};
+
+/// Six times the volume between a triangle and the eye, positive where it is counter-clockwise.
+std::int64_t volume(const std::array<glm::i64vec3, 3>& t, const glm::i64vec4& eye) {
+    // The determinant of three corners and the eye in homogeneous coordinates, by its last row.
+    const auto det = [](const glm::i64vec3& a, const glm::i64vec3& b, const glm::i64vec3& c) {
+        return a.x * (b.y * c.z - c.y * b.z) - b.x * (a.y * c.z - c.y * a.z) +
+               c.x * (a.y * b.z - b.y * a.z);
+    };
+    const glm::i64vec3 e{eye.x, eye.y, eye.z};
+    return det(t[1], t[2], e) - det(t[0], t[2], e) + det(t[0], t[1], e) -
+           eye.w * det(t[0], t[1], t[2]);
+}
+
+TEST_P(FacingStage, IsTheSideOfTheEye) {
+    std::minstd_rand random{5};
+    const auto whole = [&] { return static_cast<std::int64_t>(random() % 21) - 10; };
+    Triangles model;
+    std::vector<std::array<glm::i64vec3, 3>> exact;
+    for (std::uint32_t i = 0; i < 500; ++i) {
+        auto& triangle = exact.emplace_back();
+        for (glm::i64vec3& corner : triangle) {
+            corner = {whole(), whole(), whole()};
+            model.vertices.emplace_back(corner);
+        }
+        model.corners.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    const auto vertices = put(model.vertices);
+    const auto triangles = put(model.corners);
+    const auto front = device().allocate(exact.size());
+    const auto count = static_cast<std::uint32_t>(exact.size());
+    // Points, and directions to a parallel viewer; seen from the last, some triangles are edge on.
+    for (const glm::i64vec4 eye :
+         {glm::i64vec4{7, -3, 12, 1}, {-2, 1, 0, 1}, {3, 5, -2, 0}, {0, 0, 1, 0}}) {
+        std::vector<std::uint8_t> expected;
+        for (const auto& triangle : exact) expected.push_back(volume(triangle, eye) > 0 ? 1 : 0);
+        stages().facing({.table = {*vertices, *triangles, *triangles, count, 0},
+                         .eye = glm::vec4{eye},
+                         .front = *front});
+        EXPECT_TRUE(equal(get<std::uint8_t>(*front, count), expected));
+    }
+}
+
+TEST_P(FacingStage, CounterClockwiseIsFrontAndEdgeOnIsBack) {
+    const auto vertices = put(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}});
+    const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {0, 1, 3}});
+    const auto front = device().allocate(4);
+    const auto seen_from = [&](glm::vec4 eye) {
+        stages().facing(
+            {.table = {*vertices, *triangles, *triangles, 4, 0}, .eye = eye, .front = *front});
+        return get<std::uint8_t>(*front, 4);
+    };
+    EXPECT_TRUE(equal(seen_from({0.2F, 0.2F, 9, 1}), {1, 0, 1, 0}));
+    EXPECT_TRUE(equal(seen_from({0.2F, 0.2F, -9, 1}), {0, 1, 0, 0}));
+    EXPECT_TRUE(equal(seen_from({0, 0, 1, 0}), {1, 0, 1, 0}));
+    EXPECT_TRUE(equal(seen_from({4, -7, 0, 1}), {0, 0, 0, 0})) << "edge on";
+}
+
+} // namespace
+} // namespace lineatlas::test

@@ -1,0 +1,177 @@
+// Every kernel in every form that a device may get, on small inputs. Twice, with different bytes in
+// new buffers: results that differ depend on memory that nobody had written. And for a checker that
+// watches accesses and races from outside: scripts/check_kernels.sh runs this under Oclgrind.
+//
+//   kernel_check [cpu|gpu PROBES_PER_AXIS]     all forms, or that one
+
+#include <cstring>
+#include <iostream>
+
+#include "compute/opencl/opencl_backend.hpp"
+#include "core/clusters.hpp"
+#include "exact_support.hpp"
+#include "lineatlas/error.hpp"
+#include "moved_tables.hpp"
+#include "poison.hpp"
+#include "stages.hpp"
+#include "test_meshes.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+constexpr glm::ivec2 size{40, 30};
+constexpr StageSettings small{
+    .depth_scale = 1, .probes = 1, .run_capacity = 256, .tile_pixels = 20};
+
+const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, 101, 16384);
+
+/// Of a wall on the left and nothing on the right.
+std::vector<float> make_depth() {
+    const glm::ivec2 texels = size * small.depth_scale;
+    std::vector<float> depth;
+    for (int y = 0; y < texels.y; ++y) {
+        for (int x = 0; x < texels.x; ++x) depth.push_back(3 * x < texels.x ? 0.1F : 1.0F);
+    }
+    return depth;
+}
+
+Camera look_at_it(float aside, const Bounds& bounds) {
+    const View view{.eye = {2 + aside, 3, 4}, .target = {0.5F, 0, 0}, .near = 0.1F, .far = 20};
+    return make_camera(view, size, bounds);
+}
+
+template <class T>
+void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
+    const auto more = std::as_bytes(std::span{values});
+    bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+/// Of a frame whose atlas has to grow.
+FrameState filter_with_a_small_atlas(FrameStages& stages, const Camera& camera, FrameState state) {
+    stages.compact(camera, layout, state);
+    if (state.runs.empty()) return state; // all that is visible lies beyond
+    stages.filter(camera, layout, state);
+    stages.density(camera, layout, state);
+    return state;
+}
+
+/// All stages in the order of a frame, then those of styles and of the readback. Returns all that
+/// they computed.
+std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines) {
+    const std::vector<float> depth = make_depth();
+    const Camera camera = look_at_it(0, lines.bounds);
+
+    compute::Stages on_device{stages.device()};
+    const MovedTables moved =
+        moved_on(on_device, lines,
+                 std::vector(lines.objects.size(),
+                             glm::mat4{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {3, 2, 1, 1}}));
+    FrameState before;
+    stages.pyramid(camera, depth, before);
+    const auto visible =
+        stages.cull(camera, build_clusters(lines.vertices, lines.triangles, 4).clusters);
+    stages.project(look_at_it(0.01F, lines.bounds), true, before);
+    stages.scan(before);
+    stages.atlas(camera, depth, layout, before);
+
+    FrameState state = before;
+    stages.project(camera, false, state);
+    stages.scan(state);
+    stages.tiled_atlas(camera, depth, layout, state);
+    stages.atlas(camera, depth, layout, state);
+    stages.temporal(layout, before, state);
+    stages.compact(camera, layout, state);
+    if (state.runs.empty()) throw Error("nothing is visible: the check would prove nothing");
+    const FrameState sampled = state;
+    std::vector<std::byte> result;
+    append(result, state.runs);
+    stages.intervals(camera, depth, layout, true, state);
+    stages.halo(camera, state);
+    stages.filter(camera, layout, state);
+    stages.density(camera, layout, state);
+
+    const ExactResult exact = find_exactly(stages.device(), lines, camera, all_line_kinds);
+    append(result, exact.spans);
+    append(result, exact.intervals);
+    append(result, exact.runs);
+    append(result, moved.vertices);
+    append(result, moved.drawn);
+    append(result, moved.clusters);
+    append(result, moved.bounds);
+    append(result, moved.ranges);
+    append(result, visible);
+    append(result, state.tiles);
+    append(result, state.front);
+    append(result, state.clipped);
+    append(result, state.offsets);
+    append(result, state.arcs);
+    append(result, state.alpha);
+    append(result, state.intervals);
+    append(result, state.runs);
+    append(result, state.cuts);
+    append(result, state.flags);
+    append(result, state.weights);
+    for (std::uint32_t missing = 1; missing < 5;
+         ++missing) { // last: Oclgrind fails at growing tables
+        FrameState cut = sampled;
+        cut.alpha.resize(sampled.offsets.back() - missing);
+        append(result, filter_with_a_small_atlas(stages, camera, cut).alpha);
+    }
+    return result;
+}
+
+struct Form {
+    bool cpu;
+    std::uint32_t probes; ///< per axis
+};
+
+void check(const compute::OpenClDevice& device, const Form& form, const LineSet& lines) {
+    compute::OpenClDevice shaped = device;
+    shaped.is_cpu = form.cpu;
+    StageSettings settings = small;
+    settings.probes = form.probes;
+    std::string name;
+    const auto result_with = [&](std::uint8_t poison) {
+        poison_new_buffers(poison);
+        FrameStages stages{compute::make_opencl_backend(device, {}, compute::tuning_for(shaped)),
+                           lines, settings};
+        name = stages.device().description();
+        return run_all(stages, lines);
+    };
+    if (result_with(0x3D) != result_with(0xC2)) {
+        throw Error("a result depends on memory that nobody has written");
+    }
+    std::cout << "checked: " << (form.cpu ? "cpu " : "gpu ") << form.probes << " on " << name
+              << std::endl;
+}
+
+std::vector<Form> forms(int count, char** arguments) {
+    if (count == 3) {
+        return {{std::strcmp(arguments[1], "cpu") == 0,
+                 static_cast<std::uint32_t>(std::stoul(arguments[2]))}};
+    }
+    std::vector<Form> all;
+    for (const bool cpu : {true, false}) {
+        for (std::uint32_t probes = 1; probes <= 4; ++probes) all.push_back({cpu, probes});
+    }
+    return all;
+}
+
+void run(int count, char** arguments) {
+    const auto devices = compute::list_opencl_devices();
+    if (devices.empty()) throw Error("there is no OpenCL device");
+    const LineSet lines = extract_lines(cylinder(7, true), {.separate_objects = true});
+    for (const Form& form : forms(count, arguments)) check(devices[0], form, lines);
+}
+
+} // namespace
+} // namespace lineatlas::test
+
+int main(int count, char** arguments) {
+    try {
+        lineatlas::test::run(count, arguments);
+    } catch (const std::exception& error) {
+        std::cerr << "kernel_check: " << error.what() << '\n';
+        return 1;
+    }
+}

@@ -1,0 +1,70 @@
+#pragma once
+
+// Making a run of a piece of a segment: what `filter` needs of it, and `halo`.
+
+#include <cstdint>
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "constants.h"
+#include "segment_table.h"
+
+namespace lineatlas::test::oracles {
+
+/// The tables of a frame.
+struct FrameTables {
+    std::span<const Segment> segments;
+    std::span<const ClippedSegment> clipped;
+    std::span<const std::uint32_t> offsets;
+    std::span<const std::uint32_t> arcs;
+    glm::vec2 viewport;
+    float half_width;
+
+    std::uint32_t samples(std::uint32_t i) const { return offsets[i + 1] - offsets[i]; }
+    bool is_drawn(std::uint32_t i) const { return arcs[i + 1] != arcs[i]; }
+    /// Arc length at the start of segment i and its length, pixels; zero is in the middle of its
+    /// path.
+    float arc(std::uint32_t i) const;
+    float length(std::uint32_t i) const;
+    /// Whether segment i and the next one are drawn as one line: same path, and no part between
+    /// them was clipped away.
+    bool goes_on(std::uint32_t i) const;
+};
+
+/// What an end of a segment is, LA_END_*, and how it meets its neighbour.
+struct End {
+    std::uint32_t kind;
+    glm::vec2 corner{0, 0}; ///< at a join, see Run
+};
+
+/// What lies at one end of segment i: LA_END_CLIPPED, LA_END_PATH, or LA_END_JOIN where the path
+/// goes on in segment `neighbour`.
+std::uint32_t path_end(const FrameTables& frame, std::uint32_t i, bool at_end,
+                       std::uint32_t& neighbour);
+
+/// A position on a segment.
+struct Place {
+    glm::vec2 position; ///< in the window
+    float depth, arc;
+};
+
+/// The place at a position counted in samples of segment i, of which it has `l` or, if it has none,
+/// any number in which positions are counted.
+Place place_at(const FrameTables& frame, std::uint32_t i, float sample, std::uint32_t l);
+
+/// §4.5, mitering; see run.h.
+End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end);
+
+/// A run between two positions counted in samples of segment i, of which it has `l`. Address and
+/// stroke are the caller's.
+Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
+             std::uint32_t l, const End& start, const End& end);
+
+/// Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly.
+bool shown_across(std::span<const Segment> segments, std::span<const Run> runs, std::size_t r,
+                  bool at_end);
+
+FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t samples);
+
+} // namespace lineatlas::test::oracles

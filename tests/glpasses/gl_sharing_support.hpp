@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include "compute/opencl/devices.hpp"
+#include "glpasses/headless_context.hpp"
+#include "support/gl_sharing_layer/layer.hpp"
+
+namespace lineatlas::test {
+
+/// Makes the OpenCL loader take the layer; before the first OpenCL call of the process.
+inline void use_gl_sharing_layer() {
+    ::setenv("OPENCL_LAYERS", LINEATLAS_GL_SHARING_LAYER, 1);
+}
+
+inline LayerCounts take_counts() {
+    void* layer = dlopen(LINEATLAS_GL_SHARING_LAYER, RTLD_LAZY | RTLD_NOLOAD);
+    if (layer == nullptr) throw std::runtime_error{"the OpenCL loader has not taken the layer"};
+    const auto take = reinterpret_cast<TakeLayerCounts*>(dlsym(layer, take_layer_counts_symbol));
+    dlclose(layer);
+    return take();
+}
+
+/// How the driver behaves from now on; see gl_sharing_layer/layer.cpp.
+inline void behave(const char* behaviour) {
+    ::setenv("LINEATLAS_TEST_LAYER", behaviour, 1);
+}
+
+/// The layer behaves as a driver should until told otherwise.
+class UsesLayer : public testing::Test {
+  protected:
+    UsesLayer() {
+        use_gl_sharing_layer();
+        behave("");
+        device(); // the loader takes the layer in the first call
+    }
+    ~UsesLayer() override { behave(""); }
+
+    static compute::OpenClDevice device() { return compute::list_opencl_devices().at(0); }
+};
+
+/// With a GL context made by EGL.
+class GlSharing : public UsesLayer {
+  private:
+    gl::HeadlessContext context_;
+};
+
+} // namespace lineatlas::test

@@ -1,0 +1,228 @@
+// gl-sharing, on a driver made up by gl_sharing_layer: the order of GL and OpenCL, and that nothing
+// is used by the side that does not have it.
+
+#include <cstdlib>
+#include <numeric>
+
+#include <dlfcn.h>
+
+#include "compare.hpp"
+#include "gl_sharing_support.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/interop/gl_context.hpp"
+#include "glpasses/interop/handover.hpp"
+#include "lineatlas/renderer.hpp"
+#include "scene_cameras.hpp"
+#include "support/gl_sharing_layer/layer.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+using interop::SharingMode;
+
+TEST_F(GlSharing, TheLayerListsTheExtensions) {
+    EXPECT_TRUE(device().has_extension("cl_khr_gl_sharing"));
+    EXPECT_FALSE(device().has_extension("cl_khr_gl_event"));
+    behave("events");
+    EXPECT_TRUE(device().has_extension("cl_khr_gl_event"));
+}
+
+/// A buffer of numbers that counts as shared, and a device for it.
+struct Counted {
+    static constexpr std::uint32_t n = 4095;
+
+    explicit Counted(const compute::OpenClDevice& device)
+        : opencl(compute::make_opencl_backend(device, interop::current_gl_properties())),
+          stages(*opencl), buffer(interop::make_shared_buffer(*opencl, SharingMode::gl_sharing,
+                                                              (n + 1) * sizeof(std::uint32_t))) {
+        const std::uint32_t one = 1;
+        glClearNamedBufferData(buffer->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+    }
+    void count() { stages.scan(buffer->compute(), n, compute::ScanKind::saturate); }
+    std::vector<std::uint32_t> seen() const {
+        std::vector<std::uint32_t> result(n + 1);
+        glGetNamedBufferSubData(buffer->gl(), 0, static_cast<GLsizeiptr>(buffer->size()),
+                                result.data());
+        return result;
+    }
+    static std::vector<std::uint32_t> expected() {
+        std::vector<std::uint32_t> result(n + 1);
+        std::iota(result.begin(), result.end(), 0U);
+        return result;
+    }
+
+    std::unique_ptr<compute::OpenClBackend> opencl;
+    compute::Stages stages;
+    std::unique_ptr<interop::SharedBuffer> buffer;
+};
+
+TEST_F(GlSharing, BothSidesAreWaitedForWithoutEvents) {
+    Counted counted{device()};
+    interop::Handover handover{*counted.opencl};
+    take_counts();
+    handover.to_compute({counted.buffer.get()});
+    counted.count();
+    handover.to_gl({counted.buffer.get()});
+    const LayerCounts counts = take_counts();
+    EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
+    EXPECT_EQ(counts.gl_waits, 1U);
+    EXPECT_EQ(counts.cl_waits, 1U);
+    EXPECT_EQ(counts.acquired, 1U);
+    EXPECT_EQ(counts.released, 1U);
+    EXPECT_EQ(counts.violations, 0U);
+}
+
+TEST_F(GlSharing, NeitherSideIsWaitedForWithEvents) {
+    behave("events");
+    Counted counted{device()};
+    interop::Handover handover{*counted.opencl};
+    take_counts();
+    handover.to_compute({counted.buffer.get()});
+    counted.count();
+    handover.to_gl({counted.buffer.get()});
+    const LayerCounts counts = take_counts();
+    EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
+    EXPECT_EQ(counts.gl_waits, 0U);
+    EXPECT_EQ(counts.cl_waits, 0U);
+    EXPECT_EQ(counts.fences, 1U);
+    EXPECT_EQ(counts.violations, 0U);
+}
+
+// What the other tests rely on: the layer notices every mistake, and data shows some of them.
+
+TEST_F(GlSharing, TheLayerNoticesUseWithoutAcquire) {
+    Counted counted{device()};
+    take_counts();
+    glFinish();
+    counted.count();
+    counted.opencl->finish();
+    EXPECT_GT(take_counts().violations, 0U);
+    EXPECT_FALSE(equal(counted.seen(), Counted::expected()));
+}
+
+TEST_F(GlSharing, TheLayerNoticesUseAfterRelease) {
+    Counted counted{device()};
+    interop::Handover handover{*counted.opencl};
+    handover.to_compute({counted.buffer.get()});
+    handover.to_gl({counted.buffer.get()});
+    take_counts();
+    std::vector<std::uint32_t> seen(Counted::n + 1);
+    counted.opencl->download(counted.buffer->compute(), std::as_writable_bytes(std::span{seen}));
+    EXPECT_EQ(take_counts().violations, 1U);
+}
+
+/// The calls of a handover, one by one.
+class GlSharingByHand : public GlSharing {
+  protected:
+    void SetUp() override {
+        GlSharing::SetUp();
+        opencl_ = compute::make_opencl_backend(device(), interop::current_gl_properties());
+        glCreateBuffers(1, &buffer_);
+        glNamedBufferStorage(buffer_, 64, nullptr, GL_DYNAMIC_STORAGE_BIT);
+        opened_ = {cl::BufferGL{opencl_->context(), CL_MEM_READ_WRITE, buffer_}};
+        take_counts();
+    }
+    void TearDown() override {
+        opened_.clear();
+        glDeleteBuffers(1, &buffer_);
+    }
+    void clear() {
+        const std::uint32_t one = 1;
+        glClearNamedBufferData(buffer_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+    }
+
+    std::unique_ptr<compute::OpenClBackend> opencl_;
+    GLuint buffer_ = 0;
+    std::vector<cl::Memory> opened_;
+};
+
+TEST_F(GlSharingByHand, TheRightOrderIsNoViolation) {
+    clear();
+    glFinish();
+    opencl_->queue().enqueueAcquireGLObjects(&opened_);
+    opencl_->queue().enqueueReleaseGLObjects(&opened_);
+    opencl_->finish();
+    clear();
+    EXPECT_EQ(take_counts().violations, 0U);
+}
+
+TEST_F(GlSharingByHand, AcquireWithoutFinishIsNoticed) {
+    glFinish();
+    clear();
+    opencl_->queue().enqueueAcquireGLObjects(&opened_);
+    EXPECT_EQ(take_counts().violations, 1U);
+}
+
+TEST_F(GlSharingByHand, AFenceThatIsNotAwaitedDoesNotCount) {
+    clear();
+    const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    opencl_->queue().enqueueAcquireGLObjects(&opened_);
+    EXPECT_EQ(take_counts().violations, 1U);
+    glDeleteSync(fence);
+}
+
+TEST_F(GlSharingByHand, GlBeforeFinishIsNoticed) {
+    glFinish();
+    opencl_->queue().enqueueAcquireGLObjects(&opened_);
+    opencl_->queue().enqueueReleaseGLObjects(&opened_);
+    clear();
+    EXPECT_EQ(take_counts().violations, 1U);
+    opencl_->finish();
+}
+
+TEST_F(GlSharingByHand, ReleaseWithoutAcquireIsNoticed) {
+    opencl_->queue().enqueueReleaseGLObjects(&opened_);
+    EXPECT_EQ(take_counts().violations, 1U);
+    opencl_->finish();
+}
+
+/// With and without cl_khr_gl_event.
+class GlSharingPictures : public GlSharing, public testing::WithParamInterface<const char*> {
+  protected:
+    std::vector<std::uint8_t> draw(Renderer& renderer, const Camera& camera,
+                                   const FrameOptions& options) {
+        canvas_.clear(glm::vec4{1});
+        const FrameStats stats = renderer.draw(camera, options, canvas_.framebuffer());
+        EXPECT_TRUE(options.method != Method::atlas || stats.runs > 0) << "an empty picture";
+        return canvas_.read();
+    }
+    void expect_same(const char* scene, const std::vector<FrameOptions>& all) {
+        Renderer shared{{.interop = "gl-sharing"}};
+        Renderer copied{{.interop = "copy"}};
+        shared.set_lines(scene_lines(scene));
+        copied.set_lines(scene_lines(scene));
+        take_counts();
+        for (const FrameOptions& options : all) {
+            for (const NamedCamera& view : scene_cameras(scene, canvas_.size())) {
+                SCOPED_TRACE(std::string{scene} + ", " + view.name);
+                EXPECT_TRUE(
+                    equal(draw(shared, view.camera, options), draw(copied, view.camera, options)));
+            }
+        }
+        const LayerCounts counts = take_counts();
+        EXPECT_GT(counts.acquired, 0U);
+        EXPECT_EQ(counts.violations, 0U);
+    }
+
+    gl::Canvas canvas_{{400, 300}};
+};
+
+TEST_P(GlSharingPictures, EqualThoseOfCopies) {
+    behave(GetParam());
+    FrameOptions styled{.style = {.filter = {.fill = 4, .drop = 4, .overshoot = 12, .halo = 3}}};
+    styled.style.density.limit = 0.2F;
+    FrameOptions hidden;
+    hidden.style.hidden = true;
+    const std::vector<FrameOptions> all{
+        {.atlas = AtlasForm::raster}, {.atlas = AtlasForm::compute},    styled, hidden,
+        {.method = Method::spine},    {.intervals = KeptIntervals::all}};
+    for (const char* scene : {"clevis", "ship"}) expect_same(scene, all);
+}
+
+INSTANTIATE_TEST_SUITE_P(Driver, GlSharingPictures, testing::Values("", "events"),
+                         [](const auto& name) {
+                             return std::string{*name.param == '\0' ? "waits" : name.param};
+                         });
+
+} // namespace
+} // namespace lineatlas::test

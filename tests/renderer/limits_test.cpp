@@ -1,0 +1,575 @@
+// Devices that are too small: what is drawn nevertheless, and what is said where nothing can be.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "compare.hpp"
+#include "core/limits.hpp"
+#include "fault_support.hpp"
+#include "renderer/model_limits.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+constexpr std::uint64_t kib = 1024;
+
+struct LargeFrame {
+    const char* scene;
+    glm::ivec2 size;
+    FrameOptions options;
+};
+
+FrameOptions fine_steps() {
+    return {.step = 0.02F, .steady = false};
+}
+
+FrameOptions dense() {
+    FrameOptions options;
+    options.style.density.limit = 0.2F;
+    return options;
+}
+
+/// Frames in which each table is once larger than all others.
+std::vector<LargeFrame> large_frames() {
+    return {{"clevis", {160, 120}, all_effects(Method::atlas)},
+            {"clevis", {800, 600}, fine_steps()},
+            {"clevis", {1200, 900}, dense()},
+            {"clevis", {160, 120}, {.depth_scale = 4}},
+            {"house", {160, 120}, {.intervals = KeptIntervals::all}},
+            {"clevis", {160, 120}, {.method = Method::item_buffer}},
+            {"clevis", {160, 120}, {.method = Method::spine}},
+            {"clevis", {160, 120}, {.method = Method::opengl}}};
+}
+
+/// Some of them, for sweeps that find the same tables.
+std::vector<LargeFrame> some_frames() {
+    std::vector<LargeFrame> frames = large_frames();
+    return {frames[0], frames[2], frames[3], frames[4], frames[6]};
+}
+
+class Limits : public FaultFixture {
+  protected:
+    /// Draws this from now on.
+    Picture use(const LargeFrame& frame) {
+        canvas_ = std::make_unique<gl::Canvas>(frame.size);
+        const Scene scene = make_scene(frame.scene);
+        lines_ = extract_lines(scene.mesh);
+        camera_ = make_camera(scene.view(0), frame.size, lines_.bounds);
+        return draw(*make_renderer(), frame.options);
+    }
+
+    /// A picture, by tiles where it must be; empty if the device is too small, which was then said.
+    Picture try_draw(Renderer& renderer, const FrameOptions& options) {
+        try {
+            const int tile = renderer.tile_size(camera_.size, options);
+            return tile == 0 ? draw(renderer, options) : draw_tiles(renderer, options, tile);
+        } catch (const Error& error) {
+            note(error.what());
+            return {};
+        }
+    }
+
+    Picture draw_tiles(Renderer& renderer, const FrameOptions& options, int tile_size) {
+        const gl::Canvas canvas{glm::min(camera_.size, tile_size)};
+        const glm::ivec2 size = camera_.size;
+        Picture picture(static_cast<std::size_t>(4 * size.x * size.y));
+        const auto begin = [&](const PictureTile&) {
+            const std::array<float, 4> white{1, 1, 1, 1};
+            glClearNamedFramebufferfv(canvas.framebuffer(), GL_COLOR, 0, white.data());
+        };
+        const auto end = [&](const PictureTile& tile) {
+            const Picture part = canvas.read(tile.size);
+            const int top = size.y - tile.low.y - tile.size.y;
+            for (int y = 0; y < tile.size.y; ++y) {
+                std::copy_n(part.begin() + 4 * tile.size.x * y, 4 * tile.size.x,
+                            picture.begin() + 4 * ((top + y) * size.x + tile.low.x));
+            }
+        };
+        renderer.draw_tiles(camera_, options, {canvas.framebuffer(), tile_size, begin, end});
+        ++tiled_;
+        return picture;
+    }
+
+    /// A message about a limit: what needs how much, what there is, and what helps.
+    void note(const std::string& message) {
+        const std::size_t needs = message.find(" needs "), there_is = message.find(", and "),
+                          help = message.find("; use ");
+        EXPECT_TRUE(needs < there_is && there_is < help && help != std::string::npos) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        const std::size_t mode = message.find(" cannot share "); // that stands before the cause
+        const std::size_t what = mode < needs ? message.find(": ", mode) + 2 : 0;
+        ++said_[message.substr(what, needs - what)];
+    }
+
+    void expect_said(std::initializer_list<const Purpose*> purposes) const {
+        for (const Purpose* purpose : purposes) {
+            EXPECT_TRUE(said_.contains(std::string{purpose->what})) << purpose->what;
+        }
+    }
+
+    void count(const Picture& expected, const Picture& seen, std::uint64_t limit) {
+        if (seen.empty()) {
+            ++refused_;
+            return;
+        }
+        ++drawn_;
+        ASSERT_EQ(expected.size(), seen.size());
+        EXPECT_LE(compare_bytes(expected, seen).share(), 1e-3) << "limit " << limit;
+    }
+
+    /// Draws with ever less: each frame is the one of a large device, or ends in a message with
+    /// all released; then the same renderer draws what is small enough.
+    template <class Limit>
+    void shrink(Limit& limit, std::uint64_t most, std::uint64_t least, const LargeFrame& frame,
+                double factor = 0.5) {
+        const Picture expected = use(frame);
+        const long live_gl = gl_faults().live;
+        const ClCounts live_cl = opencl_faults().references;
+        for (std::uint64_t value = most; value >= least;
+             value = static_cast<std::uint64_t>(factor * static_cast<double>(value))) {
+            SCOPED_TRACE(std::string{frame.scene} + ", limit " + std::to_string(value));
+            limit = static_cast<Limit>(value);
+            try {
+                const std::unique_ptr<Renderer> renderer = make_renderer();
+                const Picture picture = try_draw(*renderer, frame.options);
+                count(expected, picture, value);
+                if (picture.empty()) draw_something_small(*renderer);
+            } catch (const Error& error) { // of a renderer too large without a frame
+                ++refused_;
+                note(error.what());
+            }
+            limit = 0;
+            EXPECT_EQ(gl_faults().live, live_gl);
+            EXPECT_EQ(opencl_faults().references, live_cl);
+            EXPECT_EQ(gl_faults().beyond, 0);
+            if (HasFailure()) return;
+        }
+    }
+
+    /// If that is possible: the first tables of a frame may be too large already.
+    void draw_something_small(Renderer& renderer) {
+        Camera small = camera_;
+        small.size = {40, 30};
+        try {
+            EXPECT_GT(renderer.draw(small, {.depth_scale = 1}, canvas_->framebuffer()).runs, 0U);
+            ++went_on_;
+        } catch (const Error& error) {
+            note(error.what());
+        }
+    }
+
+    void report() const {
+        std::cout << drawn_ << " frames were drawn, " << tiled_ << " of them by tiles, " << refused_
+                  << " refused, after " << went_on_ << " of which a smaller one was drawn:";
+        for (const auto& [what, times] : said_) std::cout << " " << times << " " << what << ",";
+        std::cout << "\n";
+    }
+
+    std::map<std::string, int> said_;
+    int drawn_ = 0, tiled_ = 0, refused_ = 0, went_on_ = 0;
+};
+
+TEST_P(Limits, OfABufferAreSaidOrPassed) {
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(opencl_faults().largest_buffer, 7600 * kib, 400 * kib, frame, 2.0 / 3);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 20);
+    EXPECT_GT(tiled_, 3);
+    EXPECT_GT(went_on_, 3);
+    expect_said({&purpose::atlas, &purpose::intervals, &purpose::density});
+}
+
+/// A frame as picture, intervals and numbers.
+struct Drawn {
+    Picture picture;
+    std::vector<Interval> intervals;
+    std::uint32_t samples, runs;
+};
+
+class Chunks : public Limits {
+  protected:
+    Drawn drawn(Renderer& renderer, const FrameOptions& options) {
+        canvas_->clear({1, 1, 1, 1});
+        const FrameStats stats = renderer.draw(camera_, options, canvas_->framebuffer());
+        Drawn result{canvas_->read(), {}, stats.samples, stats.runs};
+        if (options.intervals != KeptIntervals::none) result.intervals = renderer.read_intervals();
+        return result;
+    }
+
+    /// Of a device whose buffers hold `bytes`, against one that knows no limit.
+    void expect_the_same(const FrameOptions& options, std::uint64_t bytes) {
+        const Drawn whole = drawn(*make_renderer(), options);
+        opencl_faults().largest_buffer = bytes;
+        const std::unique_ptr<Renderer> renderer = make_renderer();
+        for (int frame = 0; frame < 2; ++frame) { // the second one with tables that have grown
+            const Drawn cut = drawn(*renderer, options);
+            EXPECT_EQ(cut.picture, whole.picture);
+            EXPECT_EQ(cut.samples, whole.samples);
+            EXPECT_EQ(cut.runs, whole.runs);
+            ASSERT_EQ(cut.intervals.size(), whole.intervals.size());
+            EXPECT_EQ(std::memcmp(cut.intervals.data(), whole.intervals.data(),
+                                  whole.intervals.size() * sizeof(Interval)),
+                      0);
+        }
+        opencl_faults().largest_buffer = 0;
+    }
+
+    /// Few triangles with many lines: the model's own, drawn over and over.
+    void repeat_lines(std::uint32_t times) {
+        const std::vector<Segment> once = lines_.segments;
+        std::uint32_t paths = 0;
+        for (const Segment& segment : once) paths = std::max(paths, segment.path + 1);
+        for (std::uint32_t copy = 1; copy < times; ++copy) {
+            for (Segment segment : once) {
+                segment.path += copy * paths;
+                lines_.segments.push_back(segment);
+            }
+        }
+    }
+
+    /// Everything that looks at no more than a path.
+    static FrameOptions by_paths(Method method) {
+        FrameOptions options{.method = method, .depth_scale = 1, .steady = false};
+        options.style.pen.opacity = 0.3F; // what is drawn twice, or in another order, shows
+        if (method == Method::spine) return options;
+        options.intervals = KeptIntervals::all;
+        options.style.pen.mark = "pencil";
+        options.style.pen.cap = Cap::taper;
+        options.style.hidden = true;
+        options.style.hidden_pen.color = {1, 0, 0};
+        options.style.filter.overshoot = 6;
+        options.style.filter.fill = 3;
+        options.style.fill.mode = FillMode::lambert;
+        return options;
+    }
+};
+
+constexpr std::uint64_t small_buffer = 300 * kib; // a quarter of the tables of the house
+
+TEST_P(Chunks, OfSegmentsMakeTheSamePicturesAndPaths) {
+    use({"house", {160, 120}, {}});
+    for (const AtlasForm form : {AtlasForm::compute, AtlasForm::raster}) {
+        FrameOptions options = by_paths(Method::atlas);
+        options.atlas = form;
+        expect_the_same(options, small_buffer);
+        options.style.hidden = false;
+        options.cull_hidden = false;
+        expect_the_same(options, small_buffer);
+    }
+    expect_the_same(by_paths(Method::spine), small_buffer);
+    FrameOptions paths = by_paths(Method::atlas);
+    paths.draw = false;
+    expect_the_same(paths, small_buffer);
+}
+
+TEST_P(Chunks, OfTheExactMethodMakeTheSame) {
+    use({"clevis", {160, 120}, {}});
+    repeat_lines(40);
+    FrameOptions options = by_paths(Method::exact);
+    options.style.pen.opacity = 0.02F;
+    options.style.hidden_pen.opacity = 0.02F;
+    expect_the_same(options, 700 * kib); // about 7 chunks
+    options.draw = false;
+    expect_the_same(options, 700 * kib);
+}
+
+TEST_P(Chunks, GoByTilesToo) {
+    const LargeFrame frame{"house", {400, 300}, by_paths(Method::atlas)};
+    FrameOptions options = frame.options;
+    options.intervals = KeptIntervals::none; // need depth that tiles don't keep
+    options.depth_scale = 2;
+    use({frame.scene, frame.size, options});
+    const Picture whole = draw_tiles(*make_renderer(), options, 120);
+    opencl_faults().largest_buffer = small_buffer;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    EXPECT_GT(renderer->tile_size(camera_.size, options), 0);
+    EXPECT_EQ(draw_tiles(*renderer, options, 120), whole);
+}
+
+TEST_P(Chunks, AreCutAnewForAnotherDevice) {
+    const FrameOptions options = by_paths(Method::atlas);
+    use({"house", {160, 120}, options});
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    const Drawn whole = drawn(*renderer, options);
+    for (const std::uint64_t bytes : {small_buffer, 2 * small_buffer, std::uint64_t{0}}) {
+        opencl_faults().largest_buffer = bytes;
+        renderer->set_device({.interop = GetParam()});
+        EXPECT_EQ(drawn(*renderer, options).picture, whole.picture);
+    }
+}
+
+TEST_P(Chunks, AreNotForWhatNeedsAllLinesAtOnce) {
+    use({"house", {160, 120}, {}});
+    opencl_faults().largest_buffer = small_buffer;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    const FrameOptions plain = by_paths(Method::atlas);
+    FrameOptions halo = plain, dense = plain, items = plain;
+    halo.style.filter.halo = 3;
+    dense.style.density.limit = 0.2F;
+    items.method = Method::item_buffer;
+    items.intervals = KeptIntervals::none;
+    for (const FrameOptions& options : {halo, dense, items})
+        EXPECT_TRUE(try_draw(*renderer, options).empty());
+    EXPECT_FALSE(try_draw(*renderer, plain).empty()); // the renderer is as good as before
+    try {
+        renderer->read_samples();
+        ADD_FAILURE();
+    } catch (const DeviceError& error) {
+        note(error.what());
+    }
+    expect_said(
+        {&purpose::all_halos, &purpose::all_density, &purpose::all_items, &purpose::samples});
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Chunks, testing::Values("copy", "host-pointer"), mode_name);
+
+TEST_P(Limits, OfADevicesMemoryAreSaidOrPassed) {
+    for (const LargeFrame& frame : some_frames()) {
+        shrink(opencl_faults().memory, 8192 * kib, 400 * kib, frame, 0.75);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 5);
+    EXPECT_GT(went_on_, 2);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+TEST_P(Limits, ThatADriverKeepsToItselfAreSaid) {
+    for (const bool memory : {false, true}) {
+        opencl_faults().says_limits = false;
+        std::uint64_t& limit = memory ? opencl_faults().memory : opencl_faults().largest_buffer;
+        for (const LargeFrame& frame : some_frames()) {
+            shrink(limit, memory ? 16384 * kib : 7600 * kib, 400 * kib, frame);
+            if (HasFailure()) return;
+        }
+    }
+    report();
+    EXPECT_GT(refused_, 10);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+TEST_P(Limits, OfWorkGroupsArePassed) {
+    for (const LargeFrame& frame : some_frames()) {
+        const Picture expected = use(frame);
+        for (const std::size_t group : {48, 1}) {
+            for (const bool says : {true, false}) {
+                opencl_faults().largest_group = group;
+                opencl_faults().says_limits = says;
+                const Picture seen = draw(*make_renderer(), frame.options);
+                opencl_faults().reset();
+                EXPECT_LE(compare_bytes(expected, seen).share(), 1e-3) << group;
+            }
+        }
+    }
+}
+
+TEST_P(Limits, LeaveAModelThatCannotMoveWhereItWas) {
+    const FrameOptions options;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    const Picture expected = draw(*renderer, options);
+    const std::vector<glm::mat4> upside_down(std::max<std::size_t>(lines_.objects.size(), 1),
+                                             glm::mat4{glm::mat3{-1}});
+    opencl_faults().memory = opencl_faults().allocated + 1;
+    EXPECT_THROW(renderer->set_transforms(upside_down), DeviceError);
+    EXPECT_THROW(renderer->set_positions(0, lines_.vertices), DeviceError);
+    opencl_faults().memory = 0;
+    EXPECT_EQ(draw(*renderer, options), expected);
+    renderer->set_transforms(upside_down);
+    EXPECT_NE(draw(*renderer, options), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Limits, testing::Values("copy", "host-pointer"), mode_name);
+
+/// Of GL: they do not depend on the mode.
+class GlLimits : public Limits {};
+
+TEST_P(GlLimits, OfMemoryAreSaid) {
+    for (const LargeFrame& frame : some_frames()) {
+        shrink(gl_faults().largest_allocation, 16384 * kib, 400 * kib, frame);
+        if (HasFailure()) return;
+    }
+    report();
+    EXPECT_GT(drawn_, 5);
+    expect_said({&purpose::strokes, &purpose::depth});
+}
+
+/// Of a renderer that stands already, so that what a frame makes is what is too large.
+TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
+    for (const LargeFrame& frame : large_frames()) {
+        const Picture expected = use(frame);
+        const long live = gl_faults().live;
+        for (long bytes = 4096 * kib; bytes > 16; bytes /= 16) {
+            SCOPED_TRACE(bytes);
+            std::unique_ptr<Renderer> renderer = make_renderer();
+            gl_faults().largest_allocation = bytes;
+            count(expected, try_draw(*renderer, frame.options), static_cast<std::uint64_t>(bytes));
+            gl_faults().largest_allocation = 0;
+            EXPECT_EQ(draw(*renderer, frame.options), expected);
+            renderer.reset();
+            EXPECT_EQ(gl_faults().live, live);
+            if (HasFailure()) return;
+        }
+    }
+    report();
+    expect_said(
+        {&purpose::atlas, &purpose::depth, &purpose::item_buffer, &purpose::spine, &purpose::pen});
+}
+
+TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
+    FrameOptions effects = all_effects(Method::atlas);
+    effects.intervals = KeptIntervals::none; // need depth that tiles don't keep
+    effects.style.pen.mark = "solid";        // others are textures of 1024 texels
+    effects.style.hidden_pen.mark = "solid";
+    effects.style.paper.grain = 0;
+    for (const FrameOptions& options :
+         {effects, FrameOptions{}, FrameOptions{.method = Method::spine},
+          FrameOptions{.method = Method::item_buffer}, FrameOptions{.atlas = AtlasForm::raster}}) {
+        shrink(gl_faults().largest_side, 600, 20, {"clevis", {160, 120}, options}, 2.0 / 3);
+    }
+    report();
+    EXPECT_GT(drawn_, 15);
+    EXPECT_GT(tiled_, 5);
+    expect_said({&purpose::whole_picture, &purpose::depth});
+}
+
+TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
+    for (const LargeFrame& frame : large_frames()) {
+        shrink(gl_faults().largest_buffer_texture, 1U << 20U, 4096, frame);
+        if (HasFailure()) return;
+    }
+    LineSet coloured = lines_;
+    coloured.colors = {{1, 0, 0}};
+    coloured.triangle_color.assign(coloured.triangles.size(), 0);
+    gl_faults().largest_buffer_texture = static_cast<int>(coloured.triangles.size()) - 1;
+    EXPECT_TRUE(try_draw(*make_renderer(), {.method = Method::spine}).empty());
+    FrameOptions fill{.method = Method::opengl};
+    fill.style.fill.mode = FillMode::flat;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    renderer->set_lines(coloured);
+    EXPECT_TRUE(try_draw(*renderer, fill).empty());
+    report();
+    expect_said({&purpose::atlas, &purpose::fill, &purpose::spine, &purpose::density});
+}
+
+/// GL that is not software draws the atlas; where it has too many rows for that, kernels do.
+TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
+    FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
+    options.atlas = AtlasForm::compute;
+    const Picture expected = use({"house", {100, 75}, options});
+    gl_faults().renderer = "a GPU";
+    gl_faults().largest_side = 128;
+    options.atlas = AtlasForm::automatic;
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    EXPECT_EQ(draw(*renderer, options), expected);
+    EXPECT_EQ(draw(*renderer, options), expected); // where the atlas is large enough from the start
+    options.atlas = AtlasForm::raster;
+    EXPECT_TRUE(try_draw(*renderer, options).empty());
+    EXPECT_EQ(said_.size(), 1U);
+    expect_said({&purpose::atlas});
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, GlLimits, testing::Values("copy"), mode_name);
+
+struct ToolRun {
+    int code;
+    std::string said, file;
+};
+
+/// The tool with limits of the layer, as variables: what it says and draws.
+ToolRun run_tool(const std::string& limits, const std::string& arguments,
+                 const std::string& extension = ".png") {
+    const std::string picture = std::filesystem::temp_directory_path() /
+                                ("lineatlas_limits_" + std::to_string(::getpid()) + extension);
+    const std::string command = "OPENCL_LAYERS=" LINEATLAS_FAULT_LAYER " " + limits +
+                                " " LINEATLAS_TOOL " draw -o " + picture + " " + arguments +
+                                " 2>&1";
+    FILE* tool = popen(command.c_str(), "r");
+    std::string said;
+    std::array<char, 4096> part{};
+    while (std::fgets(part.data(), part.size(), tool) != nullptr) said += part.data();
+    const int status = pclose(tool);
+    std::ostringstream file;
+    file << std::ifstream{picture}.rdbuf();
+    EXPECT_EQ(std::filesystem::remove(picture), status == 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said, file.str()};
+}
+
+TEST(LimitsOfTheTool, ArePassedByTilesOrEndItWithOneLine) {
+    const ToolRun tiles =
+        run_tool("LINEATLAS_TEST_BUFFER=2000000", "--scene clevis --size 1600x1200");
+    EXPECT_EQ(tiles.code, 0); // its depth would take 31 MB
+    const auto [code, said, file] =
+        run_tool("LINEATLAS_TEST_BUFFER=10000", "--scene clevis --size 400x300");
+    EXPECT_EQ(code, 1);
+    EXPECT_NE(said.find("lineatlas: the model's vertices and triangles needs "), said.npos) << said;
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+}
+
+TEST(LimitsOfTheTool, ArePassedByChunksOfTheSegments) {
+    for (const char* extension : {".png", ".svg"}) {
+        const std::string house = "--scene house --size 160x120 --method atlas --depth-scale 1";
+        const ToolRun whole = run_tool("", house, extension);
+        const ToolRun cut = run_tool("LINEATLAS_TEST_BUFFER=300000", house, extension);
+        EXPECT_EQ(cut.code, 0) << cut.said;
+        EXPECT_EQ(cut.said, whole.said);
+        EXPECT_TRUE(cut.file == whole.file) << extension;
+    }
+}
+
+/// 31 MB of depth that the device has no room for, in one buffer or many.
+TEST(LimitsOfTheTool, OfMemoryLeadToTilesByThemselves) {
+    const std::string large = "--scene clevis --size 1600x1200";
+    for (const std::string bytes : {"24000000", "8000000"}) {
+        const ToolRun tiles = run_tool("LINEATLAS_TEST_MEMORY=" + bytes, large);
+        EXPECT_EQ(tiles.code, 0);
+        const std::string begin = "lineatlas: drawn in tiles of ";
+        ASSERT_TRUE(tiles.said.starts_with(begin)) << tiles.said;
+        const std::string side =
+            tiles.said.substr(begin.size(), tiles.said.find('x', begin.size()) - begin.size());
+        EXPECT_NE(tiles.said.find(": in one piece the depth buffer needs 29.3 MiB, and of the "),
+                  std::string::npos)
+            << tiles.said;
+        EXPECT_EQ(std::ranges::count(tiles.said, '\n'), 1) << tiles.said;
+        EXPECT_TRUE(tiles.file == run_tool("", large + " --tile " + side).file);
+    }
+    // Ends of paths are found in the depth of the whole.
+    const ToolRun path =
+        run_tool("LINEATLAS_TEST_MEMORY=2000000", large + " --method atlas", ".svg");
+    EXPECT_EQ(path.code, 1);
+    EXPECT_EQ(std::ranges::count(path.said, '\n'), 1) << path.said;
+}
+
+TEST(ModelLimits, AreWhatGlCanCount) {
+    EXPECT_NO_THROW(check_counts({0x7FFFFFFF, 715'827'882, 1'073'741'823}));
+    for (const ModelCounts& counts : {ModelCounts{0x80000000, 1, 1},
+                                      {1, 715'827'883, 1},
+                                      {1, 1, 1'073'741'824},
+                                      {1ULL << 33U, 1, 1}}) {
+        EXPECT_THROW(check_counts(counts), DeviceError);
+    }
+}
+
+TEST(Messages, NameSizesAsPeopleDo) {
+    EXPECT_EQ(written_bytes(512), "512 bytes");
+    EXPECT_EQ(written_bytes(1536), "1.50 KiB");
+    EXPECT_EQ(written_bytes(200 * kib * kib), "200 MiB");
+    EXPECT_EQ(written_bytes(std::uint64_t{1} << 60U), "1048576 TiB");
+    EXPECT_EQ(with_room_to_grow(100, 1000), 125U);
+    EXPECT_EQ(with_room_to_grow(100, 110), 110U);
+    EXPECT_EQ(with_room_to_grow(100, 50), 100U); // said when it is made
+}
+
+} // namespace
+} // namespace lineatlas::test

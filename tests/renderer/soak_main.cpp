@@ -1,0 +1,204 @@
+// A night of frames in short: methods, styles, models and sharing modes change all the time, and
+// memory, objects, frame times and the pictures of equal frames must not. ./run soak; the suite
+// runs a short one.
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <dlfcn.h>
+#include <malloc.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include "gl_faults.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "io/reader_protocol.hpp"
+#include "lineatlas/lines.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/scenes.hpp"
+#include "lineatlas/style_files.hpp"
+#include "support/fault_layer/fault_layer.hpp"
+
+namespace {
+
+using namespace lineatlas;
+
+constexpr glm::ivec2 size{320, 240};
+constexpr int angles = 30;           // of the turntable
+constexpr int frames_per_change = 5; // of method and style
+// A sanitizer keeps what is freed, to find who still uses it.
+constexpr double most_memory_growth_percent =
+    reader::sanitized ? std::numeric_limits<double>::infinity() : 1;
+
+struct Look {
+    std::string name;
+    FrameOptions options;
+};
+
+std::vector<Look> make_looks() {
+    std::vector<Look> looks;
+    for (const StyleInfo& style : list_styles()) {
+        looks.push_back({"atlas, " + style.name, {.style = load_style(style.name)}});
+    }
+    looks.push_back({"atlas, raster", {.atlas = AtlasForm::raster}});
+    looks.push_back({"atlas, gutter", {.atlas_layout = AtlasLayoutChoice::gutter}});
+    looks.push_back({"atlas, low", {.probes = 1, .depth_scale = 1}});
+    looks.push_back({"spine", {.method = Method::spine}});
+    looks.push_back({"itembuffer", {.method = Method::item_buffer}});
+    looks.push_back({"opengl", {.method = Method::opengl}});
+    for (Look& look : looks) look.options.steady = false; // equal frames, whatever came before
+    return looks;
+}
+
+std::uint64_t hash(const std::vector<std::uint8_t>& pixels) {
+    std::uint64_t value = 14695981039346656037ULL; // FNV-1a
+    for (const std::uint8_t byte : pixels) value = (value ^ byte) * 1099511628211ULL;
+    return value;
+}
+
+/// So that resident memory shows what the program holds, to less than 1 %: by default the allocator
+/// keeps large blocks that were freed wherever something small stands behind them, and the kernel
+/// gives memory in pages of 2 MiB.
+void keep_no_free_memory() {
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024); // fixed: it grows with what is freed otherwise
+    prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
+}
+
+/// Of this process, in KiB, without what is free but kept for later.
+long resident_memory() {
+    malloc_trim(0);
+    long pages = 0, resident = 0;
+    std::ifstream{"/proc/self/statm"} >> pages >> resident;
+    return resident * (sysconf(_SC_PAGESIZE) / 1024);
+}
+
+long opencl_objects(const char* layer) {
+    static auto* faults = reinterpret_cast<test::GetOpenClFaults*>(
+        dlsym(dlopen(layer, RTLD_NOW), test::opencl_faults_symbol));
+    return faults()->live();
+}
+
+class Soak {
+  public:
+    Soak() : scenes_{make_scene("clevis"), make_scene("house")} {
+        for (const Scene& scene : scenes_) lines_.push_back(extract_lines(scene.mesh));
+        renderer_.set_lines(lines_[0]);
+    }
+
+    /// Draws one frame; false if it is not the picture that it was before.
+    bool draw(int frame) {
+        const int change = frame / frames_per_change;
+        const auto look = static_cast<std::size_t>(change) % looks_.size();
+        const auto scene = static_cast<std::size_t>(change) / looks_.size() % scenes_.size();
+        const bool shared = change / static_cast<int>(looks_.size() * scenes_.size()) % 2 != 0;
+        if (frame % frames_per_change == 0) {
+            renderer_.set_lines(lines_[scene]);
+        }
+        // Rarely: PoCL 3.1 keeps about a KiB of every program that is built, and each change builds
+        // some twenty.
+        if (shared != shared_) renderer_.set_device({.interop = shared ? "host-pointer" : "copy"});
+        shared_ = shared;
+        const int angle = frame % angles;
+        const View view = scenes_[scene].view(static_cast<float>(angle) / angles);
+        canvas_.clear({1, 1, 1, 1});
+        renderer_.draw(make_camera(view, size, lines_[scene].bounds), looks_[look].options,
+                       canvas_.framebuffer());
+        const std::uint64_t picture = hash(canvas_.read());
+        const auto [known, is_new] = pictures_.try_emplace({look, scene, angle}, picture);
+        if (known->second == picture) return true;
+        std::cerr << "frame " << frame << " (" << looks_[look].name << ", " << scenes_[scene].name
+                  << ") differs from an equal one\n";
+        return false;
+    }
+
+    std::size_t pictures() const { return pictures_.size(); }
+    /// Frames until all that changes has changed.
+    int period() const {
+        return frames_per_change * static_cast<int>(looks_.size() * scenes_.size()) * 2;
+    }
+
+  private:
+    std::vector<Scene> scenes_;
+    std::vector<LineSet> lines_;
+    std::vector<Look> looks_ = make_looks();
+    gl::Canvas canvas_{size};
+    Renderer renderer_{{.interop = "copy"}};
+    bool shared_ = false;
+    std::map<std::tuple<std::size_t, std::size_t, int>, std::uint64_t> pictures_;
+};
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+struct Sample {
+    long memory, gl, opencl; ///< KiB, objects, references
+    double frame;            ///< median since the last, milliseconds of all threads' time
+};
+
+int run(int frames, const char* layer) {
+    const gl::HeadlessContext context;
+    test::hook_gl();
+    Soak soak;
+    const int period = soak.period(); // every sample is taken in the same state
+    std::vector<Sample> samples;
+    std::vector<double> times;
+    bool equal = true;
+    std::cout << "frames   MiB   GL objects   OpenCL objects   ms of processor time a frame\n";
+    for (int frame = 0; frame < frames; ++frame) {
+        const std::clock_t start = std::clock();
+        equal = soak.draw(frame) && equal;
+        times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+        if ((frame + 1) % period != 0) continue;
+        samples.push_back({resident_memory(), test::gl_faults().live, opencl_objects(layer),
+                           median(std::exchange(times, {}))});
+        const Sample& s = samples.back();
+        std::cout << frame + 1 << "   " << s.memory / 1024 << "   " << s.gl << "   " << s.opencl
+                  << "   " << s.frame << std::endl;
+    }
+    const auto half = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+    const auto [least, most] = std::minmax_element(
+        half, samples.end(), [](const Sample& a, const Sample& b) { return a.memory < b.memory; });
+    const double growth = 100.0 * static_cast<double>(most->memory - least->memory) /
+                          static_cast<double>(least->memory);
+    const bool objects_flat = std::all_of(half, samples.end(), [&](const Sample& s) {
+        return s.gl == half->gl && s.opencl == half->opencl;
+    });
+    const auto time_of = [](auto first, auto last) {
+        std::vector<double> medians;
+        std::transform(first, last, std::back_inserter(medians), [](auto& s) { return s.frame; });
+        return median(medians);
+    };
+    std::cout << frames << " frames, " << soak.pictures() << " different pictures, equal frames "
+              << (equal ? "equal" : "DIFFER") << "; last half: memory within " << growth
+              << " %, objects " << (objects_flat ? "flat" : "GROW") << ", a frame takes "
+              << time_of(half, samples.end()) / time_of(samples.begin(), half)
+              << " of its time in the first half\n";
+    return equal && objects_flat && growth <= most_memory_growth_percent ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const int frames = argc > 1 ? std::atoi(argv[1]) : 10'000;
+    if (frames < 480) {
+        std::cerr << "Usage: soak [FRAMES], at least 480\n";
+        return 2;
+    }
+    keep_no_free_memory();
+    setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1);
+    return run(frames, LINEATLAS_FAULT_LAYER);
+}

@@ -1,0 +1,235 @@
+#include "fault_layer.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <tuple>
+#include <type_traits>
+
+#include <CL/cl_icd.h>
+
+#include "opencl_layer_entry.hpp"
+#include "quick_builds.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+std::uint64_t number_from(const char* variable) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
+}
+
+OpenClFaults faults{.memory = number_from("LINEATLAS_TEST_MEMORY"),
+                    .largest_buffer = number_from("LINEATLAS_TEST_BUFFER"),
+                    .largest_group = number_from("LINEATLAS_TEST_GROUP")};
+const cl_icd_dispatch* driver = nullptr;
+bool is_lost = false;           ///< from the failed command on, where that is wanted
+cl_int late_error = CL_SUCCESS; ///< for the next wait
+
+/// Counts a call; whether it is the one that fails.
+bool fails(int& count, int& wanted) {
+    ++count;
+    is_lost = is_lost && faults.lost;
+    if (is_lost) return true;
+    if (wanted == 0 || --wanted > 0) return false;
+    is_lost = faults.lost;
+    return true; // wanted is 0 now: those after it succeed
+}
+
+/// Whether a command fails at once.
+bool command_fails() {
+    if (!fails(faults.commands, faults.fail_command)) return false;
+    if (faults.late) late_error = CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST;
+    return !faults.late;
+}
+
+/// What a wait returns.
+cl_int wait_status(cl_int status) {
+    const cl_int error = late_error;
+    late_error = CL_SUCCESS;
+    return error != CL_SUCCESS ? error : status;
+}
+
+/// A command that was asked for its event made one.
+template <class Argument>
+void count_event(Argument argument) {
+    if constexpr (std::is_same_v<Argument, cl_event*>) {
+        if (argument != nullptr) ++faults.references[cl_events];
+    }
+}
+
+template <auto function, ClKind kind = cl_kinds>
+struct Hook;
+
+template <class Result, class... Arguments,
+          Result (CL_API_CALL* cl_icd_dispatch::*function)(Arguments...), ClKind kind>
+struct Hook<function, kind> {
+    /// Of what makes an object and returns a status through its last argument.
+    static Result CL_API_CALL create(Arguments... arguments) {
+        if (fails(faults.creations, faults.fail_creation)) {
+            auto* status = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
+            if (status != nullptr) *status = CL_OUT_OF_HOST_MEMORY;
+            return nullptr;
+        }
+        Result result = (driver->*function)(arguments...);
+        if (result != nullptr) ++faults.references[kind];
+        return result;
+    }
+    static Result CL_API_CALL build(Arguments... arguments) {
+        if (fails(faults.creations, faults.fail_creation)) return CL_OUT_OF_HOST_MEMORY;
+        return (driver->*function)(arguments...);
+    }
+    static Result CL_API_CALL command(Arguments... arguments) {
+        if (command_fails()) return faults.status;
+        const Result status = (driver->*function)(arguments...);
+        if (status == CL_SUCCESS) (count_event(arguments), ...);
+        return status;
+    }
+    /// Of a command that waits for those before it. What a lost device was at has ended.
+    static Result CL_API_CALL wait(Arguments... arguments) {
+        const Result status = wait_status(command(arguments...));
+        if (is_lost) (driver->*function)(arguments...);
+        return status;
+    }
+    /// Of one that does so if its third argument says so.
+    static Result CL_API_CALL transfer(Arguments... arguments) {
+        const bool waits = std::get<2>(std::tie(arguments...)) == CL_TRUE;
+        const Result status = command(arguments...);
+        return waits ? wait_status(status) : status;
+    }
+    /// Of what maps memory: a command with the status last.
+    static Result CL_API_CALL map(Arguments... arguments) {
+        if (command_fails()) {
+            auto* status = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
+            if (status != nullptr) *status = CL_MAP_FAILURE;
+            return nullptr;
+        }
+        Result memory = (driver->*function)(arguments...);
+        if (memory != nullptr) (count_event(arguments), ...);
+        return memory;
+    }
+    static Result CL_API_CALL retain(Arguments... arguments) {
+        const Result status = (driver->*function)(arguments...);
+        if (status == CL_SUCCESS) ++faults.references[kind];
+        return status;
+    }
+    static Result CL_API_CALL release(Arguments... arguments) {
+        const Result status = (driver->*function)(arguments...);
+        if (status == CL_SUCCESS) --faults.references[kind];
+        return status;
+    }
+};
+
+bool is_too_large(size_t bytes, cl_int* status) {
+    const bool for_a_buffer = faults.largest_buffer != 0 && bytes > faults.largest_buffer;
+    const bool for_all = faults.memory != 0 && faults.allocated + bytes > faults.memory;
+    if (status != nullptr && for_all) *status = CL_MEM_OBJECT_ALLOCATION_FAILURE;
+    if (status != nullptr && for_a_buffer) *status = CL_INVALID_BUFFER_SIZE;
+    return for_a_buffer || for_all;
+}
+
+cl_mem CL_API_CALL create_buffer(cl_context context, cl_mem_flags flags, size_t size, void* host,
+                                 cl_int* status) {
+    if (is_too_large(size, status)) return nullptr;
+    cl_mem buffer = Hook<&cl_icd_dispatch::clCreateBuffer, cl_memory>::create(context, flags, size,
+                                                                              host, status);
+    if (buffer == nullptr) return nullptr;
+    faults.allocated += size;
+    driver->clSetMemObjectDestructorCallback(
+        buffer,
+        [](cl_mem, void* bytes) { faults.allocated -= reinterpret_cast<std::uintptr_t>(bytes); },
+        reinterpret_cast<void*>(size));
+    return buffer;
+}
+
+/// What a program asked for and got, changed to `limit`, if there is one.
+template <class Value>
+void pretend(Value limit, void* value) {
+    if (limit != 0 && value != nullptr) std::memcpy(value, &limit, sizeof(limit));
+}
+
+cl_int CL_API_CALL device_info(cl_device_id device, cl_device_info name, size_t size, void* value,
+                               size_t* size_needed) {
+    const cl_int status = driver->clGetDeviceInfo(device, name, size, value, size_needed);
+    if (status != CL_SUCCESS || !faults.says_limits) return status;
+    if (name == CL_DEVICE_GLOBAL_MEM_SIZE) pretend(faults.memory, value);
+    if (name == CL_DEVICE_MAX_MEM_ALLOC_SIZE) pretend(faults.largest_buffer, value);
+    if (name == CL_DEVICE_MAX_WORK_GROUP_SIZE) pretend(faults.largest_group, value);
+    return status;
+}
+
+cl_int CL_API_CALL kernel_info(cl_kernel kernel, cl_device_id device,
+                               cl_kernel_work_group_info name, size_t size, void* value,
+                               size_t* size_needed) {
+    const cl_int status =
+        driver->clGetKernelWorkGroupInfo(kernel, device, name, size, value, size_needed);
+    if (status == CL_SUCCESS && name == CL_KERNEL_WORK_GROUP_SIZE) {
+        pretend(faults.largest_group, value);
+    }
+    return status;
+}
+
+cl_int CL_API_CALL set_argument(cl_kernel kernel, cl_uint index, size_t size, const void* value) {
+    if (static_cast<int>(index) == faults.fail_argument) return CL_INVALID_ARG_SIZE;
+    return driver->clSetKernelArg(kernel, index, size, value);
+}
+
+cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
+                          const size_t* offset, const size_t* global, const size_t* local,
+                          cl_uint waits, const cl_event* wait_list, cl_event* event) {
+    if (faults.largest_group != 0 && local[0] > faults.largest_group) {
+        return CL_INVALID_WORK_GROUP_SIZE;
+    }
+    return Hook<&cl_icd_dispatch::clEnqueueNDRangeKernel>::command(
+        queue, kernel, dimensions, offset, global, local, waits, wait_list, event);
+}
+
+} // namespace
+
+void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
+    using D = cl_icd_dispatch;
+    driver = &build_once(below, faults.builds_once);
+    table = *driver;
+    table.clCreateContext = Hook<&D::clCreateContext, cl_contexts>::create;
+    table.clCreateContextFromType = Hook<&D::clCreateContextFromType, cl_contexts>::create;
+    table.clRetainContext = Hook<&D::clRetainContext, cl_contexts>::retain;
+    table.clReleaseContext = Hook<&D::clReleaseContext, cl_contexts>::release;
+    table.clCreateCommandQueue = Hook<&D::clCreateCommandQueue, cl_queues>::create;
+    table.clRetainCommandQueue = Hook<&D::clRetainCommandQueue, cl_queues>::retain;
+    table.clReleaseCommandQueue = Hook<&D::clReleaseCommandQueue, cl_queues>::release;
+    table.clCreateBuffer = create_buffer;
+    table.clGetDeviceInfo = device_info;
+    table.clGetKernelWorkGroupInfo = kernel_info;
+    table.clCreateSubBuffer = Hook<&D::clCreateSubBuffer, cl_memory>::create;
+    table.clCreateImage = Hook<&D::clCreateImage, cl_memory>::create;
+    table.clRetainMemObject = Hook<&D::clRetainMemObject, cl_memory>::retain;
+    table.clReleaseMemObject = Hook<&D::clReleaseMemObject, cl_memory>::release;
+    table.clCreateProgramWithSource = Hook<&D::clCreateProgramWithSource, cl_programs>::create;
+    table.clCreateProgramWithBinary = Hook<&D::clCreateProgramWithBinary, cl_programs>::create;
+    table.clRetainProgram = Hook<&D::clRetainProgram, cl_programs>::retain;
+    table.clReleaseProgram = Hook<&D::clReleaseProgram, cl_programs>::release;
+    table.clCreateKernel = Hook<&D::clCreateKernel, cl_kernels>::create;
+    table.clRetainKernel = Hook<&D::clRetainKernel, cl_kernels>::retain;
+    table.clReleaseKernel = Hook<&D::clReleaseKernel, cl_kernels>::release;
+    table.clCreateUserEvent = Hook<&D::clCreateUserEvent, cl_events>::create;
+    table.clRetainEvent = Hook<&D::clRetainEvent, cl_events>::retain;
+    table.clReleaseEvent = Hook<&D::clReleaseEvent, cl_events>::release;
+    table.clBuildProgram = Hook<&D::clBuildProgram>::build;
+    table.clSetKernelArg = set_argument;
+    table.clEnqueueNDRangeKernel = launch;
+    table.clEnqueueReadBuffer = Hook<&D::clEnqueueReadBuffer>::transfer;
+    table.clEnqueueWriteBuffer = Hook<&D::clEnqueueWriteBuffer>::transfer;
+    table.clEnqueueCopyBuffer = Hook<&D::clEnqueueCopyBuffer>::command;
+    table.clEnqueueFillBuffer = Hook<&D::clEnqueueFillBuffer>::command;
+    table.clEnqueueUnmapMemObject = Hook<&D::clEnqueueUnmapMemObject>::command;
+    table.clEnqueueMarkerWithWaitList = Hook<&D::clEnqueueMarkerWithWaitList>::command;
+    table.clEnqueueBarrierWithWaitList = Hook<&D::clEnqueueBarrierWithWaitList>::command;
+    table.clEnqueueMapBuffer = Hook<&D::clEnqueueMapBuffer>::map;
+    table.clFlush = Hook<&D::clFlush>::command;
+    table.clFinish = Hook<&D::clFinish>::wait;
+}
+
+} // namespace lineatlas::test
+
+extern "C" lineatlas::test::OpenClFaults* lineatlas_test_opencl_faults() {
+    return &lineatlas::test::faults;
+}

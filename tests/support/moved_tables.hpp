@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "compute/stages/stages.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::test {
+
+/// A device's tables of a model that moves.
+struct MovedTables {
+    std::vector<glm::vec3> vertices, drawn;
+    std::vector<Cluster> clusters, bounds;
+    std::vector<std::uint32_t> ranges;
+};
+
+/// What the stages make of objects at other places, a third of which have jumped there.
+MovedTables moved_on(compute::Stages& stages, const LineSet& lines,
+                     const std::vector<glm::mat4>& transforms);
+
+} // namespace lineatlas::test

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compute/stages/stages.hpp"
+#include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::test {
+
+/// The state of a frame after some stage, on the host.
+struct FrameState {
+    std::vector<std::uint8_t> front;
+    std::vector<float> tiles;
+    std::vector<ClippedSegment> clipped;
+    std::vector<std::uint32_t> counts, lengths; ///< after project_clip
+    std::vector<std::uint32_t> offsets, arcs;   ///< after scan
+    std::vector<std::uint8_t> alpha;
+    std::vector<Interval> intervals;
+    std::vector<Run> runs;
+    FrameRecord record{};
+    std::vector<RunCuts> cuts;
+    std::vector<std::uint32_t> flags; ///< of the runs, after density
+    std::vector<float> weights;
+};
+
+struct StageSettings {
+    int depth_scale = 2;
+    std::uint32_t probes = 3;               ///< per axis
+    std::uint32_t run_capacity = 1U << 20U; ///< room for runs and for intervals
+    int tile_pixels = 130;                  ///< of the tiled depth buffer
+    // What a style asks for; enough to change something in every scene.
+    float half_width = 1;
+    StrokeFilter filter{.fill = 4,
+                        .drop = 4,
+                        .overshoot = 12,
+                        .overshoot_variation = 0.3F,
+                        .undershoot = 2,
+                        .halo = 3};
+    Density density{.limit = 0.1F, .priority = {0.5F, 0.6F, 0.5F, 1, 1}};
+    float far_limit = 0.5F;
+
+    /// Of `density`: beside the middle of the picture.
+    static glm::vec4 focus(glm::vec2 viewport) {
+        return {0.4F * viewport.x, 0.6F * viewport.y, 30, 80};
+    }
+};
+
+/// One pixel's width in window depth, times w: what may stand before a line.
+float depth_tolerance(const Camera& camera);
+
+/// Samples that the state's atlas has room for: fewer than it needs where a test has cut it.
+std::uint32_t capacity_of(const AtlasLayout& layout, const FrameState& state);
+
+/// One device's buffers for a line set, and the stages one at a time.
+class FrameStages {
+  public:
+    FrameStages(std::unique_ptr<compute::Device> device, const LineSet& lines,
+                const StageSettings& settings = {});
+
+    compute::Device& device() { return *device_; }
+    const StageSettings& settings() const { return settings_; }
+
+    void pyramid(const Camera& camera, const std::vector<float>& depth, FrameState& state);
+
+    /// Against the pyramid of the last call.
+    std::vector<std::uint8_t> cull(const Camera& camera, const std::vector<Cluster>& clusters);
+
+    /// With the pyramid of the last call if `cull_hidden`.
+    void project(const Camera& camera, bool cull_hidden, FrameState& state);
+
+    void scan(FrameState& state);
+
+    void atlas(const Camera& camera, const std::vector<float>& depth, const AtlasLayout& layout,
+               FrameState& state);
+
+    /// The same with a depth buffer that is cut into tiles.
+    void tiled_atlas(const Camera& camera, const std::vector<float>& depth,
+                     const AtlasLayout& layout, FrameState& state);
+
+    /// Averages `now` with the frame before it.
+    void temporal(const AtlasLayout& layout, const FrameState& before, FrameState& now);
+
+    void compact(const Camera& camera, const AtlasLayout& layout, FrameState& state);
+
+    void intervals(const Camera& camera, const std::vector<float>& depth, const AtlasLayout& layout,
+                   bool hidden_too, FrameState& state);
+
+    /// Of the runs in `state`.
+    void halo(const Camera& camera, FrameState& state);
+
+    /// Of the runs in `state`, and with its gaps if it has any.
+    void filter(const Camera& camera, const AtlasLayout& layout, FrameState& state);
+
+    /// Of the runs in `state`, with a limit that hides some.
+    void density(const Camera& camera, const AtlasLayout& layout, FrameState& state);
+
+  private:
+    compute::SegmentTable table() {
+        return {*vertices_, *triangles_, *segments_, triangle_count_, n_};
+    }
+
+    compute::SegmentAtlas atlas_of(compute::Buffer& alpha, const AtlasLayout& layout,
+                                   std::uint32_t capacity) {
+        return {{*clipped_, *offsets_, *arcs_}, alpha, layout, capacity};
+    }
+    compute::DepthBuffer depth_of(compute::Buffer& texels, glm::ivec2 size, const Camera& camera);
+
+    std::unique_ptr<compute::Device> device_;
+    compute::Stages stages_;
+    StageSettings settings_;
+    std::uint32_t n_, triangle_count_;
+    std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_,
+        arcs_, tiles_;
+};
+
+} // namespace lineatlas::test

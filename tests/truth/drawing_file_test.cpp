@@ -1,0 +1,136 @@
+// Drawings read back from files.
+
+#include "truth/drawing_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "lineatlas/error.hpp"
+#include "temporary_folder.hpp"
+#include "truth/svg_path.hpp"
+
+namespace lineatlas {
+namespace {
+
+VectorPath path(std::vector<glm::dvec2> points, bool visible = true) {
+    VectorPath result;
+    result.visible = visible;
+    for (const glm::dvec2 at : points) result.points.push_back({.at = at});
+    for (std::uint32_t i = 0; i + 1 < points.size(); ++i)
+        result.pieces.push_back({.point = i, .segment = i, .source = {.from = 7 + i, .to = 8 + i}});
+    return result;
+}
+
+class DrawingFileTest : public testing::Test {
+  protected:
+    DrawingFileTest() {
+        drawing_.size = {640, 480};
+        VectorPath closed = path({{10.25, 20}, {310.5, 20}, {310.5, 200.75}, {10.25, 20}});
+        closed.closed = true;
+        drawing_.paths = {path({{1, 1}, {600, 400}}, false), closed, path({{5, 5}, {5.5, 470}})};
+    }
+
+    DrawingFile through(const std::string& name, const std::string& text) const {
+        std::ofstream{folder_ / name} << text;
+        return read_drawing(folder_ / name);
+    }
+
+    void expect_legs(const DrawingFile& file, double tolerance) const {
+        const std::vector<DrawnPiece> wanted = drawn_lines(drawing_).legs;
+        ASSERT_EQ(wanted.size(), 4U);
+        ASSERT_EQ(file.legs.size(), 4U);
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (int axis = 0; axis < 2; ++axis) {
+                EXPECT_NEAR(file.legs[i].from[axis], wanted[i].from[axis], tolerance);
+                EXPECT_NEAR(file.legs[i].to[axis], wanted[i].to[axis], tolerance);
+            }
+        }
+    }
+
+    VectorDrawing drawing_;
+    test::TemporaryFolder temporary_;
+    std::filesystem::path folder_ = temporary_.path();
+};
+
+TEST_F(DrawingFileTest, SvgIsReadInPixelsWhateverItsPage) {
+    for (const bool relative : {true, false}) {
+        const DrawingFile file =
+            through("a.svg", to_svg(drawing_, {.relative = relative, .description = "draw a.obj"}));
+        EXPECT_EQ(file.size, (glm::ivec2{640, 480}));
+        expect_legs(file, 0.006);
+        EXPECT_EQ(file.tags.size(), 0U);
+    }
+    const SvgOptions on_page{.units = Unit::mm,
+                             .page = parse_page("a4"),
+                             .margin = parse_length("10mm", Unit::mm),
+                             .description = "draw a.obj --page=a4 --margin=10mm --fov 40"};
+    expect_legs(through("b.svg", to_svg(drawing_, on_page)), 0.02);
+    const SvgOptions in_inches{.units = Unit::in, .description = "draw a.obj --units=in"};
+    expect_legs(through("c.svg", to_svg(drawing_, in_inches)), 0.02);
+}
+
+TEST_F(DrawingFileTest, JsonHasTags) {
+    const DrawingFile file = through("a.json", to_json(drawing_, {.description = "draw a.obj"}));
+    EXPECT_EQ(file.size, (glm::ivec2{640, 480}));
+    EXPECT_EQ(file.description, "draw a.obj");
+    expect_legs(file, 0.001);
+    ASSERT_EQ(file.tags.size(), 4U);
+    EXPECT_EQ(file.tags[1].p, 8U);
+    EXPECT_EQ(file.tags[1].q, 9U);
+    LineSet lines;
+    lines.sources = {{.from = 9, .to = 8}, {.from = 7, .to = 8}};
+    const DrawnLines drawn = find_segments(file, lines);
+    EXPECT_EQ(drawn.pieces[0].segment, 1U);
+    EXPECT_EQ(drawn.pieces[1].segment, 0U); // in either direction
+    EXPECT_EQ(drawn.pieces[2].segment, DrawnPiece::unknown);
+}
+
+TEST_F(DrawingFileTest, RefusesWhatIsNoDrawing) {
+    const auto refused = [&](const std::string& name, const std::string& text) -> std::string {
+        try {
+            through(name, text);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "it was read";
+    };
+    EXPECT_NE(refused("a.svg", "<svg><desc>of another program</desc></svg>").find("no drawing of"),
+              std::string::npos);
+    EXPECT_NE(refused("b.svg", "hello").find("no XML"), std::string::npos);
+    const std::string curved =
+        "<svg><desc>seen at 9x9 pixels</desc><g><path d=\"m0 0c1 1 2 2 3 3\"/>"
+        "</g></svg>";
+    EXPECT_NE(refused("c.svg", curved).find("no drawing of"), std::string::npos);
+    EXPECT_NE(refused("a.json", "{}").find("no drawing of"), std::string::npos);
+    EXPECT_NE(refused("b.json", "{\"format\":").find("damaged"), std::string::npos);
+    const std::string pieces = R"({"format":"lineatlas-drawing","size":[9,9],"paths":[{"visible":)"
+                               R"(true,"points":[[0,0],[1,1]],"pieces":[{"point":5}]}]})";
+    EXPECT_NE(refused("c.json", pieces).find("not there"), std::string::npos);
+    EXPECT_NE(refused("a.png", "x").find(".svg or .json"), std::string::npos);
+}
+
+TEST_F(DrawingFileTest, OptionsAreFoundInADescription) {
+    const std::string text = "draw a.obj --crease=12 --style='my own' --fov 40; 3 paths";
+    EXPECT_EQ(described(text, "--crease"), "12");
+    EXPECT_EQ(described(text, "--style"), "my own");
+    EXPECT_EQ(described(text, "--fov"), "40");
+    EXPECT_EQ(described(text, "--eye"), std::nullopt);
+}
+
+TEST(SvgPath, CommandsOfStraightLines) {
+    const auto lines = parse_path("M1 2L3-4h1V.5m1,1 2 2z");
+    ASSERT_TRUE(lines);
+    const std::vector<std::pair<glm::dvec2, glm::dvec2>> wanted{{{1, 2}, {3, -4}},
+                                                                {{3, -4}, {4, -4}},
+                                                                {{4, -4}, {4, .5}},
+                                                                {{5, 1.5}, {7, 3.5}},
+                                                                {{7, 3.5}, {5, 1.5}}};
+    EXPECT_EQ(*lines, wanted);
+    EXPECT_FALSE(parse_path("M1 2L3"));
+    EXPECT_FALSE(parse_path("1 2"));
+}
+
+} // namespace
+} // namespace lineatlas

@@ -1,0 +1,120 @@
+// Frames of the viewer with everything switched all the time leave nothing behind: references to
+// OpenCL objects, names of GL objects and memory are counted. LINEATLAS_SOAK_FRAMES: how many
+// frames; 300 if it is not set.
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <dlfcn.h>
+#include <epoxy/gl.h>
+#include <unistd.h>
+
+#include "support/fault_layer/fault_layer.hpp"
+#include "viewer_driver.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+constexpr int frames_per_switch = 10;
+constexpr int switches_per_period = 12;
+constexpr int frames_per_period = frames_per_switch * switches_per_period;
+
+struct Counts {
+    ClCounts cl{};
+    int gl = 0;
+    double megabytes = 0;
+};
+
+ClCounts count_cl() {
+    void* layer = dlopen(LINEATLAS_FAULT_LAYER, RTLD_LAZY | RTLD_NOLOAD);
+    if (layer == nullptr) throw std::runtime_error{"the OpenCL loader has not taken the layer"};
+    const auto faults = reinterpret_cast<GetOpenClFaults*>(dlsym(layer, opencl_faults_symbol));
+    dlclose(layer);
+    return faults()->references;
+}
+
+/// Names in use. Mesa gives the lowest that is free, so that none is beyond `most`.
+int count_gl() {
+    constexpr GLuint most = 4096;
+    int count = 0;
+    for (GLuint name = 1; name <= most; ++name) {
+        count += glIsBuffer(name) + glIsTexture(name) + glIsFramebuffer(name) +
+                 glIsRenderbuffer(name) + glIsVertexArray(name) + glIsSampler(name) +
+                 glIsProgram(name) + glIsShader(name) + glIsQuery(name);
+    }
+    return count;
+}
+
+double resident_megabytes() {
+    long whole = 0, resident = 0;
+    std::ifstream{"/proc/self/statm"} >> whole >> resident;
+    return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+int frames_wanted() {
+    const char* text = std::getenv("LINEATLAS_SOAK_FRAMES");
+    return text == nullptr ? 300 : std::max(std::atoi(text), 2 * frames_per_period);
+}
+
+/// Every period goes through the same combinations and ends with the atlas, whose objects there are
+/// most of.
+void switch_everything(viewer::Session& session, int number) {
+    static const std::array<DeviceOptions, 4> devices{
+        {{}, {.interop = "copy"}, {.compute = "cpp"}, {.interop = "host-pointer"}}};
+    static const std::array<std::string, 3> styles{"", "pencil", "technical"};
+    const auto n = static_cast<std::size_t>(number % switches_per_period);
+    session.settings.sides[0].method = viewer::method_labels.at((n + 1) % 4).method;
+    session.settings.split = n % 3 == 1;
+    session.use_style(styles.at(n % styles.size()));
+    session.use_device(devices.at((n + n / 4) % devices.size()));
+}
+
+TEST(ViewerSoak, LeavesNothingBehind) {
+    ::setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1); // before the first OpenCL call
+    ImageWriter writer;
+    viewer::Application app{{.size = {800, 500}, .scripted = true}, writer};
+    ViewerDriver hand{app};
+    hand.open_scene("clevis");
+    hand.key(GLFW_KEY_T);
+    std::vector<Counts> periods;
+    const int frames = frames_wanted();
+    for (int frame = 0; frame < frames; ++frame) {
+        if (frame % frames_per_switch == 0)
+            switch_everything(app.session(), frame / frames_per_switch);
+        app.session().navigation.orbit({0, 0, 0}, {0.01, 0});
+        hand.frames(1);
+        ASSERT_TRUE(app.session().messages.all().empty())
+            << app.session().messages.all().front().text;
+        if ((frame + 1) % frames_per_period != 0) continue;
+        hand.rest();
+        for (int i = 0; app.session().timings_due() && i < 500; ++i) app.step(0.01);
+        periods.push_back({count_cl(), count_gl(), resident_megabytes()});
+        const Counts& now = periods.back();
+        std::printf(
+            "frame %4d: %ld CL contexts, %ld queues, %ld buffers, %ld programs, %ld kernels, "
+            "%ld events; %d GL objects; %.1f MB\n",
+            frame + 1, now.cl[0], now.cl[1], now.cl[2], now.cl[3], now.cl[4], now.cl[5], now.gl,
+            now.megabytes);
+    }
+    EXPECT_GE(app.session().frames_drawn(), static_cast<std::uint64_t>(frames));
+    const Counts &first = periods.front(), &last = periods.back();
+    EXPECT_GT(first.cl[cl_kernels], 0) << "nothing was counted";
+    EXPECT_EQ(first.cl[cl_events], 0) << "timings of frames that never came";
+    EXPECT_GT(first.gl, 20) << "nothing was counted";
+    EXPECT_EQ(last.cl, first.cl);
+    EXPECT_EQ(last.gl, first.gl);
+    // Allocators keep some 20 MB now and then; the least of several periods knows nothing of that.
+    const std::ptrdiff_t quarter = std::ssize(periods) / 4;
+    if (quarter == 0) return;
+    const auto least = [](auto from, auto to) {
+        return std::ranges::min_element(from, to, {}, &Counts::megabytes)->megabytes;
+    };
+    constexpr double most_growth = 4; // MB
+    EXPECT_LT(least(periods.end() - quarter, periods.end()),
+              least(periods.end() - 2 * quarter, periods.end() - quarter) + most_growth);
+}
+
+} // namespace
+} // namespace lineatlas::test

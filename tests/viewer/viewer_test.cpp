@@ -1,0 +1,183 @@
+// What is switched and saved in the viewer, under a hand that is none (ViewerDriver). Needs a
+// display: xvfb-run gives one.
+
+#include "lineatlas/style_files.hpp"
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+TEST_F(Viewer, MethodsAreSwitchedLive) {
+    hand_.screenshot("first");
+    std::vector<std::vector<std::uint8_t>> pictures;
+    for (const viewer::MethodLabel& method : viewer::method_labels) {
+        hand_.choose("method", method.label);
+        EXPECT_EQ(session().settings.sides[0].method, method.method);
+        for (const auto& before : pictures) EXPECT_NE(picture(), before) << method.label;
+        pictures.push_back(picture());
+    }
+    hand_.key(GLFW_KEY_M);
+    EXPECT_EQ(picture(), pictures.front()) << "the first again";
+    hand_.click("method.Low");
+    EXPECT_EQ(session().settings.sides[0].probes, 1U);
+    EXPECT_NE(picture(), pictures.front());
+    EXPECT_EQ(error(), "");
+}
+
+TEST_F(Viewer, StylesAndEffectsAreSwitchedLive) {
+    const auto plain = picture();
+    hand_.choose("style", "charcoal");
+    EXPECT_EQ(session().settings.style.pen.mark, load_style("charcoal").pen.mark);
+    EXPECT_NE(picture(), plain);
+    hand_.screenshot("style");
+    const glm::dvec2 middle = hand_.middle_of("width");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, middle, middle + glm::dvec2{30, 0});
+    EXPECT_GT(session().settings.style.pen.width, 6);
+    hand_.click("hidden");
+    EXPECT_NE(session().settings.style.hidden, load_style("charcoal").hidden);
+    hand_.choose("style", "plain lines");
+    EXPECT_EQ(picture(), plain);
+}
+
+TEST_F(Viewer, StyleFilesAreDropped) {
+    std::ofstream{path("own.toml")} << "width = 7\n";
+    hand_.drop(path("own.toml"));
+    EXPECT_EQ(session().settings.style.pen.width, 7);
+    std::ofstream{path("own.toml")} << "widht = 7\n";
+    hand_.drop(path("own.toml"));
+    EXPECT_NE(error().find("widht"), std::string::npos);
+    EXPECT_EQ(session().settings.style.pen.width, 7) << "all is as it was";
+}
+
+TEST_F(Viewer, KindsOfLineAreSwitchedLive) {
+    const auto all = picture();
+    hand_.click("lines.crease");
+    EXPECT_EQ(session().settings.lines, all_line_kinds & ~mask_of(LineKind::crease));
+    EXPECT_NE(picture(), all);
+    hand_.click("lines.crease");
+    EXPECT_EQ(picture(), all);
+}
+
+TEST_F(Viewer, DevicesAreSwitchedLive) {
+    const std::string before = session().device_description();
+    hand_.choose("device", "cpp");
+    EXPECT_EQ(session().device().compute, "cpp");
+    EXPECT_NE(session().device_description(), before);
+    EXPECT_EQ(error(), "");
+    hand_.choose("device", "automatic");
+    hand_.choose("interop", "copy");
+    EXPECT_EQ(session().device().interop, "copy");
+    EXPECT_EQ(error(), "");
+}
+
+TEST_F(Viewer, ADeviceThatFailsIsToldAndTheOldOneStays) {
+    const std::string before = session().device_description();
+    const auto drawn = picture();
+    app_.ui().devices.push_back({"none", {.device = "opencl:no such device"}});
+    hand_.choose("device", "none");
+    EXPECT_NE(error().find("no such device"), std::string::npos) << error();
+    EXPECT_EQ(session().device_description(), before);
+    hand_.screenshot("device_error");
+    hand_.frames(3);
+    EXPECT_EQ(picture(), drawn);
+    hand_.click("dismiss.0");
+    EXPECT_EQ(error(), "");
+}
+
+TEST_F(Viewer, SavesThePictureThatTheToolDraws) {
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, {300, 300}, {420, 350});
+    hand_.choose("style", "technical");
+    hand_.choose("method", "Spine test");
+    for (const char* button : {"save.png", "save.style", "save.camera"}) hand_.click(button);
+    EXPECT_EQ(error(), "");
+    draw_by_tool("--method spine --size 968x800 --style " + path("clevis.toml"), "tool.%d.png");
+    const Image saved = read_image(path("clevis.png")), tool = read_image(path("tool.0.png"));
+    EXPECT_EQ(saved.size, (glm::ivec2{968, 800}));
+    EXPECT_EQ(saved.pixels, tool.pixels);
+    hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
+    EXPECT_EQ(read_image(path("clevis-2.png")).pixels, tool.pixels) << "nothing is overwritten";
+}
+
+TEST_F(Viewer, SavesThePathsThatTheToolFinds) {
+    hand_.choose("save.scale", "968 x 800");
+    for (const char* button : {"save.svg", "save.camera"}) hand_.click(button);
+    draw_by_tool("--size 968x800", "tool.%d.svg");
+    const auto without_description = [](std::string svg) {
+        const std::size_t from = svg.find("<desc>"), to = svg.find("</desc>");
+        EXPECT_LT(from, to);
+        return svg.erase(from, to - from);
+    };
+    EXPECT_EQ(without_description(text_of(path("clevis.svg"))),
+              without_description(text_of(path("tool.0.svg"))));
+}
+
+TEST_F(Viewer, SavedCamerasAreTakenBack) {
+    const View home = session().navigation.view();
+    hand_.click("save.camera");
+    hand_.scroll(5, {400, 400});
+    EXPECT_GT(glm::distance(session().navigation.view().eye, home.eye), 0.01F);
+    hand_.drop(path("clevis.json"));
+    EXPECT_EQ(session().navigation.view().eye, home.eye);
+    EXPECT_EQ(session().navigation.view().target, home.target);
+}
+
+TEST_F(Viewer, ModelsAreDropped) {
+    std::ofstream{path("roof.obj")} << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                       "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    hand_.drop(path("roof.obj"));
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(session().model()->source.name(), "roof.obj");
+    EXPECT_EQ(session().model()->lines.triangles.size(), 4U);
+    EXPECT_GT(session().stats().runs, 0U) << "it is drawn, whole in the picture";
+}
+
+TEST_F(Viewer, BrokenFilesAreToldAndNothingElse) {
+    const auto drawn = picture();
+    std::ofstream{path("broken.obj")} << "v 1 2\nf 1 2 3\n";
+    std::ofstream{path("broken.json")} << "{";
+    for (const char* name : {"broken.obj", "broken.json", "missing.ply", "picture.jpg"}) {
+        hand_.drop(path(name));
+        EXPECT_NE(error().find(name), std::string::npos) << error();
+        if (std::string{name} == "broken.obj") hand_.screenshot("broken_file");
+        EXPECT_EQ(session().model()->source.name(), "clevis");
+        hand_.frames(3);
+        EXPECT_EQ(picture(), drawn);
+        hand_.key(GLFW_KEY_ESCAPE);
+        EXPECT_EQ(error(), "");
+    }
+}
+
+TEST_F(Viewer, SplitsTheScreenAtASlider) {
+    hand_.choose("style", "technical");
+    const auto whole = picture();
+    hand_.click("split");
+    hand_.choose("second", "Item buffer");
+    EXPECT_EQ(picture(0), whole) << "the left side is what it was";
+    ASSERT_NE(session().picture(1), nullptr);
+    EXPECT_NE(picture(1), whole);
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, {968 / 2, 200}, {600, 210});
+    EXPECT_NEAR(session().settings.split_at, 600.0 / 968, 0.005);
+    const std::uint64_t drawn = session().frames_drawn();
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, {600, 200}, {500, 210});
+    EXPECT_EQ(session().frames_drawn(), drawn) << "the slider needs no new pictures";
+    const Image shown = hand_.screenshot("split");
+    const auto left = picture(0), right = picture(1);
+    const auto same = [&](int x, const std::vector<std::uint8_t>& side) {
+        for (int y = 100; y < 700; ++y) {     // below the names of the sides
+            if (y > 380 && y < 420) continue; // the handle
+            const auto row = static_cast<std::size_t>(y);
+            const auto column = static_cast<std::size_t>(x);
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (shown.pixels[(row * 1280 + column) * 3 + c] !=
+                    side[(row * 968 + column) * 4 + c])
+                    return false;
+            }
+        }
+        return true;
+    };
+    for (int x = 10; x < 490; x += 7) EXPECT_TRUE(same(x, left)) << x;
+    for (int x = 510; x < 960; x += 7) EXPECT_TRUE(same(x, right)) << x;
+}
+
+} // namespace
+} // namespace lineatlas::test
