@@ -26,19 +26,26 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
                                                   event_count, events, event);
 }
 
-cl_int CL_API_CALL release_kernel(cl_kernel kernel) {
-    cl_uint references = 0;
-    state().driver->clGetKernelInfo(kernel, CL_KERNEL_REFERENCE_COUNT, sizeof(references),
-                                    &references, nullptr);
-    if (references == 1) state().arguments.erase(kernel);
-    return state().driver->clReleaseKernel(kernel);
+// A driver holds references of its own while commands run, so its count does not say when the
+// program has let go. A handle that comes again must not inherit what an earlier one left.
+
+cl_kernel CL_API_CALL create_kernel(cl_program program, const char* name, cl_int* result) {
+    cl_kernel kernel = state().driver->clCreateKernel(program, name, result);
+    state().arguments.erase(kernel);
+    return kernel;
+}
+
+cl_int CL_API_CALL retain_memory(cl_mem memory) {
+    const auto found = state().opened.find(memory);
+    if (found != state().opened.end()) ++found->second.references;
+    return state().driver->clRetainMemObject(memory);
 }
 
 cl_int CL_API_CALL release_memory(cl_mem memory) {
-    cl_uint references = 0;
-    state().driver->clGetMemObjectInfo(memory, CL_MEM_REFERENCE_COUNT, sizeof(references),
-                                       &references, nullptr);
-    if (references == 1) state().opened.erase(memory);
+    const auto found = state().opened.find(memory);
+    if (found != state().opened.end() && --found->second.references == 0) {
+        state().opened.erase(found);
+    }
     return state().driver->clReleaseMemObject(memory);
 }
 
@@ -105,7 +112,8 @@ cl_int CL_API_CALL finish(cl_command_queue queue) {
 void add_checks(cl_icd_dispatch& table) {
     table.clSetKernelArg = set_argument;
     table.clEnqueueNDRangeKernel = launch;
-    table.clReleaseKernel = release_kernel;
+    table.clCreateKernel = create_kernel;
+    table.clRetainMemObject = retain_memory;
     table.clReleaseMemObject = release_memory;
     table.clEnqueueReadBuffer = read_buffer;
     table.clEnqueueWriteBuffer = write_buffer;

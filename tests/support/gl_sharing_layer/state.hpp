@@ -23,6 +23,7 @@ struct Opened {
     bool acquired;
     bool in_flight; ///< released, but GL would not see it yet
     std::vector<std::byte> content;
+    unsigned references = 1; ///< the program's
 };
 
 struct State {
