@@ -33,9 +33,9 @@ endfunction()
 
 add_shared_library(lineatlas_shared NAME lineatlas FILE lineatlas
     RUNTIME runtime DEVELOPMENT development
-    ROOMS core sources compute gl interop renderer style vector profile scenes
+    ROOMS core sources compute visibility gl interop renderer style vector profile scenes
     PUBLIC glm::glm
-    PRIVATE PkgConfig::epoxy OpenCL::OpenCL fmt::fmt pugixml::pugixml
+    PRIVATE PkgConfig::epoxy fmt::fmt pugixml::pugixml
             tomlplusplus::tomlplusplus TBB::tbb)
 target_include_directories(lineatlas_shared INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/host/include>

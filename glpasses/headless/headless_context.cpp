@@ -97,7 +97,7 @@ void HeadlessContext::make_current() {
 namespace gl {
 
 CurrentContextKeeper::CurrentContextKeeper()
-    : api_(eglQueryAPI()), display_(eglGetCurrentDisplay()), context_(eglGetCurrentContext()),
+    : api_((check_libraries(), eglQueryAPI())), display_(eglGetCurrentDisplay()), context_(eglGetCurrentContext()),
       draw_(eglGetCurrentSurface(EGL_DRAW)), read_(eglGetCurrentSurface(EGL_READ)) {}
 
 CurrentContextKeeper::~CurrentContextKeeper() {

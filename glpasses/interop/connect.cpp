@@ -1,12 +1,11 @@
 #include "connect.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 #include <epoxy/gl.h>
 
-#include "compute/compare/comparing_device.hpp"
+#include "compute/choose_device.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "gl_context.hpp"
 #include "lineatlas/error.hpp"
@@ -106,20 +105,15 @@ Chosen choose_other(const std::string& kind, const std::string& device,
 }
 
 Chosen choose(const ConnectOptions& options) {
-    std::string wanted = options.device;
-    if (wanted.empty()) {
-        if (const char* variable = std::getenv("LINEATLAS_DEVICE")) wanted = variable;
-    }
-    const std::string kind = options.kind.empty() && wanted == "cpp" ? wanted : options.kind;
-    if (!kind.empty() && kind != "opencl") return choose_other(kind, options.device, options.mode);
-    const std::vector<compute::OpenClDevice> devices =
-        wanted.empty() ? compute::list_opencl_devices() : compute::find_opencl_devices(wanted);
+    const compute::WantedDevice wanted = compute::wanted_device(options.kind, options.device);
+    if (!wanted.may_be_opencl()) return choose_other(wanted.kind, wanted.device, options.mode);
+    const std::vector<compute::OpenClDevice> devices = compute::opencl_devices(wanted);
     if (!devices.empty()) return choose_mode(devices[default_device(devices)], options.mode);
     // With so little memory GL's drivers end the process too.
-    if (kind == "opencl" || compute::drivers_lack_memory())
+    if (wanted.kind == "opencl" || compute::drivers_lack_memory())
         throw DeviceError(compute::no_device_message());
     Chosen chosen = choose_other("cpp", "", options.mode);
-    chosen.note = compute::why_no_device() + ", so kernels run as C++ on all cores";
+    chosen.note = compute::note_of_cpp();
     return chosen;
 }
 
@@ -150,13 +144,8 @@ std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
 
 Connection connect(const ConnectOptions& options) {
     Chosen chosen = choose(options);
-    if (!options.compare_with.empty()) {
-        const std::string& other = options.compare_with;
-        const std::string kind = other.substr(0, other.find(':'));
-        chosen.device = compute::make_comparing_device(
-            std::move(chosen.device), compute::make_device(kind, other == kind ? "" : other),
-            options.compare_until);
-    }
+    chosen.device = compute::with_comparison(std::move(chosen.device), options.compare_with,
+                                             options.compare_until);
     auto stages = std::make_unique<compute::Stages>(*chosen.device);
     return {std::move(chosen.device), std::move(stages), chosen.mode, std::move(chosen.note)};
 }

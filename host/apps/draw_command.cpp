@@ -29,6 +29,7 @@
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
+#include "lineatlas/visibility.hpp"
 #include "output/picture_output.hpp"
 #include "output/vector_output.hpp"
 #include "output_pattern.hpp"
@@ -174,7 +175,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     arguments.view.check();
     arguments.profile.check();
     arguments.read.check();
-    arguments.paths.check(arguments.output, settings.rest.method);
+    arguments.paths.check(arguments.output, settings.method.value_or(Method::exact));
     if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
                               : std::filesystem::path{arguments.output});
@@ -206,9 +207,13 @@ struct Drawing {
     const std::optional<std::vector<SequenceFrame>>& frames; ///< nothing: a single one
 };
 
-/// `draw`: how --stats draws a frame.
-void draw_frames(const Drawing& drawing, FrameOutput& to, Renderer& renderer,
-                 const std::function<FrameStats(const Camera&, const FrameOptions&)>& draw) {
+/// What frames are measured by: the renderer that draws them, and how it does for --stats.
+struct Measuring {
+    Renderer& renderer;
+    std::function<FrameStats(const Camera&, const FrameOptions&)> draw;
+};
+
+void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measuring = nullptr) {
     const DrawArguments& arguments = drawing.arguments;
     EmptyFrames output{to, drawing.subject.lines, drawing.options.lines};
     const auto say_if_empty = [&] {
@@ -216,32 +221,39 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, Renderer& renderer,
             print_error(fmt::format("lineatlas: {}\n", report));
     };
     if (drawing.frames) {
-        ProfiledOutput profiled{output, renderer};
+        if (measuring == nullptr) {
+            draw_sequence(*drawing.frames, output, arguments.sequence.resume());
+            return say_if_empty();
+        }
+        ProfiledOutput profiled{output, measuring->renderer};
         draw_sequence(*drawing.frames, profiled, arguments.sequence.resume());
         say_if_empty();
-        return arguments.profile.write(profiled.take(), renderer.description());
+        return arguments.profile.write(profiled.take(), measuring->renderer.description());
     }
     const Subject& subject = drawing.subject;
     const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
     output.draw(camera, arguments.output);
     output.finish();
     say_if_empty();
+    if (measuring == nullptr) return;
+    Renderer& renderer = measuring->renderer;
     if (arguments.profile.given()) {
         FrameOptions options = drawing.options;
         options.profile = true;
         // The picture's own frame has built kernels and made tables grow.
         for (int i = 0; i < arguments.repeat; ++i) {
-            draw(camera, options);
+            measuring->draw(camera, options);
             glFinish(); // a frame does not begin with a wait for the strokes of the last one
         }
         arguments.profile.write(renderer.take_profiles(), renderer.description());
     }
     if (!arguments.stats) return;
-    measure_and_print({.name = subject.name,
-                       .options = drawing.options,
-                       .repeat = arguments.repeat,
-                       .draw = [&](const FrameOptions& wanted) { return draw(camera, wanted); }},
-                      renderer);
+    measure_and_print(
+        {.name = subject.name,
+         .options = drawing.options,
+         .repeat = arguments.repeat,
+         .draw = [&](const FrameOptions& wanted) { return measuring->draw(camera, wanted); }},
+        renderer);
 }
 
 void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writer) {
@@ -258,12 +270,14 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
              [](const std::string& note) { print_error(fmt::format("lineatlas: {}\n", note)); }},
         renderer,
         writer};
-    draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
-        return output.draw(camera, wanted);
-    });
+    const Measuring measuring{renderer, [&](const Camera& camera, const FrameOptions& wanted) {
+                                  return output.draw(camera, wanted);
+                              }};
+    draw_frames(drawing, output, &measuring);
 }
 
-void draw_paths(const Drawing& drawing, Renderer& renderer) {
+/// Paths, of what `find` finds.
+void draw_paths(const Drawing& drawing, const FindIntervals& find, const Measuring* measuring) {
     const PathOptions& paths = drawing.arguments.paths;
     const Subject& subject = drawing.subject;
     SvgOptions svg = paths.svg();
@@ -275,7 +289,7 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
                           drawing.arguments.crease * radians_per_degree);
     }
     VectorFrame frame{
-        .options = drawing.options,
+        .style = drawing.options.style,
         .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
         .svg = svg,
         .json = {.tags = paths.tags(), .description = {}, .origin = subject.origin},
@@ -285,10 +299,47 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
             return certifier->check(drawn, camera, path);
         };
     }
-    VectorOutput output{std::move(frame), subject.lines, renderer};
-    draw_frames(drawing, output, renderer, [&](const Camera& camera, const FrameOptions& wanted) {
-        return output.find(camera, wanted);
-    });
+    VectorOutput output{std::move(frame), subject.lines, find};
+    draw_frames(drawing, output, measuring);
+}
+
+void draw_paths(const Drawing& drawing, Renderer& renderer) {
+    const auto draw = [&](const Camera& camera, const FrameOptions& wanted) {
+        FrameOptions options = wanted;
+        options.intervals = KeptIntervals::all;
+        options.draw = false;
+        return renderer.draw(camera, options, 0);
+    };
+    const auto find = [&](const Camera& camera) {
+        draw(camera, drawing.options);
+        return renderer.read_intervals();
+    };
+    const Measuring measuring{renderer, [&](const Camera& camera, const FrameOptions& wanted) {
+                                  const FrameStats stats = draw(camera, wanted);
+                                  renderer.read_intervals();
+                                  return stats;
+                              }};
+    draw_paths(drawing, find, &measuring);
+}
+
+/// Whether paths are drawn without GL: all but what samples and measures frames, or shares buffers.
+bool needs_no_gl(const DrawArguments& arguments, const FrameOptions& options) {
+    return is_path_file(arguments.output) && options.method == Method::exact && !arguments.stats &&
+           !arguments.profile.given() && arguments.device.interop.empty() &&
+           arguments.device.compare_with.empty();
+}
+
+void say(const std::string& note) {
+    if (!note.empty()) print_error(fmt::format("lineatlas: {}\n", note));
+}
+
+void draw_without_gl(const Drawing& drawing) {
+    LineVisibility visibility{drawing.subject.lines, drawing.arguments.device};
+    say(visibility.note());
+    const VisibilityOptions wanted{
+        .lines = drawing.options.lines, .hidden = true, .step = drawing.options.step};
+    draw_paths(
+        drawing, [&](const Camera& camera) { return visibility.find(camera, wanted); }, nullptr);
 }
 
 void draw(const DrawArguments& arguments, const CLI::App& app) {
@@ -296,8 +347,10 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     check_arguments(arguments, settings);
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const Style style = arguments.style.style();
-    FrameOptions options =
-        is_path_file(arguments.output) ? settings.for_paths(size) : settings.for_pixels();
+    const bool by_paths = is_path_file(arguments.output);
+    FrameOptions options = by_paths                                     ? settings.for_paths(size)
+                           : arguments.sequence.given(arguments.output) ? settings.for_sequence()
+                                                                        : settings.for_pixels();
     options.style = style;
     ImageWriter writer; // before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
@@ -314,14 +367,15 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         options.profile = arguments.profile.given();
     }
 
-    const gl::HeadlessContext context;
-    Renderer renderer{arguments.device};
-    if (!renderer.note().empty()) fmt::print(stderr, "lineatlas: {}\n", renderer.note());
-    for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
-    renderer.set_lines(subject.lines);
     const Drawing drawing{arguments, describe_drawing(app, arguments.model), subject, size, options,
                           frames};
-    if (is_path_file(arguments.output))
+    if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
+    const gl::HeadlessContext context;
+    Renderer renderer{arguments.device};
+    say(renderer.note());
+    for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
+    renderer.set_lines(subject.lines);
+    if (by_paths)
         draw_paths(drawing, renderer);
     else
         draw_pictures(drawing, renderer, writer);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "choose_device.hpp"
 #include "cpp/cpp_device.hpp"
 #include "lineatlas/error.hpp"
 #include "opencl/opencl_backend.hpp"
@@ -42,11 +43,23 @@ std::string device_kind_names() {
     return names;
 }
 
-std::unique_ptr<Device> make_device(std::string_view name, std::string_view device) {
+namespace {
+
+const DeviceKind& find_kind(std::string_view name) {
     const auto found = std::ranges::find(table(), name, &DeviceKind::name);
-    if (found != table().end()) return found->make(device);
+    if (found != table().end()) return *found;
     throw UsageError("unknown compute backend \"" + std::string{name} + "\"; there is " +
                      device_kind_names());
+}
+
+} // namespace
+
+void check_device_kind(std::string_view name) {
+    find_kind(name);
+}
+
+std::unique_ptr<Device> make_device(std::string_view name, std::string_view device) {
+    return find_kind(name).make(device);
 }
 
 } // namespace lineatlas::compute

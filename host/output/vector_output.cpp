@@ -18,26 +18,13 @@ bool is_path_file(const std::filesystem::path& path) {
     return lower_extension(path) == ".svg" || is_json_file(path);
 }
 
-VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, Renderer& renderer)
-    : frame_(std::move(frame)), lines_(lines), renderer_(renderer) {
-    frame_.options.intervals = KeptIntervals::all; // what hides a line may bridge a gap in it
-    frame_.options.draw = false;
-}
-
-FrameStats VectorOutput::find(const Camera& camera, const FrameOptions& options) {
-    FrameOptions own = frame_.options;
-    own.measure_stages = options.measure_stages;
-    own.profile = options.profile;
-    const FrameStats stats = renderer_.draw(camera, own, 0);
-    intervals_ = renderer_.read_intervals();
-    return stats;
-}
+VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindIntervals find)
+    : frame_(std::move(frame)), lines_(lines), find_(std::move(find)) {}
 
 bool VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
     AtomicFile file{path}; // what cannot be written is said before the work
-    find(camera, frame_.options);
     const VectorDrawing drawing =
-        make_vector_drawing(lines_, camera, intervals_, frame_.options.style, frame_.paths);
+        make_vector_drawing(lines_, camera, find_(camera), frame_.style, frame_.paths);
     const std::string description =
         frame_.description + " " + describe_camera(camera, frame_.json.origin);
     const std::string certificate = frame_.certify ? frame_.certify(drawing, camera, path) : "";

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "frame_output.hpp"
-#include "lineatlas/renderer.hpp"
 #include "lineatlas/vector.hpp"
 
 namespace lineatlas {
@@ -15,7 +15,7 @@ bool is_json_file(const std::filesystem::path& path);
 
 /// How all drawings of one command are made.
 struct VectorFrame {
-    FrameOptions options;
+    Style style;
     VectorOptions paths;
     SvgOptions svg;
     JsonOptions json;
@@ -27,24 +27,24 @@ struct VectorFrame {
         certify{};
 };
 
+/// Finds what `camera` sees of lines, hidden intervals too: what hides a line may bridge a gap in
+/// it.
+using FindIntervals = std::function<std::vector<Interval>(const Camera& camera)>;
+
 /// Frames as paths, SVG or JSON by extension.
 class VectorOutput final : public FrameOutput {
   public:
-    /// The line set is that of the renderer; both must outlive it.
-    VectorOutput(VectorFrame frame, const LineSet& lines, Renderer& renderer);
+    /// `find` is about `lines`, which must outlive it.
+    VectorOutput(VectorFrame frame, const LineSet& lines, FindIntervals find);
 
     bool draw(const Camera& camera, const std::filesystem::path& path) override;
     void finish() override {}
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size) override;
 
-    /// Finds the frame's intervals and reads them.
-    FrameStats find(const Camera& camera, const FrameOptions& options);
-
   private:
     VectorFrame frame_;
     const LineSet& lines_;
-    Renderer& renderer_;
-    std::vector<Interval> intervals_; ///< of the last frame
+    FindIntervals find_;
 };
 
 } // namespace lineatlas

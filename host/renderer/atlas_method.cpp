@@ -100,7 +100,7 @@ void AtlasMethod::prepare(const Frame& frame) {
 void AtlasMethod::begin_chunk(Frame& frame, std::size_t chunk) {
     if (chunk == 0) {
         strokes_.begin_frame();
-        intervals_.begin_frame();
+        intervals_.begin_frame(frame);
     }
     frame.scene.select(chunk);
     segment_count_ = frame.scene.table().segment_count;

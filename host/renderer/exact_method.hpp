@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
-#include "compute/stages/exact_visibility.hpp"
 #include "core/tiles.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
 #include "interval_stage.hpp"
 #include "stroke_stage.hpp"
+#include "visibility/exact_lines.hpp"
 
 namespace lineatlas {
 
@@ -20,7 +20,7 @@ class ExactMethod {
     explicit ExactMethod(const interop::Connection& connection);
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
-    void release_scene();
+    void release_scene() { lines_.release(); }
     /// Makes tables for another line set.
     void set_scene(const SceneBuffers& scene);
     FrameStats draw(Frame& frame);
@@ -29,11 +29,6 @@ class ExactMethod {
     std::vector<Interval> read_intervals() { return intervals_.read(); }
 
   private:
-    /// From here on stages are those of this chunk of the segments.
-    void begin_chunk(Frame& frame, std::size_t chunk);
-    void project(Frame& frame);
-    /// What is visible of the current chunk. `by_lists`: tiles have their lists of faces already.
-    void cut(Frame& frame, bool by_lists);
     /// Finds what is visible, and makes intervals and runs of it.
     void find(Frame& frame);
     bool grow();
@@ -41,23 +36,14 @@ class ExactMethod {
     void take_tables();
     /// Hands what strokes are drawn from to GL.
     void pass_to_strokes(Frame& frame);
-    /// `offsets`: what project_clip counts, or what later stages read.
-    compute::ClippedTable clipped_table(compute::Buffer& offsets) {
-        return {*clipped_, offsets, *arcs_};
-    }
     /// An atlas without samples.
-    compute::SegmentAtlas no_samples() {
-        return {clipped_table(*no_offsets_), alpha_->compute(), {1, 1}, 0};
-    }
+    compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_->compute(), {1, 1}, 0}; }
     FrameStats stats(Frame& frame);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     interop::Handover handover_;
-    compute::ExactVisibility visibility_;
-    std::uint32_t segment_count_ = 0; ///< of the current chunk
-    std::unique_ptr<compute::Buffer> front_, clipped_, arcs_;
-    std::unique_ptr<compute::Buffer> no_offsets_;  ///< all 0: no segment has samples
+    ExactLines lines_;
     std::unique_ptr<interop::SharedBuffer> alpha_; ///< of no samples
     StrokeStage strokes_;
     IntervalStage intervals_;

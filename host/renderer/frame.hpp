@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include <epoxy/gl.h>
 #include <glm/vec2.hpp>
 
@@ -18,14 +16,6 @@
 #include "stage_clock.hpp"
 
 namespace lineatlas {
-
-/// How many elements a table gets that must hold `needed` of them and may have to grow again.
-template <class Element>
-std::uint32_t capacity_for(const compute::Device& device, std::uint32_t needed) {
-    constexpr std::uint64_t most_counted = std::numeric_limits<std::uint32_t>::max();
-    return static_cast<std::uint32_t>(
-        std::min(compute::room_to_grow(device, needed, sizeof(Element)), most_counted));
-}
 
 class Backdrop;
 

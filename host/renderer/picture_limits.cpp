@@ -6,7 +6,6 @@
 
 #include "core/limits.hpp"
 #include "glpasses/storage.hpp"
-#include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
@@ -32,13 +31,6 @@ std::uint64_t most_depth_texels(const compute::Device& device) {
 }
 
 } // namespace
-
-void check_picture(glm::ivec2 size) {
-    if (std::min(size.x, size.y) >= 1 && std::max(size.x, size.y) <= longest_picture_side) return;
-    throw UsageError("a picture of " + written_size(size) +
-                     " can't be drawn: each side must be 1 to " +
-                     std::to_string(longest_picture_side) + " pixels");
-}
 
 int probe_margin(float step, int depth_scale) {
     // Probes lie half a sample along the line and a pixel across it from the sample's middle.

@@ -11,6 +11,7 @@
 #include "compute/compare/comparing_device.hpp"
 #include "compute/kernels.hpp"
 #include "core/limits.hpp"
+#include "core/picture_size.hpp"
 #include "exact_method.hpp"
 #include "frame.hpp"
 #include "glpasses/current_context.hpp"

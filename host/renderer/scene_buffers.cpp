@@ -11,7 +11,6 @@
 #include "core/clusters.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
-#include "model_limits.hpp"
 
 namespace lineatlas {
 namespace {
@@ -33,53 +32,10 @@ gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose) {
     return buffer;
 }
 
-/// The lines, if there are no more than can be drawn.
-const LineSet& checked(const LineSet& lines) {
-    check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
-    return lines;
-}
-
-std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
-                                        const Purpose& purpose) {
-    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, data.size(), purpose);
-    device.upload(*buffer, data);
-    return buffer;
-}
-
-std::vector<SceneBuffers::Chunk> upload_segments(compute::Device& device,
-                                                 std::span<const Segment> segments) {
-    // The widest table per segment decides. Once it must be cut, the strokes and intervals of a
-    // chunk shall fit too: some per segment, where all are visible and hidden in parts.
-    constexpr std::uint64_t runs_per_segment = 4;
-    const bool is_whole = segments.size() <= device.largest_buffer() / sizeof(ClippedSegment);
-    const std::uint64_t usual =
-        is_whole ? segments.size() : device.largest_buffer() / (runs_per_segment * sizeof(Run));
-    std::vector<SceneBuffers::Chunk> chunks;
-    for (const SegmentRange& range : cut_segments(segments, usual)) {
-        const std::span<const Segment> part = segments.subspan(range.first, range.count);
-        chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
-    }
-    return chunks;
-}
-
 } // namespace
 
-std::uint32_t SceneBuffers::Tables::most_segments() const {
-    std::uint32_t most = 0;
-    for (const Chunk& chunk : chunks) most = std::max(most, chunk.range.count);
-    return most;
-}
-
 SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines)
-    : stages_(&stages),
-      mode_(mode), tables_{.vertices = upload(stages.device(), bytes_of(checked(lines).vertices),
-                                              purpose::model),
-                           .triangles =
-                               upload(stages.device(), bytes_of(lines.triangles), purpose::model),
-                           .clusters = nullptr,
-                           .chunks = upload_segments(stages.device(), lines.segments),
-                           .cluster_triangles = nullptr,
-                           .moving = nullptr},
+    : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
       gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
@@ -207,18 +163,17 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
         return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
                       purpose::model);
     };
-    return {.vertices = copy(*tables_.vertices),
-            .triangles = copy(*tables_.triangles),
-            .clusters = copy(*tables_.clusters),
-            .chunks = upload_segments(stages.device(), download_segments()),
-            .cluster_triangles =
-                tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
-            .moving = tables_.moving ? make_moving(stages, mode) : nullptr};
+    return {{.vertices = copy(*tables_.vertices),
+             .triangles = copy(*tables_.triangles),
+             .chunks = upload_segments(stages.device(), download_segments())},
+            copy(*tables_.clusters),
+            tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
+            tables_.moving ? make_moving(stages, mode) : nullptr};
 }
 
 std::vector<Segment> SceneBuffers::download_segments() {
     std::vector<Segment> segments(segment_count_);
-    for (const Chunk& chunk : tables_.chunks) {
+    for (const LineTables::Chunk& chunk : tables_.chunks) {
         const auto part = std::span{segments}.subspan(chunk.range.first, chunk.range.count);
         device().download(*chunk.segments, std::as_writable_bytes(part));
     }

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "compute/stages/stages.hpp"
-#include "core/segment_chunks.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/fill_pass.hpp"
 #include "glpasses/line_pass.hpp"
@@ -18,6 +17,7 @@
 #include "lineatlas/lines.hpp"
 #include "moving_tables.hpp"
 #include "scene_motion.hpp"
+#include "visibility/line_tables.hpp"
 
 namespace lineatlas {
 
@@ -42,20 +42,11 @@ class SceneBuffers {
     void forget_jumps(std::span<const glm::mat4> transforms_from, const Camera& camera,
                       float most_pixels, compute::Buffer& ranges);
 
-    /// A part of the segment table.
-    struct Chunk {
-        SegmentRange range;
-        std::unique_ptr<compute::Buffer> segments;
-    };
     /// What compute stages read.
-    struct Tables {
-        std::unique_ptr<compute::Buffer> vertices, triangles, clusters;
-        std::vector<Chunk> chunks;                          ///< at least one
-        std::unique_ptr<compute::Buffer> cluster_triangles; ///< from the first set_positions() on
-        std::unique_ptr<MovingTables> moving;               ///< of a model that moves; else null
-
-        /// Of the largest chunk: what tables per segment must hold.
-        std::uint32_t most_segments() const;
+    struct Tables : LineTables {
+        std::unique_ptr<compute::Buffer> clusters;
+        std::unique_ptr<compute::Buffer> cluster_triangles{}; ///< from the first set_positions() on
+        std::unique_ptr<MovingTables> moving{};               ///< of a model that moves; else null
     };
     const Tables& tables() const { return tables_; }
     /// The same on another device, from the memory of this one.
@@ -121,7 +112,7 @@ class SceneBuffers {
     }
 
     compute::Device& device() const { return stages_->device(); }
-    const Chunk& chunk() const { return tables_.chunks[chunk_]; }
+    const LineTables::Chunk& chunk() const { return tables_.chunks[chunk_]; }
 
     compute::Stages* stages_;
     interop::SharingMode mode_;

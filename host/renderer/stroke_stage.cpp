@@ -208,7 +208,7 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input) {
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.reset(); // it may not fit beside another
-    table.capacity = capacity_for<Run>(device_, table.totals.run_total);
+    table.capacity = compute::capacity_for<Run>(device_, table.totals.run_total);
     table.runs = interop::make_shared_buffer(
         device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
     handover_.to_compute({table.runs.get()});
@@ -220,7 +220,7 @@ bool StrokeStage::grow() {
     if (has_hidden_ && grow(hidden_)) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
-        raw_capacity_ = capacity_for<Run>(device_, raw_total);
+        raw_capacity_ = compute::capacity_for<Run>(device_, raw_total);
         grown = true;
     }
     return grown;

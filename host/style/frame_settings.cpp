@@ -15,6 +15,33 @@ namespace {
 
 using namespace makers;
 
+constexpr std::string_view automatic = "auto";
+
+FrameSetting method() {
+    // What follows `automatic` stands in the order of Method.
+    const std::vector<std::string> names{std::string{automatic}, "atlas", "exact", "spine",
+                                         "itembuffer",           "opengl"};
+    return {"method",
+            fmt::format("one of {}", fmt::join(names, ", ")),
+            "How visibility is computed; auto is exact, but atlas for sequences of pictures and "
+            "where options of samples are given",
+            false,
+            [names](const FrameSettings& s) -> SettingValue {
+                return s.method ? names.at(static_cast<std::size_t>(*s.method) + 1) : names.front();
+            },
+            [names](FrameSettings& s, const SettingValue& value) {
+                const std::string* given = std::get_if<std::string>(&value);
+                if (given == nullptr) return false;
+                const auto found = std::ranges::find(names, *given);
+                if (found == names.end()) return false;
+                s.method.reset();
+                if (found != names.begin())
+                    s.method = static_cast<Method>(found - names.begin() - 1);
+                return true;
+            },
+            names};
+}
+
 FrameSetting probes() {
     return {"probes",
             fmt::format("one of {}", fmt::join(probe_counts, ", ")),
@@ -70,9 +97,7 @@ std::vector<FrameSetting> make_frame_settings() {
     using F = FrameSettings;
     std::vector<FrameSetting> t;
     t.push_back(lines());
-    t.push_back(choice<F>(
-        "method", [](auto& s) -> auto& { return s.rest.method; },
-        {"atlas", "exact", "spine", "itembuffer", "opengl"}, "How visibility is computed"));
+    t.push_back(method());
     t.push_back(choice<F>(
         "quality", [](auto& s) -> auto& { return s.quality; }, {"low", "high"},
         "What probes and depth-scale are unless they are given"));
@@ -95,11 +120,24 @@ std::vector<FrameSetting> make_frame_settings() {
 
 } // namespace
 
+bool FrameSettings::asks_for_samples() const {
+    const FrameOptions usual;
+    return quality != Quality::high || probes || depth_scale || rest.step != usual.step ||
+           rest.atlas != usual.atlas || rest.atlas_layout != usual.atlas_layout;
+}
+
 FrameOptions FrameSettings::for_pixels() const {
     FrameOptions options = rest;
+    options.method = method.value_or(asks_for_samples() ? Method::atlas : Method::exact);
     const Sampling usual = sampling_of(quality);
     options.probes = probes.value_or(usual.probes);
     options.depth_scale = depth_scale.value_or(usual.depth_scale);
+    return options;
+}
+
+FrameOptions FrameSettings::for_sequence() const {
+    FrameOptions options = for_pixels();
+    options.method = method.value_or(Method::atlas);
     return options;
 }
 
@@ -125,7 +163,7 @@ const FrameSetting& find_frame_setting(std::string_view key) {
 }
 
 const std::string& name_of(Method method) {
-    return find_frame_setting("method").names.at(static_cast<std::size_t>(method));
+    return find_frame_setting("method").names.at(static_cast<std::size_t>(method) + 1);
 }
 
 std::string frame_settings_table() {

@@ -32,15 +32,24 @@ inline constexpr std::array<std::uint32_t, 4> probe_counts{1, 4, 9, 16};
 /// How frames are drawn, as people choose it: what they leave open follows from the quality and
 /// from what the frame is for.
 struct FrameSettings {
+    /// Nothing: exact; but atlas where it is asked for samples, and for pictures of a sequence.
+    std::optional<Method> method{};
     Quality quality = Quality::high;
     std::optional<std::uint32_t> probes{}; ///< nothing: the quality's
     std::optional<int> depth_scale{};      ///< nothing: the quality's
-    FrameOptions rest{};                   ///< all else; its probes and depth_scale don't count
+    /// All else; its method, probes and depth_scale don't count.
+    FrameOptions rest{};
 
     /// For a picture of pixels.
     FrameOptions for_pixels() const;
+    /// For pictures of pixels that are shown one after the other.
+    FrameOptions for_sequence() const;
     /// For intervals or paths of a picture of this size.
     FrameOptions for_paths(glm::ivec2 size) const;
+
+  private:
+    /// Whether something is chosen that only samples have.
+    bool asks_for_samples() const;
 };
 
 /// Paths end where the depth buffer has it: where pixels have more than one depth texel, paths get

@@ -32,16 +32,16 @@ std::string style_arguments(const Style& style) {
 
 void save_paths(const SavedPicture& picture, const Camera& camera,
                 const std::filesystem::path& path, Renderer& renderer) {
-    FrameOptions options = picture.options;
-    if (options.method != Method::exact) options.method = Method::atlas; // others know no intervals
-    options.depth_scale = depth_scale_of_paths(options.depth_scale, picture.size);
     VectorFrame frame;
-    frame.options = options;
+    frame.style = picture.options.style;
     frame.paths.mesh = &picture.model.mesh;
     frame.svg.title = std::filesystem::path{picture.model.source.name()}.stem().string();
     frame.json.origin = picture.model.origin;
     frame.description = command_of(picture);
-    VectorOutput output{std::move(frame), picture.model.lines, renderer};
+    VectorOutput output{std::move(frame), picture.model.lines, [&](const Camera& seen) {
+                            renderer.draw(seen, picture.options, 0);
+                            return renderer.read_intervals();
+                        }};
     output.draw(camera, path);
     output.finish();
 }
@@ -76,10 +76,11 @@ void save(const SavedPicture& picture, const std::filesystem::path& path, Render
     SavedPicture still = picture;
     still.options.steady = false; // nothing of the frames before
     const Camera camera = make_camera(picture.view, picture.size, picture.model.lines.bounds);
-    if (is_path_file(path))
-        save_paths(still, camera, path, renderer);
-    else
-        save_pixels(still, camera, path, renderer, writer);
+    if (!is_path_file(path)) return save_pixels(still, camera, path, renderer, writer);
+    still.options.method = Method::exact; // whatever is on the screen: as the tool finds paths
+    still.options.intervals = KeptIntervals::all;
+    still.options.draw = false;
+    save_paths(still, camera, path, renderer);
 }
 
 void save_text(const std::string& text, const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "compute/choose_device.hpp"
 #include "images/pixels.hpp"
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
@@ -26,29 +27,62 @@ ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& opt
     return {std::move(model), std::move(lines), options.kinds};
 }
 
-/// From here to its end this thread has the drawer, and the drawer's context is current.
+/// From here to its end this thread has the drawer, and the context of its renderer, once there is
+/// one, is current.
 class Drawer::InUse {
   public:
     explicit InUse(const Drawer& drawer) : lock_(drawer.lock()) {
         if (!drawer.state_) throw UsageError("the renderer is closed");
-        drawer.state_->context.make_current();
+        if (drawer.state_->pictures) take(drawer);
+    }
+    /// The same, with a renderer.
+    InUse(Drawer& drawer, Pictures*& pictures) : InUse(drawer) {
+        if (!drawer.state_->pictures) {
+            keeper_.emplace(); // before another becomes current
+            drawer.make_pictures();
+        }
+        pictures = drawer.state_->pictures.get();
     }
 
   private:
+    void take(const Drawer& drawer) {
+        keeper_.emplace();
+        drawer.state_->pictures->context.make_current();
+    }
+
     std::unique_lock<std::mutex> lock_;
-    gl::CurrentContextKeeper keeper_;
+    std::optional<gl::CurrentContextKeeper> keeper_;
 };
 
 Drawer::Drawer(ModelLines subject, const DeviceOptions& device)
     : subject_(std::make_shared<ModelLines>(std::move(subject))) {
     enter_drivers();
+    if (device.interop.empty()) {
+        state_ = std::make_unique<State>(State{device, compute::find_device(device).note});
+        return;
+    }
+    // What is said of sharing with GL is wrong or right only where GL is.
     const gl::CurrentContextKeeper keeper;
-    state_ = std::make_unique<State>(device);
-    state_->renderer.set_lines(subject_->lines);
+    state_ = std::make_unique<State>(State{device});
+    state_->note = make_pictures().renderer.note();
 }
 
 Drawer::~Drawer() {
     close();
+}
+
+Drawer::Pictures& Drawer::make_pictures() {
+    auto pictures = std::make_unique<Pictures>(state_->device);
+    state_->visibility.reset(); // the model's memory goes to the renderer
+    pictures->renderer.set_lines(subject_->lines);
+    state_->pictures = std::move(pictures);
+    return *state_->pictures;
+}
+
+LineVisibility& Drawer::make_visibility() {
+    if (!state_->visibility)
+        state_->visibility = std::make_unique<LineVisibility>(subject_->lines, state_->device);
+    return *state_->visibility;
 }
 
 /// Checked first: a thread that the fork has left behind may have had the mutex.
@@ -64,14 +98,20 @@ void Drawer::close() {
     }
     const std::unique_lock held = lock();
     if (!state_) return;
-    const gl::CurrentContextKeeper keeper;
-    state_->context.make_current();
+    if (state_->pictures) {
+        const gl::CurrentContextKeeper keeper;
+        state_->pictures->context.make_current();
+        state_->pictures.reset();
+    }
     state_.reset();
 }
 
 void Drawer::set_subject(ModelLines subject) {
     const InUse use{*this};
-    state_->renderer.set_lines(subject.lines);
+    if (state_->pictures)
+        state_->pictures->renderer.set_lines(subject.lines);
+    else if (state_->visibility)
+        state_->visibility->set_lines(subject.lines);
     subject_ = std::make_shared<ModelLines>(std::move(subject));
 }
 
@@ -82,23 +122,24 @@ std::shared_ptr<const ModelLines> Drawer::subject() const {
 
 std::string Drawer::description() {
     const InUse use{*this};
-    return state_->renderer.description();
+    return state_->pictures ? state_->pictures->renderer.description()
+                            : make_visibility().description();
 }
 
 std::string Drawer::note() {
     const InUse use{*this};
-    return state_->renderer.note();
+    return state_->note;
 }
 
-void Drawer::set_pens(const Style& style) {
-    for (auto& [mark, image] : read_pen_images(style, state_->known_pens)) {
-        state_->known_pens.insert(mark);
-        state_->renderer.set_pen_image(mark, std::move(image));
+void Drawer::set_pens(Pictures& pictures, const Style& style) {
+    for (auto& [mark, image] : read_pen_images(style, pictures.known_pens)) {
+        pictures.known_pens.insert(mark);
+        pictures.renderer.set_pen_image(mark, std::move(image));
     }
 }
 
-gl::Canvas& Drawer::canvas(glm::ivec2 size, int bits) {
-    std::optional<gl::Canvas>& canvas = state_->canvas;
+gl::Canvas& Drawer::canvas(Pictures& pictures, glm::ivec2 size, int bits) {
+    std::optional<gl::Canvas>& canvas = pictures.canvas;
     if (!canvas || canvas->size() != size || canvas->bits() != bits) {
         canvas.reset(); // before the next one takes memory
         canvas.emplace(size, bits);
@@ -107,13 +148,15 @@ gl::Canvas& Drawer::canvas(glm::ivec2 size, int bits) {
 }
 
 Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool transparent) {
-    const InUse use{*this};
-    set_pens(options.style);
+    Pictures* pictures = nullptr;
+    const InUse use{*this, pictures};
+    set_pens(*pictures, options.style);
     // Colours divided by a small alpha need more than the 8 bits that are left in the end.
-    gl::Canvas& target = canvas(camera.size, transparent ? 16 : 8);
+    gl::Canvas& target = canvas(*pictures, camera.size, transparent ? 16 : 8);
     target.clear(transparent ? glm::vec4{0} : glm::vec4{options.style.paper.color, 1});
-    const FrameStats stats = state_->renderer.draw(camera, options, target.framebuffer());
-    const bool counted = options.method == Method::atlas || options.method == Method::item_buffer;
+    const FrameStats stats = pictures->renderer.draw(camera, options, target.framebuffer());
+    const bool counted = options.method == Method::atlas || options.method == Method::exact ||
+                         options.method == Method::item_buffer;
     std::optional<bool> shows_lines;
     if (counted && (stats.runs > 0 || !options.style.hidden)) shows_lines = stats.runs > 0;
     std::vector<std::uint8_t> values = target.read();
@@ -127,11 +170,20 @@ Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool tra
 }
 
 FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, bool hidden) {
-    const InUse use{*this};
+    if (options.method == Method::exact) {
+        const InUse use{*this};
+        if (!state_->pictures) {
+            const VisibilityOptions wanted{
+                .lines = options.lines, .hidden = hidden, .step = options.step};
+            return {subject_, make_visibility().find(camera, wanted)};
+        }
+    }
+    Pictures* pictures = nullptr;
+    const InUse use{*this, pictures};
     options.intervals = hidden ? KeptIntervals::all : KeptIntervals::visible;
     options.draw = false;
-    state_->renderer.draw(camera, options, 0);
-    return {subject_, state_->renderer.read_intervals()};
+    pictures->renderer.draw(camera, options, 0);
+    return {subject_, pictures->renderer.read_intervals()};
 }
 
 } // namespace lineatlas::python

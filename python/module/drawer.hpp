@@ -10,6 +10,7 @@
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/renderer.hpp"
+#include "lineatlas/visibility.hpp"
 #include "model.hpp"
 
 namespace lineatlas::python {
@@ -35,9 +36,10 @@ struct Picture {
     std::optional<bool> shows_lines{}; ///< if that is known
 };
 
-/// A renderer with an OpenGL context of its own, and what it draws. Calls may come from any thread
-/// and wait for each other; whatever context is current on the thread is again afterwards. All but
-/// its end throw DeviceError in a process that was forked after it was made.
+/// What draws a model. A renderer with an OpenGL context of its own is made for the first picture,
+/// or for intervals of method atlas; those of method exact need no OpenGL. Calls may come from any
+/// thread and wait for each other; whatever context is current on the thread is again afterwards.
+/// All but its end throw DeviceError in a process that was forked after it was made.
 class Drawer {
   public:
     Drawer(ModelLines subject, const DeviceOptions& device);
@@ -58,18 +60,29 @@ class Drawer {
 
   private:
     class InUse;
-    struct State {
+    /// What draws pictures.
+    struct Pictures {
         gl::HeadlessContext context;
         Renderer renderer;
         std::optional<gl::Canvas> canvas{};
         std::set<std::string> known_pens{};
 
-        explicit State(const DeviceOptions& device) : renderer(device) {}
+        explicit Pictures(const DeviceOptions& device) : renderer(device) {}
+    };
+    /// Each is made when it is first needed. The renderer finds all that the other does: with it
+    /// the model need not be on the device twice.
+    struct State {
+        DeviceOptions device;
+        std::string note{}; ///< Renderer::note()
+        std::unique_ptr<LineVisibility> visibility{};
+        std::unique_ptr<Pictures> pictures{};
     };
 
     std::unique_lock<std::mutex> lock() const;
-    void set_pens(const Style& style);
-    gl::Canvas& canvas(glm::ivec2 size, int bits);
+    Pictures& make_pictures();
+    LineVisibility& make_visibility();
+    void set_pens(Pictures& pictures, const Style& style);
+    static gl::Canvas& canvas(Pictures& pictures, glm::ivec2 size, int bits);
 
     mutable std::mutex mutex_;
     std::shared_ptr<const ModelLines> subject_; ///< callers may read it while it is replaced

@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <dlfcn.h>
-
+#include "compute/opencl/loader.hpp"
 #include "compute/opencl/opencl.hpp"
 
 namespace lineatlas::test {
@@ -24,8 +23,8 @@ void poison_new_buffers(std::uint8_t value) {
 extern "C" CL_API_ENTRY cl_mem CL_API_CALL clCreateBuffer(cl_context context, cl_mem_flags flags,
                                                           std::size_t size, void* memory,
                                                           cl_int* status) {
-    static auto* const real =
-        reinterpret_cast<decltype(&clCreateBuffer)>(dlsym(RTLD_NEXT, "clCreateBuffer"));
+    static auto* const real = reinterpret_cast<decltype(&clCreateBuffer)>(
+        lineatlas::compute::opencl_library().function("clCreateBuffer"));
     if (memory != nullptr || lineatlas::test::poison == 0) {
         return real(context, flags, size, memory, status);
     }

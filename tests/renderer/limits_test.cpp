@@ -16,7 +16,7 @@
 #include "compare.hpp"
 #include "core/limits.hpp"
 #include "fault_support.hpp"
-#include "renderer/model_limits.hpp"
+#include "core/model_limits.hpp"
 
 namespace lineatlas::test {
 namespace {

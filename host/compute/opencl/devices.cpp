@@ -8,6 +8,7 @@
 #include "core/memory_limit.hpp"
 #include "driver_trial.hpp"
 #include "lineatlas/error.hpp"
+#include "loader.hpp"
 #include "pocl_cache.hpp"
 
 namespace lineatlas::compute {
@@ -144,8 +145,11 @@ std::string why_no_device() {
     std::string cause = state.trial.cause;
     if (!state.no_cache.empty()) cause += (cause.empty() ? "" : "; ") + state.no_cache;
     if (!cause.empty()) return "no OpenCL device can be used (" + cause + ")";
+    const OpenClLibrary& library = opencl_library();
+    const std::string absent = library.works ? "" : library.cause + "; ";
     const std::optional<std::string> limit = memory_limit();
-    return "no OpenCL device was found (on Debian and Ubuntu: apt install pocl-opencl-icd" +
+    return "no OpenCL device was found (" + absent +
+           "on Debian and Ubuntu: apt install pocl-opencl-icd" +
            (limit ? "; this process may have only " + *limit + " of memory)" : ")");
 }
 

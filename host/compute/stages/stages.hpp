@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 #include <glm/mat4x4.hpp>
@@ -352,6 +355,14 @@ template <class Element>
 std::uint32_t first_capacity(const Device& device, std::uint32_t guess) {
     return static_cast<std::uint32_t>(
         std::min<std::uint64_t>(guess, device.largest_buffer() / sizeof(Element)));
+}
+
+/// How many elements a table gets that must hold `needed` of them and may have to grow again.
+template <class Element>
+std::uint32_t capacity_for(const Device& device, std::uint32_t needed) {
+    constexpr std::uint64_t most_counted = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(
+        std::min(room_to_grow(device, needed, sizeof(Element)), most_counted));
 }
 
 /// As Device::allocate; the message of a Shortage says what the memory was for.

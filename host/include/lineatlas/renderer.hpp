@@ -14,6 +14,7 @@
 #include <glm/vec4.hpp>
 
 #include "lineatlas/camera.hpp"
+#include "lineatlas/device_options.hpp"
 #include "lineatlas/export.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
@@ -50,20 +51,6 @@ enum class AtlasLayoutChoice {
 enum class StrokeShader {
     geometry, ///< a geometry shader, from a point per run
     vertex,   ///< a vertex shader, from an instance of a strip per run
-};
-
-/// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
-struct DeviceOptions {
-    /// "opencl", "cpp" or another (docs/backends.md); empty: OpenCL, else cpp where no driver
-    /// works, which Renderer::note() says then.
-    std::string compute{};
-    std::string device{};  ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
-    std::string interop{}; ///< "gl-sharing", "host-pointer", "copy" or "": chosen
-    /// For finding errors, slow: every kernel runs with the same input on this backend or OpenCL
-    /// device too ("cpp", "opencl:<platform>[:<device>]"), and the first that differs ends
-    /// the frame with MismatchError. Not with gl-sharing. Empty: nothing is compared.
-    std::string compare_with{};
-    std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
 };
 
 /// What a frame keeps for `Renderer::read_intervals`.

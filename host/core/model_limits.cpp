@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/limits.hpp"
+#include "limits.hpp"
 
 namespace lineatlas {
 namespace {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lineatlas/compute_device.hpp"
+#include "lineatlas/device_options.hpp"
+#include "opencl/devices.hpp"
+
+namespace lineatlas::compute {
+
+/// What is to run the kernels, as options and the environment have it.
+struct WantedDevice {
+    std::string kind{};   ///< of device_kinds(); empty: OpenCL, else C++ where no driver works
+    std::string device{}; ///< of that kind, as "opencl:<platform>[:<device>]"; empty: the best
+    bool may_be_opencl() const { return kind.empty() || kind == "opencl"; }
+};
+
+/// Throws UsageError unless there is such a kind.
+void check_device_kind(std::string_view name);
+/// Where `device` is empty, the variable LINEATLAS_DEVICE counts.
+WantedDevice wanted_device(const std::string& kind, const std::string& device);
+/// OpenCL devices that may be taken for it. Empty if no driver works, and none was named; throws as
+/// find_opencl_devices().
+std::vector<OpenClDevice> opencl_devices(const WantedDevice& wanted);
+/// What the user is told where kernels run as C++ for want of a driver.
+std::string note_of_cpp();
+/// The device, with another beside it to which it is compared (DeviceOptions::compare_with), if
+/// that is wanted.
+std::unique_ptr<Device> with_comparison(std::unique_ptr<Device> device, const std::string& other,
+                                        const std::string& until);
+
+/// A device that was found but is not made yet: that may take a while.
+struct FoundDevice {
+    WantedDevice wanted;
+    std::optional<OpenClDevice> opencl{};
+    std::string note{}; ///< see Renderer::note()
+};
+/// The device to take that shares nothing with GL. Throws UsageError and DeviceError as a
+/// LineVisibility.
+FoundDevice find_device(const DeviceOptions& options);
+std::unique_ptr<Device> make_device(const FoundDevice& found, const DeviceOptions& options);
+
+} // namespace lineatlas::compute

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace lineatlas::compute {
+
+/// The OpenCL library of this machine, libOpenCL.so.1. It is opened at the first call of one of its
+/// functions, so that programs start, and draw by C++, where there is none.
+struct OpenClLibrary {
+    bool works = false;
+    std::string cause{}; ///< why not
+
+    /// A function of it; there must be one of that name.
+    void* function(const char* name) const;
+
+    void* handle = nullptr; ///< of dlopen()
+};
+
+/// The same in all calls.
+const OpenClLibrary& opencl_library();
+
+} // namespace lineatlas::compute

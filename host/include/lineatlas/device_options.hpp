@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace lineatlas {
+
+/// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
+struct DeviceOptions {
+    /// "opencl", "cpp" or another (docs/backends.md); empty: OpenCL, else cpp where no driver
+    /// works, which Renderer::note() and LineVisibility::note() say then.
+    std::string compute{};
+    std::string device{}; ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
+    /// "gl-sharing", "host-pointer", "copy" or "": chosen. Not for LineVisibility, which shares
+    /// nothing.
+    std::string interop{};
+    /// For finding errors, slow: every kernel runs with the same input on this backend or OpenCL
+    /// device too ("cpp", "opencl:<platform>[:<device>]"), and the first that differs ends
+    /// the frame with MismatchError. Not with gl-sharing. Empty: nothing is compared.
+    std::string compare_with{};
+    std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
+};
+
+} // namespace lineatlas

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/device_options.hpp"
+#include "lineatlas/export.hpp"
+#include "lineatlas/lines.hpp"
+#include "segment_table.h"
+
+namespace lineatlas {
+
+/// Which pieces of lines LineVisibility finds.
+struct VisibilityOptions {
+    LineKindMask lines = all_line_kinds; ///< of the kinds extracted
+    bool hidden = false; ///< hidden pieces too: together the whole of every line in the picture
+    /// Pixels, above 0: a line of one segment that is shorter is left out, as
+    /// FrameOptions::step has it.
+    float step = 2;
+};
+
+/// What is visible of lines, by the exact method (Method::exact): the intervals that a Renderer
+/// finds, without a picture. Needs neither GL nor an OpenCL driver: it runs on an OpenCL device
+/// where there is one, and else as C++ on all cores.
+///
+/// One call at a time; different ones may work at the same time on different threads.
+///
+/// All calls throw Error.
+class LINEATLAS_API LineVisibility {
+  public:
+    /// For lines and triangles that hide them, as Renderer::set_lines() takes them. Throws
+    /// UsageError for a backend that does not exist and for DeviceOptions::interop, DeviceError
+    /// where the machine has no such device.
+    explicit LineVisibility(const LineSet& lines, const DeviceOptions& options = {});
+    ~LineVisibility();
+    /// What is moved from can only be assigned to or destroyed.
+    LineVisibility(LineVisibility&&) noexcept;
+    LineVisibility& operator=(LineVisibility&&) noexcept; ///< the same
+
+    /// The compute backend in use, for people.
+    std::string description() const;
+
+    /// As Renderer::note(): empty, or a line about OpenCL drivers that do not work.
+    std::string note() const;
+
+    /// Other lines and triangles, on the same device.
+    void set_lines(const LineSet& lines);
+
+    /// The visible pieces of the lines that `camera` sees, in order of LineSet::segments and along
+    /// each; with VisibilityOptions::hidden the hidden ones too. They are those of
+    /// Renderer::read_intervals() of a frame of Method::exact, bit by bit on one device. Throws
+    /// UsageError for a camera whose picture is empty or too large, DeviceError where memory does
+    /// not suffice.
+    std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options = {});
+
+  private:
+    class LINEATLAS_LOCAL State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,49 @@
+#include "exact_lines.hpp"
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+namespace lineatlas {
+
+void ExactLines::release() {
+    visibility_.release();
+    front_.reset();
+    clipped_.reset();
+    arcs_.reset();
+    no_offsets_.reset();
+}
+
+void ExactLines::make_tables(std::uint32_t triangle_count, std::uint32_t most_segments) {
+    release();
+    const std::size_t sums = (std::size_t{most_segments} + 1) * sizeof(la_uint);
+    front_ = compute::allocate(device_, triangle_count, purpose::model);
+    clipped_ =
+        compute::allocate(device_, most_segments * sizeof(ClippedSegment), purpose::segments);
+    arcs_ = compute::allocate(device_, sums, purpose::segments);
+    no_offsets_ = compute::allocate(device_, sums, purpose::segments);
+    device_.clear(*no_offsets_, sums);
+}
+
+void ExactLines::begin(const LineView& view, const compute::SegmentTable& table,
+                       std::size_t chunk) {
+    if (chunk > 0) return visibility_.go_on(table);
+    visibility_.begin(table, view.camera, view.bounds, view.diagonal);
+}
+
+void ExactLines::facing(const LineView& view, const compute::SegmentTable& table) {
+    stages_.facing({.table = table, .eye = view.camera.eye(), .front = *front_});
+}
+
+void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& table) {
+    const glm::mat4 clip_from_world = view.camera.clip_from_world();
+    stages_.project_clip({.table = table,
+                          .front = *front_,
+                          .clip_from_world = clip_from_world,
+                          .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+                          .viewport = view.viewport(),
+                          .step = view.step,
+                          .kind_mask = view.lines,
+                          .occlusion = nullptr,
+                          .out = {*clipped_, visibility_.counts(), *arcs_}});
+}
+
+} // namespace lineatlas

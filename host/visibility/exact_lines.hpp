@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "compute/stages/exact_visibility.hpp"
+#include "line_tables.hpp"
+
+namespace lineatlas {
+
+/// How a line set is seen.
+struct LineView {
+    const Camera& camera; ///< a standard camera
+    const Bounds& bounds; ///< of the model as it stands
+    float diagonal;       ///< of the model as it was made
+    LineKindMask lines;
+    float step; ///< FrameOptions::step: a line of one segment that is shorter is left out
+
+    glm::vec2 viewport() const { return glm::vec2{camera.size}; }
+};
+
+/// The exact method, from a line set and a camera to what is visible of each segment: lines cut
+/// against the faces before them, with neither a depth buffer nor samples. What comes of that, as
+/// strokes or intervals, is others'.
+class ExactLines {
+  public:
+    explicit ExactLines(compute::Stages& stages)
+        : stages_(stages), device_(stages.device()), visibility_(stages) {}
+
+    /// Gives up the tables of a line set: a large one may not fit beside another.
+    void release();
+    /// Makes tables for another line set.
+    void make_tables(std::uint32_t triangle_count, std::uint32_t most_segments);
+
+    /// Finds what is visible, chunk by chunk. `table(chunk)`: what kernels read; `clock(name,
+    /// action)` runs a stage; `use(chunk, spans)` takes what is visible of that chunk, as spans()
+    /// of its clipped().
+    template <class Table, class Clock, class Use>
+    void find(const LineView& view, std::size_t chunk_count, const Table& table, Clock&& clock,
+              Use&& use) {
+        for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
+            const compute::SegmentTable segments = table(chunk);
+            begin(view, segments, chunk);
+            if ((view.lines & mask_of(LineKind::silhouette)) != 0)
+                clock("facing", [&] { facing(view, segments); });
+            clock("project_clip", [&] { project_clip(view, segments); });
+            clock("scan",
+                  [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
+            if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(clipped()); });
+            // Other chunks go by the lists of tiles that are there already.
+            bool by_lists = chunk > 0;
+            for (bool again = true; again; by_lists = false) {
+                if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(clipped()); });
+                clock("visible", [&] {
+                    visibility_.visible(clipped());
+                    again = visibility_.grow();
+                });
+            }
+            use(chunk, visibility_.spans());
+        }
+    }
+
+    /// The clipped segments of the current chunk; they have no samples.
+    compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
+    std::uint64_t mesh_bytes() const { return front_->size(); }
+    std::uint64_t segment_bytes() const {
+        return clipped_->size() + arcs_->size() + no_offsets_->size() + visibility_.bytes();
+    }
+
+  private:
+    void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
+    void facing(const LineView& view, const compute::SegmentTable& table);
+    void project_clip(const LineView& view, const compute::SegmentTable& table);
+
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
+    compute::ExactVisibility visibility_;
+    std::unique_ptr<compute::Buffer> front_, clipped_, arcs_;
+    std::unique_ptr<compute::Buffer> no_offsets_; ///< all 0: no segment has samples
+};
+
+} // namespace lineatlas

@@ -1,0 +1,61 @@
+#include "interval_table.hpp"
+
+namespace lineatlas {
+
+// A first guess; a frame that needs more makes the table grow.
+IntervalTable::IntervalTable(compute::Device& device)
+    : device_(device), capacity_(compute::first_capacity<Interval>(device_, 1U << 13U)) {}
+
+void IntervalTable::begin_frame(bool kept) {
+    kept_ = kept;
+    total_ = 0;
+    in_chunks_ = false;
+    of_chunks_.clear();
+}
+
+IntervalTable::Room IntervalTable::room() {
+    if (!total_buffer_) {
+        total_buffer_ = compute::allocate(device_, sizeof(std::uint32_t), purpose::intervals);
+    }
+    const std::size_t bytes = std::size_t{capacity_} * sizeof(Interval);
+    if (!table_ || table_->size() < bytes) {
+        table_.reset(); // it may not fit beside another
+        table_ = compute::allocate(device_, bytes, purpose::intervals);
+    }
+    return {*table_, capacity_, *total_buffer_};
+}
+
+void IntervalTable::read_total() {
+    device_.download(*total_buffer_, std::as_writable_bytes(std::span{&total_, 1}));
+}
+
+bool IntervalTable::grow() {
+    if (total_ <= capacity_) return false;
+    capacity_ = compute::capacity_for<Interval>(device_, total_);
+    return true;
+}
+
+void IntervalTable::keep(std::uint32_t first_segment) {
+    in_chunks_ = true;
+    if (!kept_) return;
+    for (Interval& interval : read_table()) {
+        interval.segment += first_segment;
+        of_chunks_.push_back(interval);
+    }
+}
+
+std::vector<Interval> IntervalTable::read() {
+    return in_chunks_ ? of_chunks_ : read_table();
+}
+
+std::vector<Interval> IntervalTable::read_table() {
+    std::vector<Interval> result(total_);
+    if (total_ > 0) device_.download(*table_, std::as_writable_bytes(std::span{result}));
+    // Of two at a joint only one has a length, see kernels/intervals.cl.
+    std::erase_if(result, [](const Interval& interval) {
+        return interval.start_sample >= interval.end_sample;
+    });
+    return result;
+}
+
+} // namespace lineatlas

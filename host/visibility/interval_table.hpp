@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "compute/stages/stages.hpp"
+
+namespace lineatlas {
+
+/// The table of intervals that a stage fills, and what comes out of it. It grows when a frame needs
+/// more.
+class IntervalTable {
+  public:
+    explicit IntervalTable(compute::Device& device);
+
+    /// Before the first fill() of a frame. `kept`: whether the frame has intervals at all.
+    void begin_frame(bool kept);
+    bool kept() const { return kept_; }
+    /// Where a stage writes to.
+    struct Room {
+        compute::Buffer& intervals;
+        std::uint32_t capacity;
+        compute::Buffer& total;
+    };
+    /// Room for another go.
+    Room room();
+    /// Waits for the number of intervals that were found in room().
+    void read_total();
+    /// Enlarges the table if they exceed it; true if they must be found again.
+    bool grow();
+    /// Where segments come in chunks: the intervals of the current one, whose first segment that is
+    /// in the whole table, go to the host.
+    void keep(std::uint32_t first_segment);
+    /// Of the last frame.
+    std::vector<Interval> read();
+
+  private:
+    /// Of the last fill().
+    std::vector<Interval> read_table();
+
+    compute::Device& device_;
+    std::unique_ptr<compute::Buffer> table_, total_buffer_;
+    std::uint32_t capacity_;
+    std::uint32_t total_ = 0;
+    bool kept_ = false;
+    bool in_chunks_ = false; ///< `of_chunks_` are the frame's
+    std::vector<Interval> of_chunks_;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "compute/stages/stages.hpp"
+#include "core/segment_chunks.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+
+/// What kernels read of a line set. Segments come in several chunks if the device has no buffer
+/// that would hold a table of all of them.
+struct LineTables {
+    /// A part of the segment table.
+    struct Chunk {
+        SegmentRange range;
+        std::unique_ptr<compute::Buffer> segments;
+    };
+    std::unique_ptr<compute::Buffer> vertices, triangles;
+    std::vector<Chunk> chunks; ///< at least one
+
+    /// Of the largest chunk: what tables per segment must hold.
+    std::uint32_t most_segments() const;
+};
+
+/// A buffer of the device with that content.
+std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
+                                        const Purpose& purpose);
+std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
+                                               std::span<const Segment> segments);
+/// Throws DeviceError when memory runs out, or where there is more than GL and kernels can count.
+LineTables upload_lines(compute::Device& device, const LineSet& lines);
+
+} // namespace lineatlas
