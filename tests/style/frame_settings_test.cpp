@@ -66,6 +66,7 @@ TEST(FrameSettings, ValuesLandInTheirMembers) {
 
 TEST(FrameSettings, NamesStandInTheOrderOfTheEnumerators) {
     EXPECT_EQ(name_of(Method::atlas), "atlas");
+    EXPECT_EQ(name_of(Method::exact), "exact");
     EXPECT_EQ(name_of(Method::spine), "spine");
     EXPECT_EQ(name_of(Method::item_buffer), "itembuffer");
     EXPECT_EQ(name_of(Method::opengl), "opengl");
@@ -77,6 +78,28 @@ TEST(FrameSettings, WhatIsNotSaidIsThatOfFrameOptions) {
     const FrameOptions options = FrameSettings{}.for_pixels(), usual;
     EXPECT_EQ(options.probes, usual.probes);
     EXPECT_EQ(options.depth_scale, usual.depth_scale);
+}
+
+TEST(FrameSettings, TheMethodIsExactButForSequencesAndWhereSamplesAreAskedFor) {
+    const FrameSettings plain;
+    EXPECT_EQ(plain.for_pixels().method, Method::exact);
+    EXPECT_EQ(plain.for_paths({100, 100}).method, Method::exact);
+    EXPECT_EQ(plain.for_sequence().method, Method::atlas);
+    for (const auto& [key, value] : samples) {
+        if (key == "method") continue;
+        const bool of_samples = key != "lines" && key != "stroke-shader";
+        const Method expected = of_samples ? Method::atlas : Method::exact;
+        const FrameSettings changed = with({{key, value}});
+        EXPECT_EQ(changed.for_pixels().method, expected) << key;
+        EXPECT_EQ(changed.for_paths({100, 100}).method, expected) << key;
+        EXPECT_EQ(changed.for_sequence().method, Method::atlas) << key;
+    }
+    for (const char* name : {"atlas", "exact", "spine"}) {
+        const FrameSettings said = with({{"method", name}, {"probes", "4"}});
+        EXPECT_EQ(name_of(said.for_pixels().method), name);
+        EXPECT_EQ(name_of(said.for_sequence().method), name);
+    }
+    EXPECT_FALSE(with({{"method", "auto"}}).method.has_value());
 }
 
 TEST(FrameSettings, QualityIsOverruledByWhatIsSaid) {
@@ -108,10 +131,9 @@ TEST(FrameSettings, BadValuesAreRefusedWithWhatThereIs) {
         }
         return key + " took " + text;
     };
-    EXPECT_EQ(
-        refusal("method", "opengel"),
-        "--method must be one of atlas, exact, spine, itembuffer, opengl, not \"opengel\"; did "
-        "you mean \"opengl\"?");
+    EXPECT_EQ(refusal("method", "opengel"), "--method must be one of auto, atlas, exact, spine, "
+                                            "itembuffer, opengl, not \"opengel\"; did "
+                                            "you mean \"opengl\"?");
     EXPECT_EQ(refusal("probes", "5"), "--probes must be one of 1, 4, 9, 16, not 5");
     for (const char* text : {"0", "5", "2.5", "-1", "1e300", "two", "2,2", "true"}) {
         EXPECT_NE(refusal("depth-scale", text).find("a whole number from 1 to 4"),
