@@ -45,25 +45,24 @@ endfunction()
 
 set(base liblineatlas${lineatlas_soversion})
 set(io liblineatlas-io${lineatlas_soversion})
-# Opened by libepoxy at run time, which ends the process without it.
-set(dispatcher "libopengl0 | libgl1")
 set(same "(= ${packaged_version})")
-describe_package(runtime ${base} libs "${dispatcher}" "line drawings of 3D models - shared libraries")
+describe_package(runtime ${base} libs "" "line drawings of 3D models - shared libraries")
 describe_package(io ${io} libs "" "line drawings of 3D models - files of models and pictures")
 describe_package(development liblineatlas-dev libdevel "${base} ${same}, libglm-dev"
                  "line drawings of 3D models - to develop with")
 describe_package(io-development liblineatlas-io-dev libdevel
                  "${io} ${same}, liblineatlas-dev ${same}"
                  "line drawings of 3D models - to develop with files")
-describe_package(tool lineatlas graphics "${io} ${same}, ${dispatcher}" "line drawings of 3D models")
+describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D models")
 
 if(TARGET lineatlas-rays)
     describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
     set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lineatlas-rays)
 endif()
 
-# Drivers of OpenGL and OpenCL are not linked.
-set(drivers "libegl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, pocl-opencl-icd | opencl-icd")
+# Neither drivers of OpenGL and OpenCL nor their loaders are linked: pictures need those of OpenGL,
+# paths none.
+set(drivers "libegl1, libopengl0 | libgl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "liblineatlas-io-dev, libepoxy-dev, pkg-config")

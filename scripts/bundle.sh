@@ -30,7 +30,6 @@ is_of_the_machine() {
 # Taken only where the machine has none or too old ones (lib/environment.sh): its drivers need its own.
 fallback_for() {
     case $1 in
-    libOpenCL.so*) echo opencl ;;
     libstdc++.so* | libgcc_s.so*) echo stdc++ ;;
     esac
 }
@@ -68,10 +67,13 @@ rm "$target"/tests/{io_test,shared_meshes_test} # of files that are not in a bun
 programs=("$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-images.so")
 for program in "${programs[@]}"; do add_libraries_of "$program"; done
 
-# The dispatchers in front of GL drivers, which come alone where a machine is made for computing.
-mkdir -p "$target/lib/fallback/gl"
-for name in libEGL.so.1 libOpenGL.so.0 libGLdispatch.so.0; do
-    cp -L "/usr/lib/x86_64-linux-gnu/$name" "$target/lib/fallback/gl"
+# The dispatchers in front of drivers of GL, which come alone where a machine is made for computing,
+# and of OpenCL. Programs open them at run time.
+mkdir -p "$target"/lib/fallback/{gl,opencl}
+for name in gl/libEGL.so.1 gl/libOpenGL.so.0 gl/libGLdispatch.so.0 opencl/libOpenCL.so.1; do
+    folder=$target/lib/fallback/$(dirname "$name")
+    name=$(basename "$name")
+    cp -L "/usr/lib/x86_64-linux-gnu/$name" "$folder"
     add_license "$(readlink -f "/usr/lib/x86_64-linux-gnu/$name")"
 done
 

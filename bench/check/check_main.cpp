@@ -40,9 +40,12 @@ class Scratch {
     fs::path folder;
 };
 
+bool has(const char* library) {
+    return ::dlopen(library, RTLD_LAZY) != nullptr;
+}
+
 /// Whether the libraries that GL is called through are there: libepoxy ends a program without.
 bool has_gl() {
-    const auto has = [](const char* name) { return ::dlopen(name, RTLD_LAZY) != nullptr; };
     return has("libEGL.so.1") && (has("libOpenGL.so.0") || has("libGL.so.1"));
 }
 
@@ -121,7 +124,10 @@ int run(int argc, char** argv) {
     bool gl_only = false;
     app.add_flag("--has-gl", gl_only,
                  "Only say, by exit code 0 or 1, whether libraries for GL are there");
+    bool opencl_only = false;
+    app.add_flag("--has-opencl", opencl_only, "The same of OpenCL's loader");
     if (const std::optional<int> code = parse(app, argc, argv)) return *code;
+    if (opencl_only) return has("libOpenCL.so.1") ? 0 : 1;
     if (gl_only) return has_gl() ? 0 : 1;
     return check(options) ? 0 : 1;
 }

@@ -116,7 +116,7 @@ class Options:
     def __init__(
         self,
         *,
-        method: str = "atlas",
+        method: str = "auto",
         quality: str = "high",
         probes: Optional[int] = None,
         depth_scale: Optional[int] = None,

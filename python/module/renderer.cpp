@@ -223,9 +223,11 @@ void bind_renderer(py::module_& module) {
     py::class_<Drawer> renderer(
         module, "Renderer",
         "Draws a model, or the mesh of a file, as often as wanted.\n\n"
-        "Keep it for several pictures: what is slow is done once. It has an OpenGL context of its\n"
-        "own, without a window, and leaves what is current on the thread as it is. Any thread\n"
-        "may call it; calls wait for each other, and several renderers work at the same time.\n\n"
+        "Keep it for several pictures: what is slow is done once. From the first picture on it "
+        "has\n"
+        "an OpenGL context of its own, without a window, and leaves what is current on the thread\n"
+        "as it is; intervals and paths need none. Any thread may call it; calls wait for each\n"
+        "other, and several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
         "crease: edges bent by more degrees are creases. compute, device, interop: as in\n"
         "`lineatlas draw --help`.");

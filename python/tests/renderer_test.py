@@ -175,6 +175,26 @@ class Life(unittest.TestCase):
                 renderer.set_model("missing.obj")
             np.testing.assert_array_equal(renderer.draw(size=(100, 80)), before)
 
+    def test_intervals_are_the_same_before_and_after_a_picture(self) -> None:
+        """The first are found without OpenGL, the others by the renderer of pictures."""
+        scene = lineatlas.scene("clevis")
+        with lineatlas.Renderer(scene.mesh) as renderer:
+            self.assertNotIn("sharing", renderer.description)
+            before = renderer.intervals(view=scene.view(0), hidden=True)
+            renderer.draw(size=(40, 30))
+            self.assertIn("sharing", renderer.description)
+            after = renderer.intervals(view=scene.view(0), hidden=True)
+            self.assertGreater(len(before), 50)
+            np.testing.assert_array_equal(before, after)
+
+    def test_interop_is_looked_at_when_it_is_given(self) -> None:
+        with self.assertRaisesRegex(lineatlas.UsageError, "interop"):
+            lineatlas.Renderer(cube(), interop="telepathy")
+        with lineatlas.Renderer(cube(), interop="copy") as renderer:
+            self.assertIn("sharing by copy", renderer.description)
+            self.assertEqual(len(renderer.intervals(view=CUBE_VIEW)),
+                             len(lineatlas.intervals(cube(), view=CUBE_VIEW)))
+
     def test_cpp_device(self) -> None:
         with lineatlas.Renderer(cube(), compute="cpp") as renderer:
             self.assertIn("cpp", renderer.description)
@@ -203,9 +223,12 @@ class Life(unittest.TestCase):
                                   env=os.environ | {"OCL_ICD_VENDORS": "/none"})
         done = run("cube = support.cube()\n"
                    "for _ in range(3): found = len(lineatlas.intervals(cube))\n"
-                   "with lineatlas.Renderer(cube, compute='cpp') as r: print(r.description, found)")
+                   "with lineatlas.Renderer(cube, compute='cpp') as r:\n"
+                   "    print(r.description, found)\n"
+                   "    r.draw(size=(40, 30))\n"
+                   "    print(r.description)")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"^cpp .*, sharing by .* [1-9][0-9]*$")
+        self.assertRegex(done.stdout, r"^cpp \([^,]*\) [1-9][0-9]*\ncpp .*, sharing by .*$")
         self.assertEqual(done.stderr.count("RuntimeWarning: no OpenCL device was found"), 1,
                          done.stderr)
         done = run("try: lineatlas.Renderer(support.cube(), compute='opencl')\n"

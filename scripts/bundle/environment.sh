@@ -3,7 +3,7 @@
 # or GL dispatchers only where programs do not work with those of the machine: drivers need theirs.
 export LINEATLAS_BUNDLE_FALLBACK=""
 machine_paths=${LD_LIBRARY_PATH:-}
-for libraries in "" opencl stdc++ "opencl stdc++"; do
+for libraries in "" stdc++; do
     paths=""
     for library in $libraries; do paths="$paths$here/lib/fallback/$library:"; done
     LD_LIBRARY_PATH="$paths$machine_paths"
@@ -13,6 +13,10 @@ for libraries in "" opencl stdc++ "opencl stdc++"; do
         break
     fi
 done
+if ! "$here/bin/lineatlas-check" --has-opencl >/dev/null 2>&1; then
+    export LD_LIBRARY_PATH="$here/lib/fallback/opencl${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
+    LINEATLAS_BUNDLE_FALLBACK="$LINEATLAS_BUNDLE_FALLBACK opencl"
+fi
 if ! "$here/bin/lineatlas-check" --has-gl >/dev/null 2>&1; then
     export LD_LIBRARY_PATH="$here/lib/fallback/gl${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
     LINEATLAS_BUNDLE_FALLBACK="$LINEATLAS_BUNDLE_FALLBACK gl"

@@ -13,8 +13,8 @@ refuse() { # LIBRARY PATTERN...
         fi
     done
 }
-window_systems='EGL|GL|GLX|glfw|X11|wayland-.*'
-refuse "$1/liblineatlas.so" "$window_systems" 'OpenMesh.*|tinyobjloader' 'OpenImageIO.*|png16'
+window_systems='EGL|GL|GLX|OpenGL|glfw|X11|wayland-.*'
+refuse "$1/liblineatlas.so" "$window_systems" OpenCL 'OpenMesh.*|tinyobjloader' 'OpenImageIO.*|png16'
 refuse "$1/liblineatlas-headless.so" "GL|GLX|glfw|X11|wayland-.*" 'OpenMesh.*' 'OpenImageIO.*' OpenCL
 refuse "$1/liblineatlas-io.so" "$window_systems" 'OpenImageIO.*|png16' OpenCL
 for library in "$1"/liblineatlas*.so "$1/lineatlas/lineatlas-images.so"; do refuse "$library" 'embree.*'; done
