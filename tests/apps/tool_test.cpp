@@ -13,14 +13,45 @@ namespace lineatlas::test {
 namespace {
 
 TEST_F(Tool, DrawsAScene) {
-    const Result result =
-        run("draw --scene clevis --size 200x150 -o " + path("clevis.png") + " --stats");
-    EXPECT_EQ(result.exit_code, 0) << result.output;
-    EXPECT_GT(fs::file_size(path("clevis.png")), 500U);
-    for (const char* word :
-         {"triangles", "segments", "samples", "visible runs", "bytes per segment", "depth",
-          "project_clip", "scan", "atlas", "compact", "strokes"}) {
-        EXPECT_NE(result.output.find(word), std::string::npos) << word;
+    const auto expect_stages = [&](const std::string& options,
+                                   std::initializer_list<const char*> stages) {
+        const Result result = run("draw --scene clevis --size 200x150 -o " + path("clevis.png") +
+                                  " --stats" + options);
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        EXPECT_GT(fs::file_size(path("clevis.png")), 500U);
+        for (const char* word : {"triangles", "segments", "samples", "visible runs",
+                                 "bytes per segment", "project_clip", "scan", "strokes"}) {
+            EXPECT_NE(result.output.find(word), std::string::npos) << word;
+        }
+        for (const char* word : stages) {
+            EXPECT_NE(result.output.find(word), std::string::npos) << word << result.output;
+        }
+    };
+    expect_stages("", {"surfaces", "tile_lists", "visible "});
+    for (const char* options : {" --method atlas", " --probes 4", " --step 3"})
+        expect_stages(options, {"depth", "atlas", "compact"});
+}
+
+TEST_F(Tool, PathsAreTheSameWithGlAndWithout) {
+    for (const char* extension : {".svg", ".json"}) {
+        const auto draw = [&](const std::string& options) {
+            const std::string file = path("drawn" + std::string{extension});
+            const Result result =
+                run("draw --scene house --hidden --size 300x200 -o " + file + options);
+            EXPECT_EQ(result.exit_code, 0) << result.output;
+            std::ifstream in{file};
+            std::string text, line;
+            while (std::getline(in, line)) {
+                if (line.find("draw --scene") == std::string::npos) text += line + '\n';
+            }
+            return text;
+        };
+        const std::string without = draw("");
+        EXPECT_GT(without.size(), 10'000U);
+        // What measures, and what shares buffers, goes through the renderer of pictures.
+        for (const char* options : {" --interop copy", " --stats", " --compute cpp"})
+            EXPECT_EQ(draw(options), without) << options;
+        EXPECT_NE(draw(" --method atlas"), without);
     }
 }
 

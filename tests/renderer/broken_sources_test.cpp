@@ -92,8 +92,9 @@ TEST_P(BrokenSources, EndTheToolWithTheWholeLog) {
     const std::filesystem::path picture =
         std::filesystem::temp_directory_path() /
         ("lineatlas_broken_" + std::to_string(::getpid()) + ".png");
-    const std::string command =
-        LINEATLAS_TOOL " draw --scene clevis --size 200x150 -o \"" + picture.string() + "\" 2>&1";
+    const std::string command = LINEATLAS_TOOL
+                                " draw --scene clevis --method atlas --size 200x150 -o \"" +
+                                picture.string() + "\" 2>&1";
     FILE* tool = popen(command.c_str(), "r");
     ASSERT_NE(tool, nullptr);
     std::string said;
