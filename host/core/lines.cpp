@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -12,6 +13,7 @@
 #include "chain.hpp"
 #include "edges.hpp"
 #include "lineatlas/error.hpp"
+#include "noisy_creases.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -35,6 +37,25 @@ void check_angle(const char* name, float angle) {
 
 std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
     return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
+}
+
+/// What every edge is; nothing where it is never a line.
+std::vector<std::optional<LineKind>> kinds_of(const WeldedMesh& mesh,
+                                              const std::vector<MeshEdge>& edges,
+                                              const std::vector<double>& bends,
+                                              const LineOptions& options, LeftOut& left_out) {
+    std::vector<std::optional<LineKind>> kinds(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        kinds[i] = classify(edges[i], mesh, bends[i], options);
+    if (options.crease_angle || (options.kinds & mask_of(LineKind::crease)) == 0) return kinds;
+    const std::vector<bool> noisy = noisy_creases(mesh, edges, bends, kinds);
+    const LineOptions smooth{.kinds = options.kinds & ~mask_of(LineKind::crease)};
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (!noisy[i]) continue;
+        kinds[i] = classify(edges[i], mesh, bends[i], smooth);
+        ++left_out.noisy_creases;
+    }
+    return kinds;
 }
 
 /// The segments of the file's polylines, each once.
@@ -157,7 +178,7 @@ class LineSetBuilder {
 } // namespace
 
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
-    check_angle("crease_angle", options.crease_angle);
+    if (options.crease_angle) check_angle("crease_angle", *options.crease_angle);
     check_angle("chain_angle", options.chain_angle);
     const MeshObjects objects = options.separate_objects ? find_objects(mesh) : MeshObjects{};
     WeldedMesh welded = weld(mesh, objects);
@@ -167,6 +188,9 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     for (const MeshEdge& edge : edges) first_face.push_back(edge.face_a);
     replace_slivers(welded, edges);
     const std::vector<glm::dvec3> normals = face_normals(welded);
+    LeftOut left_out;
+    const std::vector<std::optional<LineKind>> kinds =
+        kinds_of(welded, edges, bends_of(edges, normals), options, left_out);
 
     std::vector<Line> fixed;
     std::vector<Line> candidates;
@@ -182,10 +206,9 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
                 continue;
             }
         }
-        const std::optional<LineKind> kind = classify(edge, welded, normals, options);
-        if (!kind) continue;
-        (*kind == LineKind::silhouette ? candidates : fixed)
-            .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kind,
+        if (!kinds[i]) continue;
+        (*kinds[i] == LineKind::silhouette ? candidates : fixed)
+            .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kinds[i],
                         triangle_edge(mesh, welded, first_face[i], edge.p, edge.q)});
     }
 
@@ -203,6 +226,7 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     builder.append_candidates(candidates);
 
     LineSet result = std::move(builder.result);
+    result.left_out = left_out;
     result.odd = welded.odd;
     result.odd.flat = flat_face_count(welded, normals);
     result.vertices = std::move(welded.vertices);

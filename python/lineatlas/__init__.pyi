@@ -1,5 +1,5 @@
 import enum
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +41,7 @@ def draw(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -56,7 +56,7 @@ def intervals(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -70,7 +70,7 @@ def to_svg(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -90,7 +90,7 @@ def to_json(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",

@@ -202,7 +202,7 @@ TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
     Mesh mesh = test::with_random_groups(test::height_field(random, 6, 1), random, 2);
     add_random_polylines(mesh, random, 2);
     for (LineKindMask mask = 0; mask <= all_line_kinds; ++mask) {
-        const LineSet lines = extract_lines(mesh, {.kinds = mask});
+        const LineSet lines = extract_lines(mesh, {.kinds = mask, .crease_angle = 0.5F});
         expect_sound(lines);
         for (std::uint32_t kind = 0; kind < LA_KIND_COUNT; ++kind) {
             EXPECT_EQ(lines.kind_counts[kind] > 0, (mask & 1U << kind) != 0);

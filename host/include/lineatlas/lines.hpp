@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,7 @@ namespace lineatlas {
 /// Where a line comes from. An edge that qualifies as several kinds takes the first of: file,
 /// boundary (non-manifold edges included), material, crease, silhouette.
 enum class LineKind : std::uint32_t {
-    crease = LA_KIND_CREASE,         ///< dihedral angle above `LineOptions::crease_angle`
+    crease = LA_KIND_CREASE,         ///< bent, by the rule of `LineOptions::crease_angle`
     boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
     material = LA_KIND_MATERIAL,     ///< between triangles of different groups
     silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
@@ -42,7 +43,9 @@ constexpr LineKindMask mask_of(LineKind kind) {
 /// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
     LineKindMask kinds = all_line_kinds; ///< others are not extracted
-    float crease_angle = 0.5235988F;     ///< radians, 0 to pi; edges bent by more are creases
+    /// Radians, 0 to pi: edges bent by more are creases. Nothing: those bent by more than 30 degrees
+    /// are, but for noise of surfaces that were scanned or sculpted (docs/lines.md).
+    std::optional<float> crease_angle{};
     /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
     /// Objects move on their own (Renderer::set_transforms): nothing is welded between them, so
@@ -73,6 +76,11 @@ struct OddTriangles {
     std::size_t flat = 0;      ///< no area: taken to lie in the plane of a neighbour
 };
 
+/// What extract_lines() did not take for a line, in edges of the mesh.
+struct LeftOut {
+    std::size_t noisy_creases = 0; ///< bent by more than 30 degrees, as noise of the surface is
+};
+
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
 /// pipeline.
 struct LineSet {
@@ -94,6 +102,7 @@ struct LineSet {
     /// With LineOptions::separate_objects; their vertices come in this order.
     std::vector<LineObject> objects{};
     OddTriangles odd{}; ///< what was left out or repaired
+    LeftOut left_out{}; ///< what might have been a line
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
