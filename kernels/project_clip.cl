@@ -16,11 +16,14 @@ static uint own_face(const uint face, const uint vertex_p, const uint vertex_q, 
     if (face == LA_NO_FACE) return 0;
     const uint i = face & LA_FACE_INDEX;
     const uint i0 = triangles[3 * i], i1 = triangles[3 * i + 1], i2 = triangles[3 * i + 2];
-    const uint third = i0 != vertex_p && i0 != vertex_q   ? i0
-                       : i1 != vertex_p && i1 != vertex_q ? i1
-                                                          : i2;
-    return describe_own_face(vload3(i0, vertices), vload3(i1, vertices), vload3(i2, vertices),
-                             vload3(third, vertices), p, q, across, length_px, clip_from_world,
+    const float3 a = vload3(i0, vertices), b = vload3(i1, vertices), c = vload3(i2, vertices);
+    uint third = i0 != vertex_p && i0 != vertex_q ? 0u : i1 != vertex_p && i1 != vertex_q ? 1u : 2u;
+    const bool holds_p = i0 == vertex_p || i1 == vertex_p || i2 == vertex_p;
+    const bool holds_q = i0 == vertex_q || i1 == vertex_q || i2 == vertex_q;
+    if (!holds_p || !holds_q) /* the line is a part of an edge */
+        third = farthest_corner(a, b, c, vload3(vertex_p, vertices), vload3(vertex_q, vertices));
+    const float3 corner = third == 0u ? a : third == 1u ? b : c;
+    return describe_own_face(a, b, c, corner, p, q, across, length_px, clip_from_world,
                              world_from_clip, viewport);
 }
 

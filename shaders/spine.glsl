@@ -45,11 +45,15 @@ bool is_silhouette(uint face_a, uint face_b) {
 uint own_face(uint face, uvec2 ends, vec4 p, vec4 q, vec2 across, float length_px) {
     if (face == LA_NO_FACE) return 0u;
     uvec3 corners = texelFetch(triangles, int(face & LA_FACE_INDEX)).xyz;
-    uint third = corners.x != ends.x && corners.x != ends.y   ? corners.x
-                 : corners.y != ends.x && corners.y != ends.y ? corners.y
-                                                              : corners.z;
-    return describe_own_face(vertex(corners.x), vertex(corners.y), vertex(corners.z), vertex(third),
-                             p, q, across, length_px, to_matrix(clip_from_world),
+    vec3 a = vertex(corners.x), b = vertex(corners.y), c = vertex(corners.z);
+    uint third = corners.x != ends.x && corners.x != ends.y   ? 0u
+                 : corners.y != ends.x && corners.y != ends.y ? 1u
+                                                              : 2u;
+    bool holds_p = any(equal(corners, uvec3(ends.x))), holds_q = any(equal(corners, uvec3(ends.y)));
+    if (!holds_p || !holds_q) // the line is a part of an edge
+        third = farthest_corner(a, b, c, vertex(ends.x), vertex(ends.y));
+    vec3 corner = third == 0u ? a : third == 1u ? b : c;
+    return describe_own_face(a, b, c, corner, p, q, across, length_px, to_matrix(clip_from_world),
                              to_matrix(world_from_clip), viewport);
 }
 
