@@ -53,6 +53,11 @@ FUNCTION uint farthest_corner(const float3 a, const float3 b, const float3 c, co
     return at_a > at_b && at_a > at_c ? 0u : at_b > at_c ? 1u : 2u;
 }
 
+/* The same description of a face within which its line runs. */
+FUNCTION uint within_own_face(const uint description) {
+    return (description & 0x0000FFFFu) | (as_uint(LA_BOTH_SIDES) & 0xFFFF0000u);
+}
+
 /* What a face looks like beside its line on the screen, so that a probe can recognise it: the
  * change of window depth per pixel across the line (to the left), and the height of the third
  * corner above the line in pixels, positive to the left. Each is cut to the upper half of a float.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "box_tree.hpp"
 #include "edges.hpp"
 #include "host_clock.hpp"
+#include "intersections.hpp"
 #include "line_set_builder.hpp"
 #include "lineatlas/error.hpp"
 #include "noisy_creases.hpp"
@@ -151,6 +153,7 @@ class Extraction {
         find_parts_and_tree();
         leave_out_seams();
         collect_lines();
+        add_intersections();
         return assemble();
     }
 
@@ -178,7 +181,8 @@ class Extraction {
         const bool is_open =
             std::ranges::any_of(edges_, [](const MeshEdge& edge) { return edge.face_count == 1; });
         const MeshParts parts = find_parts(welded_);
-        if (parts.count <= 1 && !is_open) return;
+        has_parts_ = parts.count > 1;
+        if (!has_parts_ && !is_open) return;
         std::vector<Bounds> boxes;
         std::vector<std::uint32_t> owners;
         boxes.reserve(welded_.triangles.size());
@@ -241,13 +245,44 @@ class Extraction {
         }
     }
 
-    /// Vertices have their last numbers now; what has become a point by it goes.
+    void add_intersections() {
+        if (!has_parts_ || !wanted(LineKind::intersection)) return;
+        const std::int64_t start = host_nanoseconds();
+        std::vector<Intersection> found =
+            find_intersections(welded_, normals_, *tree_, object_of_triangle_);
+        std::vector<DrawnLine> drawn;
+        drawn.reserve(fixed_.size());
+        const std::size_t vertices = welded_.vertices.size();
+        for (const Line& line : fixed_) {
+            if (line.p < vertices && line.q < vertices) drawn.push_back({line.p, line.q});
+        }
+        drop_doubled(welded_, normals_, drawn, found);
+        std::ranges::sort(found, {}, [](const Intersection& one) {
+            return std::pair{one.face_a, one.face_b};
+        });
+        for (const Intersection& one : found) {
+            fixed_.push_back({.p = added_.at(one.p.from, one.p.to, one.p.share),
+                              .q = added_.at(one.q.from, one.q.to, one.q.share),
+                              .face_a = one.face_a,
+                              .face_b = one.face_b,
+                              .kind = LineKind::intersection,
+                              .source = {.triangle = welded_.triangle_source[one.face_a],
+                                         .crossing = welded_.triangle_source[one.face_b]}});
+        }
+        times_.intersections = milliseconds_since(start);
+    }
+
+    /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes.
     void renumber() {
         const std::vector<std::uint32_t> number = added_.insert();
+        std::unordered_set<std::uint64_t> known;
+        const bool has_added = std::ranges::any_of(
+            fixed_, [](const Line& line) { return line.kind == LineKind::intersection; });
         const auto place = [&](Line& line) {
             line.p = number[line.p];
             line.q = number[line.q];
-            return line.p != line.q;
+            const bool is_new = !has_added || known.insert(edge_key(line.p, line.q)).second;
+            return is_new && line.p != line.q;
         };
         for (Line& line : candidates_) place(line);
         std::erase_if(fixed_, [&](Line& line) { return !place(line); });
@@ -286,6 +321,7 @@ class Extraction {
     std::vector<std::uint32_t> first_face_; ///< of edges, before a neighbour stands for a sliver
     std::vector<glm::dvec3> normals_;
     std::vector<std::optional<LineKind>> kinds_; ///< nothing: never a line
+    bool has_parts_ = false;
     std::optional<BoxTree> tree_; ///< of triangles
     std::vector<std::uint32_t> object_of_triangle_;
     Seams seams_;

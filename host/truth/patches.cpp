@@ -57,7 +57,8 @@ std::vector<std::uint32_t> smooth_patches(const LineSet& lines) {
     std::unordered_set<std::uint64_t> borders; // edges
     std::unordered_set<std::uint64_t> parted;  // pairs of triangles
     for (const Segment& segment : lines.segments) {
-        if ((segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE) continue;
+        const std::uint32_t kind = segment.tag & LA_TAG_KIND_MASK;
+        if (kind == LA_KIND_SILHOUETTE || kind == LA_KIND_INTERSECTION) continue;
         borders.insert(edge_key(segment.p, segment.q));
         // A part of an edge has other ends than the edge.
         if (segment.face_b != LA_NO_FACE)

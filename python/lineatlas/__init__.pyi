@@ -36,6 +36,7 @@ class LineKind(enum.IntEnum):
     material = 2
     silhouette = 3
     file = 4
+    intersection = 5
 
 def draw(
     model: _Model,

@@ -197,7 +197,9 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              "the fields p, q (ends in pixels from the upper left corner), p_depth, q_depth (0\n"
              "near to 1 far), p_world, q_world (points of the model), alpha (mean visibility),\n"
              "kind (a LineKind), visible, segment, path (of the lines found), edge (two positions\n"
-             "of the mesh), triangle (that has it), group; -1 where there is none.")
+             "of the mesh), triangle (that has it), crossing (the other triangle of an "
+             "intersection),\n"
+             "group; -1 where there is none.")
         .def("to_svg", &svg, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
              py::arg("tags") = true, py::arg("transparent") = false,

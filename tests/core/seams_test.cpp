@@ -133,6 +133,7 @@ TEST(Seams, OfBoxesSideBySideAreTheirEdgesThere) {
     EXPECT_EQ(lines.left_out.seams, 8U);
     EXPECT_NEAR(length_of(lines, LineKind::crease), 4 * 2 + 8 * 1, 1e-4);
     EXPECT_EQ(length_of(lines, LineKind::silhouette), 0) << "nor are they silhouettes";
+    EXPECT_EQ(lines.kind_counts[LA_KIND_INTERSECTION], 0U) << "they only touch";
 
     Mesh two;
     add_box(two, {0, 0, 0}, {1, 1, 1});

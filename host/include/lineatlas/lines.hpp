@@ -26,11 +26,12 @@ enum class LineKind : std::uint32_t {
     material = LA_KIND_MATERIAL,     ///< between triangles of different groups
     silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
     file = LA_KIND_FILE,             ///< given as a polyline in the model
+    intersection = LA_KIND_INTERSECTION, ///< where parts pass through each other; no edge
 };
 
 /// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
-    "crease", "boundary", "material", "silhouette", "file"};
+    "crease", "boundary", "material", "silhouette", "file", "intersection"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
@@ -69,6 +70,8 @@ struct LineSource {
     std::uint32_t from = none;     ///< index into Mesh::positions of the segment's start p
     std::uint32_t to = none;       ///< index into Mesh::positions of its end q
     std::uint32_t triangle = none; ///< into Mesh::triangles, has both; none for a file's polyline
+    /// Of an intersection the other triangle of the two that it lies in, while it has no positions.
+    std::uint32_t crossing = none;
 };
 
 /// A vertex that no position of the mesh is: where a line begins or ends within an edge.
@@ -94,7 +97,7 @@ struct LeftOut {
 
 /// Milliseconds that steps of extract_lines() took.
 struct LineTimes {
-    double creases = 0, seams = 0;
+    double creases = 0, seams = 0, intersections = 0;
 };
 
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
