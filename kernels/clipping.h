@@ -42,6 +42,22 @@ FUNCTION bool faces_eye(const float3 a, const float3 b, const float3 c, const fl
     return (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z > 0.0f;
 }
 
+/* Which corner of a face, 0 to 2, is farthest from the line through p and q. */
+FUNCTION uint farthest_corner(const float3 a, const float3 b, const float3 c, const float3 p,
+                              const float3 q) {
+    const float3 of_a = face_normal(p, q, a), of_b = face_normal(p, q, b),
+                 of_c = face_normal(p, q, c);
+    const float at_a = (of_a.x * of_a.x + of_a.y * of_a.y) + of_a.z * of_a.z;
+    const float at_b = (of_b.x * of_b.x + of_b.y * of_b.y) + of_b.z * of_b.z;
+    const float at_c = (of_c.x * of_c.x + of_c.y * of_c.y) + of_c.z * of_c.z;
+    return at_a > at_b && at_a > at_c ? 0u : at_b > at_c ? 1u : 2u;
+}
+
+/* The same description of a face within which its line runs. */
+FUNCTION uint within_own_face(const uint description) {
+    return (description & 0x0000FFFFu) | (as_uint(LA_BOTH_SIDES) & 0xFFFF0000u);
+}
+
 /* What a face looks like beside its line on the screen, so that a probe can recognise it: the
  * change of window depth per pixel across the line (to the left), and the height of the third
  * corner above the line in pixels, positive to the left. Each is cut to the upper half of a float.

@@ -51,6 +51,8 @@
 /* Largest slope (window depth per pixel) and height (pixels) kept of a line's own face. */
 #define LA_SLOPE_LIMIT 100.0f
 #define LA_HEIGHT_LIMIT 100000.0f
+/* In place of a height: the line runs within the face, which goes on at both sides of it. */
+#define LA_BOTH_SIDES 200000.0f
 
 /* A line's own face is recognised by its place and by its depth to within this many pixels (worth
  * of slope): the rasteriser snaps corners to a grid. */

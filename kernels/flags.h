@@ -9,7 +9,8 @@
 #define LA_KIND_MATERIAL 2u
 #define LA_KIND_SILHOUETTE 3u
 #define LA_KIND_FILE 4u
-#define LA_KIND_COUNT 5u
+#define LA_KIND_INTERSECTION 5u
+#define LA_KIND_COUNT 6u
 
 /* Segment.tag: the kind in the low bits, then flags. */
 #define LA_TAG_KIND_MASK 0x7u

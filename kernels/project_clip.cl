@@ -8,7 +8,7 @@
 #include "clipping.h"
 
 /* describe_own_face() of a face that may be none. */
-static uint own_face(const uint face, const uint vertex_p, const uint vertex_q, const float4 p,
+static uint own_face(const uint face, const uint kind, const uint vertex_p, const uint vertex_q, const float4 p,
                      const float4 q, const float2 across, const float length_px,
                      __global const float* vertices, __global const uint* triangles,
                      const Matrix clip_from_world, const Matrix world_from_clip,
@@ -16,12 +16,16 @@ static uint own_face(const uint face, const uint vertex_p, const uint vertex_q, 
     if (face == LA_NO_FACE) return 0;
     const uint i = face & LA_FACE_INDEX;
     const uint i0 = triangles[3 * i], i1 = triangles[3 * i + 1], i2 = triangles[3 * i + 2];
-    const uint third = i0 != vertex_p && i0 != vertex_q   ? i0
-                       : i1 != vertex_p && i1 != vertex_q ? i1
-                                                          : i2;
-    return describe_own_face(vload3(i0, vertices), vload3(i1, vertices), vload3(i2, vertices),
-                             vload3(third, vertices), p, q, across, length_px, clip_from_world,
-                             world_from_clip, viewport);
+    const float3 a = vload3(i0, vertices), b = vload3(i1, vertices), c = vload3(i2, vertices);
+    uint third = i0 != vertex_p && i0 != vertex_q ? 0u : i1 != vertex_p && i1 != vertex_q ? 1u : 2u;
+    const bool holds_p = i0 == vertex_p || i1 == vertex_p || i2 == vertex_p;
+    const bool holds_q = i0 == vertex_q || i1 == vertex_q || i2 == vertex_q;
+    if (!holds_p || !holds_q) /* the line is a part of an edge */
+        third = farthest_corner(a, b, c, vload3(vertex_p, vertices), vload3(vertex_q, vertices));
+    const float3 corner = third == 0u ? a : third == 1u ? b : c;
+    const uint description = describe_own_face(a, b, c, corner, p, q, across, length_px,
+                                               clip_from_world, world_from_clip, viewport);
+    return kind == LA_KIND_INTERSECTION ? within_own_face(description) : description;
 }
 
 static bool is_silhouette(const uint face_a, const uint face_b, __global const uchar* front) {
@@ -68,9 +72,9 @@ KERNEL(project_clip, ProjectClipParameters) {
     }
     const float2 across = float2(-d.y, d.x) / length_px;
     const uint p_index = segments[i].p, q_index = segments[i].q;
-    const uint own_a = own_face(face_a, p_index, q_index, cp, cq, across, length_px, vertices,
+    const uint own_a = own_face(face_a, kind, p_index, q_index, cp, cq, across, length_px, vertices,
                                 triangles, clip_from_world, world_from_clip, viewport);
-    const uint own_b = own_face(face_b, p_index, q_index, cp, cq, across, length_px, vertices,
+    const uint own_b = own_face(face_b, kind, p_index, q_index, cp, cq, across, length_px, vertices,
                                 triangles, clip_from_world, world_from_clip, viewport);
     arcs[i] = max((uint)(length_px * LA_ARC_UNITS_PER_PIXEL), 1u);
     if (args.hidden != LA_HIDDEN_SAMPLED &&

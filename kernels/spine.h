@@ -5,7 +5,8 @@
 /* One of the two faces of a line, as describe_own_face() in clipping.h packs it. */
 struct OwnFace {
     float slope;  /* window depth per pixel across the line, to the left */
-    float height; /* of the third corner above the line, pixels, positive to the left; 0: no face */
+    float height; /* of the third corner above the line, pixels, positive to the left; 0: no face;
+                     LA_BOTH_SIDES: the line runs within it */
 };
 LA_TYPEDEF(OwnFace)
 
@@ -50,7 +51,8 @@ FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, cons
     spine.b = unpack_own_face(own_b);
     const bool both_left = spine.a.height > 0.0f && spine.b.height > 0.0f;
     const bool both_right = spine.a.height < 0.0f && spine.b.height < 0.0f;
-    spine.outside = both_left ? -1.0f : both_right ? 1.0f : 0.0f;
+    const bool within = fmax(spine.a.height, spine.b.height) > LA_HEIGHT_LIMIT;
+    spine.outside = within ? 0.0f : both_left ? -1.0f : both_right ? 1.0f : 0.0f;
     return spine;
 }
 
@@ -62,7 +64,8 @@ FUNCTION lanes_mask is_own_face(const OwnFace face, const lanes_float seen,
     const float reach = fabs(face.height) + LA_OWN_FACE_SNAP;
     const float snap = fabs(face.slope) * LA_OWN_FACE_SNAP + LA_DEPTH_ROUNDING;
     const lanes_float expected = face.slope * across;
-    const lanes_mask on_side = across * sign > -LA_OWN_FACE_SNAP;
+    const float least = face.height > LA_HEIGHT_LIMIT ? -LA_HEIGHT_LIMIT : -LA_OWN_FACE_SNAP;
+    const lanes_mask on_side = across * sign > least;
     const lanes_mask in_reach =
         fabs(across) <= reach || fabs(expected) <= LA_OWN_FACE_REACH * before;
     return on_side && in_reach && fabs(seen - expected) <= fmin(snap, before);

@@ -42,15 +42,21 @@ bool is_silhouette(uint face_a, uint face_b) {
 }
 
 // describe_own_face() of a face that may be none.
-uint own_face(uint face, uvec2 ends, vec4 p, vec4 q, vec2 across, float length_px) {
+uint own_face(uint face, uint kind, uvec2 ends, vec4 p, vec4 q, vec2 across, float length_px) {
     if (face == LA_NO_FACE) return 0u;
     uvec3 corners = texelFetch(triangles, int(face & LA_FACE_INDEX)).xyz;
-    uint third = corners.x != ends.x && corners.x != ends.y   ? corners.x
-                 : corners.y != ends.x && corners.y != ends.y ? corners.y
-                                                              : corners.z;
-    return describe_own_face(vertex(corners.x), vertex(corners.y), vertex(corners.z), vertex(third),
-                             p, q, across, length_px, to_matrix(clip_from_world),
-                             to_matrix(world_from_clip), viewport);
+    vec3 a = vertex(corners.x), b = vertex(corners.y), c = vertex(corners.z);
+    uint third = corners.x != ends.x && corners.x != ends.y   ? 0u
+                 : corners.y != ends.x && corners.y != ends.y ? 1u
+                                                              : 2u;
+    bool holds_p = any(equal(corners, uvec3(ends.x))), holds_q = any(equal(corners, uvec3(ends.y)));
+    if (!holds_p || !holds_q) // the line is a part of an edge
+        third = farthest_corner(a, b, c, vertex(ends.x), vertex(ends.y));
+    vec3 corner = third == 0u ? a : third == 1u ? b : c;
+    uint description = describe_own_face(a, b, c, corner, p, q, across, length_px,
+                                         to_matrix(clip_from_world), to_matrix(world_from_clip),
+                                         viewport);
+    return kind == LA_KIND_INTERSECTION ? within_own_face(description) : description;
 }
 
 // ends: vertex indices; faces: the triangles on either side.
@@ -75,8 +81,8 @@ Stroke make_stroke(uvec2 ends, uvec2 faces, uint tag) {
     if (length_px <= 0.0) return stroke;
     vec2 along = (stroke.end - stroke.start) / length_px;
     vec2 across = vec2(-along.y, along.x);
-    stroke.own_faces = uvec2(own_face(faces.x, ends, stroke.p, stroke.q, across, length_px),
-                             own_face(faces.y, ends, stroke.p, stroke.q, across, length_px));
+    stroke.own_faces = uvec2(own_face(faces.x, kind, ends, stroke.p, stroke.q, across, length_px),
+                             own_face(faces.y, kind, ends, stroke.p, stroke.q, across, length_px));
     vec2 depths = vec2(stroke.p.z / stroke.p.w, stroke.q.z / stroke.q.w) * 0.5 + 0.5;
     stroke.drawn = !use_tiles ||
                    !is_hidden(vec3(stroke.start, depths.x),

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lineatlas/lines.hpp"
@@ -16,9 +17,9 @@ namespace lineatlas::apps {
 /// `draw --certify`: checks drawings of one model by rays.
 class Certifier {
   public:
-    /// `lines` are those that are drawn, of the mesh, and must outlive it; creases are bent by more
-    /// than `crease_angle` radians. Throws FileError when the module for rays can't be loaded.
-    Certifier(const Mesh& mesh, const LineSet& lines, float crease_angle);
+    /// `lines` are those that are drawn, of the mesh, and must outlive it; creases are those of
+    /// LineOptions::crease_angle. Throws FileError when the module for rays can't be loaded.
+    Certifier(const Mesh& mesh, const LineSet& lines, std::optional<float> crease_angle);
     ~Certifier();
 
     /// Says on stdout, and returns, what rays find in one line.

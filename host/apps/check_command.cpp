@@ -66,7 +66,7 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
         if (const auto projection = described(drawing.description, "--projection"))
             making.view.projection = parse_projection(*projection);
         if (const auto crease = described(drawing.description, "--crease"))
-            making.lines.crease_angle = parse_degrees(*crease);
+            making.lines.crease_angle = parse_crease("--crease", *crease);
         if (const auto kinds = described(drawing.description, "--lines")) {
             const std::optional<LineKindMask> known = line_kinds_from(*kinds);
             if (!known) throw UsageError("--lines \"" + *kinds + "\" is unknown");

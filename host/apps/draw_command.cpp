@@ -1,6 +1,6 @@
 #include "commands.hpp"
 
-#include <numbers>
+#include <optional>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -44,15 +44,13 @@
 namespace lineatlas::apps {
 namespace {
 
-constexpr float radians_per_degree = std::numbers::pi_v<float> / 180;
-
 /// The command line of `draw` as written; what is empty was not given.
 struct DrawArguments {
     std::string model, scene, output;
     std::string size = "1024x768";
     ViewOptions view;
     float at = 0;
-    float crease = 30;
+    std::string crease = "auto";
     SettingOptions<FrameSettings> frame;
     StyleOptions style;
     ReadOptions read;
@@ -70,6 +68,10 @@ FrameSettings frame_settings_of(const DrawArguments& arguments) {
     FrameSettings settings;
     arguments.frame.apply(settings);
     return settings;
+}
+
+std::optional<float> crease_angle(const DrawArguments& arguments) {
+    return parse_crease("--crease", arguments.crease);
 }
 
 /// What is drawn, and the view on it unless the command line says another.
@@ -96,8 +98,7 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::vector<st
 }
 
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
-    const LineOptions line_options{.kinds = kinds,
-                                   .crease_angle = arguments.crease * radians_per_degree};
+    const LineOptions line_options{.kinds = kinds, .crease_angle = crease_angle(arguments)};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         LineSet lines = extract_lines(scene.mesh, line_options);
@@ -166,7 +167,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
         throw UsageError("name either a MODEL file or a --scene");
     }
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
-    check_range("--crease", arguments.crease, 0, 180);
+    crease_angle(arguments);
     check_range("--at", arguments.at, 0, 1);
     const bool sequence = arguments.sequence.given(arguments.output);
     if (sequence && arguments.stats) {
@@ -250,6 +251,7 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
     if (!arguments.stats) return;
     measure_and_print(
         {.name = subject.name,
+         .lines = subject.lines,
          .options = drawing.options,
          .repeat = arguments.repeat,
          .draw = [&](const FrameOptions& wanted) { return measuring->draw(camera, wanted); }},
@@ -285,8 +287,7 @@ void draw_paths(const Drawing& drawing, const FindIntervals& find, const Measuri
     svg.background = !drawing.arguments.picture.transparent();
     std::optional<Certifier> certifier;
     if (paths.certify()) {
-        certifier.emplace(subject.mesh, subject.lines,
-                          drawing.arguments.crease * radians_per_degree);
+        certifier.emplace(subject.mesh, subject.lines, crease_angle(drawing.arguments));
     }
     VectorFrame frame{
         .style = drawing.options.style,
@@ -400,7 +401,9 @@ Command setup_draw(CLI::App& app) {
     app.add_option("--scene", a.scene,
                    "A built-in scene in place of MODEL: clevis, house, ship, office")
         ->group(model);
-    app.add_option("--crease", a.crease, "Edges bent by more than this are creases, in degrees")
+    app.add_option("--crease", a.crease,
+                   "Edges bent by more degrees than this are creases; auto: by more than 30, "
+                   "but for noise of scanned or sculpted surfaces")
         ->capture_default_str()
         ->group(model);
 

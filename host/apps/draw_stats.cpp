@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <epoxy/gl.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace lineatlas::apps {
 namespace {
@@ -18,10 +18,24 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+void print_lines(const LineSet& lines) {
+    std::vector<std::string> kinds;
+    for (std::size_t i = 0; i < line_kind_names.size(); ++i) {
+        if (lines.kind_counts.at(i) > 0)
+            kinds.push_back(fmt::format("{} {}", lines.kind_counts.at(i), line_kind_names.at(i)));
+    }
+    if (!kinds.empty()) fmt::print("segments by kind: {}\n", fmt::join(kinds, ", "));
+    const LeftOut& left_out = lines.left_out;
+    fmt::print("left out: {} creases that are noise; {} seams, and parts of {} more\n",
+               left_out.noisy_creases, left_out.seams, left_out.cut_seams);
+    fmt::print("extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms\n",
+               lines.times.creases, lines.times.seams, lines.times.intersections);
+}
+
 } // namespace
 
 void measure_and_print(MeasuredFrame frame, const Renderer& renderer) {
-    auto& [name, options, repeat, draw] = frame;
+    auto& [name, lines, options, repeat, draw] = frame;
     std::vector<double> frame_times;
     std::vector<std::string> stage_order;
     std::map<std::string, std::vector<double>> stage_times;
@@ -45,6 +59,7 @@ void measure_and_print(MeasuredFrame frame, const Renderer& renderer) {
     }
     fmt::print("{}: {} triangles ({} drawn), {} segments\n", name, stats.triangles,
                stats.triangles_drawn, stats.segments);
+    print_lines(lines);
     fmt::print("{}\n", renderer.description());
     fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
     const auto per = [](std::uint64_t bytes, std::uint32_t count) {

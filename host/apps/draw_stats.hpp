@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "lineatlas/lines.hpp"
 #include "lineatlas/renderer.hpp"
 
 namespace lineatlas::apps {
@@ -10,6 +11,7 @@ namespace lineatlas::apps {
 /// The frame that `--stats` measures.
 struct MeasuredFrame {
     std::string name; ///< of the model
+    const LineSet& lines;
     FrameOptions options;
     int repeat;
     std::function<FrameStats(const FrameOptions&)> draw;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -70,6 +71,14 @@ glm::ivec2 parse_size(std::string_view option, const std::string& text) {
     }
     throw UsageError(fmt::format(
         "{} \"{}\" is not a picture size; write it as 1024x768, both at least 1", option, text));
+}
+
+std::optional<float> parse_crease(std::string_view option, const std::string& text) {
+    if (text == "auto") return std::nullopt;
+    const std::optional<float> degrees = parse_number<float>(text);
+    if (degrees && *degrees >= 0 && *degrees <= 180) // NaN is not
+        return *degrees * std::numbers::pi_v<float> / 180;
+    throw UsageError(fmt::format("{} must be auto or from 0 to 180 degrees, not {}", option, text));
 }
 
 glm::vec3 parse_vector(std::string_view option, const std::string& text) {

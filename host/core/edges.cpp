@@ -209,8 +209,21 @@ std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3
     return count;
 }
 
-std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,
-                                 const std::vector<glm::dvec3>& normals,
+std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
+                             const std::vector<glm::dvec3>& normals) {
+    std::vector<double> bends(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const MeshEdge& edge = edges[i];
+        if (edge.face_count != 2) continue;
+        const double sign = (edge.face_b & LA_FACE_FLIPPED) != 0 ? -1 : 1;
+        const glm::dvec3 a = normals[edge.face_a], b = sign * normals[edge.face_b & LA_FACE_INDEX];
+        // atan2 of sine and cosine: exact for small angles, where acos is not.
+        bends[i] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    }
+    return bends;
+}
+
+std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                  const LineOptions& options) {
     const auto wanted = [&](LineKind kind) { return (options.kinds & mask_of(kind)) != 0; };
     if (edge.face_count != 2) {
@@ -220,14 +233,9 @@ std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,
     if (wanted(LineKind::material) && mesh.triangle_group[edge.face_a] != mesh.triangle_group[b]) {
         return LineKind::material;
     }
-    const double sign = (edge.face_b & LA_FACE_FLIPPED) != 0 ? -1 : 1;
-    const glm::dvec3 normal_a = normals[edge.face_a];
-    const glm::dvec3 normal_b = sign * normals[b];
-    // atan2 of sine and cosine: exact for small angles, where acos is not.
-    const double angle =
-        std::atan2(glm::length(glm::cross(normal_a, normal_b)), glm::dot(normal_a, normal_b));
-    if (wanted(LineKind::crease) && angle > options.crease_angle) return LineKind::crease;
-    if (wanted(LineKind::silhouette) && angle > coplanar_angle) return LineKind::silhouette;
+    if (wanted(LineKind::crease) && bend > options.crease_angle.value_or(least_crease_angle))
+        return LineKind::crease;
+    if (wanted(LineKind::silhouette) && bend > coplanar_angle) return LineKind::silhouette;
     return std::nullopt;
 }
 

@@ -35,9 +35,17 @@ std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh);
 /// into such.
 std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals);
 
-/// The kind of line that the edge is under `options`; nothing if it is never one.
-std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,
-                                 const std::vector<glm::dvec3>& normals,
+/// By how much the two faces of every edge are bent against each other, in radians from 0 (flat) to
+/// pi (folded back); 0 for edges that have not two.
+std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
+                             const std::vector<glm::dvec3>& normals);
+
+/// LineOptions::crease_angle where it is nothing: what bends less is no crease, and what bends more
+/// is none only where it is noise (noisy_creases.hpp). 30 degrees.
+inline constexpr float least_crease_angle = 0.5235988F;
+
+/// The kind of line that an edge with this bend is under `options`; nothing if it is never one.
+std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                  const LineOptions& options);
 
 } // namespace lineatlas

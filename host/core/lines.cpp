@@ -4,27 +4,29 @@
 #include <array>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 
-#include "chain.hpp"
+#include "added_vertices.hpp"
+#include "box_tree.hpp"
 #include "edges.hpp"
+#include "host_clock.hpp"
+#include "intersections.hpp"
+#include "line_set_builder.hpp"
 #include "lineatlas/error.hpp"
+#include "noisy_creases.hpp"
+#include "parts.hpp"
+#include "seams.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
 namespace {
-
-/// A fixed line (always drawn) or a silhouette candidate, before it is chained.
-struct Line {
-    std::uint32_t p, q;
-    std::uint32_t face_a = LA_NO_FACE;
-    std::uint32_t face_b = LA_NO_FACE;
-    LineKind kind;
-    LineSource source{}; ///< from p to q
-};
 
 void check_angle(const char* name, float angle) {
     constexpr float most = std::numbers::pi_v<float> * 1.000001F; // of 180 degrees in floats
@@ -93,131 +95,248 @@ void add_colors(const std::vector<MeshGroup>& groups,
         result.triangle_color.push_back(color_of_group[group]);
 }
 
-class LineSetBuilder {
+/// Materials as numbers: triangles of one are one surface where they meet in a plane. What has no
+/// material is of its object.
+std::vector<std::uint32_t> materials_of(const std::vector<MeshGroup>& groups,
+                                        const WeldedMesh& mesh,
+                                        const std::vector<std::uint32_t>& objects) {
+    std::map<std::pair<std::string, bool>, std::uint32_t> known;
+    std::vector<std::uint32_t> of_group;
+    for (const MeshGroup& group : groups) {
+        const bool named = !group.material.empty();
+        const auto fresh = static_cast<std::uint32_t>(known.size());
+        of_group.push_back(
+            known.emplace(std::pair{named ? group.material : group.object, named}, fresh)
+                .first->second);
+    }
+    std::vector<std::uint32_t> materials(mesh.triangles.size(), 0);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (!of_group.empty()) materials[i] = of_group[mesh.triangle_group[i]];
+        if (!objects.empty())
+            materials[i] +=
+                objects[i] * std::max<std::uint32_t>(1, static_cast<std::uint32_t>(known.size()));
+    }
+    return materials;
+}
+
+/// Of every triangle; empty where all of the mesh is one.
+std::vector<std::uint32_t> objects_of(const WeldedMesh& mesh) {
+    std::vector<std::uint32_t> objects;
+    if (mesh.object_ends.size() < 2) return objects;
+    objects.reserve(mesh.triangles.size());
+    for (const glm::uvec3& t : mesh.triangles) {
+        const auto end = std::ranges::upper_bound(mesh.object_ends, t.x);
+        objects.push_back(static_cast<std::uint32_t>(end - mesh.object_ends.begin()));
+    }
+    return objects;
+}
+
+double milliseconds_since(std::int64_t start) {
+    return 1e-6 * static_cast<double>(host_nanoseconds() - start);
+}
+
+/// From a mesh to its lines, step by step.
+class Extraction {
   public:
-    explicit LineSetBuilder(const WeldedMesh& mesh) {
-        edges_at_vertex_.assign(mesh.vertices.size(), 0);
+    Extraction(const Mesh& mesh, const LineOptions& options)
+        : mesh_(mesh), options_(options),
+          objects_(options.separate_objects ? find_objects(mesh) : MeshObjects{}),
+          welded_(weld(mesh, objects_)), edges_(mesh_edges(welded_)) {
+        first_face_.reserve(edges_.size());
+        for (const MeshEdge& edge : edges_) first_face_.push_back(edge.face_a);
+        replace_slivers(welded_, edges_);
+        normals_ = face_normals(welded_);
     }
 
-    void count_vertices(const std::vector<Line>& lines) {
-        for (const Line& line : lines) {
-            ++edges_at_vertex_[line.p];
-            ++edges_at_vertex_[line.q];
-        }
+    LineSet run() {
+        classify_edges();
+        find_parts_and_tree();
+        leave_out_seams();
+        collect_lines();
+        add_intersections();
+        return assemble();
     }
-
-    void append(const Line& line, bool reversed, std::uint32_t from_start, std::uint32_t to_end,
-                bool closed) {
-        std::uint32_t tag = static_cast<std::uint32_t>(line.kind);
-        if (closed) tag |= LA_TAG_CLOSED;
-        const bool alone = from_start == 0 && to_end == 0 && edges_at_vertex_[line.p] == 1 &&
-                           edges_at_vertex_[line.q] == 1;
-        if (alone) tag |= LA_TAG_LONE;
-        result.segments.push_back({.p = reversed ? line.q : line.p,
-                                   .q = reversed ? line.p : line.q,
-                                   .face_a = line.face_a,
-                                   .face_b = line.face_b,
-                                   .from_start = from_start,
-                                   .to_end = to_end,
-                                   .path = result.path_count,
-                                   .tag = tag});
-        const LineSource& source = line.source;
-        result.sources.push_back({reversed ? source.to : source.from,
-                                  reversed ? source.from : source.to, source.triangle});
-        ++result.kind_counts[static_cast<std::size_t>(line.kind)];
-    }
-
-    /// Fixed lines, chained.
-    void append_paths(const std::vector<Line>& lines, const std::vector<Chain>& chains) {
-        for (const Chain& chain : chains) {
-            const auto count = static_cast<std::uint32_t>(chain.steps.size());
-            for (std::uint32_t i = 0; i < count; ++i) {
-                const ChainStep step = chain.steps[i];
-                append(lines[step.edge], step.reversed, i, count - 1 - i, chain.closed);
-            }
-            ++result.path_count;
-        }
-    }
-
-    /// Silhouette candidates: which of them are silhouettes changes from frame to frame, so each is
-    /// a path of its own (§4.1).
-    void append_candidates(const std::vector<Line>& candidates) {
-        for (const Line& line : candidates) {
-            append(line, false, 0, 0, false);
-            ++result.path_count;
-        }
-    }
-
-    LineSet result;
 
   private:
-    std::vector<std::uint32_t> edges_at_vertex_;
+    bool wanted(LineKind kind) const { return (options_.kinds & mask_of(kind)) != 0; }
+
+    void classify_edges() {
+        const std::int64_t start = host_nanoseconds();
+        const std::vector<double> bends = bends_of(edges_, normals_);
+        for (std::size_t i = 0; i < edges_.size(); ++i)
+            kinds_.push_back(classify(edges_[i], welded_, bends[i], options_));
+        if (options_.crease_angle || !wanted(LineKind::crease)) return;
+        const std::vector<bool> noisy = noisy_creases(welded_, edges_, bends, kinds_);
+        const LineOptions smooth{.kinds = options_.kinds & ~mask_of(LineKind::crease)};
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            if (!noisy[i]) continue;
+            kinds_[i] = classify(edges_[i], welded_, bends[i], smooth);
+            ++left_out_.noisy_creases;
+        }
+        times_.creases = milliseconds_since(start);
+    }
+
+    /// Nothing passes through, or abuts on, a body that is closed and alone.
+    void find_parts_and_tree() {
+        const bool is_open =
+            std::ranges::any_of(edges_, [](const MeshEdge& edge) { return edge.face_count == 1; });
+        const MeshParts parts = find_parts(welded_);
+        has_parts_ = parts.count > 1;
+        if (!has_parts_ && !is_open) return;
+        std::vector<Bounds> boxes;
+        std::vector<std::uint32_t> owners;
+        boxes.reserve(welded_.triangles.size());
+        owners.reserve(welded_.triangles.size());
+        for (const glm::uvec3& t : welded_.triangles) {
+            const glm::vec3 a = welded_.vertices[t.x], b = welded_.vertices[t.y],
+                            c = welded_.vertices[t.z];
+            boxes.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
+            owners.push_back(parts.of_vertex[t.x]);
+        }
+        tree_.emplace(boxes, owners);
+        object_of_triangle_ = objects_of(welded_);
+    }
+
+    void leave_out_seams() {
+        if (!tree_) return;
+        const std::int64_t start = host_nanoseconds();
+        seams_ = find_seams(welded_, edges_, normals_, kinds_, *tree_,
+                            materials_of(mesh_.groups, welded_, object_of_triangle_));
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            if (seams_.of_edge[i]) kinds_[i].reset();
+            left_out_.seams += seams_.of_edge[i] ? 1 : 0;
+        }
+        left_out_.cut_seams = seams_.cut.size();
+        times_.seams = milliseconds_since(start);
+    }
+
+    void collect_lines() {
+        std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
+        if (wanted(LineKind::file)) fixed_ = file_lines(welded_, line_of_edge);
+        auto cut = seams_.cut.begin();
+        auto left = seams_.left.begin();
+        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+            const MeshEdge& edge = edges_[i];
+            const auto parts = left;
+            while (left != seams_.left.end() && left->edge == i) ++left;
+            const bool is_cut = cut != seams_.cut.end() && *cut == i;
+            if (is_cut) ++cut;
+            if (!line_of_edge.empty()) {
+                const auto found = line_of_edge.find(edge_key(edge.p, edge.q));
+                if (found != line_of_edge.end()) {
+                    fixed_[found->second].face_a = edge.face_a;
+                    fixed_[found->second].face_b = edge.face_b;
+                    continue;
+                }
+            }
+            if (!kinds_[i]) continue;
+            Line line{edge.p,      edge.q,
+                      edge.face_a, edge.face_b,
+                      *kinds_[i],  triangle_edge(mesh_, welded_, first_face_[i], edge.p, edge.q)};
+            if (!is_cut) {
+                (line.kind == LineKind::silhouette ? candidates_ : fixed_).push_back(line);
+                continue;
+            }
+            for (auto part = parts; part != left; ++part) {
+                line.p = added_.at(edge.p, edge.q, part->from);
+                line.q = added_.at(edge.p, edge.q, part->to);
+                if (line.p != line.q) fixed_.push_back(line);
+            }
+        }
+    }
+
+    void add_intersections() {
+        if (!has_parts_ || !wanted(LineKind::intersection)) return;
+        const std::int64_t start = host_nanoseconds();
+        std::vector<Intersection> found =
+            find_intersections(welded_, normals_, *tree_, object_of_triangle_);
+        std::vector<DrawnLine> drawn;
+        drawn.reserve(fixed_.size());
+        const std::size_t vertices = welded_.vertices.size();
+        for (const Line& line : fixed_) {
+            if (line.p < vertices && line.q < vertices) drawn.push_back({line.p, line.q});
+        }
+        drop_doubled(welded_, normals_, drawn, found);
+        std::ranges::sort(found, {}, [](const Intersection& one) {
+            return std::pair{one.face_a, one.face_b};
+        });
+        for (const Intersection& one : found) {
+            fixed_.push_back({.p = added_.at(one.p.from, one.p.to, one.p.share),
+                              .q = added_.at(one.q.from, one.q.to, one.q.share),
+                              .face_a = one.face_a,
+                              .face_b = one.face_b,
+                              .kind = LineKind::intersection,
+                              .source = {.triangle = welded_.triangle_source[one.face_a],
+                                         .crossing = welded_.triangle_source[one.face_b]}});
+        }
+        times_.intersections = milliseconds_since(start);
+    }
+
+    /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes.
+    void renumber() {
+        const std::vector<std::uint32_t> number = added_.insert();
+        std::unordered_set<std::uint64_t> known;
+        const bool has_added = std::ranges::any_of(
+            fixed_, [](const Line& line) { return line.kind == LineKind::intersection; });
+        const auto place = [&](Line& line) {
+            line.p = number[line.p];
+            line.q = number[line.q];
+            const bool is_new = !has_added || known.insert(edge_key(line.p, line.q)).second;
+            return is_new && line.p != line.q;
+        };
+        for (Line& line : candidates_) place(line);
+        std::erase_if(fixed_, [&](Line& line) { return !place(line); });
+    }
+
+    LineSet assemble() {
+        renumber();
+        LineSetBuilder builder{welded_.vertices.size()};
+        builder.add(welded_.vertices, fixed_, candidates_, options_.chain_angle);
+        LineSet result = std::move(builder.result);
+        result.left_out = left_out_;
+        result.times = times_;
+        result.odd = welded_.odd;
+        result.odd.flat = flat_face_count(welded_, normals_);
+        result.vertices = std::move(welded_.vertices);
+        result.triangles = std::move(welded_.triangles);
+        result.vertex_sources = std::move(welded_.vertex_sources);
+        result.cut_vertices = added_.cuts();
+        for (std::size_t i = 0; i < objects_.names.size(); ++i) {
+            const std::uint32_t first = i > 0 ? welded_.object_ends[i - 1] : 0;
+            result.objects.push_back({objects_.names[i], first, welded_.object_ends[i] - first});
+        }
+        add_colors(mesh_.groups, welded_.triangle_group, result);
+        for (const glm::vec3& v : result.vertices) {
+            result.bounds.min = glm::min(result.bounds.min, v);
+            result.bounds.max = glm::max(result.bounds.max, v);
+        }
+        return result;
+    }
+
+    const Mesh& mesh_;
+    const LineOptions& options_;
+    MeshObjects objects_;
+    WeldedMesh welded_;
+    std::vector<MeshEdge> edges_;
+    std::vector<std::uint32_t> first_face_; ///< of edges, before a neighbour stands for a sliver
+    std::vector<glm::dvec3> normals_;
+    std::vector<std::optional<LineKind>> kinds_; ///< nothing: never a line
+    bool has_parts_ = false;
+    std::optional<BoxTree> tree_; ///< of triangles
+    std::vector<std::uint32_t> object_of_triangle_;
+    Seams seams_;
+    AddedVertices added_{welded_};
+    std::vector<Line> fixed_, candidates_;
+    LeftOut left_out_;
+    LineTimes times_;
 };
 
 } // namespace
 
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
-    check_angle("crease_angle", options.crease_angle);
+    if (options.crease_angle) check_angle("crease_angle", *options.crease_angle);
     check_angle("chain_angle", options.chain_angle);
-    const MeshObjects objects = options.separate_objects ? find_objects(mesh) : MeshObjects{};
-    WeldedMesh welded = weld(mesh, objects);
-    std::vector<MeshEdge> edges = mesh_edges(welded);
-    std::vector<std::uint32_t> first_face; // before a neighbour stands for a sliver
-    first_face.reserve(edges.size());
-    for (const MeshEdge& edge : edges) first_face.push_back(edge.face_a);
-    replace_slivers(welded, edges);
-    const std::vector<glm::dvec3> normals = face_normals(welded);
-
-    std::vector<Line> fixed;
-    std::vector<Line> candidates;
-    std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
-    if ((options.kinds & mask_of(LineKind::file)) != 0) fixed = file_lines(welded, line_of_edge);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const MeshEdge& edge = edges[i];
-        if (!line_of_edge.empty()) {
-            const auto found = line_of_edge.find(edge_key(edge.p, edge.q));
-            if (found != line_of_edge.end()) {
-                fixed[found->second].face_a = edge.face_a;
-                fixed[found->second].face_b = edge.face_b;
-                continue;
-            }
-        }
-        const std::optional<LineKind> kind = classify(edge, welded, normals, options);
-        if (!kind) continue;
-        (*kind == LineKind::silhouette ? candidates : fixed)
-            .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kind,
-                        triangle_edge(mesh, welded, first_face[i], edge.p, edge.q)});
-    }
-
-    std::vector<ChainEdge> to_chain;
-    to_chain.reserve(fixed.size());
-    for (const Line& line : fixed) {
-        to_chain.push_back({line.p, line.q, static_cast<std::uint32_t>(line.kind)});
-    }
-    LineSetBuilder builder{welded};
-    builder.count_vertices(fixed);
-    builder.count_vertices(candidates);
-    builder.result.segments.reserve(fixed.size() + candidates.size());
-    builder.result.sources.reserve(fixed.size() + candidates.size());
-    builder.append_paths(fixed, chain_edges(welded.vertices, to_chain, options.chain_angle));
-    builder.append_candidates(candidates);
-
-    LineSet result = std::move(builder.result);
-    result.odd = welded.odd;
-    result.odd.flat = flat_face_count(welded, normals);
-    result.vertices = std::move(welded.vertices);
-    result.triangles = std::move(welded.triangles);
-    result.vertex_sources = std::move(welded.vertex_sources);
-    for (std::size_t i = 0; i < objects.names.size(); ++i) {
-        const std::uint32_t first = i > 0 ? welded.object_ends[i - 1] : 0;
-        result.objects.push_back({objects.names[i], first, welded.object_ends[i] - first});
-    }
-    add_colors(mesh.groups, welded.triangle_group, result);
-    for (const glm::vec3& v : result.vertices) {
-        result.bounds.min = glm::min(result.bounds.min, v);
-        result.bounds.max = glm::max(result.bounds.max, v);
-    }
-    return result;
+    return Extraction{mesh, options}.run();
 }
 
 } // namespace lineatlas

@@ -23,13 +23,19 @@ Blocking::Blocking(const RayScene& scene, const PreciseCamera& projection, const
     : scene_(scene), projection_(projection), contact_(rule.contact * scene.extent()),
       patch_pixels_(rule.patch_pixels) {
     const Segment& line = scene.lines().segments[segment];
-    for (const std::uint32_t triangle : scene.triangles_at(line.p)) {
-        const glm::uvec3 t = scene.lines().triangles[triangle];
-        if (t.x != line.q && t.y != line.q && t.z != line.q) continue;
+    const auto add = [&](std::uint32_t triangle) {
+        if (contains(own_, triangle)) return;
         own_.push_back(triangle);
         const std::uint32_t patch = scene.patches()[triangle];
         if (!contains(own_patches_, patch)) own_patches_.push_back(patch);
+    };
+    for (const std::uint32_t triangle : scene.triangles_at(line.p)) {
+        const glm::uvec3 t = scene.lines().triangles[triangle];
+        if (t.x == line.q || t.y == line.q || t.z == line.q) add(triangle);
     }
+    // Those of a part of an edge, and of an intersection, have not both of its ends as corners.
+    for (const std::uint32_t face : {line.face_a, line.face_b})
+        if (face != LA_NO_FACE) add(face & LA_FACE_INDEX);
 }
 
 bool Blocking::is_own_surface(std::uint32_t triangle) const {

@@ -80,8 +80,8 @@ void add_path(const nlohmann::json& path, DrawingFile& drawing) {
         const glm::dvec2 b = points.at((at + 1) % points.size());
         const glm::dvec2 part = piece.contains("part") ? point(piece.at("part")) : glm::dvec2{0, 1};
         drawing.tags.push_back({glm::mix(a, b, part.x), glm::mix(a, b, part.y),
-                                piece.at("from").get<std::uint32_t>(),
-                                piece.at("to").get<std::uint32_t>()});
+                                piece.value("from", LineSource::none),
+                                piece.value("to", LineSource::none)});
     }
 }
 
@@ -130,8 +130,12 @@ std::optional<std::string> described(std::string_view description, std::string_v
 
 DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines) {
     std::unordered_map<std::uint64_t, std::uint32_t> segments;
-    for (std::uint32_t i = 0; i < lines.sources.size(); ++i)
-        segments.emplace(edge_key(lines.sources[i].from, lines.sources[i].to), i);
+    for (std::uint32_t i = 0; i < lines.sources.size(); ++i) {
+        const auto [known, is_new] =
+            segments.emplace(edge_key(lines.sources[i].from, lines.sources[i].to), i);
+        // Parts of one edge, or intersections, which have none.
+        if (!is_new) known->second = DrawnPiece::unknown;
+    }
     DrawnLines drawn{.legs = drawing.legs, .pieces = {}};
     for (const TaggedPiece& tag : drawing.tags) {
         const auto found = segments.find(edge_key(tag.p, tag.q));

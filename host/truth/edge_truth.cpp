@@ -44,6 +44,13 @@ Drawn is_drawn(const LineSet& lines, const PreciseCamera& projection, const Segm
 /// Triangles that share a corner with one that touches the segment, sorted.
 std::vector<std::uint32_t> two_rings(const RayScene& scene, const Segment& segment) {
     std::vector<std::uint32_t> corners{segment.p, segment.q};
+    if (scene.triangles_at(segment.p).empty() || scene.triangles_at(segment.q).empty()) {
+        for (const std::uint32_t face : {segment.face_a, segment.face_b}) {
+            if (face == LA_NO_FACE) continue;
+            const glm::uvec3 t = scene.lines().triangles[face & LA_FACE_INDEX];
+            corners.insert(corners.end(), {t.x, t.y, t.z});
+        }
+    }
     std::vector<std::uint32_t> triangles;
     for (int ring = 0; ring < 2; ++ring) {
         triangles.clear();

@@ -54,17 +54,23 @@ class Sets {
 } // namespace
 
 std::vector<std::uint32_t> smooth_patches(const LineSet& lines) {
-    std::unordered_set<std::uint64_t> borders;
+    std::unordered_set<std::uint64_t> borders; // edges
+    std::unordered_set<std::uint64_t> parted;  // pairs of triangles
     for (const Segment& segment : lines.segments) {
-        if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE)
-            borders.insert(edge_key(segment.p, segment.q));
+        const std::uint32_t kind = segment.tag & LA_TAG_KIND_MASK;
+        if (kind == LA_KIND_SILHOUETTE || kind == LA_KIND_INTERSECTION) continue;
+        borders.insert(edge_key(segment.p, segment.q));
+        // A part of an edge has other ends than the edge.
+        if (segment.face_b != LA_NO_FACE)
+            parted.insert(edge_key(segment.face_a, segment.face_b & LA_FACE_INDEX));
     }
     const std::vector<TriangleEdge> edges = sorted_edges(lines.triangles);
     Sets patches{lines.triangles.size()};
     for (std::size_t first = 0; first < edges.size();) {
         std::size_t end = first;
         while (end < edges.size() && edges[end].key == edges[first].key) ++end;
-        if (end - first == 2 && !borders.contains(edges[first].key))
+        if (end - first == 2 && !borders.contains(edges[first].key) &&
+            !parted.contains(edge_key(edges[first].triangle, edges[first + 1].triangle)))
             patches.unite(edges[first].triangle, edges[first + 1].triangle);
         first = end;
     }

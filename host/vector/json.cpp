@@ -32,11 +32,16 @@ double short_float(double value) {
 }
 
 Json piece_json(const VectorPiece& piece) {
-    Json json{{"point", piece.point}, {"from", piece.source.from}, {"to", piece.source.to}};
+    Json json{{"point", piece.point}};
+    if (piece.source.from != LineSource::none) {
+        json["from"] = piece.source.from;
+        json["to"] = piece.source.to;
+    }
     if (piece.from > 0 || piece.to < 1) {
         json["part"] = {rounded(double{piece.from}, 1000), rounded(double{piece.to}, 1000)};
     }
     if (piece.source.triangle != LineSource::none) json["triangle"] = piece.source.triangle;
+    if (piece.source.crossing != LineSource::none) json["crossing"] = piece.source.crossing;
     if (piece.group != VectorPiece::none) json["group"] = piece.group;
     return json;
 }

@@ -16,9 +16,9 @@
 namespace lineatlas {
 namespace {
 
-/// By LineKind: crease, boundary, material, silhouette, file. What outlines the model is drawn
-/// last.
-constexpr std::array drawn_rank{1, 2, 0, 3, 4};
+/// By LineKind: crease, boundary, material, silhouette, file, intersection. What outlines the model
+/// is drawn last.
+constexpr std::array drawn_rank{1, 3, 0, 4, 5, 2};
 
 void sort_for_drawing(std::vector<VectorPath>& paths) {
     std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {

@@ -29,7 +29,7 @@ std::string list(const char* what, const std::vector<std::string>& names) {
 std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
     std::vector<std::string> objects;
     std::vector<std::string> materials;
-    std::string edges = "edges";
+    std::string edges = path.kind == LineKind::intersection ? "triangles" : "edges";
     const VectorPiece* last = nullptr;
     for (const VectorPiece& piece : path.pieces) {
         if (last != nullptr && last->segment == piece.segment) continue;
@@ -38,7 +38,10 @@ std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
             add_once(objects, drawing.groups[piece.group].object);
             add_once(materials, drawing.groups[piece.group].material);
         }
-        edges += fmt::format(" {}-{}", piece.source.from, piece.source.to);
+        const LineSource& source = piece.source;
+        edges += path.kind == LineKind::intersection
+                     ? fmt::format(" {}x{}", source.triangle, source.crossing)
+                     : fmt::format(" {}-{}", source.from, source.to);
     }
     return list("object", objects) + list("material", materials) + edges;
 }

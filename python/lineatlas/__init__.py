@@ -66,6 +66,7 @@ class LineKind(_enum.IntEnum):
     material = 2
     silhouette = 3
     file = 4
+    intersection = 5
 
 
 def _renderer(model: _Model, arguments: dict[str, _Any]) -> Renderer:

@@ -1,5 +1,5 @@
 import enum
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,12 +36,13 @@ class LineKind(enum.IntEnum):
     material = 2
     silhouette = 3
     file = 4
+    intersection = 5
 
 def draw(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -56,7 +57,7 @@ def intervals(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -70,7 +71,7 @@ def to_svg(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -90,7 +91,7 @@ def to_json(
     model: _Model,
     *,
     lines: Optional[_Kinds] = None,
-    crease: float = 30.0,
+    crease: Union[float, str] = "auto",
     compute: str = "",
     device: str = "",
     interop: str = "",

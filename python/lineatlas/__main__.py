@@ -24,6 +24,10 @@ def _up(text: str) -> str | tuple[float, float, float]:
     return _vector(text) if "," in text else text
 
 
+def _crease(text: str) -> float | str:
+    return text if text == "auto" else float(text)
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python3 -m lineatlas",
@@ -38,7 +42,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE",
                         help="a setting of the style; may be repeated")
     parser.add_argument("--lines", help="kinds of lines, separated by commas; default all")
-    parser.add_argument("--crease", type=float, default=30, help="degrees; default 30")
+    parser.add_argument("--crease", type=_crease, default="auto",
+                        help="degrees, or auto; default auto")
     parser.add_argument("--eye", type=_vector, metavar="X,Y,Z", help="default: frames the model")
     parser.add_argument("--target", type=_vector, metavar="X,Y,Z", help="default 0,0,0")
     parser.add_argument("--up", type=_up, help="x, y, z or X,Y,Z; default y")

@@ -134,13 +134,13 @@ class Renderer:
         model: _Model,
         *,
         lines: Optional[_Kinds] = None,
-        crease: float = 30.0,
+        crease: Union[float, str] = "auto",
         compute: str = "",
         device: str = "",
         interop: str = "",
     ) -> None: ...
     def set_model(
-        self, model: _Model, *, lines: Optional[_Kinds] = None, crease: float = 30.0
+        self, model: _Model, *, lines: Optional[_Kinds] = None, crease: Union[float, str] = "auto"
     ) -> None: ...
     def draw(
         self,

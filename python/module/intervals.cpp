@@ -30,6 +30,7 @@ IntervalRow row_of(const Interval& interval, const ModelLines& subject, float he
                     .path = signed_index(segment.path),
                     .edge = {signed_index(source.from), signed_index(source.to)},
                     .triangle = signed_index(source.triangle),
+                    .crossing = signed_index(source.crossing),
                     .group = group_of(subject.model->mesh, source.triangle)};
     std::ranges::copy(interval.start_world, row.p_world);
     std::ranges::copy(interval.end_world, row.q_world);
@@ -48,7 +49,7 @@ std::vector<IntervalRow> interval_rows(const FoundIntervals& found, int height) 
 
 void register_interval_row() {
     PYBIND11_NUMPY_DTYPE(IntervalRow, p, q, p_depth, q_depth, p_world, q_world, alpha, kind,
-                         visible, segment, path, edge, triangle, group);
+                         visible, segment, path, edge, triangle, crossing, group);
 }
 
 } // namespace lineatlas::python

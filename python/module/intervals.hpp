@@ -21,6 +21,7 @@ struct IntervalRow {
     std::int32_t path;     ///< that the segment belongs to
     std::int32_t edge[2];  ///< positions of the mesh
     std::int32_t triangle; ///< that has the edge
+    std::int32_t crossing; ///< of an intersection the other triangle
     std::int32_t group;    ///< of that triangle
 };
 

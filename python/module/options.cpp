@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <variant>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -80,6 +83,16 @@ Options options_of(const std::optional<Options>& given) {
     return options;
 }
 
+std::optional<float> crease_angle(const Crease& crease) {
+    if (const auto* word = std::get_if<std::string>(&crease)) {
+        if (*word == "auto") return std::nullopt;
+        throw wrong_argument("crease", "degrees or \"auto\"", py::str(*word));
+    }
+    const float degrees = std::get<float>(crease);
+    if (degrees >= 0 && degrees <= 180) return degrees * std::numbers::pi_v<float> / 180;
+    throw UsageError(fmt::format("crease must be from 0 to 180 degrees, not {}", degrees));
+}
+
 LineKindMask mask_of_names(const std::string& names) {
     if (const std::optional<LineKindMask> kinds = line_kinds_from(names)) return *kinds;
     throw UsageError(fmt::format("there is no line kind \"{}\"; there is {}", names,
@@ -103,11 +116,8 @@ FrameOptions path_options(const std::optional<Options>& given, const Style& styl
     return frame;
 }
 
-LineOptions line_options(const LineKinds& kinds, float crease_degrees) {
-    if (!(crease_degrees >= 0 && crease_degrees <= 180))
-        throw UsageError(
-            fmt::format("crease must be from 0 to 180 degrees, not {}", crease_degrees));
-    LineOptions options{.crease_angle = crease_degrees * std::numbers::pi_v<float> / 180};
+LineOptions line_options(const LineKinds& kinds, const Crease& crease) {
+    LineOptions options{.crease_angle = crease_angle(crease)};
     if (!kinds) return options;
     if (const auto* text = std::get_if<std::string>(&*kinds)) {
         options.kinds = mask_of_names(*text);

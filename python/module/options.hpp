@@ -26,7 +26,10 @@ FrameOptions path_options(const std::optional<Options>& given, const Style& styl
 using LineKinds = std::optional<std::variant<std::string, std::vector<std::string>>>;
 using KindsArgument =
     Argument<LineKinds, "lines", "line kinds as \"crease,silhouette\" or as a list">;
-LineOptions line_options(const LineKinds& kinds, float crease_degrees);
+/// Degrees, or "auto".
+using Crease = std::variant<float, std::string>;
+using CreaseArgument = Argument<Crease, "crease", "degrees or \"auto\"">;
+LineOptions line_options(const LineKinds& kinds, const Crease& crease);
 
 void bind_options(pybind11::module_& module);
 

@@ -34,10 +34,10 @@ void warn_of_no_line(const std::string& why) {
 }
 
 std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgument& lines,
-                                    Real<"crease"> crease, const Word<"compute">& compute,
+                                    const CreaseArgument& crease, const Word<"compute">& compute,
                                     const Word<"device">& device, const Word<"interop">& interop) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, crease);
+    const LineOptions found = line_options(lines, *crease);
     std::unique_ptr<Drawer> drawer;
     std::string note;
     {
@@ -54,9 +54,9 @@ std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgum
 }
 
 void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& lines,
-               Real<"crease"> crease) {
+               const CreaseArgument& crease) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, crease);
+    const LineOptions found = line_options(lines, *crease);
     const Released released;
     drawer.set_subject(find_lines(std::move(mesh), found));
 }
@@ -197,7 +197,9 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              "the fields p, q (ends in pixels from the upper left corner), p_depth, q_depth (0\n"
              "near to 1 far), p_world, q_world (points of the model), alpha (mean visibility),\n"
              "kind (a LineKind), visible, segment, path (of the lines found), edge (two positions\n"
-             "of the mesh), triangle (that has it), group; -1 where there is none.")
+             "of the mesh), triangle (that has it), crossing (the other triangle of an "
+             "intersection),\n"
+             "group; -1 where there is none.")
         .def("to_svg", &svg, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
              py::arg("tags") = true, py::arg("transparent") = false,
@@ -219,7 +221,7 @@ void bind_renderer(py::module_& module) {
     register_interval_row();
     bind_options(module);
     const py::arg_v lines = py::arg("lines") = py::none();
-    const py::arg_v crease = py::arg("crease") = 30.0F;
+    const py::arg_v crease = py::arg("crease") = "auto";
     py::class_<Drawer> renderer(
         module, "Renderer",
         "Draws a model, or the mesh of a file, as often as wanted.\n\n"
@@ -229,8 +231,9 @@ void bind_renderer(py::module_& module) {
         "as it is; intervals and paths need none. Any thread may call it; calls wait for each\n"
         "other, and several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
-        "crease: edges bent by more degrees are creases. compute, device, interop: as in\n"
-        "`lineatlas draw --help`.");
+        "crease: edges bent by more degrees are creases; \"auto\": by more than 30, but for noise\n"
+        "of scanned or sculpted surfaces. compute, device, interop: as in `lineatlas draw "
+        "--help`.");
     renderer
         .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease,
              py::arg("compute") = "", py::arg("device") = "", py::arg("interop") = "")

@@ -193,8 +193,9 @@ TEST_F(Tool, RefusesBadOptions) {
     expect_refused(draw + "--eye 1,1,1 --target 1,1,1", 2, "eye and target");
     expect_refused(draw + "--fov 0", 2, "field of view");
     expect_refused(draw + "--fov 180", 2, "field of view");
-    for (const char* angle : {"nan", "inf", "-1", "181", "1e308"})
+    for (const char* angle : {"nan", "inf", "-1", "181", "1e308", "30x"})
         expect_refused(draw + "--crease " + angle, 2, "--crease");
+    expect_refused(draw + "--crease sharp", 2, "--crease must be auto or from 0 to 180 degrees");
     for (const char* place : {"nan", "-0.1", "1.1"})
         expect_refused(draw + "--at " + place, 2, "--at");
     write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -26,10 +26,10 @@ Kinds kinds_of(const Mesh& mesh, const LineOptions& options = {}) {
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
     replace_slivers(welded, edges);
-    const std::vector<glm::dvec3> normals = face_normals(welded);
+    const std::vector<double> bends = bends_of(edges, face_normals(welded));
     Kinds kinds;
-    for (const MeshEdge& edge : edges) {
-        kinds[std::minmax(edge.p, edge.q)] = classify(edge, welded, normals, options);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        kinds[std::minmax(edges[i].p, edges[i].q)] = classify(edges[i], welded, bends[i], options);
     }
     return kinds;
 }
@@ -313,16 +313,17 @@ TEST(Slivers, ThatTouchSliversOnlyHideNoCrease) {
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
     replace_slivers(welded, edges);
-    const std::vector<glm::dvec3> normals = face_normals(welded);
+    const std::vector<double> bends = bends_of(edges, face_normals(welded));
     float hidden = 0;
     for (float y = 0.05F; y < 4; y += 0.1F) {
         bool covered = false;
-        for (const MeshEdge& edge : edges) {
-            const glm::vec3 p = welded.vertices[edge.p];
-            const glm::vec3 q = welded.vertices[edge.q];
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const glm::vec3 p = welded.vertices[edges[i].p];
+            const glm::vec3 q = welded.vertices[edges[i].q];
             const bool here =
                 p.x == 0 && p.z == 0 && q.x == 0 && q.z == 0 && (p.y < y) != (q.y < y);
-            covered = covered || (here && classify(edge, welded, normals, {}) == LineKind::crease);
+            covered =
+                covered || (here && classify(edges[i], welded, bends[i], {}) == LineKind::crease);
         }
         hidden += covered ? 0 : 0.1F;
     }

@@ -43,19 +43,20 @@ void expect_agreement(const Mesh& mesh, float crease_angle) {
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
     replace_slivers(welded, edges);
-    const std::vector<glm::dvec3> normals = face_normals(welded);
+    const std::vector<double> bends = bends_of(edges, face_normals(welded));
     HalfedgeMesh oracle = halfedges_of(welded);
     ASSERT_EQ(edges.size(), oracle.n_edges());
 
     LineOptions options;
     options.crease_angle = crease_angle;
     options.kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
-    for (const MeshEdge& edge : edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const MeshEdge& edge = edges[i];
         const auto halfedge =
             oracle.find_halfedge(OpenMesh::VertexHandle(static_cast<int>(edge.p)),
                                  OpenMesh::VertexHandle(static_cast<int>(edge.q)));
         ASSERT_TRUE(halfedge.is_valid());
-        const std::optional<LineKind> kind = classify(edge, welded, normals, options);
+        const std::optional<LineKind> kind = classify(edge, welded, bends[i], options);
         if (oracle.is_boundary(oracle.edge_handle(halfedge))) {
             EXPECT_EQ(kind, LineKind::boundary);
             EXPECT_EQ(edge.face_b, LA_NO_FACE);

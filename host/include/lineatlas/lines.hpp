@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,18 +18,20 @@
 namespace lineatlas {
 
 /// Where a line comes from. An edge that qualifies as several kinds takes the first of: file,
-/// boundary (non-manifold edges included), material, crease, silhouette.
+/// boundary (non-manifold edges included), material, crease, silhouette. docs/lines.md has the
+/// rules.
 enum class LineKind : std::uint32_t {
-    crease = LA_KIND_CREASE,         ///< dihedral angle above `LineOptions::crease_angle`
+    crease = LA_KIND_CREASE,         ///< bent, by the rule of `LineOptions::crease_angle`
     boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
     material = LA_KIND_MATERIAL,     ///< between triangles of different groups
     silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
     file = LA_KIND_FILE,             ///< given as a polyline in the model
+    intersection = LA_KIND_INTERSECTION, ///< where parts pass through each other; no edge
 };
 
 /// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
-    "crease", "boundary", "material", "silhouette", "file"};
+    "crease", "boundary", "material", "silhouette", "file", "intersection"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
@@ -42,12 +45,14 @@ constexpr LineKindMask mask_of(LineKind kind) {
 /// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
     LineKindMask kinds = all_line_kinds; ///< others are not extracted
-    float crease_angle = 0.5235988F;     ///< radians, 0 to pi; edges bent by more are creases
+    /// Radians, 0 to pi: edges bent by more are creases. Nothing: those bent by more than 30
+    /// degrees are, but for noise of surfaces that were scanned or sculpted (docs/lines.md).
+    std::optional<float> crease_angle{};
     /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
     /// Objects move on their own (Renderer::set_transforms): nothing is welded between them, so
-    /// that where they touch each has a line of its own. They are those of Mesh::triangle_object,
-    /// or groups of one name.
+    /// that where they touch each has a line of its own, and nothing is cut where they meet. They
+    /// are those of Mesh::triangle_object, or groups of one name.
     bool separate_objects = false;
 };
 
@@ -58,12 +63,22 @@ struct LineObject {
     std::uint32_t vertex_count = 0; ///< in that part
 };
 
-/// Where a segment lies in the `Mesh` that it was extracted from.
+/// Where a segment lies in the `Mesh` that it was extracted from: of a part of an edge the whole
+/// edge.
 struct LineSource {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
     std::uint32_t from = none;     ///< index into Mesh::positions of the segment's start p
     std::uint32_t to = none;       ///< index into Mesh::positions of its end q
     std::uint32_t triangle = none; ///< into Mesh::triangles, has both; none for a file's polyline
+    /// Of an intersection the other triangle of the two that it lies in, while it has no positions.
+    std::uint32_t crossing = none;
+};
+
+/// A vertex that no position of the mesh is: where a line begins or ends within an edge.
+struct CutVertex {
+    std::uint32_t vertex;   ///< of LineSet::vertices
+    std::uint32_t from, to; ///< the edge's ends, likewise
+    float share;            ///< of the way from one to the other
 };
 
 /// What extract_lines() met beside proper triangles.
@@ -71,6 +86,18 @@ struct OddTriangles {
     std::size_t repeated = 0;  ///< over the same corners as another, in any winding: left out
     std::size_t collapsed = 0; ///< two corners at one place: left out
     std::size_t flat = 0;      ///< no area: taken to lie in the plane of a neighbour
+};
+
+/// What extract_lines() did not take for a line, in edges of the mesh.
+struct LeftOut {
+    std::size_t noisy_creases = 0; ///< bent by more than 30 degrees, as noise of the surface is
+    std::size_t seams = 0;         ///< boundaries and creases over which faces go on
+    std::size_t cut_seams = 0;     ///< those of which a part is a line
+};
+
+/// Milliseconds that steps of extract_lines() took.
+struct LineTimes {
+    double creases = 0, seams = 0, intersections = 0;
 };
 
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
@@ -89,11 +116,16 @@ struct LineSet {
     /// Per triangle an index into `colors`, or `no_color`; empty where no triangle has a colour.
     std::vector<std::uint16_t> triangle_color;
     static constexpr std::uint16_t no_color = 0xFFFF; ///< of triangles without a colour
-    /// Per vertex a position of the mesh that it was welded of.
+    /// Per vertex a position of the mesh that it was welded of; of a cut vertex the nearer end of
+    /// its edge.
     std::vector<std::uint32_t> vertex_sources{};
     /// With LineOptions::separate_objects; their vertices come in this order.
     std::vector<LineObject> objects{};
     OddTriangles odd{}; ///< what was left out or repaired
+    LeftOut left_out{}; ///< what might have been a line
+    LineTimes times{};  ///< for people who wonder
+    /// Behind the other vertices of their object.
+    std::vector<CutVertex> cut_vertices{};
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+inline bool boxes_meet(const Bounds& a, const Bounds& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+           a.min.z <= b.max.z && b.min.z <= a.max.z;
+}
+
+/// Boxes around triangles or lines, in a tree of boxes around those: which of them meet a box, and
+/// which meet each other.
+class BoxTree {
+  public:
+    /// What belongs to one `owner` is not compared with itself by meeting_pairs(); none: all are
+    /// compared.
+    explicit BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners = {});
+
+    /// Calls visit(i) for every box i that meets `box`.
+    template <class Visit>
+    void visit_meeting(const Bounds& box, Visit&& visit) const {
+        if (nodes_.empty()) return;
+        std::array<std::uint32_t, deepest> waiting;
+        std::size_t count = 0;
+        waiting[count++] = 0;
+        while (count > 0) {
+            const Node& node = nodes_[waiting[--count]];
+            if (!boxes_meet(node.box, box)) continue;
+            if (node.count > 0) {
+                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                    if (boxes_meet(boxes_[i], box)) visit(order_[i]);
+                }
+            } else {
+                waiting[count++] = node.right;
+                waiting[count++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
+            }
+        }
+    }
+
+    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet.
+    template <class Visit>
+    void visit_meeting_pairs(Visit&& visit) const {
+        if (!nodes_.empty()) visit_within(0, visit);
+    }
+
+  private:
+    static constexpr std::uint32_t mixed = 0xFFFFFFFF; ///< owners
+    static constexpr std::size_t deepest = 64;         ///< twice the depth of halving 2^31 boxes
+
+    /// A leaf of `count` boxes, or with none an inner node: its left child is the next node.
+    struct Node {
+        Bounds box;
+        std::uint32_t first = 0, count = 0, right = 0;
+        std::uint32_t owner = mixed;
+    };
+
+    std::uint32_t build(std::uint32_t first, std::uint32_t end,
+                        std::span<const std::uint32_t> owners);
+
+    bool are_strangers(const Node& a, const Node& b) const {
+        return (a.owner == mixed || a.owner != b.owner) && boxes_meet(a.box, b.box);
+    }
+
+    template <class Visit>
+    void visit_within(std::uint32_t index, Visit&& visit) const {
+        const Node& node = nodes_[index];
+        if (node.owner != mixed) return;
+        if (node.count > 0) {
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                for (std::uint32_t j = i + 1; j < node.first + node.count; ++j)
+                    compare(i, j, visit);
+            }
+            return;
+        }
+        visit_within(index + 1, visit);
+        visit_within(node.right, visit);
+        visit_between(index + 1, node.right, visit);
+    }
+
+    template <class Visit>
+    void visit_between(std::uint32_t a, std::uint32_t b, Visit&& visit) const {
+        const Node &one = nodes_[a], &other = nodes_[b];
+        if (!are_strangers(one, other)) return;
+        if (one.count > 0 && other.count > 0) {
+            for (std::uint32_t i = one.first; i < one.first + one.count; ++i) {
+                if (!boxes_meet(boxes_[i], other.box)) continue;
+                for (std::uint32_t j = other.first; j < other.first + other.count; ++j)
+                    compare(i, j, visit);
+            }
+        } else if (other.count > 0 || (one.count == 0 && is_larger(one.box, other.box))) {
+            visit_between(a + 1, b, visit);
+            visit_between(one.right, b, visit);
+        } else {
+            visit_between(a, b + 1, visit);
+            visit_between(a, other.right, visit);
+        }
+    }
+
+    static bool is_larger(const Bounds& a, const Bounds& b) {
+        const glm::vec3 p = a.max - a.min, q = b.max - b.min;
+        return p.x + p.y + p.z > q.x + q.y + q.z;
+    }
+
+    template <class Visit>
+    void compare(std::uint32_t i, std::uint32_t j, Visit&& visit) const {
+        if (!owners_.empty() && owners_[i] == owners_[j]) return;
+        if (!boxes_meet(boxes_[i], boxes_[j])) return;
+        const std::uint32_t a = order_[i], b = order_[j];
+        a < b ? visit(a, b) : visit(b, a);
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;  ///< of the boxes in leaves
+    std::vector<Bounds> boxes_;         ///< in that order
+    std::vector<std::uint32_t> owners_; ///< likewise
+};
+
+} // namespace lineatlas

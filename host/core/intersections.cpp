@@ -1,0 +1,361 @@
+#include "intersections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "chain.hpp"
+#include "diagonal.hpp"
+
+namespace lineatlas {
+namespace {
+
+const double coplanar_cosine = std::cos(2 * 0.017453292519943295); ///< 2 degrees
+/// Round parts that fit each other cut each other where their facets don't match, at less.
+const double shallow_cosine = std::cos(15 * 0.017453292519943295);
+
+// Shares of the model's diagonal.
+constexpr double contact = 2e-6; ///< what lies no deeper behind a face only touches it
+constexpr double shallow = 3e-4; ///< two faces less deep in each other only touch at a small angle
+constexpr double same_place = 1e-6; ///< of ends of intersections
+constexpr double shortest = 2e-7;   ///< of an intersection
+constexpr double doubled = 1e-3;    ///< lines this near are one
+
+const double along_cosine = std::cos(15 * 0.017453292519943295); ///< of lines along each other
+constexpr double most_free = 0.3; ///< share of an intersection with no line beside it
+
+using Heights = std::array<double, 3>; ///< of a triangle's corners over a plane
+
+class Crossing {
+  public:
+    Crossing(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals)
+        : mesh_(mesh), normals_(normals), diagonal_(diagonal_of(mesh.vertices)) {}
+
+    std::optional<Intersection> of(std::uint32_t a, std::uint32_t b) const {
+        const glm::dvec3 normal_a = normals_[a], normal_b = normals_[b];
+        if (normal_a == glm::dvec3{0} || normal_b == glm::dvec3{0}) return {};
+        const double cosine = std::abs(glm::dot(normal_a, normal_b));
+        if (cosine > coplanar_cosine) return {};
+        const Heights heights_a = heights(a, b);
+        if (!passes(heights_a)) return {};
+        const Heights heights_b = heights(b, a);
+        if (!passes(heights_b)) return {};
+        if (cosine > shallow_cosine &&
+            std::max(depth(heights_a), depth(heights_b)) < shallow * diagonal_)
+            return {};
+        const glm::dvec3 along = glm::normalize(glm::cross(normal_a, normal_b));
+        const Chord of_a = chord(a, heights_a, along), of_b = chord(b, heights_b, along);
+        const End& first = of_a.first.at > of_b.first.at ? of_a.first : of_b.first;
+        const End& last = of_a.last.at < of_b.last.at ? of_a.last : of_b.last;
+        if (!(last.at - first.at > shortest * diagonal_)) return {};
+        return Intersection{first.place, last.place, std::min(a, b), std::max(a, b)};
+    }
+
+  private:
+    /// Where a triangle's edge meets the other one's plane.
+    struct End {
+        EdgePlace place{};
+        double at = 0; ///< along the line that both planes share
+    };
+    struct Chord {
+        End first, last;
+    };
+
+    glm::dvec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+
+    /// A corner's height depends on the corner and the plane alone, so that triangles that share an
+    /// edge agree on where it meets a plane.
+    Heights heights(std::uint32_t face, std::uint32_t plane) const {
+        const glm::dvec3 origin = at(mesh_.triangles[plane].x);
+        Heights result{};
+        for (int k = 0; k < 3; ++k) {
+            const double height = glm::dot(normals_[plane], at(mesh_.triangles[face][k]) - origin);
+            result[k] = std::abs(height) < contact * diagonal_ ? 0 : height;
+        }
+        return result;
+    }
+
+    static bool passes(const Heights& h) {
+        return std::min({h[0], h[1], h[2]}) < 0 && std::max({h[0], h[1], h[2]}) > 0;
+    }
+
+    /// How far a triangle reaches through the plane.
+    static double depth(const Heights& h) {
+        return std::min(-std::min({h[0], h[1], h[2]}), std::max({h[0], h[1], h[2]}));
+    }
+
+    Chord chord(std::uint32_t face, const Heights& heights, glm::dvec3 along) const {
+        const glm::uvec3 t = mesh_.triangles[face];
+        std::array<End, 2> ends;
+        int count = 0;
+        for (int k = 0; k < 3 && count < 2; ++k) {
+            int low = k, high = (k + 1) % 3;
+            if ((heights[low] > 0) == (heights[high] > 0)) continue;
+            if (t[low] > t[high]) std::swap(low, high);
+            const double share = heights[low] / (heights[low] - heights[high]);
+            const glm::dvec3 from = at(t[low]), to = at(t[high]);
+            ends[count++] = {{t[low], t[high], share}, glm::dot(from + (to - from) * share, along)};
+        }
+        if (ends[0].at > ends[1].at) std::swap(ends[0], ends[1]);
+        return {ends[0], ends[1]};
+    }
+
+    const WeldedMesh& mesh_;
+    const std::vector<glm::dvec3>& normals_;
+    double diagonal_;
+};
+
+/// Makes places that are as good as equal one. Where an edge passes through an edge it meets two
+/// planes, at places that rounding tells apart; chains would end there.
+class NearPlaces {
+  public:
+    explicit NearPlaces(const WeldedMesh& mesh)
+        : mesh_(mesh), cell_(same_place * diagonal_of(mesh.vertices)) {}
+
+    void join(std::vector<Intersection>& intersections) {
+        for (Intersection& one : intersections) {
+            one.p = first_near(one.p);
+            one.q = first_near(one.q);
+        }
+        std::erase_if(intersections, [](const Intersection& one) { return one.p == one.q; });
+    }
+
+  private:
+    using Cell = std::array<std::int64_t, 3>;
+    struct CellHash {
+        std::size_t operator()(const Cell& cell) const {
+            std::uint64_t hash = 0;
+            for (const std::int64_t index : cell) {
+                hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15ULL;
+                hash ^= hash >> 29U;
+            }
+            return hash;
+        }
+    };
+    struct Known {
+        EdgePlace place;
+        glm::dvec3 at;
+    };
+
+    EdgePlace first_near(const EdgePlace& place) {
+        const glm::dvec3 from{mesh_.vertices[place.from]}, to{mesh_.vertices[place.to]};
+        const glm::dvec3 at = from + (to - from) * place.share;
+        const glm::dvec3 scaled = glm::floor(at / cell_);
+        const Cell cell{static_cast<std::int64_t>(scaled.x), static_cast<std::int64_t>(scaled.y),
+                        static_cast<std::int64_t>(scaled.z)};
+        for (std::int64_t i = 0; i < 27; ++i) {
+            const Cell beside{cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1};
+            const auto known = known_.find(beside);
+            if (known != known_.end() && glm::distance(known->second.at, at) < cell_)
+                return known->second.place;
+        }
+        known_.emplace(cell, Known{place, at});
+        return place;
+    }
+
+    const WeldedMesh& mesh_;
+    double cell_;
+    std::unordered_map<Cell, Known, CellHash> known_;
+};
+
+/// From one place of a line to another, in model units.
+struct Span {
+    double from, to;
+};
+
+class Doubles {
+  public:
+    Doubles(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
+            std::span<const DrawnLine> lines)
+        : mesh_(mesh), normals_(normals), lines_(lines), diagonal_(diagonal_of(mesh.vertices)),
+          tree_(boxes(mesh, lines)) {}
+
+    bool has(const Intersection& one) {
+        const glm::dvec3 p = place(one.p), way = place(one.q) - p;
+        const double length = glm::length(way);
+        if (length == 0) return true;
+        const glm::dvec3 along = way / length;
+        const auto reach = static_cast<float>(doubled * diagonal_);
+        const glm::vec3 start{p}, end{p + way};
+        spans_.clear();
+        tree_.visit_meeting({glm::min(start, end) - reach, glm::max(start, end) + reach},
+                            [&](std::uint32_t line) { add_beside(line, one, p, along, length); });
+        return free_length(length) <= most_free * length;
+    }
+
+  private:
+    static std::vector<Bounds> boxes(const WeldedMesh& mesh, std::span<const DrawnLine> lines) {
+        std::vector<Bounds> result;
+        result.reserve(lines.size());
+        for (const DrawnLine& line : lines) {
+            const glm::vec3 p = mesh.vertices[line.p], q = mesh.vertices[line.q];
+            result.push_back({glm::min(p, q), glm::max(p, q)});
+        }
+        return result;
+    }
+
+    glm::dvec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+    glm::dvec3 place(const EdgePlace& place) const {
+        return at(place.from) + (at(place.to) - at(place.from)) * place.share;
+    }
+
+    /// The part of the intersection that runs beside a line.
+    void add_beside(std::uint32_t index, const Intersection& one, glm::dvec3 p, glm::dvec3 along,
+                    double length) {
+        const glm::dvec3 start = at(lines_[index].p), way = at(lines_[index].q) - start;
+        const double line_length = glm::length(way);
+        if (line_length == 0) return;
+        const glm::dvec3 direction = way / line_length;
+        const double cosine = glm::dot(along, direction);
+        if (std::abs(cosine) < along_cosine) return;
+        // Between the line's ends.
+        const double at_start = glm::dot(start - p, direction) / cosine;
+        const double at_end = at_start + line_length / cosine;
+        Span span{std::max(0.0, std::min(at_start, at_end)),
+                  std::min(length, std::max(at_start, at_end))};
+        // Within reach of it: the distance is a square root of a + 2 b s + c s^2.
+        const glm::dvec3 apart = p - start - direction * glm::dot(p - start, direction);
+        const glm::dvec3 opening = along - direction * cosine;
+        const double reach = doubled * diagonal_;
+        const double a = glm::dot(apart, apart) - reach * reach;
+        const double b = glm::dot(apart, opening), c = glm::dot(opening, opening);
+        if (c > 1e-12) {
+            const double root = b * b - a * c;
+            if (root <= 0) return;
+            span.from = std::max(span.from, (-b - std::sqrt(root)) / c);
+            span.to = std::min(span.to, (-b + std::sqrt(root)) / c);
+        } else if (a > 0) {
+            return;
+        }
+        if (!(span.from < span.to)) return;
+        const glm::dvec3 middle = p + along * (0.5 * (span.from + span.to));
+        const glm::dvec3 beside = start + direction * glm::dot(middle - start, direction);
+        if (is_behind(one.face_a, beside) || is_behind(one.face_b, beside)) return;
+        spans_.push_back(span);
+    }
+
+    bool is_behind(std::uint32_t face, glm::dvec3 point) const {
+        return glm::dot(normals_[face], point - at(mesh_.triangles[face].x)) < -contact * diagonal_;
+    }
+
+    double free_length(double length) {
+        std::ranges::sort(spans_, {}, &Span::from);
+        double free = 0, reached = 0;
+        for (const Span span : spans_) {
+            free += std::max(0.0, span.from - reached);
+            reached = std::max(reached, span.to);
+        }
+        return free + std::max(0.0, length - reached);
+    }
+
+    const WeldedMesh& mesh_;
+    const std::vector<glm::dvec3>& normals_;
+    std::span<const DrawnLine> lines_;
+    double diagonal_;
+    BoxTree tree_;
+    std::vector<Span> spans_;
+};
+
+/// A line that is drawn twice in some places would be left as crumbs between them: most of a chain
+/// decides for all of it, and short doubled parts stay.
+class ChainedDoubles {
+  public:
+    ChainedDoubles(const WeldedMesh& mesh, std::vector<Intersection>& intersections)
+        : mesh_(mesh), intersections_(intersections) {}
+
+    void drop(const std::vector<bool>& is_double, double diagonal) {
+        std::vector<ChainEdge> edges;
+        edges.reserve(intersections_.size());
+        for (const Intersection& one : intersections_)
+            edges.push_back({node(one.p), node(one.q), LA_KIND_INTERSECTION});
+        std::vector<bool> is_dropped(intersections_.size(), false);
+        for (const Chain& chain : chain_edges(nodes_, edges, sharpest_turn)) {
+            double whole = 0, doubled = 0;
+            for (const ChainStep step : chain.steps) {
+                const double length = length_of(edges[step.edge]);
+                whole += length;
+                doubled += is_double[step.edge] ? length : 0;
+            }
+            if (2 * doubled >= whole) {
+                for (const ChainStep step : chain.steps) is_dropped[step.edge] = true;
+            } else {
+                drop_long_runs(chain, edges, is_double, least_run * diagonal, is_dropped);
+            }
+        }
+        std::size_t index = 0;
+        std::erase_if(intersections_, [&](const Intersection&) { return is_dropped[index++]; });
+    }
+
+  private:
+    static constexpr float sharpest_turn = 1.0471976F; ///< 60 degrees
+    static constexpr double least_run = 0.01;          ///< share of the diagonal
+
+    std::uint32_t node(const EdgePlace& place) {
+        const auto fresh = static_cast<std::uint32_t>(nodes_.size());
+        const auto [known, is_new] =
+            known_.emplace(std::tuple{place.from, place.to, place.share}, fresh);
+        if (is_new) {
+            const glm::dvec3 from{mesh_.vertices[place.from]}, to{mesh_.vertices[place.to]};
+            nodes_.emplace_back(from + (to - from) * place.share);
+        }
+        return known->second;
+    }
+
+    double length_of(const ChainEdge& edge) const {
+        return glm::distance(glm::dvec3{nodes_[edge.p]}, glm::dvec3{nodes_[edge.q]});
+    }
+
+    void drop_long_runs(const Chain& chain, const std::vector<ChainEdge>& edges,
+                        const std::vector<bool>& is_double, double least,
+                        std::vector<bool>& is_dropped) const {
+        for (std::size_t first = 0; first < chain.steps.size();) {
+            std::size_t end = first;
+            double length = 0;
+            while (end < chain.steps.size() && is_double[chain.steps[end].edge])
+                length += length_of(edges[chain.steps[end++].edge]);
+            for (std::size_t i = first; i < end && length >= least; ++i)
+                is_dropped[chain.steps[i].edge] = true;
+            first = std::max(end, first + 1);
+        }
+    }
+
+    const WeldedMesh& mesh_;
+    std::vector<Intersection>& intersections_;
+    std::vector<glm::vec3> nodes_;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, double>, std::uint32_t> known_;
+};
+
+} // namespace
+
+std::vector<Intersection> find_intersections(const WeldedMesh& mesh,
+                                             const std::vector<glm::dvec3>& normals,
+                                             const BoxTree& tree,
+                                             std::span<const std::uint32_t> object) {
+    const Crossing crossing{mesh, normals};
+    std::vector<Intersection> result;
+    tree.visit_meeting_pairs([&](std::uint32_t a, std::uint32_t b) {
+        if (!object.empty() && object[a] != object[b]) return;
+        if (const std::optional<Intersection> found = crossing.of(a, b)) result.push_back(*found);
+    });
+    NearPlaces{mesh}.join(result);
+    return result;
+}
+
+void drop_doubled(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
+                  std::span<const DrawnLine> lines, std::vector<Intersection>& intersections) {
+    if (intersections.empty()) return;
+    Doubles doubles{mesh, normals, lines};
+    std::vector<bool> is_double;
+    is_double.reserve(intersections.size());
+    for (const Intersection& one : intersections) is_double.push_back(doubles.has(one));
+    ChainedDoubles{mesh, intersections}.drop(is_double, diagonal_of(mesh.vertices));
+}
+
+} // namespace lineatlas

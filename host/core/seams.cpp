@@ -1,0 +1,224 @@
+#include "seams.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "diagonal.hpp"
+
+namespace lineatlas {
+namespace {
+
+// Shares of the model's diagonal.
+constexpr double beyond = 1e-4;     ///< how far beside an edge it is looked whether a face goes on
+constexpr double same_plane = 3e-5; ///< how far apart faces may lie that are one
+constexpr double least_part = 1e-3; ///< shorter parts are neither lines nor seams
+
+const double least_cosine = std::cos(0.017453292519943295); ///< of faces in one plane: 1 degree
+
+/// From one share of an edge to another.
+struct Span {
+    double from, to;
+};
+
+using Spans = std::vector<Span>; ///< ascending, apart from each other
+
+/// Sorts them and closes gaps of less than `gap`.
+void join(Spans& spans, double gap) {
+    std::ranges::sort(spans, {}, &Span::from);
+    std::size_t count = 0;
+    for (const Span span : spans) {
+        if (count > 0 && span.from - spans[count - 1].to < gap) {
+            spans[count - 1].to = std::max(spans[count - 1].to, span.to);
+        } else {
+            spans[count++] = span;
+        }
+    }
+    spans.resize(count);
+}
+
+Spans both(const Spans& a, const Spans& b) {
+    Spans result;
+    for (const Span one : a) {
+        for (const Span other : b) {
+            const Span common{std::max(one.from, other.from), std::min(one.to, other.to)};
+            if (common.from < common.to) result.push_back(common);
+        }
+    }
+    return result;
+}
+
+Spans either(Spans a, const Spans& b, double gap) {
+    a.insert(a.end(), b.begin(), b.end());
+    join(a, gap);
+    return a;
+}
+
+/// Keeps of s from `span.from` to `span.to` where a linear function, of its values at 0 and 1, is
+/// not below 0.
+void keep_above(Span& span, double at_0, double at_1) {
+    if (at_0 < 0 && at_1 < 0) {
+        span.to = span.from;
+    } else if (at_0 < 0) {
+        span.from = std::max(span.from, at_0 / (at_0 - at_1));
+    } else if (at_1 < 0) {
+        span.to = std::min(span.to, at_0 / (at_0 - at_1));
+    }
+}
+
+class SeamFinder {
+  public:
+    SeamFinder(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals, const BoxTree& tree,
+               std::span<const std::uint32_t> material)
+        : mesh_(mesh), normals_(normals), tree_(tree), material_(material),
+          diagonal_(diagonal_of(mesh.vertices)) {}
+
+    /// Where the edge is a seam.
+    Spans of_boundary(const MeshEdge& edge) {
+        const std::optional<Side> a = side(edge, edge.face_a);
+        if (!a) return {};
+        find_near(edge);
+        return covered(edge, *a, beyond, true);
+    }
+    Spans of_crease(const MeshEdge& edge) {
+        const std::optional<Side> a = side(edge, edge.face_a);
+        const std::optional<Side> b = side(edge, edge.face_b & LA_FACE_INDEX);
+        if (!a || !b) return {};
+        find_near(edge);
+        if (near_.empty()) return {};
+        const Spans a_goes_on = covered(edge, *a, beyond, true);
+        const Spans b_goes_on = covered(edge, *b, beyond, true);
+        const double gap = least(edge);
+        Spans result;
+        if (!a_goes_on.empty())
+            result = both(a_goes_on, either(b_goes_on, covered(edge, *b, -beyond, false), gap));
+        if (!b_goes_on.empty()) {
+            const Spans covered_a = either(a_goes_on, covered(edge, *a, -beyond, false), gap);
+            result = either(result, both(b_goes_on, covered_a), gap);
+        }
+        return result;
+    }
+    /// The shortest part of the edge that counts.
+    double least(const MeshEdge& edge) const {
+        return least_part * diagonal_ / glm::distance(at(edge.p), at(edge.q));
+    }
+
+  private:
+    /// A face of an edge, and the direction in its plane away from it.
+    struct Side {
+        std::uint32_t face;
+        glm::dvec3 outward;
+    };
+
+    glm::dvec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+
+    std::optional<Side> side(const MeshEdge& edge, std::uint32_t face) const {
+        const glm::uvec3 t = mesh_.triangles[face];
+        int common = 0;
+        std::uint32_t third = t.x;
+        for (int k = 0; k < 3; ++k) {
+            const bool of_edge = t[k] == edge.p || t[k] == edge.q;
+            common += of_edge ? 1 : 0;
+            if (!of_edge) third = t[k];
+        }
+        if (common != 2 || normals_[face] == glm::dvec3{0}) return {}; // stands for a sliver
+        glm::dvec3 outward = glm::cross(at(edge.q) - at(edge.p), normals_[face]);
+        outward = glm::normalize(outward);
+        if (glm::dot(outward, at(third) - at(edge.p)) > 0) outward = -outward;
+        return Side{face, outward};
+    }
+
+    /// Faces near the edge that are none of its own.
+    void find_near(const MeshEdge& edge) {
+        const auto reach = static_cast<float>(2 * beyond * diagonal_);
+        const glm::vec3 p = mesh_.vertices[edge.p], q = mesh_.vertices[edge.q];
+        near_.clear();
+        tree_.visit_meeting({glm::min(p, q) - reach, glm::max(p, q) + reach}, [&](std::uint32_t t) {
+            if (t != edge.face_a && t != (edge.face_b & LA_FACE_INDEX)) near_.push_back(t);
+        });
+    }
+
+    /// Where some face in the plane of this one covers the line beside the edge, `away` outwards.
+    Spans covered(const MeshEdge& edge, const Side& side, double away, bool same_material) const {
+        const glm::dvec3 move = side.outward * (away * diagonal_);
+        const glm::dvec3 a = at(edge.p) + move, b = at(edge.q) + move;
+        Spans spans;
+        for (const std::uint32_t face : near_) {
+            if (same_material && material_[face] != material_[side.face]) continue;
+            const double cosine = glm::dot(normals_[face], normals_[side.face]);
+            if (std::abs(cosine) < least_cosine) continue;
+            const Span span = part_over(face, a, b);
+            if (span.from < span.to) spans.push_back(span);
+        }
+        join(spans, least(edge));
+        std::erase_if(spans, [&](const Span& span) {
+            return span.to - span.from < least(edge) && (span.from > 0 || span.to < 1);
+        });
+        return spans;
+    }
+
+    /// The part of the way from a to b that lies in a face.
+    Span part_over(std::uint32_t face, glm::dvec3 a, glm::dvec3 b) const {
+        const glm::uvec3 t = mesh_.triangles[face];
+        const glm::dvec3 normal = normals_[face];
+        const double height_a = glm::dot(normal, a - at(t.x));
+        const double height_b = glm::dot(normal, b - at(t.x));
+        const double most = same_plane * diagonal_;
+        Span span{0, 1};
+        keep_above(span, most - height_a, most - height_b);
+        keep_above(span, most + height_a, most + height_b);
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 from = at(t[k]);
+            const glm::dvec3 inward = glm::cross(normal, at(t[(k + 1) % 3]) - from);
+            keep_above(span, glm::dot(inward, a - from), glm::dot(inward, b - from));
+        }
+        return span;
+    }
+
+    const WeldedMesh& mesh_;
+    const std::vector<glm::dvec3>& normals_;
+    const BoxTree& tree_;
+    std::span<const std::uint32_t> material_;
+    double diagonal_;
+    std::vector<std::uint32_t> near_;
+};
+
+/// What is left of an edge between seams; parts shorter than `least` are not.
+Spans rest_of(const Spans& seams, double least) {
+    Spans rest;
+    double from = 0;
+    for (const Span seam : seams) {
+        if (seam.from - from >= least) rest.push_back({from, seam.from});
+        from = seam.to;
+    }
+    if (1 - from >= least) rest.push_back({from, 1});
+    return rest;
+}
+
+} // namespace
+
+Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                 const std::vector<glm::dvec3>& normals,
+                 std::span<const std::optional<LineKind>> kinds, const BoxTree& tree,
+                 std::span<const std::uint32_t> material) {
+    SeamFinder finder{mesh, normals, tree, material};
+    Seams seams{.of_edge = std::vector<bool>(edges.size(), false), .left = {}, .cut = {}};
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+        const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;
+        if (!is_boundary && kinds[i] != LineKind::crease) continue;
+        const Spans found = is_boundary ? finder.of_boundary(edges[i]) : finder.of_crease(edges[i]);
+        if (found.empty()) continue;
+        const Spans rest = rest_of(found, finder.least(edges[i]));
+        if (rest.empty()) {
+            seams.of_edge[i] = true;
+        } else {
+            seams.cut.push_back(i);
+            for (const Span part : rest) seams.left.push_back({i, part.from, part.to});
+        }
+    }
+    return seams;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace lineatlas {
+
+/// Disjoint sets of vertices, or of whatever else is numbered.
+class VertexSets {
+  public:
+    explicit VertexSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+
+    /// The member that names the set of i.
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    /// The name of the set of both, which is the lesser of the two they had.
+    std::uint32_t unite(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        if (a > b) std::swap(a, b);
+        return parent_[b] = a;
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+} // namespace lineatlas

@@ -1,0 +1,127 @@
+#include "core/noisy_creases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "test_meshes.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// How many creases a mesh has at 30 degrees, and how many of them a draughtsman would draw.
+struct Creases {
+    std::uint32_t all, drawn;
+    std::size_t noisy;
+
+    explicit Creases(const Mesh& mesh) {
+        constexpr LineKindMask kinds = mask_of(LineKind::crease) | mask_of(LineKind::silhouette);
+        const LineSet fixed = extract_lines(mesh, {.kinds = kinds, .crease_angle = 0.5235988F});
+        const LineSet chosen = extract_lines(mesh, {.kinds = kinds});
+        all = fixed.kind_counts[LA_KIND_CREASE];
+        drawn = chosen.kind_counts[LA_KIND_CREASE];
+        noisy = chosen.left_out.noisy_creases;
+        EXPECT_EQ(fixed.left_out.noisy_creases, 0U) << "a number means that number";
+        EXPECT_EQ(all, drawn + noisy);
+        EXPECT_EQ(fixed.segments.size(), chosen.segments.size()) << "they are silhouettes still";
+    }
+};
+
+/// A rough sheet of quads x quads squares along x and z, folded by `fold` radians about the line in
+/// its middle along z.
+Mesh folded_sheet(std::uint32_t quads, float roughness, float fold) {
+    test::Random random{81};
+    Mesh mesh;
+    const float half = 0.5F * static_cast<float>(quads);
+    for (std::uint32_t z = 0; z <= quads; ++z) {
+        for (std::uint32_t x = 0; x <= quads; ++x) {
+            const float across = static_cast<float>(x) - half;
+            const float height = 2 * x == quads ? 0.0F : random.between(-roughness, roughness);
+            const float angle = across > 0 ? fold : 0.0F;
+            mesh.positions.emplace_back(across * std::cos(angle) - height * std::sin(angle),
+                                        across * std::sin(angle) + height * std::cos(angle),
+                                        static_cast<float>(z));
+        }
+    }
+    for (std::uint32_t z = 0; z < quads; ++z) {
+        for (std::uint32_t x = 0; x < quads; ++x) {
+            const std::uint32_t i = z * (quads + 1) + x;
+            mesh.triangles.push_back({i, i + quads + 1, i + 1});
+            mesh.triangles.push_back({i + 1, i + quads + 1, i + quads + 2});
+        }
+    }
+    return mesh;
+}
+
+TEST(NoisyCreases, AreNoneOfShapesWithFlatFaces) {
+    for (const Mesh& mesh : {test::cube(), test::cylinder(6, true), test::cylinder(40, true)}) {
+        const Creases creases{mesh};
+        EXPECT_GT(creases.all, 0U);
+        EXPECT_EQ(creases.noisy, 0U);
+    }
+}
+
+TEST(NoisyCreases, AreNoneOfShapesThatRepeatThemselves) {
+    // No two neighbouring faces of theirs are in one plane.
+    for (const Mesh& mesh : {test::tetrahedron(), test::sphere(0), test::sphere(1)}) {
+        const Creases creases{test::moved(mesh, test::Random{82}.placement(1))};
+        EXPECT_GT(creases.all, 0U);
+        EXPECT_EQ(creases.noisy, 0U);
+    }
+}
+
+TEST(NoisyCreases, AreAllOfARoughSphere) {
+    test::Random random{83};
+    const Creases creases{test::with_random_radii(test::sphere(5), random, 0.95F)};
+    EXPECT_GT(creases.all, 500U);
+    EXPECT_LT(creases.drawn, creases.all / 50);
+}
+
+TEST(NoisyCreases, LeaveAFoldInARoughSheet) {
+    const Creases rough{folded_sheet(40, 0.15F, 0)};
+    EXPECT_GT(rough.all, 10U);
+    EXPECT_EQ(rough.drawn, 0U);
+    for (const float degrees : {60.0F, 90.0F, 130.0F}) {
+        const Creases folded{folded_sheet(40, 0.15F, glm::radians(degrees))};
+        EXPECT_GE(folded.drawn, 40U) << degrees;
+        EXPECT_LE(folded.drawn, 44U) << degrees;
+    }
+}
+
+TEST(NoisyCreases, AreDroppedWhereTheyAreCrumbsOfTheModel) {
+    // A tent that rises out of the sheet and sinks into it: its ridge touches no other line.
+    Mesh mesh = folded_sheet(40, 0.05F, 0);
+    for (glm::vec3& p : mesh.positions) {
+        const float rise = std::clamp((std::min(p.z, 40 - p.z) - 4) / 8, 0.0F, 1.0F);
+        p.y += 4.2F * std::max(0.0F, 1 - std::abs(p.x) / 8) * rise;
+    }
+    const Creases near{mesh};
+    EXPECT_GE(near.drawn, 16U);
+    EXPECT_LE(near.drawn, 40U);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{5000, 0, 0}, {5000, 0, 1}, {5000, 1, 0}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    const Creases far{mesh};
+    EXPECT_EQ(far.all, near.all);
+    EXPECT_LE(far.drawn, 2U) << "what hangs on the border of the sheet";
+}
+
+TEST(NoisyCreases, DoNotDependOnSizeAndPlace) {
+    test::Random random{84};
+    const Mesh mesh = folded_sheet(24, 0.25F, 1);
+    const Creases expected{mesh};
+    for (const float scale : {0x1p-20F, 0x1p20F}) { // exact
+        const Creases scaled{test::moved(mesh, glm::scale(glm::mat4{1}, glm::vec3{scale}))};
+        EXPECT_EQ(scaled.drawn, expected.drawn) << scale;
+    }
+    const Creases turned{test::with_random_windings(mesh, random)};
+    EXPECT_EQ(turned.drawn, expected.drawn);
+}
+
+} // namespace
+} // namespace lineatlas
