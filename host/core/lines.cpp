@@ -11,6 +11,7 @@
 
 #include "chain.hpp"
 #include "edges.hpp"
+#include "known_edges.hpp"
 #include "lineatlas/error.hpp"
 #include "weld.hpp"
 
@@ -168,6 +169,7 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
     replace_slivers(welded, edges);
     const std::vector<glm::dvec3> normals = face_normals(welded);
 
+    const KnownEdges known{mesh, welded};
     std::vector<Line> fixed;
     std::vector<Line> candidates;
     std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
@@ -182,7 +184,9 @@ LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
                 continue;
             }
         }
-        const std::optional<LineKind> kind = classify(edge, welded, normals, options);
+        const std::optional<LineKind> kind = known.any()
+                                                 ? known.classify(edge, welded, normals, options)
+                                                 : classify(edge, welded, normals, options);
         if (!kind) continue;
         (*kind == LineKind::silhouette ? candidates : fixed)
             .push_back({edge.p, edge.q, edge.face_a, edge.face_b, *kind,

@@ -49,6 +49,8 @@ struct LineOptions {
     /// that where they touch each has a line of its own. They are those of Mesh::triangle_object,
     /// or groups of one name.
     bool separate_objects = false;
+    /// Of what KnownEdge::Kind::smooth is, draw creases too: where a fillet ends.
+    bool smooth_edges = false;
 };
 
 /// What moves on its own.
