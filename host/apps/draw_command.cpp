@@ -77,7 +77,8 @@ struct Subject {
     Mesh mesh;
     LineSet lines;
     View view;
-    glm::dvec3 origin{0}; ///< of the mesh and the view, in the file's coordinates
+    glm::dvec3 origin{0};         ///< of the mesh and the view, in the file's coordinates
+    std::optional<double> unit{}; ///< of the file, in millimetres
 };
 
 Axis vertical_axis(const Subject& subject, glm::vec3 up) {
@@ -85,9 +86,12 @@ Axis vertical_axis(const Subject& subject, glm::vec3 up) {
             .direction = glm::normalize(up)};
 }
 
-/// The upward axis; a note says so where none was given and it is not y.
-glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::vector<std::string>& notes) {
+/// The upward axis: as given, as the file says, or as it looks; a note says so where it looks as if
+/// it is not y.
+glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<glm::vec3> of_file,
+                std::vector<std::string>& notes) {
     if (arguments.view.says_up()) return arguments.view.up({});
+    if (of_file) return *of_file;
     const glm::vec3 up = guess_up(mesh, usual_up(arguments.model));
     const bool matters = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (up.z > 0 && matters) notes.push_back("z is taken as upwards; --up y takes y");
@@ -104,16 +108,16 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         const glm::vec3 up = arguments.view.up({0, 1, 0});
         const View view =
             framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
-        return {scene.name, std::move(scene.mesh), std::move(lines), view, {}};
+        return {scene.name, std::move(scene.mesh), std::move(lines), view, {}, {}};
     }
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
-    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin};
+    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin, loaded.unit};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (std::string note = frames ? framing_note(subject.lines, loaded.origin) : ""; !note.empty())
         loaded.notes.push_back(std::move(note));
-    const glm::vec3 up = up_of(arguments, subject.mesh, loaded.notes);
+    const glm::vec3 up = up_of(arguments, subject.mesh, loaded.up, loaded.notes);
     if (!loaded.notes.empty())
         print_error(fmt::format("lineatlas: {}\n", fmt::join(loaded.notes, "; ")));
     const std::vector<glm::vec3>& points = subject.lines.vertices;
@@ -141,7 +145,7 @@ void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 s
     arguments.view.apply(subject.view, subject.origin, up_is_guessed);
     if (!arguments.view.to_scale()) return;
     subject.view = arguments.view.scaled(subject.view, millimetres_per_pixel(arguments, size), size,
-                                         subject.lines.vertices);
+                                         subject.lines.vertices, subject.unit);
 }
 
 /// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
@@ -337,7 +341,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
 Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
-    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file");
+    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF, OM, glTF, GLB, STEP or BREP file");
     app.add_option("-o,--output", a.output,
                    "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG or JSON")
         ->required();
