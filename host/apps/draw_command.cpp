@@ -8,6 +8,7 @@
 
 #include "certifier.hpp"
 #include "command_line/device_options.hpp"
+#include "command_line/part_filter.hpp"
 #include "command_line/read_options.hpp"
 #include "command_line/setting_options.hpp"
 #include "command_line/style_options.hpp"
@@ -52,9 +53,11 @@ struct DrawArguments {
     ViewOptions view;
     float at = 0;
     float crease = 30;
+    bool smooth_edges = false;
     SettingOptions<FrameSettings> frame;
     StyleOptions style;
     ReadOptions read;
+    PartFilter parts;
     SequenceOptions sequence;
     PictureOptions picture;
     PathOptions paths;
@@ -100,7 +103,8 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<
 
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
     const LineOptions line_options{.kinds = kinds,
-                                   .crease_angle = arguments.crease * radians_per_degree};
+                                   .crease_angle = arguments.crease * radians_per_degree,
+                                   .smooth_edges = arguments.smooth_edges};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         LineSet lines = extract_lines(scene.mesh, line_options);
@@ -111,6 +115,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         return {scene.name, std::move(scene.mesh), std::move(lines), view, {}, {}};
     }
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
+    arguments.parts.apply(loaded);
     Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin, loaded.unit};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
@@ -168,6 +173,8 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     if (arguments.model.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    if (!arguments.scene.empty() && arguments.parts.given())
+        throw UsageError("--only and --hide are for the parts of a MODEL file");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     check_range("--crease", arguments.crease, 0, 180);
     check_range("--at", arguments.at, 0, 1);
@@ -353,6 +360,11 @@ Command setup_draw(CLI::App& app) {
     app.add_option("--crease", a.crease, "Edges bent by more than this are creases, in degrees")
         ->capture_default_str()
         ->group(model);
+
+    app.add_flag("--smooth-edges", a.smooth_edges,
+                 "Of STEP and BREP files draw edges where faces go over into each other, too")
+        ->group(model);
+    a.parts.declare(app, model);
 
     const std::string camera = "Camera (by default it frames the whole model)";
     app.add_option("--size", a.size, "Picture size in pixels")
