@@ -1,5 +1,6 @@
 # Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
-# rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has.
+# rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has, nor
+# Open CASCADE, which brep has.
 set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
     CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
@@ -57,8 +58,13 @@ describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D mo
 
 if(TARGET lineatlas-rays)
     describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
-    set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lineatlas-rays)
+    set(suggested lineatlas-rays)
 endif()
+if(TARGET lineatlas-brep)
+    describe_package(brep lineatlas-brep graphics "" "line drawings of 3D models - STEP and BREP files")
+    list(APPEND suggested lineatlas-brep)
+endif()
+list(JOIN suggested ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
 # Neither drivers of OpenGL and OpenCL nor their loaders are linked: pictures need those of OpenGL,
 # paths none.

@@ -50,6 +50,13 @@ add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
 
 # The io room looks for it here, seen from the shared library and from the tool.
 install(TARGETS lineatlas-images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
+if(TARGET lineatlas-gltf)
+    install(TARGETS lineatlas-gltf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
+endif()
+# Beside them in the same folder, for whoever wants Open CASCADE on the machine.
+if(TARGET lineatlas-brep)
+    install(TARGETS lineatlas-brep LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep)
+endif()
 # What checks drawings, found by the tool in the same folder.
 if(TARGET lineatlas-rays)
     install(TARGETS lineatlas-rays LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT rays)
@@ -99,7 +106,10 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT develop
 
 # All that is installed; tests and benchmarks need not be there.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
-                                    lineatlas-images lineatlas $<TARGET_NAME_IF_EXISTS:lineatlas-rays>)
+                                    lineatlas-images lineatlas
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-gltf>
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-brep>
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-rays>)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 include(cmake/debian.cmake)

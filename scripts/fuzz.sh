@@ -28,6 +28,7 @@ fi
 
 [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null
 cmake --build build/fuzz --target "fuzz_$target" -- --quiet
+export LINEATLAS_MODULE_DIR=$PWD/build/fuzz/lib/lineatlas
 corpus=build/fuzz/corpus/$target
 findings=build/fuzz/findings/$target
 mkdir -p "$corpus" "$findings"

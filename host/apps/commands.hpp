@@ -17,6 +17,7 @@ Command setup_devices(CLI::App& app); ///< lineatlas devices
 Command setup_bench(CLI::App& app);   ///< lineatlas bench
 Command setup_view(CLI::App& app);    ///< lineatlas view
 Command setup_check(CLI::App& app);   ///< lineatlas check
+Command setup_info(CLI::App& app);    ///< lineatlas info
 Command setup_scene(CLI::App& app);   ///< lineatlas scene
 
 } // namespace lineatlas::apps

@@ -8,6 +8,7 @@
 
 #include "certifier.hpp"
 #include "command_line/device_options.hpp"
+#include "command_line/part_filter.hpp"
 #include "command_line/read_options.hpp"
 #include "command_line/setting_options.hpp"
 #include "command_line/style_options.hpp"
@@ -51,9 +52,11 @@ struct DrawArguments {
     ViewOptions view;
     float at = 0;
     std::string crease = "auto";
+    bool smooth_edges = false;
     SettingOptions<FrameSettings> frame;
     StyleOptions style;
     ReadOptions read;
+    PartFilter parts;
     SequenceOptions sequence;
     PictureOptions picture;
     PathOptions paths;
@@ -80,7 +83,8 @@ struct Subject {
     Mesh mesh;
     LineSet lines;
     View view;
-    glm::dvec3 origin{0}; ///< of the mesh and the view, in the file's coordinates
+    glm::dvec3 origin{0};         ///< of the mesh and the view, in the file's coordinates
+    std::optional<double> unit{}; ///< of the file, in millimetres
 };
 
 Axis vertical_axis(const Subject& subject, glm::vec3 up) {
@@ -88,9 +92,12 @@ Axis vertical_axis(const Subject& subject, glm::vec3 up) {
             .direction = glm::normalize(up)};
 }
 
-/// The upward axis; a note says so where none was given and it is not y.
-glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::vector<std::string>& notes) {
+/// The upward axis: as given, as the file says, or as it looks; a note says so where it looks as if
+/// it is not y.
+glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<glm::vec3> of_file,
+                std::vector<std::string>& notes) {
     if (arguments.view.says_up()) return arguments.view.up({});
+    if (of_file) return *of_file;
     const glm::vec3 up = guess_up(mesh, usual_up(arguments.model));
     const bool matters = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (up.z > 0 && matters) notes.push_back("z is taken as upwards; --up y takes y");
@@ -98,7 +105,9 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::vector<st
 }
 
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
-    const LineOptions line_options{.kinds = kinds, .crease_angle = crease_angle(arguments)};
+    const LineOptions line_options{.kinds = kinds,
+                                   .crease_angle = crease_angle(arguments),
+                                   .smooth_edges = arguments.smooth_edges};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         LineSet lines = extract_lines(scene.mesh, line_options);
@@ -106,16 +115,17 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         const glm::vec3 up = arguments.view.up({0, 1, 0});
         const View view =
             framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
-        return {scene.name, std::move(scene.mesh), std::move(lines), view, {}};
+        return {scene.name, std::move(scene.mesh), std::move(lines), view, {}, {}};
     }
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
-    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin};
+    arguments.parts.apply(loaded);
+    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin, loaded.unit};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (std::string note = frames ? framing_note(subject.lines, loaded.origin) : ""; !note.empty())
         loaded.notes.push_back(std::move(note));
-    const glm::vec3 up = up_of(arguments, subject.mesh, loaded.notes);
+    const glm::vec3 up = up_of(arguments, subject.mesh, loaded.up, loaded.notes);
     if (!loaded.notes.empty())
         print_error(fmt::format("lineatlas: {}\n", fmt::join(loaded.notes, "; ")));
     const std::vector<glm::vec3>& points = subject.lines.vertices;
@@ -143,7 +153,7 @@ void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 s
     arguments.view.apply(subject.view, subject.origin, up_is_guessed);
     if (!arguments.view.to_scale()) return;
     subject.view = arguments.view.scaled(subject.view, millimetres_per_pixel(arguments, size), size,
-                                         subject.lines.vertices);
+                                         subject.lines.vertices, subject.unit);
 }
 
 /// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
@@ -166,6 +176,8 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     if (arguments.model.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    if (!arguments.scene.empty() && arguments.parts.given())
+        throw UsageError("--only and --hide are for the parts of a MODEL file");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     crease_angle(arguments);
     check_range("--at", arguments.at, 0, 1);
@@ -392,7 +404,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
 Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
-    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file");
+    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF, OM, glTF, GLB, STEP or BREP file");
     app.add_option("-o,--output", a.output,
                    "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG or JSON")
         ->required();
@@ -406,6 +418,11 @@ Command setup_draw(CLI::App& app) {
                    "but for noise of scanned or sculpted surfaces")
         ->capture_default_str()
         ->group(model);
+
+    app.add_flag("--smooth-edges", a.smooth_edges,
+                 "Of STEP and BREP files draw edges where faces go over into each other, too")
+        ->group(model);
+    a.parts.declare(app, model);
 
     const std::string camera = "Camera (by default it frames the whole model)";
     app.add_option("--size", a.size, "Picture size in pixels")

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
                "  lineatlas draw model.obj -o turn.%04d.png --turntable 120\n"
                "  lineatlas view model.obj\n"
                "  lineatlas check drawing.svg model.obj\n"
+               "  lineatlas info assembly.step\n"
                "  lineatlas styles\n"
                "  lineatlas devices\n"
                "  lineatlas bench frames --scenes clevis\n"
@@ -37,6 +38,7 @@ int run(int argc, char** argv) {
     add("draw", "Draw a model to a picture", lineatlas::apps::setup_draw);
     add("view", "Look at a model in a window", lineatlas::apps::setup_view);
     add("check", "Check a drawing as paths by rays", lineatlas::apps::setup_check);
+    add("info", "Say what is in a model: parts, edges, unit, box", lineatlas::apps::setup_info);
     add("styles", "List styles and pens, or print a style", lineatlas::apps::setup_styles);
     add("devices", "List OpenCL devices and how they share buffers with GL",
         lineatlas::apps::setup_devices);
@@ -46,8 +48,8 @@ int run(int argc, char** argv) {
     const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
         throw lineatlas::UsageError(fmt::format(
-            "there is no command \"{}\"; there is draw, view, check, styles, devices, scene, "
-            "bench",
+            "there is no command \"{}\"; there is draw, view, check, info, styles, devices, "
+            "scene, bench",
             first));
     }
     if (const std::optional<int> code = lineatlas::parse(app, argc, argv)) return *code;

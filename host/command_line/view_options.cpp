@@ -106,7 +106,9 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
     app.add_option("--scale", scale_,
                    "Scale of the drawing on paper, as in 1:50; needs --page or --dpi")
         ->group(group);
-    app.add_option("--unit", unit_, "Unit of the model for --scale: mm, cm, m, in or ft")
+    app.add_option(
+           "--unit", unit_,
+           "Unit of the model for --scale: mm, cm, m, in or ft; a file that says its own has that")
         ->capture_default_str()
         ->group(group);
 }
@@ -167,8 +169,10 @@ void ViewOptions::apply(View& view, glm::dvec3 origin, bool up_is_guessed) const
 }
 
 View ViewOptions::scaled(const View& view, double millimetres, glm::ivec2 size,
-                         std::span<const glm::vec3> points) const {
-    const double scale = parse_scale(scale_), unit = millimetres_of(unit_);
+                         std::span<const glm::vec3> points, std::optional<double> of_file) const {
+    const double scale = parse_scale(scale_);
+    const bool says_unit = app_->count("--unit") > 0 || !of_file;
+    const double unit = says_unit ? millimetres_of(unit_) : *of_file;
     const glm::dvec2 paper = millimetres * glm::dvec2{size};
     const glm::dvec2 needed = 2 * unit * half_extent(view, points); // millimetres at 1:1
     const double largest = std::min(paper.x / needed.x, paper.y / needed.y);

@@ -34,9 +34,10 @@ class ViewOptions {
     void apply(View& view, glm::dvec3 origin, bool up_is_guessed) const;
     /// The view to the scale that --scale asks for, if a pixel is `millimetres` on paper. `points`:
     /// must all be in the picture, unless the options place the camera themselves. Throws
-    /// UsageError that names a scale which fits.
+    /// UsageError that names a scale which fits. `of_file`: millimetres of the model's unit where
+    /// its file says it, in place of --unit's own default.
     View scaled(const View& view, double millimetres, glm::ivec2 size,
-                std::span<const glm::vec3> points) const;
+                std::span<const glm::vec3> points, std::optional<double> of_file) const;
 
   private:
     float fov() const; ///< radians

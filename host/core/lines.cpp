@@ -18,6 +18,7 @@
 #include "edges.hpp"
 #include "host_clock.hpp"
 #include "intersections.hpp"
+#include "known_edges.hpp"
 #include "line_set_builder.hpp"
 #include "lineatlas/error.hpp"
 #include "noisy_creases.hpp"
@@ -163,9 +164,12 @@ class Extraction {
     void classify_edges() {
         const std::int64_t start = host_nanoseconds();
         const std::vector<double> bends = bends_of(edges_, normals_);
-        for (std::size_t i = 0; i < edges_.size(); ++i)
-            kinds_.push_back(classify(edges_[i], welded_, bends[i], options_));
-        if (options_.crease_angle || !wanted(LineKind::crease)) return;
+        const KnownEdges known{mesh_, welded_};
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            kinds_.push_back(known.any() ? known.classify(edges_[i], welded_, bends[i], options_)
+                                         : classify(edges_[i], welded_, bends[i], options_));
+        }
+        if (known.any() || options_.crease_angle || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, edges_, bends, kinds_);
         const LineOptions smooth{.kinds = options_.kinds & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < edges_.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "extension.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace lineatlas {
@@ -13,7 +14,10 @@ std::string lower_extension(const std::filesystem::path& path) {
 }
 
 UsualUp usual_up(const std::filesystem::path& model) {
-    return lower_extension(model) == ".stl" ? UsualUp::z : UsualUp::y;
+    // Machines are drawn lying on a table.
+    constexpr std::array lying{".stl", ".step", ".stp", ".brep", ".brp"};
+    const bool lies = std::ranges::find(lying, lower_extension(model)) != lying.end();
+    return lies ? UsualUp::z : UsualUp::y;
 }
 
 } // namespace lineatlas

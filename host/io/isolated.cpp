@@ -30,6 +30,9 @@ void send(ReaderOutput& output, const Mesh& mesh) {
     }
     output.value(std::uint64_t{mesh.polylines.size()});
     for (const auto& polyline : mesh.polylines) output.values(polyline);
+    output.values(mesh.triangle_object);
+    output.values(mesh.polyline_object);
+    output.values(mesh.known_edges);
 }
 
 void send(ReaderOutput& output, const LoadedMesh& loaded) {
@@ -37,6 +40,17 @@ void send(ReaderOutput& output, const LoadedMesh& loaded) {
     output.value(std::uint64_t{loaded.notes.size()});
     for (const std::string& note : loaded.notes) output.text(note);
     output.value(loaded.origin);
+    output.text(loaded.format);
+    output.value(loaded.up.has_value());
+    output.value(loaded.up.value_or(glm::vec3{0}));
+    output.value(loaded.unit.value_or(0));
+    output.value(std::uint64_t{loaded.parts.size()});
+    for (const ModelPart& part : loaded.parts) {
+        output.text(part.name);
+        output.value(part.parent);
+        output.value(part.object);
+        output.value(part.shape);
+    }
     send(output, loaded.mesh);
 }
 
@@ -75,7 +89,19 @@ Mesh receive_mesh(ReaderProcess& process) {
     }
     for (auto left = process.value<std::uint64_t>(); left > 0; --left)
         mesh.polylines.push_back(process.values<std::uint32_t>());
+    mesh.triangle_object = process.values<std::uint32_t>();
+    mesh.polyline_object = process.values<std::uint32_t>();
+    mesh.known_edges = process.values<KnownEdge>();
     return mesh;
+}
+
+/// Numbers of objects: none, or one each, and no more of them than there may be.
+bool fits(const std::vector<std::uint32_t>& objects, std::size_t count) {
+    constexpr std::uint32_t most_objects = 1U << 24U;
+    return objects.empty() ||
+           (objects.size() == count && std::ranges::all_of(objects, [](std::uint32_t object) {
+                return object < most_objects;
+            }));
 }
 
 /// What load_mesh() promises.
@@ -99,7 +125,20 @@ bool is_sound(const Mesh& mesh) {
                                }) &&
            (mesh.triangle_group.empty() || mesh.triangle_group.size() == mesh.triangles.size()) &&
            std::ranges::all_of(mesh.triangle_group,
-                               [&](std::uint32_t group) { return group < mesh.groups.size(); });
+                               [&](std::uint32_t group) { return group < mesh.groups.size(); }) &&
+           fits(mesh.triangle_object, mesh.triangles.size()) &&
+           fits(mesh.polyline_object, mesh.polylines.size()) &&
+           std::ranges::all_of(mesh.known_edges, [&](const KnownEdge& edge) {
+               return is_vertex(edge.from) && is_vertex(edge.to) &&
+                      edge.kind <= KnownEdge::Kind::free;
+           });
+}
+
+bool is_sound(const LoadedMesh& loaded) {
+    const std::vector<ModelPart>& parts = loaded.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].parent != ModelPart::none && parts[i].parent >= i) return false;
+    return is_sound(loaded.mesh) && (!loaded.unit || std::isfinite(*loaded.unit));
 }
 
 bool is_sound(const Image& image) {
@@ -134,8 +173,20 @@ LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimit
     for (auto left = process.value<std::uint64_t>(); left > 0; --left)
         loaded.notes.push_back(process.text());
     loaded.origin = process.value<glm::dvec3>();
+    loaded.format = process.text();
+    const bool says_up = process.value<std::uint8_t>() != 0;
+    const auto up = process.value<glm::vec3>();
+    if (says_up) loaded.up = up;
+    if (const auto unit = process.value<double>(); unit > 0) loaded.unit = unit;
+    for (auto left = process.value<std::uint64_t>(); left > 0; --left) {
+        ModelPart part{.name = process.text()};
+        part.parent = process.value<std::uint32_t>();
+        part.object = process.value<std::uint32_t>();
+        part.shape = process.value<std::uint32_t>();
+        loaded.parts.push_back(std::move(part));
+    }
     loaded.mesh = receive_mesh(process);
-    if (!is_sound(loaded.mesh)) process.refuse();
+    if (!is_sound(loaded)) process.refuse();
     return loaded;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <iterator>
 #include <new>
@@ -8,7 +9,9 @@
 
 #include "checked.hpp"
 #include "extension.hpp"
+#include "gltf_files.hpp"
 #include "mesh_source.hpp"
+#include "model_loader.hpp"
 #include "obj.hpp"
 #include "openmesh_import.hpp"
 #include "soup.hpp"
@@ -17,8 +20,16 @@ namespace lineatlas {
 
 namespace {
 
+/// ".obj" as "OBJ"
+std::string upper_name(std::string_view extension) {
+    std::string name(extension.substr(1));
+    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return name;
+}
+
 Soup read_soup(MeshSource source, const std::string& extension) {
     SourceFile& model = source.model;
+    if (is_read_by_module(extension)) return read_by_module(model, extension, source.named);
     if (extension == ".stl") return import_by_openmesh(check_stl(model), extension, model.path);
 
     refuse_other_types(model, extension);
@@ -35,10 +46,19 @@ MeshSource read_mesh_source(const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);
     constexpr std::string_view known[] = {".obj", ".ply", ".stl", ".off", ".om"};
     MeshSource source{.model = read_source(path), .materials = {}};
+    if (is_read_by_module(extension)) {
+        refuse_other_types(source.model, extension);
+        if (extension == ".gltf" || extension == ".glb")
+            source.named = read_gltf_files(source.model);
+        prepare_module(extension);
+        return source;
+    }
     if (std::find(std::begin(known), std::end(known), extension) == std::end(known)) {
+        refuse_other_models(source.model, extension);
         refuse_other_types(source.model, extension);
         throw read_error(path, "unknown mesh type \"" + printable(extension) +
-                                   "\"; known are .obj, .ply, .stl, .off and .om");
+                                   "\"; known are .obj, .ply, .stl, .off, .om, .gltf, .glb, .step, "
+                                   ".stp and .brep");
     }
     if (extension == ".obj") source.materials = read_material_files(source.model);
     return source;
@@ -47,7 +67,10 @@ MeshSource read_mesh_source(const std::filesystem::path& path) {
 LoadedMesh parse_mesh(MeshSource source) {
     const std::filesystem::path path = source.model.path;
     try {
-        return finish(read_soup(std::move(source), lower_extension(path)), path);
+        const std::string extension = lower_extension(path);
+        LoadedMesh loaded = finish(read_soup(std::move(source), extension), path);
+        if (loaded.format.empty()) loaded.format = upper_name(extension);
+        return loaded;
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

@@ -5,8 +5,9 @@
 #include <set>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
+
+#include "named_files.hpp"
 
 namespace lineatlas {
 
@@ -35,19 +36,9 @@ std::vector<std::string> material_names(std::string_view text) {
     return names;
 }
 
-bool is_below(const fs::path& path, const fs::path& folder) {
-    return std::ranges::mismatch(folder, path).in1 == folder.end();
-}
-
-enum class Outcome { read, missing, outside };
-
 class Reader {
   public:
-    explicit Reader(const fs::path& obj) {
-        std::error_code error;
-        folder_ = fs::absolute(obj, error).lexically_normal().parent_path();
-        real_folder_ = fs::canonical(folder_, error);
-    }
+    explicit Reader(const fs::path& obj) : beside_(obj) {}
 
     void read(std::string name) {
         std::ranges::replace(name, '\\', '/');
@@ -71,26 +62,16 @@ class Reader {
     MaterialFiles take() { return std::move(files_); }
 
   private:
+    using Outcome = NamedFiles::Outcome;
+
     Outcome read_one(const fs::path& name) {
-        // By its name first, so that nothing outside is even asked for.
-        const fs::path path = (folder_ / name).lexically_normal();
-        if (!is_below(path, folder_)) return Outcome::outside;
-        std::error_code error;
-        const fs::path real = fs::canonical(path, error);
-        if (error) return Outcome::missing;
-        if (!is_below(real, real_folder_)) return Outcome::outside;
-        if (!fs::is_regular_file(real, error)) return Outcome::missing;
-        try {
-            files_.contents.push_back(fs::is_empty(real) ? "" : read_source(real).bytes);
-        } catch (const FileError&) {
-            return Outcome::missing;
-        } catch (const fs::filesystem_error&) {
-            return Outcome::missing;
-        }
-        return Outcome::read;
+        std::string contents;
+        const Outcome outcome = beside_.read(name, contents);
+        if (outcome == Outcome::read) files_.contents.push_back(std::move(contents));
+        return outcome;
     }
 
-    fs::path folder_, real_folder_;
+    NamedFiles beside_;
     MaterialFiles files_;
 };
 

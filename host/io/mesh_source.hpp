@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "lineatlas/io.hpp"
 #include "material_files.hpp"
+#include "models/model_module.hpp"
 #include "source_file.hpp"
 
 namespace lineatlas {
@@ -14,9 +16,11 @@ namespace lineatlas {
 struct MeshSource {
     SourceFile model;
     MaterialFiles materials;
+    std::vector<models::NamedFile> named{}; ///< that a scene names
 };
 
-/// Throws FileError for what can't be read and for types that are no mesh.
+/// Loads the module that the type needs, too. Throws FileError for what can't be read and for types
+/// that are no mesh.
 MeshSource read_mesh_source(const std::filesystem::path& path);
 
 /// Opens nothing. Throws FileError.

@@ -109,25 +109,38 @@ FaceCounts triangulate_faces(const Soup& soup, const std::vector<std::uint32_t>&
         if (mesh.triangles.size() == before) ++counts.repeated;
         if (!soup.face_group.empty())
             mesh.triangle_group.resize(mesh.triangles.size(), soup.face_group[i]);
+        if (!soup.face_object.empty())
+            mesh.triangle_object.resize(mesh.triangles.size(), soup.face_object[i]);
     }
     return counts;
 }
 
 std::size_t keep_polylines(Soup& soup, const std::vector<std::uint32_t>& moved, Mesh& mesh) {
     std::size_t lost = 0;
-    for (std::vector<std::uint32_t>& line : soup.polylines) {
+    for (std::size_t i = 0; i < soup.polylines.size(); ++i) {
+        std::vector<std::uint32_t>& line = soup.polylines[i];
         for (std::uint32_t& index : line) index = moved[index];
         if (std::ranges::any_of(line, is_dropped)) {
             ++lost;
             continue;
         }
         line.erase(std::unique(line.begin(), line.end()), line.end());
-        if (line.size() < 2)
+        if (line.size() < 2) {
             ++lost;
-        else
-            mesh.polylines.push_back(std::move(line));
+            continue;
+        }
+        mesh.polylines.push_back(std::move(line));
+        if (!soup.polyline_object.empty()) mesh.polyline_object.push_back(soup.polyline_object[i]);
     }
     return lost;
+}
+
+void keep_known_edges(const Soup& soup, const std::vector<std::uint32_t>& moved, Mesh& mesh) {
+    for (const KnownEdge& edge : soup.known_edges) {
+        const std::uint32_t from = moved[edge.from], to = moved[edge.to];
+        if (!is_dropped(from) && !is_dropped(to))
+            mesh.known_edges.push_back({from, to, edge.kind, edge.edge});
+    }
 }
 
 /// Groups that no triangle is in are left out, so that a file with one `o` and no `usemtl` before
@@ -206,6 +219,11 @@ LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
     counts.not_finite += soup.not_finite_faces;
     refuse_if_most_are_bad(counts, path);
     const std::size_t lost_lines = keep_polylines(soup, moved, mesh);
+    keep_known_edges(soup, moved, mesh);
+    loaded.format = std::move(soup.format);
+    loaded.up = soup.up;
+    loaded.unit = soup.unit;
+    loaded.parts = std::move(soup.parts);
     add_notes(loaded, counts, lost_lines);
     if (mesh.empty()) throw read_error(path, why_empty(soup, counts, loaded.notes));
     refuse_if_too_small(bounds, path);

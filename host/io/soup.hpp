@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ struct Soup {
     std::vector<std::uint32_t> face_group; ///< per face, or empty
     std::vector<MeshGroup> groups;
     std::vector<std::vector<std::uint32_t>> polylines;
+    std::vector<std::uint32_t> face_object{};     ///< per face, or empty
+    std::vector<std::uint32_t> polyline_object{}; ///< per polyline, or empty
+    std::vector<KnownEdge> known_edges{};
+    std::vector<ModelPart> parts{};
+    std::string format{};
+    std::optional<glm::vec3> up{};
+    std::optional<double> unit{}; ///< millimetres
     std::vector<std::string> notes;
     std::size_t not_finite_faces = 0; ///< left out by the reader already
 

@@ -31,8 +31,7 @@ constexpr std::array signatures{
     Signature{"\x7F"
               "ELF",
               "a program"},
-    Signature{"glTF", "a binary glTF model; convert it to OBJ or PLY"},
-    Signature{"Kaydara FBX", "an FBX model; convert it to OBJ or PLY"},
+    Signature{"Kaydara FBX", "an FBX model; convert it to GLB, with Blender for one"},
     Signature{"<?xml", "an XML document"},
     Signature{"<!DOCTYPE", "an HTML page; was the download refused?"},
     Signature{"<html", "an HTML page; was the download refused?"},
@@ -44,12 +43,15 @@ constexpr std::array signatures{
 struct MeshSignature {
     std::string_view magic;
     std::string_view extension;
+    std::string_view also{}; ///< another extension that such files have
 };
 
 // STL is not listed: "solid" may start any text, and a binary STL starts with anything.
 constexpr std::array mesh_signatures{
-    MeshSignature{"ply\n", ".ply"}, MeshSignature{"ply\r", ".ply"},  MeshSignature{"OFF\n", ".off"},
-    MeshSignature{"OFF\r", ".off"}, MeshSignature{"COFF\n", ".off"}, MeshSignature{"OMT", ".om"},
+    MeshSignature{"ply\n", ".ply"},         MeshSignature{"ply\r", ".ply"},
+    MeshSignature{"OFF\n", ".off"},         MeshSignature{"OFF\r", ".off"},
+    MeshSignature{"COFF\n", ".off"},        MeshSignature{"OMT", ".om"},
+    MeshSignature{"glTF", ".glb", ".gltf"}, MeshSignature{"ISO-10303-21;", ".step", ".stp"},
 };
 
 } // namespace
@@ -120,7 +122,8 @@ void refuse_other_types(const SourceFile& source, std::string_view extension) {
         if (bytes.starts_with(signature.magic))
             throw read_error(source.path, "it is " + std::string(signature.what));
     for (const MeshSignature& signature : mesh_signatures)
-        if (bytes.starts_with(signature.magic) && extension != signature.extension)
+        if (bytes.starts_with(signature.magic) && extension != signature.extension &&
+            extension != signature.also)
             throw read_error(source.path, "it holds a mesh of type " +
                                               std::string(signature.extension) +
                                               "; give it that extension");

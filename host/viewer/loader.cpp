@@ -51,7 +51,8 @@ std::shared_ptr<Model> Loader::read(const ModelSource& source) {
     model->mesh = std::move(loaded.mesh);
     model->origin = loaded.origin;
     model->notes = std::move(loaded.notes);
-    if (!source.up) model->source.up = guess_up(model->mesh, usual_up(source.file));
+    if (!source.up)
+        model->source.up = loaded.up.value_or(guess_up(model->mesh, usual_up(source.file)));
     return model;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,16 @@
 
 namespace lineatlas {
 
+/// A part of a model that has any: a node of a glTF scene, an instance in an assembly.
+struct ModelPart {
+    static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
+    std::string name;            ///< as in the file, or what it is called there for want of one
+    std::uint32_t parent = none; ///< index of the part that it is in, before its own; none: of none
+    /// Its number in Mesh::triangle_object and Mesh::polyline_object; none: it only holds others.
+    std::uint32_t object = none;
+    std::uint32_t shape = none; ///< the same for instances of the same shape
+};
+
 /// A mesh from a file, with what was repaired or dropped on the way.
 struct LoadedMesh {
     Mesh mesh; ///< what the file holds; indices are in range, positions finite
@@ -23,10 +34,15 @@ struct LoadedMesh {
     /// What was taken off every position: zero, unless the model lies so far from zero, compared
     /// with its size, that floats there could not hold it.
     glm::dvec3 origin{0};
+    std::string format{};           ///< "glTF 2.0", "STEP AP214", "OBJ"
+    std::optional<glm::vec3> up{};  ///< the upward axis, where the format or the file says it
+    std::optional<double> unit{};   ///< millimetres in one unit of length, where it is said
+    std::vector<ModelPart> parts{}; ///< a tree in the order of the file; empty where it has none
 };
 
-/// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, chosen by
-/// extension in any case. Throws FileError, one line that names the file and the cause, when the
+/// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, and by modules
+/// that are loaded when they are needed glTF and GLB, STEP and BREP; chosen by extension in any
+/// case. Throws FileError, one line that names the file and the cause, when the
 /// file is missing, empty, truncated, of another type than its name says, refers to vertices it
 /// does not have, or holds no triangle and no polyline. May be called from several threads.
 ///
@@ -35,7 +51,8 @@ struct LoadedMesh {
 /// coordinates that are no finite numbers or beyond 1e15 are dropped. A group is one pair of object
 /// and material in an OBJ file, its object named `o`, `g`, or `o/g` where both are given; its
 /// colour comes from the .mtl file when that is there, and a note says when it is not. Files that
-/// name nothing, and the other types, have no groups.
+/// name nothing, and the other mesh types, have no groups. Instances in scenes and assemblies
+/// become triangles of their own, with a group for each of them and its materials.
 LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path);
 
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and

@@ -54,6 +54,8 @@ struct LineOptions {
     /// that where they touch each has a line of its own, and nothing is cut where they meet. They
     /// are those of Mesh::triangle_object, or groups of one name.
     bool separate_objects = false;
+    /// Of what KnownEdge::Kind::smooth is, draw creases too: where a fillet ends.
+    bool smooth_edges = false;
 };
 
 /// What moves on its own.

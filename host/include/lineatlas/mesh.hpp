@@ -23,6 +23,22 @@ struct MeshGroup {
     std::optional<glm::vec3> color{};
 };
 
+/// An edge of which the file itself says what it is, as files of exact surfaces do (STEP). It runs
+/// along edges of triangles.
+struct KnownEdge {
+    /// What a KnownEdge is.
+    enum class Kind : std::uint32_t {
+        sharp,  ///< between two faces that meet at an angle: a crease however small that is
+        smooth, ///< between two faces that go over into each other
+        seam,   ///< where a face that goes round, as a cylinder's, meets itself: never a line
+        free,   ///< of one face only: a boundary
+    };
+    std::uint32_t from = 0; ///< index into Mesh::positions
+    std::uint32_t to = 0;   ///< index into Mesh::positions
+    Kind kind = Kind::sharp;
+    std::uint32_t edge = 0; ///< number of the file's own edge, of which this is a piece
+};
+
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.
 ///
 /// Equal positions need not share an index: extract_lines() merges them. Nothing is assumed
@@ -38,6 +54,9 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_object{};
     /// The same per polyline. Empty: polylines are one object, the last.
     std::vector<std::uint32_t> polyline_object{};
+    /// Where there are any, they say which edges are creases and boundaries, and angles between
+    /// triangles do not: those within a curved face are the tessellation's own.
+    std::vector<KnownEdge> known_edges{};
 
     /// Whether it has nothing to draw.
     bool empty() const { return triangles.empty() && polylines.empty(); }

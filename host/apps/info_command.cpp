@@ -1,0 +1,41 @@
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "command_line/read_options.hpp"
+#include "commands.hpp"
+#include "io/isolated.hpp"
+#include "lineatlas/io.hpp"
+#include "model_info.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+struct InfoArguments {
+    std::string model;
+    bool json = false;
+    ReadOptions read;
+};
+
+void print_info(const InfoArguments& arguments) {
+    arguments.read.check();
+    const LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
+    const nlohmann::ordered_json info = describe_model(arguments.model, loaded);
+    // Names are as the file has them, and need not be UTF-8.
+    constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    fmt::print("{}", arguments.json ? info.dump(2, ' ', false, replace) + '\n' : to_text(info));
+}
+
+} // namespace
+
+Command setup_info(CLI::App& app) {
+    auto arguments = std::make_shared<InfoArguments>();
+    app.add_option("MODEL", arguments->model, "File of a model")->required();
+    app.add_flag("--json", arguments->json, "As JSON, for scripts");
+    arguments->read.declare(app);
+    app.footer("Example: lineatlas info assembly.step --json");
+    return [arguments] { print_info(*arguments); };
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,153 @@
+#include "model_info.hpp"
+
+#include <array>
+#include <map>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/up_axis.hpp"
+#include "io/extension.hpp"
+#include "io/part_paths.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array edge_names{"sharp", "smooth", "seam", "free"}; ///< of KnownEdge::Kind
+
+template <class Vector>
+Json list(const Vector& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// What one part, or all of a model, has.
+struct Counts {
+    std::size_t triangles = 0, polylines = 0;
+    std::array<std::size_t, edge_names.size()> edges{};
+
+    void put_into(Json& json, bool knows_edges) const {
+        json["triangles"] = triangles;
+        if (polylines > 0) json["polylines"] = polylines;
+        if (!knows_edges) return;
+        for (std::size_t kind = 0; kind < edges.size(); ++kind)
+            json["edges"][edge_names[kind]] = edges[kind];
+    }
+};
+
+/// Per object; the file's own edges count once, however many pieces they have.
+std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths) {
+    const Mesh& mesh = loaded.mesh;
+    std::vector<Counts> counts(paths.paths.size());
+    std::vector<std::uint32_t> part_of_position(mesh.positions.size(), PartPaths::none);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const std::uint32_t part = paths.of_triangle[i];
+        ++counts[part].triangles;
+        for (int corner = 0; corner < 3; ++corner)
+            part_of_position[mesh.triangles[i][corner]] = part;
+    }
+    for (const std::uint32_t part : paths.of_polyline)
+        if (part != PartPaths::none) ++counts[part].polylines;
+    std::set<std::uint32_t> known;
+    for (const KnownEdge& edge : mesh.known_edges) {
+        const std::uint32_t part = part_of_position[edge.from];
+        if (part != PartPaths::none && known.insert(edge.edge).second)
+            ++counts[part].edges[static_cast<std::size_t>(edge.kind)];
+    }
+    return counts;
+}
+
+Json parts_of(const LoadedMesh& loaded) {
+    const PartPaths paths = part_paths(loaded);
+    const std::vector<Counts> counts = count_parts(loaded, paths);
+    const bool knows_edges = !loaded.mesh.known_edges.empty();
+    Json parts = Json::array();
+    if (loaded.parts.empty()) {
+        for (std::size_t i = 0; i < paths.paths.size(); ++i) {
+            Json part{{"name", paths.paths[i].whole()}, {"parent", nullptr}};
+            counts[i].put_into(part, knows_edges);
+            parts.push_back(std::move(part));
+        }
+        return parts;
+    }
+    for (const ModelPart& each : loaded.parts) {
+        Json part{{"name", each.name}, {"parent", nullptr}};
+        if (each.parent != ModelPart::none) part["parent"] = each.parent;
+        if (each.shape != ModelPart::none) part["shape"] = each.shape;
+        if (each.object < counts.size()) counts[each.object].put_into(part, knows_edges);
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+/// "428 sharp, 76 seam"
+std::string edges_text(const Json& edges) {
+    std::string text;
+    for (const auto& [kind, count] : edges.items())
+        if (count != 0)
+            text +=
+                fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<std::size_t>(), kind);
+    return text.empty() ? "none" : text;
+}
+
+std::string point_text(const Json& point) {
+    return fmt::format("{:.6g},{:.6g},{:.6g}", point[0].get<double>(), point[1].get<double>(),
+                       point[2].get<double>());
+}
+
+} // namespace
+
+Json describe_model(const std::string& file, const LoadedMesh& loaded) {
+    const Mesh& mesh = loaded.mesh;
+    Json info{{"file", file}, {"format", loaded.format}, {"unit_mm", nullptr}};
+    if (loaded.unit) info["unit_mm"] = *loaded.unit;
+    info["up"] = list(loaded.up.value_or(guess_up(mesh, usual_up(file))));
+    info["up_is_guessed"] = !loaded.up;
+    const Bounds box = bounds_of(mesh);
+    info["box"] = {{"min", list(glm::dvec3{box.min} + loaded.origin)},
+                   {"max", list(glm::dvec3{box.max} + loaded.origin)}};
+    Counts all{.triangles = mesh.triangles.size(), .polylines = mesh.polylines.size()};
+    std::set<std::uint32_t> known;
+    for (const KnownEdge& edge : mesh.known_edges)
+        if (known.insert(edge.edge).second) ++all.edges[static_cast<std::size_t>(edge.kind)];
+    all.put_into(info, !mesh.known_edges.empty());
+    const LineSet lines = extract_lines(mesh);
+    for (std::size_t kind = 0; kind < line_kind_names.size(); ++kind)
+        info["segments"][std::string{line_kind_names[kind]}] = lines.kind_counts[kind];
+    info["parts"] = parts_of(loaded);
+    info["notes"] = loaded.notes;
+    return info;
+}
+
+std::string to_text(const Json& info) {
+    const auto& up = info["up"];
+    std::string text = fmt::format(
+        "{}: {}, {} triangles, unit {}, up {}{}\nbox {} to {}\nsegments: {}\n",
+        info["file"].get<std::string>(), info["format"].get<std::string>(),
+        info["triangles"].get<std::size_t>(),
+        info["unit_mm"].is_null() ? "not said"
+                                  : fmt::format("{:.6g} mm", info["unit_mm"].get<double>()),
+        point_text(up), info["up_is_guessed"].get<bool>() ? " as it looks" : "",
+        point_text(info["box"]["min"]), point_text(info["box"]["max"]),
+        edges_text(info["segments"]));
+    if (info.contains("edges")) text += "edges: " + edges_text(info["edges"]) + '\n';
+    std::vector<std::size_t> levels;
+    for (const Json& part : info["parts"]) {
+        levels.push_back(part["parent"].is_null() ? 0
+                                                  : levels[part["parent"].get<std::size_t>()] + 1);
+        const std::string name = part["name"].get<std::string>();
+        text += fmt::format("{:{}}{}", "", 2 * (levels.back() + 1), name.empty() ? "-" : name);
+        if (part.contains("triangles"))
+            text += fmt::format(": {} triangles", part["triangles"].get<std::size_t>());
+        if (part.contains("edges")) text += ", edges " + edges_text(part["edges"]);
+        text += '\n';
+    }
+    for (const Json& note : info["notes"])
+        text += fmt::format("note: {}\n", note.get<std::string>());
+    return text;
+}
+
+} // namespace lineatlas::apps

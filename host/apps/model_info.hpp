@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "lineatlas/io.hpp"
+
+namespace lineatlas::apps {
+
+/// What `lineatlas info` says of a model, as an object; docs/input.md has its members.
+nlohmann::ordered_json describe_model(const std::string& file, const LoadedMesh& loaded);
+
+/// The same as text for people: a line for the file, and one for each part of its tree.
+std::string to_text(const nlohmann::ordered_json& info);
+
+} // namespace lineatlas::apps

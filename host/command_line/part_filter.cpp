@@ -1,0 +1,98 @@
+#include "part_filter.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include "io/part_paths.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+bool matches(const std::string& pattern, const std::string& name) {
+    return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+/// Whether the path's part, or one that it is in, is called so.
+bool names_part(const std::string& pattern, const PartPath& path) {
+    return matches(pattern, path.whole()) ||
+           std::ranges::any_of(path.names,
+                               [&](const std::string& name) { return matches(pattern, name); });
+}
+
+/// The names of parts, as many as a line holds.
+std::string listed(const std::vector<PartPath>& paths) {
+    constexpr std::size_t most = 12;
+    std::set<std::string> names;
+    for (const PartPath& path : paths)
+        if (!path.names.empty() && !path.names.back().empty()) names.insert(path.names.back());
+    if (names.empty()) return "its parts have no names";
+    const std::size_t more = names.size() > most ? names.size() - most : 0;
+    while (names.size() > most) names.erase(std::prev(names.end()));
+    return fmt::format("there is \"{}\"{}", fmt::join(names, "\", \""),
+                       more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<bool>& kept) {
+    if (values.empty()) return;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i]) values[next++] = std::move(values[i]);
+    values.resize(next);
+}
+
+} // namespace
+
+void PartFilter::declare(CLI::App& app, const std::string& group) {
+    app.add_option("--only", only_,
+                   "Draw only parts of this name (and what is in them); * and ? stand for any "
+                   "letters; may be given several times")
+        ->allow_extra_args(false)
+        ->group(group);
+    app.add_option("--hide", hidden_, "Leave out parts of this name, likewise")
+        ->allow_extra_args(false)
+        ->group(group);
+}
+
+void PartFilter::apply(LoadedMesh& loaded) const {
+    if (!given()) return;
+    Mesh& mesh = loaded.mesh;
+    const PartPaths paths = part_paths(loaded);
+    const auto wanted_part = [&](const PartPath& path) {
+        const auto named = [&](const std::string& pattern) { return names_part(pattern, path); };
+        return (only_.empty() || std::ranges::any_of(only_, named)) &&
+               std::ranges::none_of(hidden_, named);
+    };
+    for (const auto* patterns : {&only_, &hidden_}) {
+        for (const std::string& pattern : *patterns) {
+            if (std::ranges::any_of(
+                    paths.paths, [&](const PartPath& path) { return names_part(pattern, path); }))
+                continue;
+            throw UsageError(fmt::format("{}: no part is called \"{}\"; {}",
+                                         patterns == &only_ ? "--only" : "--hide", pattern,
+                                         listed(paths.paths)));
+        }
+    }
+    std::vector<bool> wanted;
+    for (const PartPath& path : paths.paths) wanted.push_back(wanted_part(path));
+    const auto kept = [&](const std::vector<std::uint32_t>& parts) {
+        std::vector<bool> result;
+        for (const std::uint32_t part : parts)
+            result.push_back(part == PartPaths::none ? only_.empty() : wanted[part]);
+        return result;
+    };
+    const std::vector<bool> triangles = kept(paths.of_triangle), lines = kept(paths.of_polyline);
+    keep(mesh.triangles, triangles);
+    keep(mesh.triangle_group, triangles);
+    keep(mesh.triangle_object, triangles);
+    keep(mesh.polylines, lines);
+    keep(mesh.polyline_object, lines);
+    if (mesh.empty()) throw UsageError("--only and --hide leave nothing to draw");
+}
+
+} // namespace lineatlas

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "lineatlas/io.hpp"
+
+namespace lineatlas {
+
+/// --only and --hide: which parts of a model are drawn, by their names.
+class PartFilter {
+  public:
+    void declare(CLI::App& app, const std::string& group);
+
+    bool given() const { return !only_.empty() || !hidden_.empty(); }
+
+    /// Takes out of the mesh what is not wanted. Throws UsageError that names the parts there are
+    /// when a pattern is the name of none, or nothing is left.
+    void apply(LoadedMesh& loaded) const;
+
+  private:
+    std::vector<std::string> only_, hidden_;
+};
+
+} // namespace lineatlas

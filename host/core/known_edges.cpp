@@ -1,0 +1,76 @@
+#include "known_edges.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr std::uint32_t unused = LineSource::none;
+
+std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
+    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
+}
+
+/// Per position of the mesh the vertex that triangles have in its place.
+std::vector<std::uint32_t> vertices_of_positions(const Mesh& mesh, const WeldedMesh& welded) {
+    std::vector<std::uint32_t> vertices(mesh.positions.size(), unused);
+    for (std::size_t i = 0; i < welded.triangles.size(); ++i) {
+        const glm::uvec3 source = mesh.triangles[welded.triangle_source[i]];
+        for (int corner = 0; corner < 3; ++corner)
+            vertices[source[corner]] = welded.triangles[i][corner];
+    }
+    return vertices;
+}
+
+void check_index(std::uint32_t index, std::size_t count) {
+    if (index < count) return;
+    throw UsageError("mesh: a known edge has the index " + std::to_string(index) +
+                     ", but there are " + std::to_string(count) + " positions");
+}
+
+} // namespace
+
+KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) {
+    if (mesh.known_edges.empty()) return;
+    const std::vector<std::uint32_t> vertices = vertices_of_positions(mesh, welded);
+    kinds_.reserve(mesh.known_edges.size());
+    for (const KnownEdge& edge : mesh.known_edges) {
+        check_index(edge.from, mesh.positions.size());
+        check_index(edge.to, mesh.positions.size());
+        const std::uint32_t p = vertices[edge.from], q = vertices[edge.to];
+        if (p == unused || q == unused || p == q) continue;
+        // Where parts touch, an edge may be two: the one that is a line wins.
+        const auto [entry, fresh] = kinds_.try_emplace(edge_key(p, q), edge.kind);
+        if (!fresh && edge.kind == KnownEdge::Kind::sharp) entry->second = edge.kind;
+    }
+}
+
+std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedMesh& mesh,
+                                             double bend, const LineOptions& options) const {
+    const auto found = kinds_.find(edge_key(edge.p, edge.q));
+    const KnownEdge::Kind kind =
+        found != kinds_.end() ? found->second : KnownEdge::Kind::seam; // within a face
+    MeshEdge seen = edge;
+    LineOptions rule = options;
+    const bool is_line =
+        kind == KnownEdge::Kind::sharp || (kind == KnownEdge::Kind::smooth && options.smooth_edges);
+    if (is_line && (options.kinds & mask_of(LineKind::crease)) != 0) {
+        // Faces of other parts in the same place make no boundary of it.
+        if (edge.face_count >= 2 || (options.kinds & mask_of(LineKind::boundary)) == 0) {
+            const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
+            const bool material = edge.face_count == 2 &&
+                                  (options.kinds & mask_of(LineKind::material)) != 0 &&
+                                  mesh.triangle_group[edge.face_a] != mesh.triangle_group[b];
+            return material ? LineKind::material : LineKind::crease;
+        }
+    }
+    if (kind == KnownEdge::Kind::free) seen.face_count = 1;
+    rule.crease_angle = std::numbers::pi_v<float>; // which no angle is above
+    return lineatlas::classify(seen, mesh, bend, rule);
+}
+
+} // namespace lineatlas

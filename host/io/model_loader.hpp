@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "models/model_module.hpp"
+#include "soup.hpp"
+#include "source_file.hpp"
+
+namespace lineatlas {
+
+// Models that modules read: scenes (glTF) and exact surfaces (STEP, BREP).
+
+/// Whether a module reads files of this extension (lower case, with its dot).
+bool is_read_by_module(std::string_view extension);
+
+/// Throws FileError, one line that says how to convert, for models that nothing here reads but
+/// that are known: FBX, Collada, IFC and others.
+void refuse_other_models(const SourceFile& model, std::string_view extension);
+
+/// Loads what read_by_module() will need; that opens nothing. Throws FileError.
+void prepare_module(std::string_view extension);
+
+Soup read_by_module(const SourceFile& model, std::string_view extension,
+                    const std::vector<models::NamedFile>& named);
+
+} // namespace lineatlas

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lineatlas/io.hpp"
+
+namespace lineatlas {
+
+/// A part's name after those of all that it is in.
+struct PartPath {
+    std::vector<std::string> names;
+
+    /// "assembly/Bolt"
+    std::string whole() const;
+};
+
+/// The parts of a model that have triangles or lines: those of its tree, or its groups by name
+/// where it has none.
+struct PartPaths {
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    std::vector<PartPath> paths;
+    std::vector<std::uint32_t> of_triangle; ///< per triangle an index into `paths`
+    std::vector<std::uint32_t> of_polyline; ///< likewise, or `none`
+};
+PartPaths part_paths(const LoadedMesh& loaded);
+
+} // namespace lineatlas

@@ -1,0 +1,137 @@
+#include "placement.hpp"
+
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+#include <NCollection_DataMap.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <gp_Trsf.hxx>
+
+#include "shape_mesh.hpp"
+
+namespace lineatlas::brep {
+
+namespace {
+
+double diagonal(const Assembly& assembly) {
+    Bnd_Box all;
+    for (const Instance& instance : assembly.instances) {
+        Bnd_Box box;
+        BRepBndLib::Add(instance.shape, box, false);
+        if (!box.IsVoid()) all.Add(box.Transformed(instance.location.Transformation()));
+    }
+    if (all.IsVoid()) throw std::runtime_error("it holds no shape with any extent");
+    if (all.IsOpen()) throw std::runtime_error("a shape in it has no end");
+    return std::sqrt(all.SquareExtent());
+}
+
+class Placement {
+  public:
+    Placement(Assembly&& assembly, double deflection) : assembly_(std::move(assembly)) {
+        constexpr double share = 0.001, chords = 24;
+        fineness_ = {.deflection = deflection > 0 ? deflection : share * diagonal(assembly_),
+                     .angle = 2 * std::numbers::pi / chords};
+    }
+
+    Soup place() {
+        soup_.parts = std::move(assembly_.parts);
+        soup_.notes = std::move(assembly_.notes);
+        soup_.format = std::move(assembly_.format);
+        soup_.unit = assembly_.unit;
+        for (const Instance& instance : assembly_.instances) add(instance);
+        for (const auto& [part, count] : failed_)
+            soup_.notes.push_back(std::to_string(count) + (count == 1 ? " face" : " faces") +
+                                  " of \"" + part + "\" could not be meshed");
+        return std::move(soup_);
+    }
+
+  private:
+    const std::pair<std::uint32_t, ShapeMesh>& mesh_of(const TopoDS_Shape& shape) {
+        if (!meshes_.IsBound(shape)) {
+            const auto number = static_cast<std::uint32_t>(meshes_.Extent());
+            meshes_.Bind(shape, {number, mesh_shape(shape, fineness_)});
+        }
+        return meshes_.Find(shape);
+    }
+
+    std::string path_of(std::uint32_t part) const {
+        std::string path = soup_.parts[part].name;
+        for (std::uint32_t above = soup_.parts[part].parent; above != ModelPart::none;
+             above = soup_.parts[above].parent)
+            path = soup_.parts[above].name + '/' + path;
+        return path;
+    }
+
+    std::uint32_t group_of(const std::string& path, std::uint32_t part,
+                           const std::optional<glm::vec3>& color) {
+        const glm::vec3 shade = color.value_or(glm::vec3{-1});
+        const auto [entry, fresh] = groups_.try_emplace(
+            {part, shade.x, shade.y, shade.z}, static_cast<std::uint32_t>(soup_.groups.size()));
+        if (fresh) soup_.groups.push_back({.object = path, .material = {}, .color = color});
+        return entry->second;
+    }
+
+    void add(const Instance& instance) {
+        const auto& [shape, mesh] = mesh_of(instance.shape);
+        ModelPart& part = soup_.parts[instance.part];
+        part.object = objects_++;
+        part.shape = shape;
+        if (mesh.failed_faces > 0) failed_[part.name] += mesh.failed_faces;
+
+        constexpr std::size_t most = 0xFFFFFFF0U;
+        if (soup_.positions.size() + mesh.positions.size() > most)
+            throw std::runtime_error("with all its instances it has more than 4294967280 vertices");
+        const auto first = static_cast<std::uint32_t>(soup_.positions.size());
+        const gp_Trsf transform = instance.location.Transformation();
+        for (const glm::dvec3& position : mesh.positions) {
+            const gp_Pnt moved = gp_Pnt(position.x, position.y, position.z).Transformed(transform);
+            soup_.positions.emplace_back(moved.X(), moved.Y(), moved.Z());
+        }
+        const std::string path = path_of(instance.part);
+        std::vector<std::uint32_t> group_of_face;
+        for (const TopoDS_Shape& face : mesh.faces) {
+            std::optional<glm::vec3> color;
+            if (assembly_.colors) color = assembly_.colors->color(face);
+            group_of_face.push_back(group_of(path, instance.part, color ? color : instance.color));
+        }
+        const bool mirrored = transform.IsNegative();
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const auto& corners = mesh.triangles[i];
+            const std::array face{first + corners[0], first + corners[mirrored ? 2 : 1],
+                                  first + corners[mirrored ? 1 : 2]};
+            soup_.add_face(face);
+            soup_.face_group.push_back(group_of_face[mesh.triangle_face[i]]);
+            soup_.face_object.push_back(part.object);
+        }
+        for (const KnownEdge& edge : mesh.edges)
+            soup_.known_edges.push_back(
+                {first + edge.from, first + edge.to, edge.kind, edges_ + edge.edge});
+        edges_ += mesh.edge_count;
+        for (const std::vector<std::uint32_t>& line : mesh.lines) {
+            soup_.polylines.push_back(line);
+            for (std::uint32_t& point : soup_.polylines.back()) point += first;
+            soup_.polyline_object.push_back(part.object);
+        }
+    }
+
+    Assembly assembly_;
+    Fineness fineness_;
+    Soup soup_;
+    NCollection_DataMap<TopoDS_Shape, std::pair<std::uint32_t, ShapeMesh>, TopTools_ShapeMapHasher>
+        meshes_;
+    std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> groups_;
+    std::map<std::string, std::size_t> failed_;
+    std::uint32_t objects_ = 0, edges_ = 0;
+};
+
+} // namespace
+
+Soup place(Assembly&& assembly, double deflection) {
+    return Placement{std::move(assembly), deflection}.place();
+}
+
+} // namespace lineatlas::brep

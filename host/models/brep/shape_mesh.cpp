@@ -1,0 +1,182 @@
+#include "shape_mesh.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Poly_Polygon3D.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "edge_kind.hpp"
+
+namespace lineatlas::brep {
+
+namespace {
+
+constexpr std::uint32_t unknown = 0xFFFFFFFFU;
+
+glm::dvec3 point_of(const gp_Pnt& point, const TopLoc_Location& location) {
+    const gp_Pnt moved =
+        location.IsIdentity() ? point : point.Transformed(location.Transformation());
+    return {moved.X(), moved.Y(), moved.Z()};
+}
+
+/// Takes the triangulations of faces together along the edges that they share.
+class Stitcher {
+  public:
+    explicit Stitcher(const TopoDS_Shape& shape) {
+        TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
+        TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, edges_);
+        TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+        position_of_vertex_.assign(static_cast<std::size_t>(vertices_.Extent()), unknown);
+        points_of_edge_.resize(static_cast<std::size_t>(edges_.Extent()));
+    }
+
+    ShapeMesh stitch() {
+        for (int i = 1; i <= faces_.Extent(); ++i) add_face(TopoDS::Face(faces_(i)));
+        for (int i = 1; i <= edges_.Extent(); ++i) add_edge(i);
+        return std::move(mesh_);
+    }
+
+  private:
+    std::uint32_t add_position(glm::dvec3 position) {
+        mesh_.positions.push_back(position);
+        return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+    }
+
+    /// The position of a vertex: that of the first point that stands for it.
+    std::uint32_t at_vertex(const TopoDS_Vertex& vertex, glm::dvec3 position) {
+        const int index = vertex.IsNull() ? 0 : vertices_.FindIndex(vertex);
+        if (index == 0) return add_position(position);
+        std::uint32_t& known = position_of_vertex_[static_cast<std::size_t>(index - 1)];
+        if (known == unknown) known = add_position(position);
+        return known;
+    }
+
+    /// One position per point of an edge, the same for all faces that have it. `point(i)` says
+    /// where it is, for the first of them.
+    template <class Point>
+    std::vector<std::uint32_t> make_points(const TopoDS_Edge& edge, int count, const Point& point) {
+        TopoDS_Vertex first, last;
+        TopExp::Vertices(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), first, last);
+        std::vector<std::uint32_t> points;
+        for (int i = 0; i < count; ++i) {
+            if (BRep_Tool::Degenerated(edge) || i == 0)
+                points.push_back(at_vertex(first, point(i)));
+            else if (i == count - 1)
+                points.push_back(at_vertex(last, point(i)));
+            else
+                points.push_back(add_position(point(i)));
+        }
+        return points;
+    }
+
+    void add_face(const TopoDS_Face& face) {
+        TopLoc_Location location;
+        const Handle(Poly_Triangulation)& triangulation = BRep_Tool::Triangulation(face, location);
+        if (triangulation.IsNull() || triangulation->NbTriangles() == 0) {
+            ++mesh_.failed_faces;
+            return;
+        }
+        const int nodes = triangulation->NbNodes();
+        std::vector<std::uint32_t> positions(static_cast<std::size_t>(nodes) + 1, unknown);
+        // A seam comes twice, in both directions, with other nodes each time.
+        for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+            const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+            const Handle(Poly_PolygonOnTriangulation)& polygon =
+                BRep_Tool::PolygonOnTriangulation(edge, triangulation, location);
+            if (polygon.IsNull()) continue;
+            const int count = polygon->NbNodes();
+            const auto point = [&](int i) {
+                return point_of(triangulation->Node(polygon->Node(i + 1)), location);
+            };
+            std::vector<std::uint32_t>& shared =
+                points_of_edge_[static_cast<std::size_t>(edges_.FindIndex(edge) - 1)];
+            if (shared.empty()) shared = make_points(edge, count, point);
+            // Another number of points has no part in the other face's; a gap may be seen there.
+            if (shared.size() != static_cast<std::size_t>(count)) continue;
+            for (int i = 0; i < count; ++i)
+                positions[static_cast<std::size_t>(polygon->Node(i + 1))] =
+                    shared[static_cast<std::size_t>(i)];
+        }
+        for (int i = 1; i <= nodes; ++i) {
+            std::uint32_t& position = positions[static_cast<std::size_t>(i)];
+            if (position == unknown)
+                position = add_position(point_of(triangulation->Node(i), location));
+        }
+        add_triangles(*triangulation, positions, face);
+    }
+
+    void add_triangles(const Poly_Triangulation& triangulation,
+                       const std::vector<std::uint32_t>& positions, const TopoDS_Face& face) {
+        const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
+        mesh_.faces.push_back(face);
+        const bool reversed = face.Orientation() == TopAbs_REVERSED;
+        for (int i = 1; i <= triangulation.NbTriangles(); ++i) {
+            int a = 0, b = 0, c = 0;
+            triangulation.Triangle(i).Get(a, b, c);
+            if (reversed) std::swap(b, c);
+            const std::array corners{positions[static_cast<std::size_t>(a)],
+                                     positions[static_cast<std::size_t>(b)],
+                                     positions[static_cast<std::size_t>(c)]};
+            // At the tip of a cone two corners are one.
+            if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+                continue;
+            mesh_.triangles.push_back(corners);
+            mesh_.triangle_face.push_back(number);
+        }
+    }
+
+    void add_edge(int index) {
+        const TopoDS_Edge& edge = TopoDS::Edge(edges_.FindKey(index));
+        const TopTools_ListOfShape& faces = edges_(index);
+        if (faces.IsEmpty()) return add_line(edge);
+        const std::optional<KnownEdge::Kind> kind = kind_of(edge, faces);
+        const std::vector<std::uint32_t>& points =
+            points_of_edge_[static_cast<std::size_t>(index - 1)];
+        if (!kind) return;
+        const std::uint32_t number = mesh_.edge_count++;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            mesh_.edges.push_back({points[i], points[i + 1], *kind, number});
+    }
+
+    void add_line(const TopoDS_Edge& edge) {
+        TopLoc_Location location;
+        const Handle(Poly_Polygon3D)& polygon = BRep_Tool::Polygon3D(edge, location);
+        if (polygon.IsNull() || polygon->NbNodes() < 2) return;
+        mesh_.lines.push_back(make_points(edge, polygon->NbNodes(), [&](int i) {
+            return point_of(polygon->Nodes()(i + 1), location);
+        }));
+    }
+
+    TopTools_IndexedMapOfShape vertices_, faces_;
+    TopTools_IndexedDataMapOfShapeListOfShape edges_;
+    std::vector<std::uint32_t> position_of_vertex_;
+    std::vector<std::vector<std::uint32_t>> points_of_edge_;
+    ShapeMesh mesh_;
+};
+
+} // namespace
+
+ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness) {
+    const TopoDS_Shape here = shape.Located(TopLoc_Location());
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = fineness.deflection;
+    parameters.Angle = fineness.angle;
+    BRepMesh_IncrementalMesh{here, parameters};
+    return Stitcher{here}.stitch();
+}
+
+} // namespace lineatlas::brep

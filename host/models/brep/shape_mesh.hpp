@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+#include <glm/vec3.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas::brep {
+
+/// How closely triangles follow curved faces.
+struct Fineness {
+    double deflection = 0; ///< the distance a chord may be off, in the shape's units
+    double angle = 0;      ///< by which neighbouring chords may turn, in radians
+};
+
+/// A shape as triangles, with the edges between its faces on them: what two faces share is the same
+/// positions, to the bit.
+struct ShapeMesh {
+    std::vector<glm::dvec3> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::uint32_t> triangle_face; ///< per triangle, number of its face
+    std::vector<TopoDS_Shape> faces;
+    std::vector<KnownEdge> edges; ///< KnownEdge::edge counts from 0
+    std::uint32_t edge_count = 0;
+    std::vector<std::vector<std::uint32_t>> lines; ///< edges of no face
+    std::size_t failed_faces = 0;                  ///< that could not be meshed
+};
+
+/// Of the shape without its own location. Throws what Open CASCADE throws.
+ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness);
+
+} // namespace lineatlas::brep

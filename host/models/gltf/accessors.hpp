@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "buffers.hpp"
+#include "document.hpp"
+
+namespace lineatlas::gltf {
+
+/// What an accessor holds, one element after another: floats, or whole numbers as
+/// KHR_mesh_quantization has them. Sparse values are in their places.
+struct Values {
+    std::uint64_t width; ///< components of an element
+    std::vector<double> numbers;
+
+    std::size_t size() const { return numbers.size() / width; }
+    const double* operator[](std::size_t i) const { return numbers.data() + i * width; }
+};
+
+/// `type` and `width` as the accessor must have them: "VEC3" and 3.
+Values read_values(const Document& document, Buffers& buffers, std::uint64_t accessor,
+                   std::string_view type, std::uint64_t width);
+
+std::vector<glm::dvec3> read_points(const Document& document, Buffers& buffers,
+                                    std::uint64_t accessor);
+
+std::vector<std::uint32_t> read_indices(const Document& document, Buffers& buffers,
+                                        std::uint64_t accessor);
+
+} // namespace lineatlas::gltf

@@ -1,0 +1,21 @@
+// The module lineatlas-gltf: glTF 2.0 and GLB.
+#include "buffers.hpp"
+#include "document.hpp"
+#include "models/model_module.hpp"
+#include "scene.hpp"
+
+namespace {
+
+using namespace lineatlas;
+
+Soup read(const models::Request& request) {
+    const gltf::Document document =
+        gltf::open_document(request.bytes, {"KHR_mesh_quantization", "EXT_meshopt_compression",
+                                            "KHR_draco_mesh_compression"});
+    gltf::Buffers buffers{document, request};
+    return gltf::read_scene(document, buffers);
+}
+
+} // namespace
+
+const models::Module lineatlas_gltf_1{.prepare = [] {}, .read = read};

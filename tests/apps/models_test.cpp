@@ -1,0 +1,112 @@
+// Models of several parts: what `lineatlas info` says of them, and what --only and --hide leave.
+
+#include <map>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "gltf_files.hpp"
+#include "tool.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+class Models : public Tool {
+  protected:
+    void SetUp() override {
+        Tool::SetUp();
+        write("hall.glb",
+              to_glb(cube_json(R"([{"name":"hall","children":[1,2,3]},)"
+                               R"({"name":"Bolt, left","mesh":0},)"
+                               R"({"name":"Bolt, right","mesh":0,"translation":[3,0,0]},)"
+                               R"({"name":"door","mesh":0,"translation":[0,0,-4]}])"),
+                     cube_bytes()));
+        write("groups.obj", "o first\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                            "o second\nv 0 0 5\nv 1 0 5\nv 0 1 5\nf 4 5 6\n");
+    }
+
+    std::string said(const std::string& arguments, int code = 0) const {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.exit_code, code) << result.output;
+        return result.output;
+    }
+
+    /// How many paths the drawing of it has by kind, with hidden ones.
+    nlohmann::json drawn(const std::string& model, const std::string& options) const {
+        said("draw " + path(model) + " -o " + path("a.json") + " --lines crease,boundary " +
+             options);
+        return nlohmann::json::parse(std::ifstream{path("a.json")});
+    }
+};
+
+TEST_F(Models, InfoNamesThePartsForPeople) {
+    EXPECT_EQ(said("info " + path("hall.glb")),
+              path("hall.glb") + ": glTF 2.0, 36 triangles, unit 1000 mm, up 0,1,0\n"
+                                 "box 0,0,-4 to 4,1,1\n"
+                                 "segments: 36 crease\n"
+                                 "  hall\n"
+                                 "    Bolt, left: 12 triangles\n"
+                                 "    Bolt, right: 12 triangles\n"
+                                 "    door: 12 triangles\n");
+}
+
+TEST_F(Models, InfoNamesThePartsForScripts) {
+    const auto info = nlohmann::json::parse(said("info --json " + path("hall.glb")));
+    EXPECT_EQ(info["format"], "glTF 2.0");
+    EXPECT_EQ(info["unit_mm"], 1000);
+    EXPECT_EQ(info["up"], (nlohmann::json{0, 1, 0}));
+    EXPECT_EQ(info["up_is_guessed"], false);
+    EXPECT_EQ(info["triangles"], 36);
+    EXPECT_EQ(info["segments"]["crease"], 36);
+    EXPECT_EQ(info["box"]["max"], (nlohmann::json{4, 1, 1}));
+    ASSERT_EQ(info["parts"].size(), 4U);
+    EXPECT_EQ(info["parts"][0]["parent"], nullptr);
+    EXPECT_EQ(info["parts"][2]["name"], "Bolt, right");
+    EXPECT_EQ(info["parts"][2]["parent"], 0);
+    EXPECT_EQ(info["parts"][2]["triangles"], 12);
+    EXPECT_EQ(info["parts"][2]["shape"], info["parts"][1]["shape"]);
+
+    const auto groups = nlohmann::json::parse(said("info --json " + path("groups.obj")));
+    EXPECT_EQ(groups["format"], "OBJ");
+    EXPECT_EQ(groups["unit_mm"], nullptr);
+    ASSERT_EQ(groups["parts"].size(), 2U);
+    EXPECT_EQ(groups["parts"][1]["name"], "second");
+}
+
+TEST_F(Models, InfoRefusesAsDrawDoes) {
+    write("a.glb", "glTF");
+    EXPECT_EQ(said("info " + path("a.glb"), 1),
+              "lineatlas: cannot read \"" + path("a.glb") + "\": it ends within its header\n");
+}
+
+TEST_F(Models, PartsAreChosenByName) {
+    const auto crease_count = [&](const std::string& options) {
+        std::size_t count = 0;
+        const nlohmann::json drawing = drawn("hall.glb", "--hidden " + options);
+        for (const auto& line : drawing["paths"]) count += line["points"].size();
+        return count;
+    };
+    const std::size_t all = crease_count(""), bolts = crease_count("--only 'Bolt*'");
+    EXPECT_GT(bolts, 0U);
+    EXPECT_GT(all, bolts);
+    EXPECT_EQ(said("draw " + path("hall.glb") + " -o " + path("a.svg") + " --only 'bolt*'", 2),
+              "lineatlas: --only: no part is called \"bolt*\"; there is \"Bolt, left\", "
+              "\"Bolt, right\", \"door\"\n");
+    EXPECT_EQ(said("draw " + path("hall.glb") + " -o " + path("a.svg") + " --hide hall", 2),
+              "lineatlas: --only and --hide leave nothing to draw\n");
+    EXPECT_EQ(said("draw --scene clevis -o " + path("a.svg") + " --hide hall", 2),
+              "lineatlas: --only and --hide are for the parts of a MODEL file\n");
+    // Two ways to say the same.
+    const auto points = [&](const std::string& options) {
+        return drawn("hall.glb", options)["paths"];
+    };
+    EXPECT_EQ(points("--only hall/door"), points("--hide 'Bolt*'"));
+    EXPECT_EQ(points("--only '*left' --only door"), points("--hide 'Bolt, right'"));
+}
+
+TEST_F(Models, GroupsOfObjFilesAreParts) {
+    EXPECT_NE(drawn("groups.obj", "")["paths"], drawn("groups.obj", "--only second")["paths"]);
+}
+
+} // namespace
+} // namespace lineatlas::test

@@ -1,0 +1,74 @@
+#include "brep_files.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepAP214.hxx>
+#include <StepAP214_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopLoc_Location.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+
+namespace lineatlas::test {
+
+namespace {
+
+void name(const TDF_Label& label, const std::string& text) {
+    TDataStd_Name::Set(label, TCollection_ExtendedString(text.c_str(), true));
+}
+
+} // namespace
+
+std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
+    STEPCAFControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit);
+    const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+    const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
+    const TDF_Label assembly = tool->NewShape();
+    name(assembly, "assembly");
+    for (const NamedShape& each : shapes) {
+        const TDF_Label shape = tool->AddShape(each.shape, false);
+        name(shape, each.name);
+        colors->SetColor(shape, Quantity_Color(each.red, each.green, each.blue, Quantity_TOC_sRGB),
+                         XCAFDoc_ColorSurf);
+        for (const gp_Trsf& place : each.places)
+            tool->AddComponent(assembly, shape, TopLoc_Location(place));
+    }
+    tool->UpdateAssemblies();
+    STEPCAFControl_Writer writer;
+    writer.SetColorMode(true);
+    writer.SetNameMode(true);
+    if (!writer.Transfer(document))
+        throw std::runtime_error("Open CASCADE does not write the shapes");
+    // The writer has no stream: its model has.
+    std::ostringstream text;
+    const auto model = writer.ChangeWriter().Model();
+    APIHeaderSection_MakeHeader header(model);
+    StepData_StepWriter step(model);
+    step.SendModel(StepAP214::Protocol());
+    step.Print(text);
+    return text.str();
+}
+
+std::string to_brep(const TopoDS_Shape& shape) {
+    std::ostringstream text;
+    BRepTools::Write(shape, text);
+    return text.str();
+}
+
+} // namespace lineatlas::test

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+#include <gp_Trsf.hxx>
+
+namespace lineatlas::test {
+
+/// A shape in an assembly, once or several times.
+struct NamedShape {
+    std::string name;
+    TopoDS_Shape shape;
+    std::vector<gp_Trsf> places;
+    double red = 0, green = 0, blue = 0; ///< as on the screen
+};
+
+/// An assembly as a STEP file, written by Open CASCADE in `unit` ("MM", "INCH") from millimetres.
+std::string to_step(const std::vector<NamedShape>& shapes, const char* unit = "MM");
+
+std::string to_brep(const TopoDS_Shape& shape);
+
+} // namespace lineatlas::test
