@@ -1,5 +1,6 @@
 # Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
-# rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has.
+# rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has, nor
+# cairo, which pdf has.
 set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
     CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
@@ -59,8 +60,13 @@ describe_package(tool lineatlas graphics "${io} ${same}, ${dispatcher}" "line dr
 
 if(TARGET lineatlas-rays)
     describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
-    set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lineatlas-rays)
+    list(APPEND tool_suggests lineatlas-rays)
 endif()
+if(TARGET lineatlas-pdf)
+    describe_package(pdf lineatlas-pdf graphics "" "line drawings of 3D models - written as PDF")
+    list(APPEND tool_suggests lineatlas-pdf)
+endif()
+list(JOIN tool_suggests ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
 # Drivers of OpenGL and OpenCL are not linked.
 set(drivers "libegl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, pocl-opencl-icd | opencl-icd")

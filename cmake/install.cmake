@@ -55,6 +55,11 @@ if(TARGET lineatlas-rays)
     install(TARGETS lineatlas-rays LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT rays)
 endif()
 
+# What writes PDF, likewise.
+if(TARGET lineatlas-pdf)
+    install(TARGETS lineatlas-pdf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT pdf)
+endif()
+
 install(DIRECTORY host/include/lineatlas DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development)
 install(FILES kernels/flags.h kernels/segment_table.h kernels/style_numbers.h
@@ -99,7 +104,8 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT develop
 
 # All that is installed; tests and benchmarks need not be there.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
-                                    lineatlas-images lineatlas $<TARGET_NAME_IF_EXISTS:lineatlas-rays>)
+                                    lineatlas-images lineatlas $<TARGET_NAME_IF_EXISTS:lineatlas-rays>
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-pdf>)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 include(cmake/debian.cmake)
