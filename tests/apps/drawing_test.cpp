@@ -68,7 +68,8 @@ TEST_F(DrawingTest, DashesAndPaperOfAPdfAreThoseOfTheSvg) {
     if (!is_installed("pdftocairo") || !is_installed("rsvg-convert"))
         GTEST_SKIP() << "pdftocairo or rsvg-convert is not installed";
     for (const char* extension : {".svg", ".pdf"}) {
-        ASSERT_EQ(run("draw --scene house --hidden --set paper=#ffffd0 -o " +
+        ASSERT_EQ(run("draw --scene house --hidden --set paper=#ffffd0 --set hidden-width=3 "
+                      "--set hidden-color=#000000 -o " +
                       path(std::string{"a"} + extension))
                       .exit_code,
                   0);
