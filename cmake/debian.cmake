@@ -1,6 +1,6 @@
 # Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
 # rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has, nor
-# Open CASCADE, which brep has.
+# Open CASCADE, which brep has, nor cairo, which pdf has.
 set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
     CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
@@ -58,13 +58,17 @@ describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D mo
 
 if(TARGET lineatlas-rays)
     describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
-    set(suggested lineatlas-rays)
+    list(APPEND tool_suggests lineatlas-rays)
 endif()
 if(TARGET lineatlas-brep)
     describe_package(brep lineatlas-brep graphics "" "line drawings of 3D models - STEP and BREP files")
-    list(APPEND suggested lineatlas-brep)
+    list(APPEND tool_suggests lineatlas-brep)
 endif()
-list(JOIN suggested ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
+if(TARGET lineatlas-pdf)
+    describe_package(pdf lineatlas-pdf graphics "" "line drawings of 3D models - written as PDF")
+    list(APPEND tool_suggests lineatlas-pdf)
+endif()
+list(JOIN tool_suggests ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
 # Neither drivers of OpenGL and OpenCL nor their loaders are linked: pictures need those of OpenGL,
 # paths none.

@@ -62,6 +62,11 @@ if(TARGET lineatlas-rays)
     install(TARGETS lineatlas-rays LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT rays)
 endif()
 
+# What writes PDF, likewise.
+if(TARGET lineatlas-pdf)
+    install(TARGETS lineatlas-pdf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT pdf)
+endif()
+
 install(DIRECTORY host/include/lineatlas DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         COMPONENT development)
 install(FILES kernels/flags.h kernels/segment_table.h kernels/style_numbers.h
@@ -109,7 +114,8 @@ add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared l
                                     lineatlas-images lineatlas
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-gltf>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-brep>
-                                    $<TARGET_NAME_IF_EXISTS:lineatlas-rays>)
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-rays>
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-pdf>)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 include(cmake/debian.cmake)

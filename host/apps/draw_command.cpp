@@ -405,8 +405,9 @@ Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
     app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF, OM, glTF, GLB, STEP or BREP file");
-    app.add_option("-o,--output", a.output,
-                   "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG or JSON")
+    app.add_option(
+           "-o,--output", a.output,
+           "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG, PDF, DXF or JSON")
         ->required();
 
     const std::string model = "What to draw";
@@ -464,6 +465,7 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw part.stl -o part.png --up z --style pencil --width 3\n"
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
                "  lineatlas draw chair.obj -o chair.svg --page a4 --margin 10mm --plotter\n"
+               "  lineatlas draw bracket.stl -o front.dxf --view front --scale 1:2 --page a4\n"
                "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20\n"
                "  lineatlas draw --scene ship -o ship.png --profile trace.json --profile -");

@@ -10,33 +10,38 @@
 #include "io/extension.hpp"
 #include "io/source_file.hpp"
 #include "lineatlas/error.hpp"
-#include "output/vector_output.hpp"
+#include "output/path_file.hpp"
+#include "pdf/pdf.hpp"
 #include "truth/ray_scene.hpp"
 
 namespace lineatlas::apps {
 namespace {
 
-constexpr const char* own_options[] = {"--units",   "--page",    "--margin",
+constexpr const char* own_options[] = {"--units",   "--page",    "--margin", "--fit-arcs",
                                        "--plotter", "--no-tags", "--certify"};
-constexpr const char* only_for_svg[] = {"--units", "--page", "--margin"};
+constexpr const char* of_paper[] = {"--units", "--page", "--margin", "--fit-arcs"};
+constexpr const char* not_in_millimetres[] = {"--units", "--no-tags"};
 constexpr const char* only_for_pixels[] = {"--bits", "--dpi"};
 
-constexpr std::string_view types_of_others[] = {".pdf", ".eps", ".ps", ".dxf", ".ai", ".hpgl"};
+constexpr std::string_view types_of_others[] = {".eps", ".ps", ".dwg", ".ai", ".hpgl"};
 
 } // namespace
 
 void PathOptions::declare(CLI::App& app) {
     app_ = &app;
-    const std::string group = "Paths (output .svg or .json)";
+    const std::string group = "Paths (output .svg, .pdf, .dxf or .json)";
     app.add_option("--units", units_,
                    "Units of the SVG: px, mm or in; default mm with --page, else px")
         ->group(group);
-    app.add_option("--page", page_,
-                   "Paper of the SVG: a0 to a6, letter, legal, tabloid or e.g. 300x200mm; the "
-                   "picture fills it")
+    app.add_option(
+           "--page", page_,
+           "Paper: a0 to a6, letter, legal, tabloid or e.g. 300x200mm; the picture fills it")
         ->group(group);
-    app.add_option("--margin", margin_, "Space around the picture in the SVG, e.g. 10mm")
+    app.add_option("--margin", margin_, "Space around the picture on paper, e.g. 10mm")
         ->capture_default_str()
+        ->group(group);
+    app.add_flag("--fit-arcs", fit_arcs_,
+                 "Write what is round within 0.02 pixels as circles and arcs")
         ->group(group);
     app.add_flag("--plotter", plotter_, "Order and join paths for the least travel of a pen")
         ->group(group);
@@ -56,12 +61,19 @@ void PathOptions::check(const std::filesystem::path& output, Method method) cons
     if (!is_path_file(output)) {
         if (std::ranges::find(types_of_others, lower_extension(output)) !=
             std::end(types_of_others))
-            throw write_error(output, "drawings as paths are .svg or .json; other programs make " +
-                                          lower_extension(output) + " of an SVG");
-        return refuse(own_options, "is for paths; the output must end in .svg or .json");
+            throw write_error(output,
+                              "drawings as paths are .svg, .pdf, .dxf or .json; other programs "
+                              "make " +
+                                  lower_extension(output) + " of these");
+        return refuse(own_options,
+                      "is for paths; the output must end in .svg, .pdf, .dxf or .json");
     }
     refuse(only_for_pixels, "is for pictures of pixels; see --units and --page");
-    if (is_json_file(output)) refuse(only_for_svg, "is for SVG; JSON is in pixels");
+    const PathFile type = path_file_type(output).value();
+    if (type == PathFile::json) refuse(of_paper, "is for paper; JSON is in pixels");
+    if (type == PathFile::dxf || type == PathFile::pdf)
+        refuse(not_in_millimetres, "is for SVG; DXF and PDF have units of their own and no tags");
+    if (type == PathFile::pdf) check_pdf_module();
     if (method != Method::atlas && method != Method::exact) {
         throw UsageError("--method: paths come from atlas and exact alone");
     }
@@ -78,6 +90,7 @@ SvgOptions PathOptions::svg() const {
     if (!units_.empty()) options.units = parse_unit(units_);
     options.margin = parse_length(margin_, options.units);
     options.tags = tags();
+    options.fit_arcs = fit_arcs_;
     return options;
 }
 

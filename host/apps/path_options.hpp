@@ -10,25 +10,25 @@
 
 namespace lineatlas::apps {
 
-/// --units, --page, --margin, --plotter, --no-tags and --certify.
+/// --units, --page, --margin, --fit-arcs, --plotter, --no-tags and --certify.
 class PathOptions {
   public:
     void declare(CLI::App& app);
 
     /// Throws UsageError when they are wrong, given for a picture of pixels, or for a method that
-    /// knows no paths, FileError when what checks drawings is not installed and for a type of paths
-    /// that is not written.
+    /// knows no paths, FileError when what checks drawings or writes PDF is not installed and for a
+    /// type of paths that is not written.
     void check(const std::filesystem::path& output, Method method) const;
 
     bool plotter() const { return plotter_; }
     bool tags() const { return !no_tags_; }
     bool certify() const { return certify_; }
-    SvgOptions svg() const;
+    SvgOptions svg() const; ///< of DXF and PDF too
 
   private:
     CLI::App* app_ = nullptr;
     std::string units_, page_, margin_ = "0";
-    bool plotter_ = false, no_tags_ = false, certify_ = false;
+    bool fit_arcs_ = false, plotter_ = false, no_tags_ = false, certify_ = false;
 };
 
 } // namespace lineatlas::apps

@@ -6,18 +6,15 @@
 
 #include "frame_output.hpp"
 #include "lineatlas/vector.hpp"
+#include "path_file.hpp"
 
 namespace lineatlas {
-
-/// Whether a drawing is written as paths: .svg or .json.
-bool is_path_file(const std::filesystem::path& path);
-bool is_json_file(const std::filesystem::path& path);
 
 /// How all drawings of one command are made.
 struct VectorFrame {
     Style style;
     VectorOptions paths;
-    SvgOptions svg;
+    SvgOptions svg; ///< of DXF and PDF too: see PathFileOptions
     JsonOptions json;
     std::string description; ///< is completed by the camera's
     /// Checks a drawing before it is written to a file, and says in a line what it found; empty:
@@ -31,7 +28,7 @@ struct VectorFrame {
 /// it.
 using FindIntervals = std::function<std::vector<Interval>(const Camera& camera)>;
 
-/// Frames as paths, SVG or JSON by extension.
+/// Frames as paths, by extension.
 class VectorOutput final : public FrameOutput {
   public:
     /// `find` is about `lines`, which must outlive it.

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
 
 namespace lineatlas {
 namespace {
@@ -47,6 +51,41 @@ class PathParser {
         here_ = to;
     }
 
+    /// To `to` by part of a circle, in chords of 6 degrees at most, off by a thousandth of its
+    /// radius. Ellipses are not ours.
+    bool arc_to(glm::dvec2 base) {
+        glm::dvec2 radii{0}, to{0};
+        double turned = 0, large = 0, sweep = 0;
+        for (double* value : {&radii.x, &radii.y, &turned, &large, &sweep, &to.x, &to.y})
+            if (!number(*value)) return false;
+        if (radii.x != radii.y || !(radii.x > 0)) return false;
+        to += base;
+        const glm::dvec2 from = here_;
+        const glm::dvec2 half = 0.5 * (to - from);
+        const double squared = glm::dot(half, half);
+        if (squared == 0) return true;
+        // A radius that is too small to reach grows until it does.
+        const double height = std::sqrt(std::max(0.0, radii.x * radii.x - squared));
+        const glm::dvec2 across = glm::dvec2{-half.y, half.x} / std::sqrt(squared);
+        const double side = (large != 0) == (sweep != 0) ? -1 : 1;
+        const glm::dvec2 center = from + half + side * height * across;
+        const auto angle = [&](glm::dvec2 at) {
+            return std::atan2(at.y - center.y, at.x - center.x);
+        };
+        constexpr double turn = 2 * std::numbers::pi;
+        double angles = angle(to) - angle(from);
+        if (sweep != 0 && angles < 0) angles += turn;
+        if (sweep == 0 && angles > 0) angles -= turn;
+        const int chords = static_cast<int>(std::ceil(std::abs(angles) / (turn / 64)));
+        const double radius = glm::length(from - center);
+        for (int i = 1; i < chords; ++i) {
+            const double at = angle(from) + angles * i / chords;
+            line_to(center + radius * glm::dvec2{std::cos(at), std::sin(at)});
+        }
+        line_to(to);
+        return true;
+    }
+
     /// A command's numbers, once.
     bool step() {
         const bool relative = std::islower(static_cast<unsigned char>(command_)) != 0;
@@ -70,6 +109,8 @@ class PathParser {
             if (!number(to.y)) return false;
             line_to({here_.x, base.y + to.y});
             return true;
+        case 'a':
+            return arc_to(base);
         default:
             return false;
         }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace lineatlas {
@@ -55,6 +56,21 @@ class PathData {
         at_ = place;
     }
 
+    /// `from`: where the way there starts, unrounded.
+    void arc_to(const OutlinePoint& from, glm::dvec2 to, Place place) {
+        const Arc arc = arc_between(from, to);
+        const Place target = relative_ ? place - at_ : place;
+        use(relative_ ? 'a' : 'A');
+        // Finer than places are: of a flat arc it moves the middle by much less.
+        const std::string radius = number_text(arc.radius, digits_ + 1);
+        for (const std::string& number : {radius, radius, std::string{"0"}}) add(number);
+        add(std::abs(arc.sweep) > std::numbers::pi ? "1" : "0");
+        add(arc.sweep > 0 ? "1" : "0");
+        add(target.x);
+        add(target.y);
+        at_ = place;
+    }
+
     std::string close(bool closed) { return std::move(text_) + (closed ? "z" : ""); }
 
   private:
@@ -64,8 +80,9 @@ class PathData {
         text_ += command;
     }
 
-    void add(std::int64_t value) {
-        const std::string number = fixed_text(value, digits_);
+    void add(std::int64_t value) { add(fixed_text(value, digits_)); }
+
+    void add(const std::string& number) {
         const char last = text_.back();
         const bool after_number = (last >= '0' && last <= '9') || last == '.';
         if (after_number && number.front() != '-') text_ += ' ';
@@ -85,20 +102,40 @@ std::string number_text(double value, int digits) {
     return fixed_text(std::llround(value * power_of_ten(digits)), digits);
 }
 
-std::string path_data(std::span<const glm::dvec2> points, bool closed, int digits, bool relative) {
+std::string path_data(const Outline& outline, int digits, bool relative) {
     const double scale = power_of_ten(digits);
     std::vector<Place> places;
-    places.reserve(points.size());
-    for (const glm::dvec2 point : points) {
-        const Place place{std::llround(point.x * scale), std::llround(point.y * scale)};
-        if (places.empty() || places.back() != place) places.push_back(place);
+    std::vector<std::size_t> kept;
+    const std::vector<OutlinePoint>& points = outline.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec2 at = points[i].at * scale;
+        const Place place{std::llround(at.x), std::llround(at.y)};
+        if (!places.empty() && places.back() == place) {
+            kept.back() = i; // the way goes on from there
+            continue;
+        }
+        places.push_back(place);
+        kept.push_back(i);
     }
-    if (closed && places.size() > 1 && places.front() == places.back()) places.pop_back();
+    if (outline.closed && places.size() > 1 && places.front() == places.back()) {
+        places.pop_back();
+        kept.pop_back();
+    }
     if (places.size() < 2) return {};
     PathData data{digits, relative};
     data.move_to(places.front());
-    for (std::size_t i = 1; i < places.size(); ++i) data.line_to(places[i]);
-    return data.close(closed);
+    for (std::size_t i = 1; i <= places.size(); ++i) {
+        const bool back = i == places.size();
+        const OutlinePoint& from = points[kept[i - 1]];
+        if (back && (!outline.closed || from.bulge == 0)) break; // closing is a straight way
+        const std::size_t to = back ? 0 : i;
+        if (from.bulge != 0) {
+            data.arc_to(from, points[kept[to]].at, places[to]);
+        } else {
+            data.line_to(places[to]);
+        }
+    }
+    return data.close(outline.closed);
 }
 
 } // namespace lineatlas

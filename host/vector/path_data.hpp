@@ -1,17 +1,16 @@
 #pragma once
 
-#include <span>
 #include <string>
 
-#include <glm/vec2.hpp>
+#include "outline.hpp"
 
 namespace lineatlas {
 
 /// A number as XML has it, with at most so many digits after the point and none to spare.
 std::string number_text(double value, int digits);
 
-/// The `d` of a path through `points`, rounded to so many digits; empty if it has no length then.
-/// Rounded places are exact: relative steps do not add up errors.
-std::string path_data(std::span<const glm::dvec2> points, bool closed, int digits, bool relative);
+/// The `d` of a path, rounded to so many digits; empty if it has no length then. Rounded places are
+/// exact: relative steps do not add up errors.
+std::string path_data(const Outline& outline, int digits, bool relative);
 
 } // namespace lineatlas

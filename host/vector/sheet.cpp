@@ -16,14 +16,14 @@ glm::dvec2 page_size(const Page& page, glm::dvec2 picture, Unit unit) {
 
 } // namespace
 
-Sheet lay_out(glm::ivec2 picture, const SvgOptions& options) {
+Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin, Unit units) {
     const glm::dvec2 pixels{picture};
-    const double margin = length_in(options.margin, options.units);
-    const double natural = length_in({1, Unit::px}, options.units);
-    Sheet sheet{.size = pixels * natural + 2 * margin, .scale = natural, .corner = {}, .digits = 0};
-    if (options.page) {
-        sheet.size = page_size(*options.page, pixels, options.units);
-        const glm::dvec2 room = sheet.size - 2 * margin;
+    const double space = length_in(margin, units);
+    const double natural = length_in({1, Unit::px}, units);
+    Sheet sheet{.size = pixels * natural + 2 * space, .scale = natural, .corner = {}, .digits = 0};
+    if (page) {
+        sheet.size = page_size(*page, pixels, units);
+        const glm::dvec2 room = sheet.size - 2 * space;
         if (!(std::min(room.x, room.y) > 0)) {
             throw UsageError("the margin leaves no room on the page");
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/vec2.hpp>
 
 #include "lineatlas/vector.hpp"
@@ -16,7 +18,12 @@ struct Sheet {
     glm::dvec2 place(glm::dvec2 pixels) const { return corner + pixels * scale; }
 };
 
-/// Throws UsageError when the margin leaves no room.
-Sheet lay_out(glm::ivec2 picture, const SvgOptions& options);
+/// `page`: none: the page is the picture and the margin. Throws UsageError when the margin leaves
+/// no room.
+Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin, Unit units);
+
+inline Sheet lay_out(glm::ivec2 picture, const SvgOptions& options) {
+    return lay_out(picture, options.page, options.margin, options.units);
+}
 
 } // namespace lineatlas

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <pugixml.hpp>
 
+#include "line_groups.hpp"
 #include "lineatlas/vector.hpp"
+#include "outline.hpp"
 #include "path_data.hpp"
 #include "sheet.hpp"
 #include "svg_groups.hpp"
@@ -69,24 +71,17 @@ class PathWriter {
                const SvgOptions& options)
         : svg_(svg), drawing_(drawing), sheet_(sheet), options_(options) {}
 
-    /// Paths of one group stand together in a drawing.
     void write_all() {
-        const VectorPath* last = nullptr;
-        for (const VectorPath& path : drawing_.paths) {
-            if (last == nullptr || last->kind != path.kind || last->visible != path.visible) {
-                group_ = add_group(svg_, drawing_.style, path.kind, path.visible, sheet_,
-                                   options_.layers);
-            }
-            write(path);
-            last = &path;
+        for (const LineGroup& group : line_groups(drawing_)) {
+            group_ = add_group(svg_, drawing_.style, group, sheet_, options_.layers);
+            for (const VectorPath& path : group.paths) write(path);
         }
     }
 
   private:
     void write(const VectorPath& path) {
-        places_.clear();
-        for (const VectorPoint& point : path.points) places_.push_back(sheet_.place(point.at));
-        const std::string data = path_data(places_, path.closed, sheet_.digits, options_.relative);
+        const std::string data = path_data(outline_of(path, sheet_, options_.fit_arcs),
+                                           sheet_.digits, options_.relative);
         if (data.empty()) return;
         pugi::xml_node node = group_.append_child("path");
         set(node, "d", data);
@@ -99,7 +94,6 @@ class PathWriter {
     const Sheet& sheet_;
     const SvgOptions& options_;
     pugi::xml_node group_;
-    std::vector<glm::dvec2> places_;
 };
 
 } // namespace

@@ -4,13 +4,14 @@
 
 #include <pugixml.hpp>
 
+#include "line_groups.hpp"
 #include "lineatlas/vector.hpp"
 #include "sheet.hpp"
 
 namespace lineatlas {
 
-/// An element for paths of one kind, visible or hidden, with how the style draws them.
-pugi::xml_node add_group(pugi::xml_node& svg, const Style& style, LineKind kind, bool visible,
+/// An element for paths of one group, with how the style draws them.
+pugi::xml_node add_group(pugi::xml_node& svg, const Style& style, const LineGroup& lines,
                          const Sheet& sheet, bool layers);
 
 /// "#rrggbb".

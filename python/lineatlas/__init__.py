@@ -51,7 +51,7 @@ from ._lineatlas import (
 __all__ = [
     "SCENES", "Camera", "Device", "DeviceError", "Error", "FileError", "Group", "LineKind", "Mesh",
     "MismatchError", "Options", "Renderer", "Scene", "Style", "UsageError", "View", "__version__",
-    "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_json", "to_svg",
+    "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_dxf", "to_json", "to_pdf", "to_svg",
 ]
 
 _Model = _Union[Mesh, str, "_os.PathLike[str]"]
@@ -100,6 +100,24 @@ def to_svg(model: _Model, **arguments: _Any) -> str:
     """
     with _renderer(model, arguments) as renderer:
         return renderer.to_svg(**arguments)
+
+
+def to_dxf(model: _Model, **arguments: _Any) -> str:
+    """Draws a mesh, or that of a file, as DXF.
+
+    Arguments are those of Renderer() and Renderer.to_dxf().
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.to_dxf(**arguments)
+
+
+def to_pdf(model: _Model, **arguments: _Any) -> bytes:
+    """Draws a mesh, or that of a file, as PDF.
+
+    Arguments are those of Renderer() and Renderer.to_pdf().
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.to_pdf(**arguments)
 
 
 def to_json(model: _Model, **arguments: _Any) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import pathlib
 import sys
+import typing
 import warnings
 
 import lineatlas
@@ -35,7 +36,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("model", nargs="?", metavar="MODEL", help="OBJ, PLY, STL, OFF or OM file")
     parser.add_argument("--scene", choices=lineatlas.SCENES, help="a built-in model in its place")
     parser.add_argument("-o", "--output", required=True, type=pathlib.Path,
-                        help="picture to write: .png, .jpg, .tif, ...; paths: .svg, .json")
+                        help="picture to write: .png, .jpg, .tif, ...; paths: .svg, .pdf, .dxf, .json")
     parser.add_argument("--size", type=_size, default=(1024, 768), metavar="WIDTHxHEIGHT",
                         help="in pixels; default 1024x768")
     parser.add_argument("--style", help="a name or a file: " + ", ".join(lineatlas.styles()))
@@ -91,14 +92,21 @@ def _write(arguments: argparse.Namespace) -> None:
         view = _view(arguments, renderer, scene)
         options = lineatlas.Options(quality=arguments.quality)
         extension = arguments.output.suffix.lower()
-        if extension in (".svg", ".json"):
-            if extension == ".svg":
-                text = renderer.to_svg(size=arguments.size, view=view, style=style,
-                                       options=options, transparent=arguments.transparent)
-            else:
-                text = renderer.to_json(size=arguments.size, view=view, style=style,
-                                        options=options)
+        how: dict[str, typing.Any] = {"size": arguments.size, "view": view, "style": style,
+                                      "options": options}
+        if extension == ".svg":
+            text = renderer.to_svg(**how, transparent=arguments.transparent)
+        elif extension == ".json":
+            text = renderer.to_json(**how)
+        elif extension == ".dxf":
+            text = renderer.to_dxf(**how)
+        else:
+            text = ""
+        if text:
             arguments.output.write_text(text, encoding="utf-8")
+            return
+        if extension == ".pdf":
+            arguments.output.write_bytes(renderer.to_pdf(**how, transparent=arguments.transparent))
             return
         picture = renderer.draw(size=arguments.size, view=view, style=style, options=options,
                                 transparent=arguments.transparent)

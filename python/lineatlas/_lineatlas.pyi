@@ -174,8 +174,37 @@ class Renderer:
         plotter: bool = False,
         tags: bool = True,
         transparent: bool = False,
+        fit_arcs: bool = False,
         title: str = "Line drawing",
     ) -> str: ...
+    def to_dxf(
+        self,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+        style: Optional[_Style] = None,
+        options: Optional[Options] = None,
+        page: Optional[str] = None,
+        margin: str = "0",
+        plotter: bool = False,
+        fit_arcs: bool = False,
+    ) -> str: ...
+    def to_pdf(
+        self,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+        style: Optional[_Style] = None,
+        options: Optional[Options] = None,
+        page: Optional[str] = None,
+        margin: str = "0",
+        plotter: bool = False,
+        transparent: bool = False,
+        fit_arcs: bool = False,
+        title: str = "Line drawing",
+    ) -> bytes: ...
     def to_json(
         self,
         *,

@@ -9,6 +9,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 #include "options.hpp"
+#include "pdf/pdf.hpp"
 #include "process.hpp"
 #include "style_values.hpp"
 #include "views.hpp"
@@ -131,24 +132,58 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
     return text;
 }
 
-SvgOptions svg_options(const std::optional<std::string>& page, const std::string& margin,
-                       const std::string& title, bool tags, bool transparent) {
-    SvgOptions options{.background = !transparent, .tags = tags, .title = title};
-    if (page) {
-        options.units = Unit::mm;
-        options.page = parse_page(*page);
-    }
-    options.margin = parse_length(margin, options.units);
-    return options;
+/// The paper of a file that has one.
+struct Paper {
+    std::optional<Page> page;
+    Length margin;
+};
+
+Paper paper_of(const std::optional<std::string>& page, const std::string& margin) {
+    if (!page) return {.page = {}, .margin = parse_length(margin, Unit::px)};
+    return {.page = parse_page(*page), .margin = parse_length(margin, Unit::mm)};
 }
 
 std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                 const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
-                Flag<"tags"> tags, Flag<"transparent"> transparent, const Word<"title">& title) {
-    const SvgOptions sheet = svg_options(page, margin, title, tags, transparent);
+                Flag<"tags"> tags, Flag<"transparent"> transparent, Flag<"fit_arcs"> fit_arcs,
+                const Word<"title">& title) {
+    const Paper paper = paper_of(page, margin);
+    const SvgOptions sheet{.units = paper.page ? Unit::mm : Unit::px,
+                           .page = paper.page,
+                           .margin = paper.margin,
+                           .background = !transparent,
+                           .tags = tags,
+                           .fit_arcs = fit_arcs,
+                           .title = title};
     return draw_paths(drawer, {size, view, up, style, options, plotter, tags},
                       [&](const VectorDrawing& drawing) { return to_svg(drawing, sheet); });
+}
+
+std::string dxf(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
+                const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
+                const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
+                Flag<"fit_arcs"> fit_arcs) {
+    const Paper paper = paper_of(page, margin);
+    const DxfOptions sheet{
+        .page = paper.page, .margin = paper.margin, .fit_arcs = fit_arcs, .description = {}};
+    return draw_paths(drawer, {size, view, up, style, options, plotter, false},
+                      [&](const VectorDrawing& drawing) { return to_dxf(drawing, sheet); });
+}
+
+py::bytes pdf(Drawer& drawer, const SizeArgument& size, const MaybeView& view, const UpArgument& up,
+              const MaybeStyle& style, const MaybeOptions& options, const MaybePage& page,
+              const Word<"margin">& margin, Flag<"plotter"> plotter,
+              Flag<"transparent"> transparent, Flag<"fit_arcs"> fit_arcs,
+              const Word<"title">& title) {
+    const Paper paper = paper_of(page, margin);
+    const PdfOptions sheet{.page = paper.page,
+                           .margin = paper.margin,
+                           .background = !transparent,
+                           .fit_arcs = fit_arcs,
+                           .title = title};
+    return draw_paths(drawer, {size, view, up, style, options, plotter, false},
+                      [&](const VectorDrawing& drawing) { return to_pdf(drawing, sheet); });
 }
 
 std::string json(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
@@ -202,11 +237,21 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              "group; -1 where there is none.")
         .def("to_svg", &svg, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
-             py::arg("tags") = true, py::arg("transparent") = false,
+             py::arg("tags") = true, py::arg("transparent") = false, py::arg("fit_arcs") = false,
              py::arg("title") = "Line drawing",
              "The drawing as SVG. page: \"a4\", \"300x200mm\", ...; none: the picture. margin:\n"
              "\"10mm\", .... plotter: ordered for the least travel of a pen. tags: each path says\n"
-             "where it comes from. transparent: without the paper.")
+             "where it comes from. transparent: without the paper. fit_arcs: what is round within\n"
+             "0.02 pixels becomes circles and arcs.")
+        .def("to_dxf", &dxf, py::kw_only(), size, view, up, style, options,
+             py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
+             py::arg("fit_arcs") = false,
+             "The drawing as DXF in millimetres of the page; arguments as those of to_svg().")
+        .def("to_pdf", &pdf, py::kw_only(), size, view, up, style, options,
+             py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
+             py::arg("transparent") = false, py::arg("fit_arcs") = false,
+             py::arg("title") = "Line drawing",
+             "The drawing as a PDF of one page; arguments as those of to_svg().")
         .def("to_json", &json, py::kw_only(), size, view, up, style, options,
              py::arg("plotter") = false, py::arg("tags") = true,
              "The drawing as JSON (docs/vector.md).")

@@ -74,6 +74,22 @@ class AsTheTool(FolderTest):
         self.assertEqual(found, re.findall(r'<path [^>]*d="[^"]*"', theirs))
         self.assertEqual(paths, json.loads((self.folder / "tool.json").read_text())["paths"])
 
+    def test_dxf_and_pdf(self) -> None:
+        scene = lineatlas.scene("clevis")
+        sheet = {"page": "a4", "margin": "10mm", "fit_arcs": True}
+        with lineatlas.Renderer(scene.mesh) as renderer:
+            dxf = renderer.to_dxf(view=scene.view(0), style="technical", **sheet)
+            pdf = renderer.to_pdf(view=scene.view(0), style="technical", title="Clevis", **sheet)
+        run_tool("draw", "--scene", "clevis", "--style", "technical", "--page", "a4", "--margin",
+                 "10mm", "--fit-arcs", "-o", self.folder / "tool.dxf")
+        theirs = (self.folder / "tool.dxf").read_text()
+        self.assertEqual(dxf, theirs[theirs.index("  0\nSECTION"):])  # comments come first
+        self.assertTrue(pdf.startswith(b"%PDF-") and pdf.endswith(b"%%EOF\n"))
+        self.assertIn(b"841.889764", pdf)
+        self.assertIn(b"(Clevis)", pdf)
+        with self.assertRaises(lineatlas.UsageError):
+            lineatlas.to_pdf(scene.mesh, page="a99")
+
     def test_command_line(self) -> None:
         path = self.folder / "module.png"
         subprocess.run([sys.executable, "-m", "lineatlas", "--scene", "clevis", "-o", path,
@@ -83,6 +99,11 @@ class AsTheTool(FolderTest):
         subprocess.run([sys.executable, "-m", "lineatlas", "--scene", "clevis", "-o", svg],
                        check=True)
         self.assertTrue(svg.read_text().endswith("</svg>\n"))
+        for extension, end in (("dxf", b"EOF\n"), ("pdf", b"%%EOF\n")):
+            path = self.folder / f"module.{extension}"
+            subprocess.run([sys.executable, "-m", "lineatlas", "--scene", "clevis", "-o", path],
+                           check=True)
+            self.assertTrue(path.read_bytes().endswith(end))
 
     def test_command_line_says_what_is_wrong(self) -> None:
         for words, code, said in ((["nothing.obj"], 1, "nothing.obj"), ([], 2, "MODEL"),

@@ -1,60 +1,16 @@
-// Drawings as SVG as other programs show them: rasterised by librsvg and by Chromium beside our own
-// picture of pixels; and what the tool says to wrong options of theirs.
+// Drawings as SVG as other programs show them: rasterised by librsvg and by Chromium, as PDF by
+// poppler, beside our own picture of pixels; and what the tool says to wrong options of theirs.
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <vector>
 
-#include "lineatlas/io.hpp"
+#include "ink.hpp"
 #include "tool.hpp"
 
 namespace lineatlas::test {
 namespace {
-
-/// Where a picture is dark, over white.
-struct Ink {
-    glm::ivec2 size;
-    std::vector<bool> dark;
-
-    explicit Ink(const fs::path& path) {
-        const Image image = read_image(path);
-        size = image.size;
-        const auto channels = static_cast<std::size_t>(image.channels);
-        const bool has_alpha = channels == 2 || channels == 4;
-        for (std::size_t i = 0; i < image.pixels.size(); i += channels) {
-            const int alpha = has_alpha ? image.pixels[i + channels - 1] : 255;
-            dark.push_back((image.pixels[i] * alpha + 255 * (255 - alpha)) / 255 < 128);
-        }
-    }
-
-    bool near(int x, int y) const {
-        for (int v = std::max(0, y - 1); v <= std::min(size.y - 1, y + 1); ++v) {
-            for (int u = std::max(0, x - 1); u <= std::min(size.x - 1, x + 1); ++u) {
-                if (dark[static_cast<std::size_t>(v * size.x + u)]) return true;
-            }
-        }
-        return false;
-    }
-
-    /// Share of the dark pixels that are within one of dark ones there.
-    double share_near(const Ink& other) const {
-        std::size_t count = 0, found = 0;
-        for (int y = 0; y < size.y; ++y) {
-            for (int x = 0; x < size.x; ++x) {
-                if (!dark[static_cast<std::size_t>(y * size.x + x)]) continue;
-                ++count;
-                if (other.near(x, y)) ++found;
-            }
-        }
-        return count == 0 ? 0 : static_cast<double>(found) / static_cast<double>(count);
-    }
-};
-
-bool is_installed(const std::string& program) {
-    return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
-}
 
 class DrawingTest : public Tool {
   protected:
@@ -66,16 +22,17 @@ class DrawingTest : public Tool {
     }
 
     void expect_same(const std::string& raster, double least) {
-        const Ink ours{path("a.png")};
-        const Ink theirs{path(raster)};
-        ASSERT_EQ(ours.size, theirs.size);
-        EXPECT_GT(std::ranges::count(ours.dark, true), 1000);
-        EXPECT_GE(ours.share_near(theirs), least);
-        EXPECT_GE(theirs.share_near(ours), least);
+        expect_same_ink(Ink{path("a.png")}, Ink{path(raster)}, least);
     }
 
     void rasterise() {
         const std::string command = "rsvg-convert -o " + path("r.png") + " " + path("a.svg");
+        ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    }
+
+    void rasterise_pdf() {
+        const std::string command =
+            "pdftocairo -png -r 96 -singlefile " + path("a.pdf") + " " + path("p");
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
     }
 
@@ -94,6 +51,35 @@ TEST_F(DrawingTest, LibrsvgShowsWhatWeDraw) {
         rasterise();
         expect_same("r.png", 0.995);
     }
+}
+
+TEST_F(DrawingTest, PopplerShowsWhatWeDraw) {
+    if (!is_installed("pdftocairo")) GTEST_SKIP() << "pdftocairo is not installed";
+    for (const char* scene : {"clevis", "house", "ship", "office"}) {
+        SCOPED_TRACE(scene);
+        draw(std::string{"--scene "} + scene);
+        ASSERT_EQ(run(std::string{"draw --scene "} + scene + " -o " + path("a.pdf")).exit_code, 0);
+        rasterise_pdf();
+        expect_same("p.png", 0.995);
+    }
+}
+
+TEST_F(DrawingTest, DashesAndPaperOfAPdfAreThoseOfTheSvg) {
+    if (!is_installed("pdftocairo") || !is_installed("rsvg-convert"))
+        GTEST_SKIP() << "pdftocairo or rsvg-convert is not installed";
+    for (const char* extension : {".svg", ".pdf"}) {
+        ASSERT_EQ(run("draw --scene house --hidden --set paper=#ffffd0 --set hidden-width=3 "
+                      "--set hidden-color=#000000 -o " +
+                      path(std::string{"a"} + extension))
+                      .exit_code,
+                  0);
+    }
+    rasterise();
+    rasterise_pdf();
+    expect_same_ink(Ink{path("r.png")}, Ink{path("p.png")}, 0.995);
+    const Image ours = read_image(path("r.png")), theirs = read_image(path("p.png"));
+    EXPECT_EQ(ours.pixels[2], 0xd0);
+    EXPECT_EQ(theirs.pixels[2], 0xd0);
 }
 
 TEST_F(DrawingTest, SeesALineThatIsMissing) {

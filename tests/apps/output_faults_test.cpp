@@ -51,7 +51,7 @@ class OutputFaults : public Tool {
     }
 };
 
-const std::vector<std::string> endings{".png", ".bmp", ".svg", ".json"};
+const std::vector<std::string> endings{".png", ".bmp", ".svg", ".json", ".dxf", ".pdf"};
 
 TEST_F(OutputFaults, AKillAtAnyTimeLeavesOldOrWholeFiles) {
     constexpr int kills = 32;

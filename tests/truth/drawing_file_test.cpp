@@ -2,9 +2,12 @@
 
 #include "truth/drawing_file.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "lineatlas/error.hpp"
@@ -129,7 +132,28 @@ TEST(SvgPath, CommandsOfStraightLines) {
                                                                 {{7, 3.5}, {5, 1.5}}};
     EXPECT_EQ(*lines, wanted);
     EXPECT_FALSE(parse_path("M1 2L3"));
+    EXPECT_FALSE(parse_path("M1 2A3 4 0 0 0 5 6")); // of an ellipse
     EXPECT_FALSE(parse_path("1 2"));
+}
+
+TEST(SvgPath, ArcsAreChords) {
+    for (const auto& [data, sweep] : {std::pair{"M20 10a10 10 0 0 1-10 10", 90.0},
+                                      {"M20 10A10 10 0 0 0 10 0", -90.0},
+                                      {"M20 10a10 10 0 1 1-10-10", 270.0},
+                                      {"M20 10A9 9 0 0 1 0 10", 180.0}}) {
+        SCOPED_TRACE(data);
+        const auto lines = parse_path(data);
+        ASSERT_TRUE(lines);
+        EXPECT_EQ(lines->front().first, (glm::dvec2{20, 10}));
+        EXPECT_EQ(lines->size(), static_cast<std::size_t>(std::ceil(std::abs(sweep) * 64 / 360)));
+        double turned = 0;
+        for (const auto& [from, to] : *lines) {
+            const glm::dvec2 a = from - 10.0, b = to - 10.0;
+            EXPECT_NEAR(glm::length(b), 10, 1e-9);
+            turned += std::asin((a.x * b.y - a.y * b.x) / 100) * 180 / std::numbers::pi;
+        }
+        EXPECT_NEAR(turned, sweep, 1e-6);
+    }
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <regex>
 
 #include <glm/geometric.hpp>
@@ -20,6 +21,12 @@ namespace {
 
 using test::path_through;
 
+Outline straight(const std::vector<glm::dvec2>& points, bool closed = false) {
+    Outline outline{.points = {}, .closed = closed};
+    for (const glm::dvec2 point : points) outline.points.push_back({point});
+    return outline;
+}
+
 // --- numbers and paths
 
 TEST(PathData, NumbersHaveNoDigitToSpare) {
@@ -35,11 +42,23 @@ TEST(PathData, NumbersHaveNoDigitToSpare) {
 
 TEST(PathData, IsRelativeOrNot) {
     const std::vector<glm::dvec2> points{{10, 20}, {15, 20}, {15, 30}, {12.5, 30.25}};
-    EXPECT_EQ(path_data(points, false, 2, true), "m10 20h5v10l-2.5 .25");
-    EXPECT_EQ(path_data(points, false, 2, false), "M10 20H15V30L12.5 30.25");
+    EXPECT_EQ(path_data(straight(points), 2, true), "m10 20h5v10l-2.5 .25");
+    EXPECT_EQ(path_data(straight(points), 2, false), "M10 20H15V30L12.5 30.25");
     const std::vector<glm::dvec2> loop{{10, 20}, {15, 25}, {10, 30}, {10, 20}};
-    EXPECT_EQ(path_data(loop, true, 2, true), "m10 20 5 5-5 5z");
-    EXPECT_EQ(path_data(std::vector<glm::dvec2>{{1, 1}, {1.001, 1.001}}, false, 2, true), "");
+    EXPECT_EQ(path_data(straight(loop, true), 2, true), "m10 20 5 5-5 5z");
+    EXPECT_EQ(path_data(straight({{1, 1}, {1.001, 1.001}}), 2, true), "");
+}
+
+TEST(PathData, Arcs) {
+    const Outline half{.points = {{{10, 20}, 1}, {{30, 20}}}};
+    EXPECT_EQ(path_data(half, 2, false), "M10 20A10 10 0 0 1 30 20");
+    EXPECT_EQ(path_data(half, 2, true), "m10 20a10 10 0 0 1 20 0");
+    const Outline circle{.points = {{{10, 20}, -1}, {{30, 20}, -1}}, .closed = true};
+    EXPECT_EQ(path_data(circle, 2, true), "m10 20a10 10 0 0 0 20 0 10 10 0 0 0-20 0z");
+    // Three quarters of a circle, and a straight way back.
+    const double bulge = std::tan(3 * std::numbers::pi / 8);
+    const Outline most{.points = {{{10, 0}, bulge}, {{0, -10}}}, .closed = true};
+    EXPECT_EQ(path_data(most, 2, true), "m10 0a10 10 0 1 1-10-10z");
 }
 
 TEST(PathData, ErrorsDoNotAddUp) {
@@ -47,7 +66,7 @@ TEST(PathData, ErrorsDoNotAddUp) {
     for (int i = 0; i < 5000; ++i) {
         points.emplace_back(i * 0.1234567, std::sin(i) * 50 + i % 2 * 200); // no two level
     }
-    const std::string data = path_data(points, false, 2, true);
+    const std::string data = path_data(straight(points), 2, true);
     glm::dvec2 at{0, 0};
     std::size_t k = 0;
     const std::regex number{"-?[0-9]*\\.?[0-9]+"};

@@ -126,6 +126,7 @@ struct SvgOptions {
     bool tags = true;       ///< where each path comes from; never in a drawing for a plotter
     bool layers = true;     ///< mark groups as layers of Inkscape
     bool relative = true;   ///< shorter path data
+    bool fit_arcs = false;  ///< circles and arcs leave as such (docs/vector.md)
     std::string title = "Line drawing"; ///< of the document
     std::string description{};          ///< the settings that made it, for people
     std::string certificate{};          ///< what a check of it found, as metadata; empty: none
@@ -133,6 +134,20 @@ struct SvgOptions {
 
 /// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room.
 LINEATLAS_API std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options = {});
+
+/// How a drawing is written as DXF.
+struct DxfOptions {
+    /// The picture is scaled to fit on it and centred. None: the page is the picture.
+    std::optional<Page> page{};
+    Length margin{};           ///< around the picture, on all four sides
+    bool fit_arcs = false;     ///< circles and arcs leave as such (docs/vector.md)
+    std::string description{}; ///< the settings that made it, as a comment
+    std::string certificate{}; ///< what a check of it found, as a comment; empty: none
+};
+
+/// The drawing as DXF of AutoCAD 2004, ASCII, in millimetres of the page from its lower left
+/// corner. Throws UsageError when the margin leaves no room.
+LINEATLAS_API std::string to_dxf(const VectorDrawing& drawing, const DxfOptions& options = {});
 
 /// How a drawing is written as JSON.
 struct JsonOptions {

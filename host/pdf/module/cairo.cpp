@@ -1,0 +1,99 @@
+#include <memory>
+#include <stdexcept>
+
+#include <cairo-pdf.h>
+
+#include "pdf/pdf_module.hpp"
+
+namespace lineatlas::pdf {
+namespace {
+
+struct Destroy {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+void check(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
+}
+
+cairo_line_join_t join_of(Join join) {
+    switch (join) {
+    case Join::round:
+        return CAIRO_LINE_JOIN_ROUND;
+    case Join::bevel:
+        return CAIRO_LINE_JOIN_BEVEL;
+    case Join::mitre:
+        break;
+    }
+    return CAIRO_LINE_JOIN_MITER;
+}
+
+void set_color(cairo_t* context, glm::vec3 color, double opacity) {
+    const glm::dvec3 wide{color};
+    cairo_set_source_rgba(context, wide.x, wide.y, wide.z, opacity);
+}
+
+void draw(cairo_t* context, const Way& way) {
+    cairo_new_path(context);
+    cairo_move_to(context, way.start.x, way.start.y);
+    for (const Step& step : way.steps) {
+        const glm::dvec2 center = step.center;
+        if (!step.arc)
+            cairo_line_to(context, step.to.x, step.to.y);
+        else if (step.sweep > 0)
+            cairo_arc(context, center.x, center.y, step.radius, step.from, step.from + step.sweep);
+        else
+            cairo_arc_negative(context, center.x, center.y, step.radius, step.from,
+                               step.from + step.sweep);
+    }
+    if (way.closed) cairo_close_path(context);
+    cairo_stroke(context);
+}
+
+void draw(cairo_t* context, const Strokes& strokes) {
+    set_color(context, strokes.color, strokes.opacity);
+    cairo_set_line_width(context, strokes.width);
+    cairo_set_line_join(context, join_of(strokes.join));
+    cairo_set_miter_limit(context, strokes.mitre_limit);
+    cairo_set_line_cap(context, strokes.round_caps ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    cairo_set_dash(context, strokes.dashes.data(), static_cast<int>(strokes.dashes.size()), 0);
+    for (const Way& way : strokes.ways) draw(context, way);
+}
+
+std::string write(const Page& page) {
+    std::string text;
+    const std::unique_ptr<cairo_surface_t, Destroy> surface{
+        cairo_pdf_surface_create_for_stream(&append, &text, page.size.x, page.size.y)};
+    check(cairo_surface_status(surface.get()));
+    const auto describe = [&](cairo_pdf_metadata_t what, const char* value) {
+        cairo_pdf_surface_set_metadata(surface.get(), what, value);
+    };
+    describe(CAIRO_PDF_METADATA_TITLE, page.title.c_str());
+    describe(CAIRO_PDF_METADATA_SUBJECT, page.subject.c_str());
+    describe(CAIRO_PDF_METADATA_CREATOR, "lineatlas " LINEATLAS_VERSION);
+    // One drawing is one file, whenever it is written.
+    describe(CAIRO_PDF_METADATA_CREATE_DATE, "");
+    const std::unique_ptr<cairo_t, Destroy> owned{cairo_create(surface.get())};
+    cairo_t* const context = owned.get();
+    if (page.background) {
+        set_color(context, *page.background, 1);
+        cairo_paint(context);
+    }
+    for (const Strokes& strokes : page.strokes) draw(context, strokes);
+    cairo_show_page(context);
+    check(cairo_status(context));
+    cairo_surface_finish(surface.get());
+    check(cairo_surface_status(surface.get()));
+    return text;
+}
+
+} // namespace
+} // namespace lineatlas::pdf
+
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_1{.write = lineatlas::pdf::write};

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "lineatlas/vector.hpp"
+
+namespace lineatlas {
+
+/// How a drawing is written as PDF.
+struct PdfOptions {
+    /// The picture is scaled to fit on it and centred. None: the page is the picture.
+    std::optional<Page> page{};
+    Length margin{};                    ///< around the picture, on all four sides
+    bool background = true;             ///< the paper's colour, unless it is white
+    bool fit_arcs = false;              ///< circles and arcs leave as such (docs/vector.md)
+    std::string title = "Line drawing"; ///< of the document
+    std::string description{};          ///< the settings that made it, for people
+    std::string certificate{};          ///< what a check of it found; empty: none
+};
+
+/// The drawing as a PDF of one page. Throws UsageError when the margin leaves no room, FileError
+/// when the module that writes PDF cannot be loaded.
+std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options = {});
+
+/// Throws FileError unless the module is where it should be. Loads nothing.
+void check_pdf_module();
+
+} // namespace lineatlas

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace lineatlas::pdf {
+
+/// How a way goes on from where it is, or an arc of a circle from where that starts.
+struct Step {
+    bool arc = false;
+    glm::dvec2 to{0}; ///< of a straight one
+    glm::dvec2 center{0};
+    double radius = 0;
+    double from = 0;  ///< radians, from the x axis towards the y axis
+    double sweep = 0; ///< negative: towards smaller angles
+};
+
+struct Way {
+    glm::dvec2 start{0};
+    std::vector<Step> steps;
+    bool closed = false;
+};
+
+enum class Join { mitre, round, bevel };
+
+/// Ways drawn alike, one after the other.
+struct Strokes {
+    glm::vec3 color{0};
+    double opacity = 1;
+    double width = 1;
+    Join join = Join::mitre;
+    double mitre_limit = 4;
+    bool round_caps = false;    ///< else cut square
+    std::vector<double> dashes; ///< on, off; empty: solid
+    std::vector<Way> ways;
+};
+
+/// A document of one page. Lengths are points, 72 to an inch, from its upper left corner, y down.
+struct Page {
+    glm::dvec2 size{1};
+    std::optional<glm::vec3> background;
+    std::string title, subject; ///< UTF-8
+    std::vector<Strokes> strokes;
+};
+
+/// What the module lineatlas-pdf offers; it alone links cairo. What is refused ends in a
+/// std::runtime_error that says the cause in one line.
+struct Module {
+    std::string (*write)(const Page& page);
+};
+
+/// The module's one symbol. Its number changes with `Module`.
+inline constexpr const char* module_symbol = "lineatlas_pdf_1";
+
+} // namespace lineatlas::pdf
+
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_1;

@@ -1,0 +1,289 @@
+#include "arc_fitting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace lineatlas {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double tolerance = 0.02; ///< pixels from the circle
+constexpr std::size_t fewest_points = 5;
+constexpr double least_sweep = 30 * degree;
+constexpr double largest_step = 30.5 * degree; ///< a twelfth of a circle, and rounding
+/// Small circles lose points when paths are simplified: chords so near to the arc are as good.
+constexpr double small_sagitta = 0.06; ///< pixels
+
+using Points = std::span<const OutlinePoint>;
+
+struct Circle {
+    glm::dvec2 center;
+    double radius;
+
+    double distance(glm::dvec2 point) const { return glm::distance(point, center) - radius; }
+    glm::dvec2 nearest(glm::dvec2 point) const {
+        return center + radius * glm::normalize(point - center);
+    }
+    /// The angle from one point to the next, -180 to 180 degrees.
+    double angle(glm::dvec2 from, glm::dvec2 to) const {
+        const glm::dvec2 a = from - center;
+        const glm::dvec2 b = to - center;
+        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    }
+    double sagitta(double angle) const { return radius * (1 - std::cos(0.5 * angle)); }
+};
+
+/// The circle with the least squares of a point's power: near to the best, and needs no start.
+std::optional<Circle> rough_circle(Points points) {
+    glm::dvec2 mean{0};
+    for (const OutlinePoint& point : points) mean += point.at;
+    mean /= static_cast<double>(points.size());
+    glm::dmat3 normal{0};
+    glm::dvec3 right{0};
+    for (const OutlinePoint& point : points) {
+        const glm::dvec2 at = point.at - mean;
+        const glm::dvec3 row{at, 1};
+        normal += glm::outerProduct(row, row);
+        right += row * glm::dot(at, at);
+    }
+    const double size = normal[0][0] + normal[1][1];
+    if (!(std::abs(glm::determinant(normal)) > 1e-12 * size * size)) return std::nullopt;
+    const glm::dvec3 found = glm::inverse(normal) * right;
+    const glm::dvec2 center = 0.5 * glm::dvec2{found};
+    const double squared = found.z + glm::dot(center, center);
+    if (!(squared > 0)) return std::nullopt;
+    return Circle{mean + center, std::sqrt(squared)};
+}
+
+/// The circle with the least squares of distances (Gauss-Newton).
+std::optional<Circle> fit_circle(Points points) {
+    std::optional<Circle> circle = rough_circle(points);
+    constexpr int rounds = 3;
+    for (int round = 0; circle && round < rounds; ++round) {
+        glm::dmat3 normal{0};
+        glm::dvec3 right{0};
+        for (const OutlinePoint& point : points) {
+            const glm::dvec2 out = point.at - circle->center;
+            const double length = glm::length(out);
+            if (!(length > 0)) return std::nullopt;
+            const glm::dvec3 row{out / length, 1};
+            normal += glm::outerProduct(row, row);
+            right += row * (length - circle->radius);
+        }
+        if (!(std::abs(glm::determinant(normal)) > 1e-12)) return std::nullopt;
+        const glm::dvec3 change = glm::inverse(normal) * right;
+        circle->center += glm::dvec2{change};
+        circle->radius += change.z;
+    }
+    if (circle && !(circle->radius > tolerance)) return std::nullopt;
+    return circle;
+}
+
+/// Whether points lie on the circle one after the other, and how far round they go.
+std::optional<double> sweep_on(const Circle& circle, Points points) {
+    double sweep = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!(std::abs(circle.distance(points[i].at)) <= tolerance)) return std::nullopt;
+        if (i == 0) continue;
+        const double step = circle.angle(points[i - 1].at, points[i].at);
+        const double width = std::abs(step);
+        if (width > largest_step && circle.sagitta(width) > small_sagitta) return std::nullopt;
+        if (step == 0 || (sweep != 0 && (step > 0) != (sweep > 0))) return std::nullopt;
+        sweep += step;
+    }
+    return sweep;
+}
+
+struct FoundArc {
+    Circle circle;
+    glm::dvec2 start, end;
+    double sweep;
+};
+
+class ArcFinder {
+  public:
+    explicit ArcFinder(const Outline& outline) : points_(outline.points), closed_(outline.closed) {
+        // The way back to the first point is one like all others.
+        if (closed_) points_.push_back(points_.front());
+    }
+
+    std::optional<Outline> whole_circle() const {
+        if (!closed_ || points_.size() <= fewest_points) return std::nullopt;
+        const std::optional<Circle> circle = fit_circle(Points{points_}.first(points_.size() - 1));
+        const auto sweep = circle ? sweep_on(*circle, points_) : std::nullopt;
+        if (!sweep || std::abs(std::abs(*sweep) - 2 * std::numbers::pi) > 0.01) return std::nullopt;
+        const glm::dvec2 start = circle->nearest(points_.front().at);
+        const double bulge = *sweep > 0 ? 1 : -1;
+        return Outline{.points = {{start, bulge}, {2.0 * circle->center - start, bulge}},
+                       .closed = true};
+    }
+
+    Outline run() {
+        std::vector<Piece> pieces = find_pieces();
+        const auto arc = std::ranges::find_if(pieces, &Piece::is_arc);
+        if (arc == pieces.end()) return outline_of(pieces);
+        if (closed_) { // a loop that starts within an arc would have it in two
+            points_.pop_back();
+            std::ranges::rotate(
+                points_, points_.begin() + static_cast<std::ptrdiff_t>(arc->last % points_.size()));
+            points_.push_back(points_.front());
+            pieces = find_pieces();
+        }
+        drop_parts_of_other_curves(pieces);
+        return outline_of(pieces);
+    }
+
+  private:
+    /// An arc, or the straight way from one point to the next.
+    struct Piece {
+        std::size_t first, last;
+        std::optional<FoundArc> arc;
+
+        bool is_arc() const { return arc.has_value(); }
+    };
+
+    std::vector<Piece> find_pieces() const {
+        std::vector<Piece> pieces;
+        for (std::size_t at = 0; at + 1 < points_.size(); at = pieces.back().last) {
+            std::size_t end = at + 1;
+            std::optional<FoundArc> arc = longest_arc(at, end);
+            pieces.push_back({at, end, arc});
+        }
+        return pieces;
+    }
+
+    Outline outline_of(const std::vector<Piece>& pieces) const {
+        Outline outline{.points = {}, .closed = closed_};
+        OutlinePoint here = points_.front();
+        for (const Piece& piece : pieces) {
+            if (piece.arc) {
+                if (piece.first == 0) here.at = piece.arc->start;
+                here.bulge = std::tan(0.25 * piece.arc->sweep);
+            }
+            outline.points.push_back(here);
+            here = {piece.arc ? piece.arc->end : points_[piece.last].at};
+        }
+        if (!closed_) outline.points.push_back(here);
+        return outline;
+    }
+
+    /// The angle by which the way turns at the end of a piece, towards the next one.
+    double turn_between(const Piece& piece, const Piece& next) const {
+        const glm::dvec2 a = points_[piece.last].at - points_[piece.last - 1].at;
+        const glm::dvec2 b = points_[next.first + 1].at - points_[next.first].at;
+        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    }
+
+    /// Near its ends an ellipse is an arc, too, for a while: what bends on beyond an arc, in steps
+    /// as small, is a curve of another kind all along.
+    void drop_parts_of_other_curves(std::vector<Piece>& pieces) const {
+        const std::size_t count = pieces.size();
+        const auto bends_on = [&](std::size_t arc, bool forwards) {
+            const double step =
+                pieces[arc].arc->sweep / static_cast<double>(pieces[arc].last - pieces[arc].first);
+            std::size_t at = arc;
+            for (int i = 0; i < 2; ++i) {
+                const bool ends = forwards ? at + 1 == count : at == 0;
+                if (ends && !closed_) return false;
+                const std::size_t next = (at + (forwards ? 1 : count - 1)) % count;
+                if (pieces[next].is_arc()) return false;
+                const double turn = forwards ? turn_between(pieces[at], pieces[next])
+                                             : turn_between(pieces[next], pieces[at]);
+                if (!(turn / step > 0.3) || std::abs(turn) > largest_step) return false;
+                at = next;
+            }
+            return true;
+        };
+        std::vector<Piece> kept;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!pieces[i].is_arc() || !(bends_on(i, true) || bends_on(i, false))) {
+                kept.push_back(pieces[i]);
+                continue;
+            }
+            for (std::size_t at = pieces[i].first; at < pieces[i].last; ++at)
+                kept.push_back({at, at + 1, std::nullopt});
+        }
+        pieces = std::move(kept);
+    }
+
+    bool may_be_cut(std::size_t point) const {
+        return !closed_ && (point == 0 || point + 1 == points_.size());
+    }
+
+    /// The arc through the points from `first` to `last`.
+    std::optional<FoundArc> arc_through(std::size_t first, std::size_t last) const {
+        const std::size_t cut_start = may_be_cut(first) ? 1 : 0;
+        const std::size_t cut_end = may_be_cut(last) ? 1 : 0;
+        const std::size_t count = last - first + 1 - cut_start - cut_end;
+        if (count < fewest_points - 1) return std::nullopt;
+        const Points sure = Points{points_}.subspan(first + cut_start, count);
+        const std::optional<Circle> circle = fit_circle(sure);
+        const auto sweep = circle ? sweep_on(*circle, sure) : std::nullopt;
+        if (!sweep) return std::nullopt;
+        double widest = 0;
+        for (std::size_t i = 1; i < sure.size(); ++i)
+            widest = std::max(widest, std::abs(circle->angle(sure[i - 1].at, sure[i].at)));
+        FoundArc arc{*circle, points_[first].at, points_[last].at, *sweep};
+        const auto take_end = [&](glm::dvec2 inner, glm::dvec2& end, double direction) {
+            const double inside = -circle->distance(end);
+            const double step = direction * circle->angle(inner, end);
+            if (inside < -tolerance || inside > circle->sagitta(widest) + tolerance) return false;
+            if (!(step * arc.sweep > 0) || std::abs(step) > widest * 1.01) return false;
+            end = circle->nearest(end);
+            arc.sweep += step;
+            return true;
+        };
+        if (cut_start != 0 && !take_end(sure.front().at, arc.start, -1)) return std::nullopt;
+        if (cut_end != 0 && !take_end(sure.back().at, arc.end, 1)) return std::nullopt;
+        if (std::abs(arc.sweep) > 1.99 * std::numbers::pi) return std::nullopt; // comes round
+        return arc;
+    }
+
+    /// The longest one that starts at `first`; `end` becomes its last point.
+    std::optional<FoundArc> longest_arc(std::size_t first, std::size_t& end) const {
+        const std::size_t last = points_.size() - 1;
+        std::optional<FoundArc> found;
+        for (std::size_t i = first + fewest_points - 1; i <= last; ++i) {
+            if (!turns_one_way(Points{points_}.subspan(first, i - first + 1))) break;
+            const std::optional<FoundArc> arc = arc_through(first, i);
+            if (!arc) break;
+            if (std::abs(arc->sweep) < least_sweep) continue;
+            found = arc;
+            end = i;
+        }
+        return found;
+    }
+
+    /// Cheaply what no arc is: looks at the last three points of a run.
+    static bool turns_one_way(Points run) {
+        const auto turn = [&](std::size_t i) {
+            const glm::dvec2 a = run[i].at - run[i - 1].at;
+            const glm::dvec2 b = run[i + 1].at - run[i].at;
+            return a.x * b.y - a.y * b.x;
+        };
+        const std::size_t last = run.size() - 2;
+        return turn(1) * turn(last) > 0;
+    }
+
+    std::vector<OutlinePoint> points_;
+    bool closed_;
+};
+
+} // namespace
+
+Outline fit_arcs(const Outline& outline) {
+    if (outline.points.size() < fewest_points) return outline;
+    ArcFinder finder{outline};
+    if (std::optional<Outline> circle = finder.whole_circle()) return *circle;
+    return finder.run();
+}
+
+} // namespace lineatlas

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "line_groups.hpp"
+#include "pen_stroke.hpp"
+
+namespace lineatlas {
+
+/// The pattern of a dashed line, in millimetres.
+struct DxfLinetype {
+    std::string name;
+    PenStroke::Dashes dashes;
+};
+
+/// A layer and how all that lies on it is drawn.
+struct DxfLayer {
+    std::string name;
+    std::string linetype; ///< "CONTINUOUS" or that of a DxfLinetype
+    int color_index;      ///< the nearest of AutoCAD's, for programs that know no others
+    int color;            ///< 0xRRGGBB
+    int line_weight;      ///< hundredths of a millimetre: the nearest of ISO 128's
+};
+
+struct DxfLayers {
+    std::vector<DxfLinetype> linetypes;
+    std::vector<DxfLayer> layers; ///< one per group
+};
+
+DxfLayers dxf_layers(std::span<const LineGroup> groups, const Style& style, const Sheet& sheet);
+
+} // namespace lineatlas

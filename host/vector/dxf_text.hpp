@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+namespace lineatlas {
+
+/// The text of a DXF file: groups of a code and a value, each on a line of its own.
+class DxfText {
+  public:
+    /// A number of an object, unlike all others in the file.
+    using Handle = std::uint32_t;
+
+    void add(int code, std::string_view value);
+    void add(int code, double value, int digits = 5); ///< after the point, at most
+    void add(int code, int value);
+    void add_handle(int code, Handle handle);
+    /// Two numbers; that of y has the code of x and ten.
+    void add(int code, glm::dvec2 value);
+
+    Handle next_handle() { return ++last_handle_; }
+    Handle last_handle() const { return last_handle_; }
+
+    /// An object of a table or an entity, begun: its type, its handle and whom it belongs to.
+    Handle begin(std::string_view type, Handle owner, int handle_code = 5);
+    void begin_section(std::string_view name);
+    void end_section() { add(0, "ENDSEC"); }
+
+    void append(const DxfText& other) { text_ += other.text_; }
+    std::string take() { return std::move(text_); }
+
+  private:
+    Handle last_handle_ = 0;
+    std::string text_;
+};
+
+/// What DXF can hold in a line: ASCII, all else by its number in Unicode.
+std::string dxf_line(std::string_view utf8);
+
+} // namespace lineatlas

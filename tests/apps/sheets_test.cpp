@@ -1,0 +1,207 @@
+// Drawings that measure, in every type of file: what a millimetre of the model is on paper, and
+// what other programs read.
+#include <cmath>
+#include <numbers>
+#include <regex>
+
+#include "ink.hpp"
+#include "tool.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// Debian's own Python, which has what Debian packages for it.
+const std::string python = "/usr/bin/python3 ";
+
+bool has_ezdxf() {
+    return std::system((python + "-c 'import ezdxf' 2>/dev/null").c_str()) == 0;
+}
+
+class Sheets : public Tool {
+  protected:
+    void SetUp() override {
+        Tool::SetUp();
+        write("cube.obj", prism(4, 100, 50 * std::numbers::sqrt2, 45));
+        write("cylinder.obj", prism(64, 40, 50, 0));
+    }
+
+    /// Around the z axis.
+    static std::string prism(int sides, double height, double radius, double turned) {
+        std::string text, bottom, top;
+        for (const double z : {0.0, height}) {
+            for (int i = 0; i < sides; ++i) {
+                const double angle = (turned + 360.0 * i / sides) * std::numbers::pi / 180;
+                text += "v " + std::to_string(radius * std::cos(angle)) + " " +
+                        std::to_string(radius * std::sin(angle)) + " " + std::to_string(z) + "\n";
+            }
+        }
+        for (int i = 0; i < sides; ++i) {
+            const int j = (i + 1) % sides;
+            text += "f";
+            for (const int corner : {i, j, sides + j, sides + i})
+                text.append(" ").append(std::to_string(corner + 1));
+            text += "\n";
+            bottom.append(" ").append(std::to_string(sides - i));
+            top.append(" ").append(std::to_string(sides + i + 1));
+        }
+        return text + "f" + bottom + "\nf" + top + "\n";
+    }
+
+    std::string drawn(const std::string& model, const std::string& name,
+                      const std::string& options) {
+        const Result result = run("draw " + path(model) + " -o " + path(name) +
+                                  " --up y --view front --compute cpp --page a4 " + options);
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        return read(path(name));
+    }
+
+    static std::vector<double> numbers(const std::string& text) {
+        std::vector<double> found;
+        const std::regex number{"-?[0-9]*\\.?[0-9]+"};
+        for (std::sregex_iterator at{text.begin(), text.end(), number};
+             at != std::sregex_iterator{}; ++at)
+            found.push_back(std::stod(at->str()));
+        return found;
+    }
+
+    /// Lengths of the lines of a PDF of ours, in points.
+    std::vector<double> lines_of_pdf(const std::string& name) const {
+        write("inflate.py", "import re, sys, zlib\n"
+                            "data = open(sys.argv[1], 'rb').read()\n"
+                            "for part in re.findall(rb'stream\\r?\\n(.*?)\\r?\\nendstream', data, "
+                            "re.S):\n"
+                            "    try: print(zlib.decompress(part).decode('latin-1'))\n"
+                            "    except zlib.error: pass\n");
+        const std::string text = shell(python + path("inflate.py") + " " + path(name)).output;
+        std::vector<double> found;
+        const std::regex line{"(-?[0-9.]+) (-?[0-9.]+) m (-?[0-9.]+) (-?[0-9.]+) l"};
+        for (std::sregex_iterator at{text.begin(), text.end(), line}; at != std::sregex_iterator{};
+             ++at) {
+            const auto number = [&](std::size_t i) { return std::stod((*at)[i]); };
+            found.push_back(std::hypot(number(3) - number(1), number(4) - number(2)));
+        }
+        return found;
+    }
+
+    /// What ezdxf finds wrong with files, and their lines: type, layer, length or radius.
+    Result read_by_ezdxf(const std::string& name) const {
+        write("read.py", "import sys, ezdxf\n"
+                         "drawing = ezdxf.readfile(sys.argv[1])\n"
+                         "audit = drawing.audit()\n"
+                         "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+                         "print('units', drawing.units, 'size', *drawing.header['$LIMMAX'])\n"
+                         "for line in drawing.modelspace():\n"
+                         "    kind = line.dxftype()\n"
+                         "    if kind == 'LINE': size = (line.dxf.end - line.dxf.start).magnitude\n"
+                         "    elif kind == 'LWPOLYLINE': size = len(line)\n"
+                         "    else: size = line.dxf.radius\n"
+                         "    print(kind, line.dxf.layer, '%.4f' % size)\n");
+        return shell(python + path("read.py") + " " + path(name) + " 2>&1");
+    }
+};
+
+TEST_F(Sheets, ACubeOfAHundredMillimetresAtHalfItsSize) {
+    drawn("cube.obj", "a.pdf", "--scale 1:2");
+    const std::vector<double> in_points = lines_of_pdf("a.pdf");
+    ASSERT_EQ(in_points.size(), 4U);
+    for (const double length : in_points) EXPECT_NEAR(length * 25.4 / 72, 50, 0.005);
+
+    const std::string dxf = drawn("cube.obj", "a.dxf", "--scale 1:2");
+    const std::regex line{"AcDbLine\n 10\n(.*)\n 20\n(.*)\n 30\n.*\n 11\n(.*)\n 21\n(.*)\n"};
+    int lines = 0;
+    for (std::sregex_iterator at{dxf.begin(), dxf.end(), line}; at != std::sregex_iterator{};
+         ++at, ++lines) {
+        const auto number = [&](std::size_t i) { return std::stod((*at)[i]); };
+        EXPECT_NEAR(std::hypot(number(3) - number(1), number(4) - number(2)), 50, 0.001);
+    }
+    EXPECT_EQ(lines, 4);
+}
+
+TEST_F(Sheets, ACylinderFromItsEndIsACircle) {
+    const std::string svg = drawn("cylinder.obj", "a.svg", "--scale 1:1 --fit-arcs");
+    const std::size_t start = svg.find(" d=\"");
+    const std::vector<double> path = numbers(svg.substr(start, svg.find('z', start) - start));
+    ASSERT_EQ(path.size(), 16U) << svg;
+    EXPECT_NEAR(path[2], 50, 0.002);
+    EXPECT_NEAR(path[9], 50, 0.002);
+    const std::string dxf = drawn("cylinder.obj", "a.dxf", "--scale 1:1 --fit-arcs");
+    const std::size_t circle = dxf.find("AcDbCircle\n");
+    ASSERT_NE(circle, std::string::npos);
+    const std::size_t radius = dxf.find("\n 40\n", circle);
+    EXPECT_NEAR(std::stod(dxf.substr(radius + 5)), 50, 0.002);
+    // Without the option it is the polygon that the model is.
+    EXPECT_EQ(drawn("cylinder.obj", "b.dxf", "--scale 1:1").find("AcDbCircle"), std::string::npos);
+}
+
+TEST_F(Sheets, EzdxfFindsNothingWrong) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    drawn("cube.obj", "cube.dxf", "--scale 1:2 --hidden");
+    const Result cube = read_by_ezdxf("cube.dxf");
+    EXPECT_EQ(cube.output, "units 4 size 297.0 210.0\nLINE crease 50.0000\nLINE crease 50.0000\n"
+                           "LINE crease 50.0000\nLINE crease 50.0000\n");
+    drawn("cylinder.obj", "cylinder.dxf", "--scale 1:1 --fit-arcs");
+    EXPECT_NE(read_by_ezdxf("cylinder.dxf").output.find("CIRCLE crease 50.000"), std::string::npos);
+    for (const char* options : {"", " --hidden", " --hidden --plotter --fit-arcs"}) {
+        SCOPED_TRACE(options);
+        for (const char* scene : {"clevis", "house"}) {
+            ASSERT_EQ(run(std::string{"draw --compute cpp --scene "} + scene + options + " -o " +
+                          path("a.dxf"))
+                          .exit_code,
+                      0);
+            const Result result = read_by_ezdxf("a.dxf");
+            EXPECT_EQ(result.exit_code, 0) << result.output;
+            EXPECT_EQ(result.output.find("wrong"), std::string::npos) << result.output;
+            EXPECT_GT(std::ranges::count(result.output, '\n'), 30);
+        }
+    }
+}
+
+TEST_F(Sheets, LibreCadOpensIt) {
+    if (!is_installed("librecad") || !is_installed("pdftocairo"))
+        GTEST_SKIP() << "librecad or poppler-utils is not installed";
+    ASSERT_EQ(run("draw --compute cpp --scene clevis --hidden --fit-arcs -o " + path("a.dxf") +
+                  " --page a4 --margin 10mm")
+                  .exit_code,
+              0);
+    // On the page that ours has: it puts what it reads in the middle of it.
+    const Result result =
+        shell("cd " + path("") + " && HOME=" + path("") +
+              " QT_QPA_PLATFORM=offscreen librecad dxf2pdf -m -p 297x210 -c a.dxf 2>&1 && "
+              "pdftocairo -png -r 96 -singlefile a.pdf theirs 2>&1");
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    const Ink theirs{path("theirs.png")};
+    EXPECT_GT(std::ranges::count(theirs.dark, true), 5000);
+}
+
+TEST_F(Sheets, OneDrawingIsOneFile) {
+    for (const std::string name : {"a.pdf", "a.dxf"}) {
+        const std::string first = drawn("cube.obj", name, "");
+        EXPECT_EQ(drawn("cube.obj", name, ""), first);
+    }
+}
+
+TEST_F(Sheets, WhatIsWrongIsSaidInALine) {
+    const std::string draw = "draw " + path("cube.obj") + " --view front --compute cpp ";
+    for (const std::string name : {"x.dxf", "x.pdf"}) {
+        SCOPED_TRACE(name);
+        const std::string to = "-o " + path(name);
+        expect_refused(draw + to + " --units mm", 2, "--units is for SVG");
+        expect_refused(draw + to + " --no-tags", 2, "no tags");
+        expect_refused(draw + to + " --page a4 --scale 5:1", 2, "2:1 fits");
+        expect_refused(draw + to + " --page a6 --margin 80mm", 2, "no room");
+        expect_refused(draw + "-o " + path("missing/" + name), 1, "its folder does not exist");
+        expect_refused(draw + "-o /proc/" + name, 1, "/proc");
+    }
+    expect_refused(draw + "--fit-arcs -o " + path("x.json"), 2, "JSON is in pixels");
+    expect_refused(draw + "--fit-arcs -o " + path("x.png"), 2, "is for paths");
+    expect_refused(draw + "-o " + path("x.dwg"), 1, ".dxf");
+    const Result none = shell("LINEATLAS_MODULE_DIR=/nowhere " LINEATLAS_TOOL " " + draw + "-o " +
+                              path("x.pdf") + " 2>&1");
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_NE(none.output.find("lineatlas-pdf.so\", which writes PDF"), std::string::npos)
+        << none.output;
+    EXPECT_FALSE(fs::exists(path("x.pdf")));
+}
+
+} // namespace
+} // namespace lineatlas::test
