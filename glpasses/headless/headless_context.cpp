@@ -97,8 +97,9 @@ void HeadlessContext::make_current() {
 namespace gl {
 
 CurrentContextKeeper::CurrentContextKeeper()
-    : api_((check_libraries(), eglQueryAPI())), display_(eglGetCurrentDisplay()), context_(eglGetCurrentContext()),
-      draw_(eglGetCurrentSurface(EGL_DRAW)), read_(eglGetCurrentSurface(EGL_READ)) {}
+    : api_((check_libraries(), eglQueryAPI())), display_(eglGetCurrentDisplay()),
+      context_(eglGetCurrentContext()), draw_(eglGetCurrentSurface(EGL_DRAW)),
+      read_(eglGetCurrentSurface(EGL_READ)) {}
 
 CurrentContextKeeper::~CurrentContextKeeper() {
     if (context_ != EGL_NO_CONTEXT) {

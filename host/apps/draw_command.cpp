@@ -77,6 +77,13 @@ std::optional<float> crease_angle(const DrawArguments& arguments) {
     return parse_crease("--crease", arguments.crease);
 }
 
+FrameOptions frame_options(const DrawArguments& arguments, const FrameSettings& settings,
+                           glm::ivec2 size) {
+    if (is_path_file(arguments.output)) return settings.for_paths(size);
+    if (arguments.sequence.given(arguments.output)) return settings.for_sequence();
+    return settings.for_pixels();
+}
+
 /// What is drawn, and the view on it unless the command line says another.
 struct Subject {
     std::string name;
@@ -335,7 +342,8 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
     draw_paths(drawing, find, &measuring);
 }
 
-/// Whether paths are drawn without GL: all but what samples and measures frames, or shares buffers.
+/// Whether GL is of no use: for exact paths, unless they are measured or compared, or share
+/// buffers.
 bool needs_no_gl(const DrawArguments& arguments, const FrameOptions& options) {
     return is_path_file(arguments.output) && options.method == Method::exact && !arguments.stats &&
            !arguments.profile.given() && arguments.device.interop.empty() &&
@@ -361,9 +369,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const Style style = arguments.style.style();
     const bool by_paths = is_path_file(arguments.output);
-    FrameOptions options = by_paths                                     ? settings.for_paths(size)
-                           : arguments.sequence.given(arguments.output) ? settings.for_sequence()
-                                                                        : settings.for_pixels();
+    FrameOptions options = frame_options(arguments, settings, size);
     options.style = style;
     ImageWriter writer; // before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);

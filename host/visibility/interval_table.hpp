@@ -13,7 +13,7 @@ class IntervalTable {
   public:
     explicit IntervalTable(compute::Device& device);
 
-    /// Before the first fill() of a frame. `kept`: whether the frame has intervals at all.
+    /// Before the first room() of a frame. `kept`: whether the frame has intervals at all.
     void begin_frame(bool kept);
     bool kept() const { return kept_; }
     /// Where a stage writes to.
@@ -22,7 +22,7 @@ class IntervalTable {
         std::uint32_t capacity;
         compute::Buffer& total;
     };
-    /// Room for another go.
+    /// Room for as many as it has grown to.
     Room room();
     /// Waits for the number of intervals that were found in room().
     void read_total();
@@ -35,7 +35,7 @@ class IntervalTable {
     std::vector<Interval> read();
 
   private:
-    /// Of the last fill().
+    /// Of the last read_total().
     std::vector<Interval> read_table();
 
     compute::Device& device_;

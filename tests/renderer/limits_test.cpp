@@ -1,12 +1,14 @@
 // Devices that are too small: what is drawn nevertheless, and what is said where nothing can be.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -15,8 +17,8 @@
 
 #include "compare.hpp"
 #include "core/limits.hpp"
-#include "fault_support.hpp"
 #include "core/model_limits.hpp"
+#include "fault_support.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -507,9 +509,11 @@ ToolRun run_tool(const std::string& limits, const std::string& arguments,
 }
 
 TEST(LimitsOfTheTool, ArePassedByTilesOrEndItWithOneLine) {
-    const ToolRun tiles =
-        run_tool("LINEATLAS_TEST_BUFFER=2000000", "--scene clevis --size 1600x1200");
-    EXPECT_EQ(tiles.code, 0); // its depth would take 31 MB
+    for (const char* method : {" --method atlas", ""}) { // whose depth would take 31 MB; exact
+        const ToolRun drawn = run_tool("LINEATLAS_TEST_BUFFER=2000000",
+                                       std::string{"--scene clevis --size 1600x1200"} + method);
+        EXPECT_EQ(drawn.code, 0) << drawn.said;
+    }
     const auto [code, said, file] =
         run_tool("LINEATLAS_TEST_BUFFER=10000", "--scene clevis --size 400x300");
     EXPECT_EQ(code, 1);
@@ -528,9 +532,39 @@ TEST(LimitsOfTheTool, ArePassedByChunksOfTheSegments) {
     }
 }
 
+/// Rings around a post: 40,000 segments, and few triangles.
+std::string write_rings() {
+    const std::string name = std::filesystem::temp_directory_path() /
+                             ("lineatlas_rings_" + std::to_string(::getpid()) + ".obj");
+    std::ofstream file{name};
+    file << "v -1 -2 0\nv 1 -2 0\nv 1 2 0\nv -1 2 0\nf 1 2 3 4\n";
+    constexpr int rings = 200, points = 201;
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int point = 0; point < points; ++point) {
+            const double angle = 0.01 * std::numbers::pi * point;
+            file << "v " << 1.6 * std::cos(angle) << ' ' << 0.015 * ring - 1.5 << ' '
+                 << 1.6 * std::sin(angle) << '\n';
+        }
+        file << 'l';
+        for (int point = 0; point < points; ++point) file << ' ' << 5 + ring * points + point;
+        file << '\n';
+    }
+    return name;
+}
+
+TEST(LimitsOfTheTool, ArePassedByChunksWithNoGlToo) {
+    const std::string rings = write_rings(), drawing = rings + " --size 400x300";
+    const ToolRun whole = run_tool("", drawing, ".svg");
+    const ToolRun cut = run_tool("LINEATLAS_TEST_BUFFER=1000000", drawing, ".svg"); // 13 chunks
+    EXPECT_EQ(cut.code, 0) << cut.said;
+    EXPECT_GT(std::ranges::count(whole.file, '\n'), 200);
+    EXPECT_TRUE(cut.file == whole.file);
+    std::filesystem::remove(rings);
+}
+
 /// 31 MB of depth that the device has no room for, in one buffer or many.
 TEST(LimitsOfTheTool, OfMemoryLeadToTilesByThemselves) {
-    const std::string large = "--scene clevis --size 1600x1200";
+    const std::string exact = "--scene clevis --size 1600x1200", large = exact + " --method atlas";
     for (const std::string bytes : {"24000000", "8000000"}) {
         const ToolRun tiles = run_tool("LINEATLAS_TEST_MEMORY=" + bytes, large);
         EXPECT_EQ(tiles.code, 0);
@@ -544,9 +578,11 @@ TEST(LimitsOfTheTool, OfMemoryLeadToTilesByThemselves) {
         EXPECT_EQ(std::ranges::count(tiles.said, '\n'), 1) << tiles.said;
         EXPECT_TRUE(tiles.file == run_tool("", large + " --tile " + side).file);
     }
-    // Ends of paths are found in the depth of the whole.
-    const ToolRun path =
-        run_tool("LINEATLAS_TEST_MEMORY=2000000", large + " --method atlas", ".svg");
+    // Without depth there is room, for paths too; ends of others are found in the depth of the
+    // whole.
+    EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=8000000", exact).said, "");
+    EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=8000000", exact, ".svg").said, "");
+    const ToolRun path = run_tool("LINEATLAS_TEST_MEMORY=2000000", large, ".svg");
     EXPECT_EQ(path.code, 1);
     EXPECT_EQ(std::ranges::count(path.said, '\n'), 1) << path.said;
 }
