@@ -96,6 +96,23 @@ void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& c
     glDisable(GL_DEPTH_TEST);
 }
 
+void DepthPass::load(GLuint buffer, glm::ivec2 size, const TexelRectangle& part) {
+    resize(size);
+    const glm::ivec2 texels = part.size();
+    if (texels.x <= 0 || texels.y <= 0) return;
+    const std::size_t first =
+        static_cast<std::size_t>(part.low.y) * static_cast<std::size_t>(size.x) +
+        static_cast<std::size_t>(part.low.x);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
+    glTextureSubImage2D(texture_.id(), 0, part.low.x, part.low.y, texels.x, texels.y,
+                        GL_DEPTH_COMPONENT, GL_FLOAT,
+                        reinterpret_cast<const void*>(first * sizeof(float)));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
 void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
     copy_texels(texture_.id(), GL_DEPTH_COMPONENT, size_, part, buffer);
 }

@@ -45,12 +45,15 @@ class DepthPass {
     void draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
                      std::span<const TriangleRange> ranges, glm::vec4 tile = whole_picture);
 
+    /// Takes a rectangle of depth from its place in a buffer for all of it, in place of drawing.
+    void load(GLuint buffer, glm::ivec2 size, const TexelRectangle& part);
+
     /// Copies a rectangle of the depth of the last draw to its place in a buffer for all of it:
     /// floats, rows from the lower left.
     void copy_to(GLuint buffer, const TexelRectangle& part) const;
 
     GLuint texture() const { return texture_.id(); }
-    glm::ivec2 size() const { return size_; }
+    glm::ivec2 size() const { return size_; } ///< of the texture
 
   private:
     void resize(glm::ivec2 size);

@@ -204,6 +204,7 @@ typedef struct IntervalsParameters {
     FRAME_TABLES(in) in(float, vertices) in(float, depth) inout(Interval, intervals) \
     in(uint, interval_total)
 
+#include "depth_tables.h"
 #include "exact_tables.h"
 
 /* All of them, in the order of a frame: the stage that the kernel belongs to, which names its file,
@@ -214,6 +215,9 @@ typedef struct IntervalsParameters {
     kernel(transform, transform_bounds, CountParameters) \
     kernel(transform, transform, CountParameters) \
     kernel(transform, transform_boxes, CountParameters) \
+    kernel(depth, depth_bin, DepthParameters) \
+    kernel(depth, depth_order, DepthParameters) \
+    kernel(depth, depth_tiles, DepthParameters) \
     kernel(pyramid, pyramid, PyramidParameters) \
     kernel(cull, cull, CullParameters) \
     kernel(facing, facing, FacingParameters) \

@@ -21,6 +21,10 @@
 #undef COUNT
 #undef LANE_BITS
 #undef LARGEST
+#undef ROUND_TO_INT
+#undef LOAD_BYTES
+#undef LOAD_INTS
+#undef SELECT
 
 #if LANES == 1
 typedef float lanes_float;
@@ -35,6 +39,13 @@ typedef int lanes_mask;
 #define ANY(mask) ((mask) != 0)
 #define COUNT(mask) ((mask)&1)
 #define LANE_BITS(mask) ((uint)((mask)&1))
+#define LARGEST(x) (x)
+/* To the nearest, and to the even one of two. */
+#define ROUND_TO_INT(x) convert_int_rte(x)
+#define LOAD_BYTES(from) ((int)*(from))
+#define LOAD_INTS(from) ((int)*(from))
+/* b where the mask is set, else a. */
+#define SELECT(a, b, mask) ((mask) ? (b) : (a))
 
 #elif defined(__OPENCL_VERSION__)
 #define LANES_TYPE_OF(type, n) type##n
@@ -52,6 +63,12 @@ typedef LANES_TYPE(int, LANES) lanes_mask;
 #define COUNT(mask) count_lanes(mask)
 #define LANE_BITS(mask) lane_bits(mask)
 #define LARGEST(x) largest_lane(x)
+#define NEAREST_OF(n) convert_int##n##_rte
+#define NEAREST(n) NEAREST_OF(n)
+#define ROUND_TO_INT(x) NEAREST(LANES)(x)
+#define LOAD_BYTES(from) LANES_TYPE(convert_int, LANES)(LANES_TYPE(vload, LANES)(0, from))
+#define LOAD_INTS(from) LOAD_BYTES(from)
+#define SELECT(a, b, mask) select(a, b, mask)
 static uint bits_of_four(const int4 bits) {
     return (uint)((bits.x | bits.y) | (bits.z | bits.w));
 }
@@ -78,6 +95,18 @@ static uint lane_bits(const int16 mask) {
 static int count_lanes(const int4 mask) {
     const int4 ones = mask & 1;
     return ones.x + ones.y + ones.z + ones.w;
+}
+static float largest_lane(const float4 x) {
+    return fmax(fmax(x.x, x.y), fmax(x.z, x.w));
+}
+#elif LANES == 8
+#define LANE_INDEX (int8)(0, 1, 2, 3, 4, 5, 6, 7)
+#define GATHER_LANES(from, i)                                                                      \
+    (float8)((from)[i.s0], (from)[i.s1], (from)[i.s2], (from)[i.s3], (from)[i.s4], (from)[i.s5],   \
+             (from)[i.s6], (from)[i.s7])
+static float largest_lane(const float8 x) {
+    const float4 four = fmax(x.lo, x.hi);
+    return fmax(fmax(four.x, four.y), fmax(four.z, four.w));
 }
 #elif LANES == 16
 #define LANE_INDEX (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
@@ -118,4 +147,8 @@ typedef LanesOf<int, LANES> lanes_mask;
 #define COUNT(mask) count_true_lanes(mask)
 #define LANE_BITS(mask) lane_bits(mask)
 #define LARGEST(x) largest_of_lanes(x)
+#define ROUND_TO_INT(x) round_to_int_lanes(x)
+#define LOAD_BYTES(from) convert_lanes<LANES>(from)
+#define LOAD_INTS(from) load_lanes<lanes_int>(from)
+#define SELECT(a, b, mask) select(a, b, mask)
 #endif

@@ -51,6 +51,9 @@ typedef struct la_mat4 {
 #define TABLE_ARGUMENT(type, name) __global const type *name,
 #define TABLE_AT(name, i) name[i]
 
+/* Memory of a work-group: of a single work-item, in kernels launched in groups of one. */
+#define LOCAL_TABLE(type, name, count) __local type name[count]
+
 /* The lowest bit that is set, of any. */
 static uint lowest_bit(const uint bits) {
     return 31u - clz(bits & (0u - bits));

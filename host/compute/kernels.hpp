@@ -10,6 +10,7 @@
 #include "constants.h"
 #include "language.h"
 #include "lineatlas/compute_device.hpp"
+#include "meshlet_table.h"
 #include "segment_table.h"
 #include "style_numbers.h"
 

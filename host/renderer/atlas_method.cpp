@@ -168,6 +168,7 @@ compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth)
 }
 
 void AtlasMethod::sample_raster(Frame& frame) {
+    if (reads_depth()) depth_.fill_texture(frame);
     frame.clock.handover([&] {
         clipped_->wrote(clipped_->size());
         offsets_->wrote(offsets_->size());
@@ -337,7 +338,7 @@ FrameStats AtlasMethod::draw(Frame& frame) {
         draw_strokes(frame);
     else
         pass_to_strokes(frame);
-    if (reads_depth()) frame.clock.handover([&] { depth_.take_back(); });
+    if (reads_depth()) frame.clock.handover([&] { depth_.end_frame(); });
     return stats(frame);
 }
 

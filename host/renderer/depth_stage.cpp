@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "picture_limits.hpp"
 
@@ -36,18 +37,24 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 DepthStage::DepthStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_) {}
+      handover_(device_),
+      kernels_are_faster_(interop::gl_is_software() && device_.tuning().depth_lanes > 1) {}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
     appeared_.resize(seen_.size());
-    visible_ = compute::allocate(device_, seen_.size(), purpose::model);
+    clusters_ = scene.all_clusters();
+    visible_ = compute::allocate(device_, clusters_.size(), purpose::model);
 }
 
 void DepthStage::prepare(const Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
     prepare_depth(texels);
-    const std::size_t tile_bytes = area(compute::tiles_for(texels)) * sizeof(float);
+    prepare_tiles(texels);
+}
+
+void DepthStage::prepare_tiles(glm::ivec2 size) {
+    const std::size_t tile_bytes = area(compute::tiles_for(size)) * sizeof(float);
     if (!tiles_ || tiles_->size() < tile_bytes) {
         tiles_.reset(); // it may not fit beside another
         tiles_ = interop::make_shared_buffer(device_, mode_, tile_bytes, purpose::depth);
@@ -71,6 +78,25 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
     check_depth_size(size);
     prepare_depth(size);
     imported_ = false;
+    by_kernels_ = wants_kernels(frame);
+    if (by_kernels_) {
+        draw_by_kernels(frame, whole, {low, low + size}, {{0, 0}, size});
+    } else {
+        draw_tile_by_gl(frame, whole, {low, low + size});
+    }
+    // Lines end at the picture's borders, perhaps a rounding beyond.
+    constexpr int far = 1 << 30;
+    const glm::ivec2 core = tile.low * scale;
+    const glm::ivec2 core_end = (tile.low + tile.size) * scale;
+    return {.origin = low,
+            .core_low = {core.x == 0 ? -far : core.x, core.y == 0 ? -far : core.y},
+            .core_high = {core_end.x == whole.x ? far : core_end.x,
+                          core_end.y == whole.y ? far : core_end.y}};
+}
+
+void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part) {
+    const auto [low, size] = std::pair{part.low, part.size()};
+    handover_.to_gl({depth_.get()});
     frame.clock.gl("depth", [&] {
         const glm::mat4 clip = frame.camera.clip_from_world();
         ranges_ = pieces_in_view(frame.scene, tile_projection(clip, {low, size}, whole));
@@ -84,14 +110,58 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
         depth_->wrote(area(size) * sizeof(float));
         handover_.to_compute({depth_.get()});
     });
-    // Lines end at the picture's borders, perhaps a rounding beyond.
-    constexpr int far = 1 << 30;
-    const glm::ivec2 core = tile.low * scale;
-    const glm::ivec2 core_end = (tile.low + tile.size) * scale;
-    return {.origin = low,
-            .core_low = {core.x == 0 ? -far : core.x, core.y == 0 ? -far : core.y},
-            .core_high = {core_end.x == whole.x ? far : core_end.x,
-                          core_end.y == whole.y ? far : core_end.y}};
+}
+
+bool DepthStage::wants_kernels(const Frame& frame) const {
+    if (frame.options.method == Method::item_buffer) return false;
+    return frame.options.depth_form == DepthForm::compute ||
+           (frame.options.depth_form == DepthForm::automatic && kernels_are_faster_);
+}
+
+void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
+                                 const TexelRectangle& covered) {
+    size_ = part.size();
+    prepare_tiles(size_);
+    frame.clock.handover([&] { handover_.to_compute({depth_.get(), tiles_.get()}); });
+    frame.clock("depth", [&] {
+        stages_.depth({.model = frame.scene.meshlets(),
+                       .vertices = frame.scene.table().vertices,
+                       .clip_from_world = frame.camera.clip_from_world(),
+                       .whole_size = whole,
+                       .origin = part.low,
+                       .size = size_,
+                       .covered = covered,
+                       .depth = depth_->compute(),
+                       .tiles = tiles_->compute(),
+                       .seen = *visible_});
+    });
+    drawn_is_known_ = false;
+}
+
+void DepthStage::draw_by_kernels(Frame& frame) {
+    const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
+    prepare(frame);
+    triangles_drawn_ = 0;
+    draw_by_kernels(frame, texels, {{0, 0}, texels}, covered(frame));
+}
+
+void DepthStage::find_drawn() {
+    if (drawn_is_known_) return;
+    drawn_is_known_ = true;
+    std::vector<std::uint8_t> seen(clusters_.size());
+    device_.download(*visible_, std::as_writable_bytes(std::span{seen}));
+    ranges_.clear();
+    add_drawn(clusters_, seen);
+}
+
+void DepthStage::fill_texture(Frame& frame) {
+    if (!by_kernels_) return;
+    frame.clock.handover([&] {
+        depth_->wrote(area(size_) * sizeof(float));
+        take_back();
+    });
+    frame.clock.gl("depth", [&] { pass_.load(depth_->gl(), size_, covered(frame)); });
+    frame.clock.handover([&] { handover_.to_compute({depth_.get(), tiles_.get()}); });
 }
 
 TexelRectangle DepthStage::covered(const Frame& frame) const {
@@ -114,6 +184,12 @@ void DepthStage::import_depth(Frame& frame) {
 
 void DepthStage::draw_texture(Frame& frame) {
     imported_ = frame.options.depth.has_value();
+    by_kernels_ = !imported_ && wants_kernels(frame);
+    if (by_kernels_) {
+        draw_by_kernels(frame);
+        return fill_texture(frame);
+    }
+    drawn_is_known_ = true;
     if (imported_) return import_depth(frame);
     frame.clock.gl("depth", [&] {
         pass_.begin(frame.camera.size, frame.depth_scale());
@@ -126,6 +202,10 @@ void DepthStage::draw_texture(Frame& frame) {
 void DepthStage::draw_for_compute(Frame& frame) {
     prepare(frame);
     imported_ = frame.options.depth.has_value();
+    by_kernels_ = !imported_ && wants_kernels(frame);
+    if (by_kernels_) return draw_by_kernels(frame);
+    drawn_is_known_ = true;
+    frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
     if (imported_ || !frame.culls_hidden() || seen_.empty()) {
         draw_texture(frame);
         return build_pyramid(frame);
@@ -175,20 +255,24 @@ void DepthStage::build_pyramid(Frame& frame) {
 
 void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& selected) {
     frame.clock.gl("depth", [&] {
-        const std::span<const Cluster> clusters = frame.scene.clusters();
         const std::size_t drawn_before = ranges_.size();
-        for (std::size_t i = 0; i < clusters.size(); ++i) {
-            if (selected[i] == 0) continue;
-            triangles_drawn_ += clusters[i].count;
-            const bool follows = i > 0 && selected[i - 1] != 0;
-            if (follows)
-                ranges_.back().count += clusters[i].count;
-            else
-                ranges_.push_back({clusters[i].first, clusters[i].count});
-        }
+        add_drawn(frame.scene.clusters(), selected);
         pass_.draw_ranges(frame.scene.gl_triangles(), frame.camera.clip_from_world(),
                           std::span{ranges_}.subspan(drawn_before));
     });
+}
+
+void DepthStage::add_drawn(std::span<const Cluster> clusters,
+                           const std::vector<std::uint8_t>& selected) {
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        if (selected[i] == 0) continue;
+        triangles_drawn_ += clusters[i].count;
+        const bool follows = i > 0 && selected[i - 1] != 0;
+        if (follows)
+            ranges_.back().count += clusters[i].count;
+        else
+            ranges_.push_back({clusters[i].first, clusters[i].count});
+    }
 }
 
 void DepthStage::cull(Frame& frame, std::vector<std::uint8_t>& visible) {

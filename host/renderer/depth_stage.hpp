@@ -20,19 +20,23 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 /// The depth of a frame: as a texture for GL passes, as a buffer for kernels, and as a pyramid.
 ///
-/// Of a large model only what may be seen is drawn, in two steps that leave exactly the depth that
-/// all triangles would: first the clusters that were seen in the last frame, then, of the others,
-/// those that the depth so far does not hide.
+/// In the raster form of a large model only what may be seen is drawn, in two steps that leave
+/// exactly the depth that all triangles would: first the clusters that were seen in the last frame,
+/// then, of the others, those that the depth so far does not hide. The compute form finds that out
+/// by itself, and leaves the pyramid too.
 class DepthStage {
   public:
     explicit DepthStage(const interop::Connection& connection);
 
     void set_scene(const SceneBuffers& scene);
 
-    /// Draws the texture only.
+    /// Draws the depth for GL passes only: into the texture.
     void draw_texture(Frame& frame);
-    /// Draws the texture and hands depth and pyramid to compute.
+    /// Draws the depth and hands it to compute, with the pyramid. The texture has it after
+    /// fill_texture().
     void draw_for_compute(Frame& frame);
+    /// Before GL passes look at the texture: what kernels drew goes there.
+    void fill_texture(Frame& frame);
     /// Before the tiles of a frame.
     void begin_tiles() { triangles_drawn_ = 0; }
     /// Draws a part of a depth buffer that is too large to be held whole, and hands it to compute:
@@ -40,24 +44,51 @@ class DepthStage {
     /// made.
     compute::DepthTile draw_tile(Frame& frame, const PictureTile& tile);
     /// Before the next tile, and after the last: takes the depth back from compute.
-    void take_tile_back() { handover_.to_gl({depth_.get()}); }
-    /// Takes depth and pyramid back from compute: at the end of the frame, or before GL reads the
-    /// pyramid.
+    void take_tile_back() {
+        if (!by_kernels_) handover_.to_gl({depth_.get()});
+    }
+    /// At the end of the frame: takes back from compute what GL will draw to.
+    void end_frame() {
+        if (!by_kernels_) take_back();
+    }
+    /// Takes depth and pyramid back from compute, before GL reads the pyramid.
     void take_back();
 
     /// Triangles that the last frame drew.
-    std::uint32_t triangles_drawn() const { return triangles_drawn_; }
+    std::uint32_t triangles_drawn() {
+        find_drawn();
+        return triangles_drawn_;
+    }
     /// Which those were, as pieces of SceneBuffers::gl_triangles(); no other triangle can be seen.
     /// Of a frame whose method draws no depth (an item buffer) they say nothing.
-    std::span<const gl::TriangleRange> drawn() const { return ranges_; }
+    std::span<const gl::TriangleRange> drawn() {
+        find_drawn();
+        return ranges_;
+    }
     GLuint texture() const { return imported_ ? import_->texture() : pass_.texture(); }
-    glm::ivec2 size() const { return imported_ ? import_->size() : pass_.size(); }
+    glm::ivec2 size() const {
+        return imported_ ? import_->size() : by_kernels_ ? size_ : pass_.size();
+    }
     compute::Buffer& buffer() const { return depth_->compute(); }
     interop::SharedBuffer& tiles() const { return *tiles_; }
 
   private:
     void prepare(const Frame& frame);
     void prepare_depth(glm::ivec2 size);
+    /// The raster form of draw_tile().
+    void draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part);
+    /// Whether the frame's depth is drawn by kernels.
+    bool wants_kernels(const Frame& frame) const;
+    /// Draws a part of a depth buffer of `whole` texels, of which `covered` is wanted.
+    void draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
+                         const TexelRectangle& covered);
+    /// Draws all of it, that way.
+    void draw_by_kernels(Frame& frame);
+    /// What kernels have drawn, where nobody knows yet.
+    void find_drawn();
+    /// Adds the clusters that `selected` names to those that were drawn.
+    void add_drawn(std::span<const Cluster> clusters, const std::vector<std::uint8_t>& selected);
+    void prepare_tiles(glm::ivec2 size);
     /// The texels that probes may reach, as whole tiles: what lies beside them is never read.
     TexelRectangle covered(const Frame& frame) const;
     /// Converts the program's own depth in place of drawing.
@@ -77,8 +108,13 @@ class DepthStage {
     gl::DepthPass pass_;
     std::optional<gl::ImportDepthPass> import_; ///< made when first used
     bool imported_ = false;                     ///< the current frame's depth is the program's own
+    const bool kernels_are_faster_;
+    bool by_kernels_ = false; ///< the current frame's form
+    bool drawn_is_known_ = true;
+    glm::ivec2 size_{0, 0};                   ///< of what kernels drew
+    std::span<const Cluster> clusters_;       ///< of the model
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
-    std::unique_ptr<compute::Buffer> visible_;
+    std::unique_ptr<compute::Buffer> visible_; ///< a byte per cluster
     std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame
     std::vector<std::uint8_t> appeared_;    ///< per cluster: to be drawn in the second step
     std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame

@@ -9,6 +9,7 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/clusters.hpp"
+#include "core/meshlets.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 #include "model_limits.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 // Below this a depth pass costs less than finding out what to leave out of it.
 constexpr std::uint32_t fewest_triangles_culled = 50'000;
-constexpr std::uint32_t cluster_size = 64;
+constexpr std::uint32_t cluster_size = LA_MESHLET_TRIANGLES;
 
 template <class T>
 std::span<const std::byte> bytes_of(const std::vector<T>& values) {
@@ -79,23 +80,55 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, c
                            .clusters = nullptr,
                            .chunks = upload_segments(stages.device(), lines.segments),
                            .cluster_triangles = nullptr,
-                           .moving = nullptr},
+                           .moving = nullptr,
+                           .meshlets = nullptr,
+                           .vertex_list = nullptr,
+                           .corners = nullptr},
       motion_(lines), diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
       gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
-    if (triangle_count_ < fewest_triangles_culled) {
-        gl_indices_ = upload_gl(bytes_of(lines.triangles), purpose::model);
-        upload_colors(lines, {});
-    } else {
-        TriangleClusters parts =
-            build_clusters(lines.vertices, lines.triangles, cluster_size, lines.objects);
-        gl_indices_ = upload_gl(bytes_of(parts.triangles), purpose::model);
-        clusters_ = std::move(parts.clusters);
-        cluster_objects_ = std::move(parts.objects);
-        upload_colors(lines, parts.order);
-    }
+    TriangleClusters parts =
+        build_clusters(lines.vertices, lines.triangles, cluster_size, lines.objects);
+    gl_indices_ = upload_gl(bytes_of(parts.triangles), purpose::model);
+    clusters_ = std::move(parts.clusters);
+    cluster_objects_ = std::move(parts.objects);
+    upload_colors(lines, parts.order);
     tables_.clusters = upload(device(), bytes_of(clusters_), purpose::model);
+}
+
+bool SceneBuffers::is_cut_up() const {
+    return triangle_count_ >= fewest_triangles_culled;
+}
+
+std::uint64_t SceneBuffers::mesh_bytes() const {
+    std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() +
+                        (tables_.moving ? tables_.moving->bytes() : 0);
+    for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners}) {
+        if (*buffer) sum += (*buffer)->size();
+    }
+    return sum;
+}
+
+std::vector<glm::uvec3> SceneBuffers::download_gl_triangles() const {
+    std::vector<glm::uvec3> triangles(triangle_count_);
+    glGetNamedBufferSubData(gl_indices_.id(), 0,
+                            static_cast<GLsizeiptr>(bytes_of(triangles).size()), triangles.data());
+    return triangles;
+}
+
+compute::MeshletTables SceneBuffers::meshlets() {
+    if (!tables_.meshlets) {
+        const Meshlets built =
+            build_meshlets(download_gl_triangles(), clusters_, motion_.vertex_count());
+        auto vertex_list = upload(device(), bytes_of(built.vertices), purpose::model);
+        auto corners = upload(device(), bytes_of(built.corners), purpose::model);
+        tables_.meshlets = upload(device(), bytes_of(built.meshlets), purpose::model);
+        tables_.vertex_list = std::move(vertex_list);
+        tables_.corners = std::move(corners);
+    }
+    return {cluster_buffer(), *tables_.meshlets, *tables_.vertex_list, *tables_.corners,
+            static_cast<std::uint32_t>(clusters_.size())};
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
@@ -111,11 +144,8 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
     device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
     if (clusters_.empty()) return;
     if (!tables_.cluster_triangles) {
-        std::vector<glm::uvec3> triangles(triangle_count_);
-        glGetNamedBufferSubData(gl_indices_.id(), 0,
-                                static_cast<GLsizeiptr>(bytes_of(triangles).size()),
-                                triangles.data());
-        tables_.cluster_triangles = upload(device(), bytes_of(triangles), purpose::motion);
+        tables_.cluster_triangles =
+            upload(device(), bytes_of(download_gl_triangles()), purpose::motion);
     }
     stages_->transform_bounds({.vertices = *tables_.vertices,
                                .triangles = *tables_.cluster_triangles,
@@ -213,7 +243,10 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
             .chunks = upload_segments(stages.device(), download_segments()),
             .cluster_triangles =
                 tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
-            .moving = tables_.moving ? make_moving(stages, mode) : nullptr};
+            .moving = tables_.moving ? make_moving(stages, mode) : nullptr,
+            .meshlets = nullptr,
+            .vertex_list = nullptr,
+            .corners = nullptr};
 }
 
 std::vector<Segment> SceneBuffers::download_segments() {

@@ -53,6 +53,8 @@ class SceneBuffers {
         std::vector<Chunk> chunks;                          ///< at least one
         std::unique_ptr<compute::Buffer> cluster_triangles; ///< from the first set_positions() on
         std::unique_ptr<MovingTables> moving;               ///< of a model that moves; else null
+        /// What the kernels of `depth` draw; null until first asked for.
+        std::unique_ptr<compute::Buffer> meshlets, vertex_list, corners;
 
         /// Of the largest chunk: what tables per segment must hold.
         std::uint32_t most_segments() const;
@@ -88,7 +90,13 @@ class SceneBuffers {
     gl::LineBuffers gl_lines(LineKindMask kinds);
     /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up.
     /// Their boxes are of the device's only: see boxes().
-    std::span<const Cluster> clusters() const { return clusters_; }
+    std::span<const Cluster> clusters() const {
+        return is_cut_up() ? std::span<const Cluster>{clusters_} : std::span<const Cluster>{};
+    }
+    /// The same of a model of any size.
+    std::span<const Cluster> all_clusters() const { return clusters_; }
+    /// all_clusters() as the kernels of `depth` draw them.
+    compute::MeshletTables meshlets();
     /// clusters() with boxes as of now; waits for the device after a motion.
     std::span<const Cluster> boxes();
     compute::Buffer& cluster_buffer() const {
@@ -99,13 +107,12 @@ class SceneBuffers {
     float diagonal() const { return diagonal_; }
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; } ///< of all chunks
-    std::uint64_t mesh_bytes() const {
-        return tables_.vertices->size() + tables_.triangles->size() +
-               (tables_.moving ? tables_.moving->bytes() : 0);
-    }
+    std::uint64_t mesh_bytes() const;
     std::uint64_t segment_bytes() const { return std::uint64_t{segment_count_} * sizeof(Segment); }
 
   private:
+    bool is_cut_up() const;
+    std::vector<glm::uvec3> download_gl_triangles() const;
     /// `order`: where each of gl_triangles() stands among the line set's; empty: there too.
     void upload_colors(const LineSet& lines, std::span<const std::uint32_t> order);
     template <class T>

@@ -12,6 +12,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
     const bool cull_hidden = frame.culls_hidden();
     if (cull_hidden) {
         depth_.draw_for_compute(frame);
+        depth_.fill_texture(frame);
         frame.clock.handover([&] { depth_.take_back(); });
     } else {
         depth_.draw_texture(frame);

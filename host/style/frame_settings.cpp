@@ -85,6 +85,9 @@ std::vector<FrameSetting> make_frame_settings() {
         "atlas", [](auto& s) -> auto& { return s.rest.atlas; }, {"auto", "raster", "compute"},
         "Where samples are computed"));
     t.push_back(choice<F>(
+        "depth", [](auto& s) -> auto& { return s.rest.depth_form; }, {"auto", "raster", "compute"},
+        "Where the depth of the triangles is drawn"));
+    t.push_back(choice<F>(
         "atlas-layout", [](auto& s) -> auto& { return s.rest.atlas_layout; }, {"wrap", "gutter"},
         "How rows of the atlas end"));
     t.push_back(choice<F>(

@@ -12,7 +12,7 @@
 #include "compute/oracles/frame_oracles.hpp"
 #include "core/clusters.hpp"
 #include "devices.hpp"
-#include "glpasses/depth_pass.hpp"
+#include "gl_depth.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/scenes.hpp"
 #include "scene_cameras.hpp"
@@ -22,29 +22,6 @@ namespace lineatlas::test {
 namespace {
 
 constexpr int depth_scale = StageSettings{}.depth_scale;
-
-/// The scene's depth at a camera, drawn by GL.
-std::vector<float> draw_depth(const LineSet& lines, const Camera& camera) {
-    const auto upload = [](const auto& values) {
-        gl::Buffer buffer = gl::Buffer::create();
-        const auto bytes = std::as_bytes(std::span{values});
-        glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(bytes.size()), bytes.data(), 0);
-        return buffer;
-    };
-    const gl::Buffer vertices = upload(lines.vertices);
-    const gl::Buffer indices = upload(lines.triangles);
-    gl::DepthPass pass;
-    pass.begin(camera.size, depth_scale);
-    pass.draw({.vertices = vertices.id(),
-               .indices = indices.id(),
-               .triangle_count = static_cast<std::uint32_t>(lines.triangles.size())},
-              camera.clip_from_world());
-    std::vector<float> depth(static_cast<std::size_t>(pass.size().x) *
-                             static_cast<std::size_t>(pass.size().y));
-    glGetTextureImage(pass.texture(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                      static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
-    return depth;
-}
 
 template <class T>
 testing::AssertionResult all_close(const std::vector<T>& a, const std::vector<T>& b) {
@@ -77,7 +54,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             build_clusters(lines.vertices, lines.triangles, 64).clusters;
         for (const NamedCamera& view : scene_cameras(scene)) {
             SCOPED_TRACE(scene + " " + view.name);
-            compare_frame(lines, oracles, cpp, device, view.camera, draw_depth(lines, view.camera));
+            compare_frame(lines, oracles, cpp, device, view.camera, draw_depth_by_gl(lines, view.camera, depth_scale));
             const std::vector<std::uint8_t> visible = cpp.cull(view.camera, clusters);
             EXPECT_TRUE(equal(visible, device.cull(view.camera, clusters)));
             EXPECT_GT(std::ranges::count(visible, 1), 0);
@@ -134,7 +111,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             const Camera aside = nudged(camera);
             cpp.project(aside, false, before);
             oracles.scan(before);
-            cpp.atlas(aside, draw_depth(lines, aside), layout, before);
+            cpp.atlas(aside, draw_depth_by_gl(lines, aside, depth_scale), layout, before);
             FrameState seen_current = current;
             cpp.temporal(layout, before, current);
             device.temporal(layout, before, seen_current);

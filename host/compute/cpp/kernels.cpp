@@ -6,6 +6,7 @@
 
 #include "constants.h"
 #include "flags.h"
+#include "meshlet_table.h"
 #include "segment_table.h"
 #include "style_numbers.h"
 
@@ -33,10 +34,25 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #define FACE_LANES 4
 #endif
 
+// A vector of texels is as long as small triangles are wide.
+#if defined(__AVX2__)
+#define DEPTH_LANES 8
+#else
+#define DEPTH_LANES 4
+#endif
+#define DEPTH_TILE 256 // as Tuning::depth_tile
+
 namespace in_transform {
 #include "transform.cl"
 }
+namespace in_depth {
+#undef LANES
+#undef LANES_IN_USE
+#include "depth.cl"
+} // namespace in_depth
 namespace in_pyramid {
+#undef LANES
+#undef LANES_IN_USE
 #include "pyramid.cl"
 }
 namespace in_cull {

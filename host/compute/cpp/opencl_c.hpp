@@ -18,6 +18,8 @@ struct WorkItem {
 #define get_global_size(dimension) work_item.count
 
 #define __global
+#define __local
+#define LOCAL_TABLE(type, name, count) alignas(64) type name[count]
 #define FUNCTION static
 #define LA_TYPEDEF(name)
 #define float_of(v) static_cast<float>(v)
@@ -218,6 +220,12 @@ inline uchar max(uchar a, uchar b) {
 inline ulong min(ulong a, ulong b) {
     return b < a ? b : a;
 }
+inline long min(long a, long b) {
+    return b < a ? b : a;
+}
+inline long max(long a, long b) {
+    return a < b ? b : a;
+}
 inline int clamp(int v, int low, int high) {
     return min(max(v, low), high);
 }
@@ -241,6 +249,10 @@ inline uint lowest_bit(uint bits) {
     return static_cast<uint>(__builtin_ctz(bits));
 }
 
+/// To the nearest, and to the even one of two.
+inline int convert_int_rte(float v) {
+    return static_cast<int>(__builtin_nearbyintf(v));
+}
 /// Rounded down or up; without floorf(), which is a call where SSE 4.1 is not at hand.
 inline int convert_int_rtn(float v) {
     const int cut = static_cast<int>(v);
@@ -314,6 +326,13 @@ struct LanesOf {
     friend LanesOf<int, n> operator>(const LanesOf& a, const LanesOf& b) { return a.all > b.all; }
     friend LanesOf<int, n> operator<=(const LanesOf& a, const LanesOf& b) { return a.all <= b.all; }
     friend LanesOf<int, n> operator>=(const LanesOf& a, const LanesOf& b) { return a.all >= b.all; }
+    friend LanesOf operator&(const LanesOf& a, const LanesOf& b) { return a.all & b.all; }
+    friend LanesOf operator|(const LanesOf& a, const LanesOf& b) { return a.all | b.all; }
+    friend LanesOf operator<<(const LanesOf& a, int bits) { return a.all << bits; }
+    friend LanesOf operator>>(const LanesOf& a, int bits) { return a.all >> bits; }
+    friend LanesOf<int, n> operator==(const LanesOf& a, const LanesOf& b) { return a.all == b.all; }
+    friend LanesOf<int, n> operator!=(const LanesOf& a, const LanesOf& b) { return a.all != b.all; }
+    LanesOf& operator+=(const LanesOf& b) { return *this = *this + b; }
     // Of what comparisons give: -1 or 0.
     friend LanesOf operator&&(const LanesOf& a, const LanesOf& b) { return a.all & b.all; }
     friend LanesOf operator||(const LanesOf& a, const LanesOf& b) { return a.all | b.all; }
@@ -345,6 +364,17 @@ LanesOf<int, n> floor_to_int_lanes(const LanesOf<float, n>& a) {
     const Ints cut = __builtin_convertvector(a.all, Ints);
     return cut + static_cast<Ints>(to_float_lanes(LanesOf<int, n>{cut}).all > a.all); // -1 for true
 }
+template <int n>
+LanesOf<int, n> round_to_int_lanes(const LanesOf<float, n>& a) {
+    // By hand: g++ 12 takes the vector apart for nearbyint().
+    const LanesOf<int, n> cut = __builtin_convertvector(a.all, typename LanesOf<int, n>::All);
+    const LanesOf<float, n> rest = a - to_float_lanes(cut);
+    const auto odd = (cut.all & 1) != 0;
+    const auto up = (rest.all > 0.5F) | ((rest.all == 0.5F) & odd);
+    const auto down = (rest.all < -0.5F) | ((rest.all == -0.5F) & odd);
+    return cut.all - static_cast<typename LanesOf<int, n>::All>(up) +
+           static_cast<typename LanesOf<int, n>::All>(down); // -1 for true
+}
 /// All lanes or-ed, by halves: a loop over them takes them out one by one.
 inline uint or_of_lanes(const VectorOf<int, 4>::type& a) {
     const auto halves = __builtin_bit_cast(VectorOf<long long, 2>::type, a);
@@ -373,6 +403,17 @@ template <int n>
 LanesOf<float, n> select(const LanesOf<float, n>& a, const LanesOf<float, n>& b,
                          const LanesOf<int, n>& mask) {
     return mask.all ? b.all : a.all;
+}
+template <int n>
+LanesOf<int, n> select(const LanesOf<int, n>& a, const LanesOf<int, n>& b,
+                       const LanesOf<int, n>& mask) {
+    return mask.all ? b.all : a.all;
+}
+template <int n>
+LanesOf<int, n> convert_lanes(const uchar* from) {
+    typename VectorOf<uchar, n>::type bytes;
+    __builtin_memcpy(&bytes, from, sizeof(bytes));
+    return __builtin_convertvector(bytes, typename LanesOf<int, n>::All);
 }
 template <class T, int n>
 void store_lanes(const LanesOf<T, n>& lanes, T* to) {

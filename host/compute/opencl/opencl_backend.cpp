@@ -23,6 +23,7 @@ std::string tuned_options(const Tuning& tuning) {
         return std::string{" -D"} + name + "=" + std::to_string(value);
     };
     return define("SCAN_TILE", tuning.scan_tile) + define("SCAN_PER_ITEM", tuning.scan_per_item) +
+           define("DEPTH_LANES", tuning.depth_lanes) + define("DEPTH_TILE", tuning.depth_tile) +
            define("HALO_LANES", tuning.halo_lanes) + define("FACE_LANES", tuning.face_lanes) +
            define("PROBE_VECTORS", tuning.atlas_vectors ? 1 : 0);
 }

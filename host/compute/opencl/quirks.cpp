@@ -12,7 +12,7 @@ constexpr Quirk quirks[] = {
     {.platform = rusticl,
      .what = "On llvmpipe a work-item leaves its loops, without an error, after 65,535 rounds in "
              "all (LP_MAX_TGSI_LOOP_ITERATIONS in Mesa's gallivm).",
-     .remedy = "within_quirks: shorter chunks and blocks",
+     .remedy = "within_quirks: shorter chunks and blocks, fewer clusters at once",
      .seen_with = "Mesa 22.3.6",
      .link = "https://github.com/ggml-org/llama.cpp/pull/13813"},
     {.platform = rusticl,
@@ -62,6 +62,9 @@ Tuning within_quirks(Tuning tuning, const OpenClDevice& device) {
     if (device.platform_name == rusticl) {
         tuning.longest_chunk = 60'000;
         tuning.segment_block = std::min(tuning.segment_block, 16U);
+        // Two clusters that fill a small tile: at most 55,000 rounds.
+        tuning.depth_tile = 16;
+        tuning.depth_clusters = 2;
     }
     return tuning;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "constants.h"
 #include "quirks.hpp"
 #include "sources/sources.hpp"
 #include "tuning_table.hpp"
@@ -46,6 +47,12 @@ Tuning within_groups(Tuning tuning, const cl::Device& device) {
     limit(tuning.local_size, most);
     limit(tuning.block_local_size, most);
     limit(tuning.scan_tile, std::bit_floor(std::min(most, in_local_memory)));
+    // depth.cl: rows of a tile are longer by two vectors.
+    const auto depth_tile_size = [&] {
+        return tuning.depth_tile * (tuning.depth_tile + 2 * tuning.depth_lanes);
+    };
+    while (tuning.depth_tile > LA_TILE && depth_tile_size() > in_local_memory)
+        tuning.depth_tile /= 2;
     return tuning;
 }
 

@@ -9,6 +9,7 @@
 #include "compute/kernels.hpp"
 #include "core/atlas_layout.hpp"
 #include "core/limits.hpp"
+#include "core/screen_bounds.hpp"
 #include "segment_table.h"
 
 namespace lineatlas::compute {
@@ -76,6 +77,29 @@ struct ForgetArgs {
     Buffer& objects; ///< as in TransformArgs
     Buffer& jumped;  ///< per object a byte: 1 if it has
     Buffer& ranges;  ///< in and out, of History
+};
+
+/// The triangles of a model as `depth` draws them.
+struct MeshletTables {
+    Buffer& clusters;    ///< `Cluster` each
+    Buffer& meshlets;    ///< `Meshlet` each
+    Buffer& vertex_list; ///< uint32: the lists of all meshlets
+    Buffer& corners;     ///< bytes: their triangles
+    std::uint32_t count; ///< clusters
+};
+
+/// The depth of the triangles.
+struct DepthArgs {
+    MeshletTables model;
+    Buffer& vertices; ///< as in SegmentTable
+    glm::mat4 clip_from_world;
+    glm::ivec2 whole_size;  ///< texels of the whole picture
+    glm::ivec2 origin;      ///< the first texel of `depth` in it
+    glm::ivec2 size;        ///< texels of `depth`
+    TexelRectangle covered; ///< of these what is wanted; what lies beside may stay as it is
+    Buffer& depth;          ///< out: as in DepthBuffer
+    Buffer& tiles;          ///< out: as of `pyramid`, where something is wanted
+    Buffer& seen;           ///< out: a byte per cluster, 1 if any of it may be seen
 };
 
 /// Tiles of the depth pyramid per axis.
@@ -298,6 +322,8 @@ class Stages {
     void transform(const TransformArgs& args);
     void transform_bounds(const BoundsArgs& args);
     void transform_forget(const ForgetArgs& args);
+    /// Throws DeviceError for more clusters than the device can sort.
+    void depth(const DepthArgs& args);
     void pyramid(const PyramidArgs& args);
     void cull(const CullArgs& args);
     void facing(const FacingArgs& args);
@@ -336,6 +362,8 @@ class Stages {
     Device& device_;
     const Tuning& tuning_; ///< of device_
     std::unique_ptr<Buffer> scan_sums_, block_counts_, run_counts_, halo_ends_, halo_lists_;
+    std::unique_ptr<Buffer> depth_places_, depth_boxes_, depth_nearest_, depth_order_;
+    std::unique_ptr<Buffer> depth_total_, depth_next_;
     std::unique_ptr<Buffer> density_grid_, density_rows_, density_drawn_, density_excesses_;
 };
 

@@ -40,6 +40,13 @@ enum class AtlasForm {
     compute,   ///< a kernel over samples
 };
 
+/// Where the depth of the triangles is drawn. Both cover the same texels but for a few in 100,000.
+enum class DepthForm {
+    automatic, ///< compute beside a software GL where kernels run on the CPU too, else raster
+    raster,    ///< GL (§3.2)
+    compute,   ///< kernels over tiles of the depth buffer
+};
+
 /// How lines lie in the rows of the atlas that are longer than what is left of one (§4.2, Fig. 8).
 enum class AtlasLayoutChoice {
     wrap,   ///< they go on in the next row; raster draws every proxy line twice
@@ -93,11 +100,13 @@ struct FrameOptions {
     std::uint32_t probes = 9;
     int depth_scale = 2; ///< depth texels per pixel and axis: 1 to 4
     /// What hides lines, in place of a depth buffer that the renderer draws of the triangles of the
-    /// line set; `depth_scale` does not count then. Methods atlas and spine only.
+    /// line set; `depth_scale` and `depth_form` do not count then. Methods atlas and spine only.
     std::optional<DepthTexture> depth{};
     float step = 2;                         ///< k: pixels between samples, above 0 (§4.1)
     LineKindMask lines = all_line_kinds;    ///< what is drawn of the kinds extracted
     AtlasForm atlas = AtlasForm::automatic; ///< where samples are computed
+    /// Where depth is drawn; methods atlas and spine.
+    DepthForm depth_form = DepthForm::automatic;
     AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap; ///< in the raster form
     StrokeShader stroke_shader = StrokeShader::geometry;      ///< what widens runs
     /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl

@@ -1,0 +1,85 @@
+// `depth` by kernels: clusters in the order of their depth, into tiles.
+#include <algorithm>
+#include <string>
+
+#include "divide_up.hpp"
+#include "lineatlas/error.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+/// What is farther out than so many times the picture's half side is clipped there: up to this many
+/// texels from side to side, the kernel's sums fit.
+float guard_band(glm::ivec2 whole_size) {
+    constexpr float most_texels = 60'000, widest = 4;
+    const auto side = static_cast<float>(std::max(whole_size.x, whole_size.y));
+    return std::clamp(most_texels / side, 1.0F, widest);
+}
+
+} // namespace
+
+void Stages::depth(const DepthArgs& args) {
+    const MeshletTables& model = args.model;
+    // One work-item sorts all of them.
+    constexpr std::uint32_t rounds_each = 4, rounds_besides = 4 * LA_DEPTH_KEYS;
+    if (model.count > (tuning_.longest_chunk - rounds_besides) / rounds_each) {
+        throw DeviceError("depth: kernels of " + device_.description() +
+                          " can't sort a model of " + std::to_string(model.count) +
+                          " clusters of triangles; use FrameOptions::depth_form raster");
+    }
+    const auto side = static_cast<int>(tuning_.depth_tile);
+    const glm::ivec2 low = args.covered.low / LA_TILE * LA_TILE;
+    const glm::ivec2 tiles = (args.covered.high - low + (side - 1)) / side;
+    const std::uint32_t stride = divide_up(model.count, LA_MESHLET_PADDING) * LA_MESHLET_PADDING +
+                                 2 * LA_MESHLET_PADDING;
+    DepthParameters parameters{.count = model.count,
+                               .clip_from_world = args.clip_from_world,
+                               .whole_size = args.whole_size,
+                               .origin = args.origin,
+                               .depth_size = args.size,
+                               .covered = low,
+                               .tiles = tiles,
+                               .guard = guard_band(args.whole_size),
+                               .stride = stride,
+                               .begin = 0,
+                               .end = 0};
+    Buffer& places = scratch(depth_places_, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
+    Buffer& boxes = scratch(depth_boxes_, std::size_t{4} * stride);
+    Buffer& nearest = scratch(depth_nearest_, stride);
+    Buffer& order = scratch(depth_order_, stride);
+    Buffer& total = scratch(depth_total_, 1);
+    Buffer& next = scratch(depth_next_, 1);
+    launch<kernels::depth_bin>(model.count, tuning_.local_size, parameters,
+                               {.clusters = model.clusters, .places = places, .seen = args.seen});
+    if (tiles.x <= 0 || tiles.y <= 0) return;
+    launch<kernels::depth_order>(1, 1, parameters,
+                                 {.places = places,
+                                  .boxes = boxes,
+                                  .nearest = nearest,
+                                  .order = order,
+                                  .total = total});
+    const std::uint32_t workers =
+        std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
+    do {
+        parameters.begin = parameters.end;
+        parameters.end = parameters.begin +
+                         std::min(tuning_.depth_clusters, model.count - parameters.begin);
+        device_.clear(next, sizeof(la_uint));
+        launch<kernels::depth_tiles>(workers, 1, parameters,
+                                     {.boxes = boxes,
+                                      .nearest = nearest,
+                                      .order = order,
+                                      .total = total,
+                                      .meshlets = model.meshlets,
+                                      .vertex_list = model.vertex_list,
+                                      .corners = model.corners,
+                                      .vertices = args.vertices,
+                                      .next = next,
+                                      .depth = args.depth,
+                                      .pyramid = args.tiles,
+                                      .seen = args.seen});
+    } while (parameters.end < model.count);
+}
+
+} // namespace lineatlas::compute

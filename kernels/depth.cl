@@ -1,0 +1,168 @@
+/* depth: how near the triangles are in every texel (§3.2), the compute form.
+ *
+ * Three steps. Clusters of triangles get their place on the screen, are sorted front to back, and
+ * drawn into tiles of the depth buffer. A work-item has one tile at a time, in local memory with
+ * rows a little longer than the tile (a power of two would put all of a column into a few lines of
+ * the cache), and takes the next when it is done. It leaves out clusters and triangles that lie
+ * behind the farthest depth of all blocks of texels they touch (Greene et al. 1993). What is covered
+ * is decided as GL does it: by texel centres, in fixed point, and an edge of two triangles belongs
+ * to one of them.
+ *
+ * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
+ * once, and texels that are filled, 1 on GPUs. */
+
+#define LANES DEPTH_LANES
+#include "depth_triangle.h"
+
+/* Whether the cluster can be seen, and where. */
+KERNEL(depth_bin, DepthParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    seen[i] = 0;
+    places[i].key = LA_OUT_OF_VIEW;
+    const Matrix m = to_matrix(args.clip_from_world);
+    const float3 box_low = vload3(0, clusters[i].low);
+    const float3 box_high = vload3(0, clusters[i].high);
+    float3 low = INFINITY, high = -INFINITY; /* in normalised device coordinates */
+    int outside = 63;                        /* planes that all corners so far lie outside of */
+    bool before_near = false;
+    for (int corner = 0; corner < 8; ++corner) {
+        const float x = (corner & 1) != 0 ? box_high.x : box_low.x;
+        const float y = (corner & 2) != 0 ? box_high.y : box_low.y;
+        const float z = (corner & 4) != 0 ? box_high.z : box_low.z;
+        const float4 c = (m.x * x + m.y * y) + (m.z * z + m.w);
+        outside &= (c.x < -c.w ? 1 : 0) | (c.x > c.w ? 2 : 0) | (c.y < -c.w ? 4 : 0) |
+                   (c.y > c.w ? 8 : 0) | (c.z < -c.w ? 16 : 0) | (c.z > c.w ? 32 : 0);
+        before_near = before_near || c.z < -c.w || c.w <= 0.0f;
+        const float3 n = xyz(c) / c.w;
+        low = fmin(low, n);
+        high = fmax(high, n);
+    }
+    if (outside != 0) return;
+    const int2 size = to_int2(args.depth_size);
+    const float2 last = convert_float2(size - 1);
+    float2 from = 0.0f, to = last;
+    float nearest = 0.0f;
+    if (!before_near) { /* else its corners don't bound it on the screen */
+        const float2 scale = convert_float2(to_int2(args.whole_size)) * 0.5f;
+        const float2 origin = convert_float2(to_int2(args.origin));
+        /* One texel to spare for the grid that corners are rounded to. */
+        from = fmax((xy(low) + 1.0f) * scale - (origin + 1.0f), from);
+        to = fmin((xy(high) + 1.0f) * scale - (origin - 1.0f), to);
+        if (from.x > to.x || from.y > to.y) return;
+        nearest = fmax(low.z * 0.5f + 0.5f - PLANE_ROUNDING, 0.0f);
+    }
+    places[i].low_x = int_of(from.x);
+    places[i].low_y = int_of(from.y);
+    places[i].high_x = int_of(to.x);
+    places[i].high_y = int_of(to.y);
+    places[i].nearest = nearest;
+    /* The exponent of the inverse distance from the far end, and the upper bits of its mantissa:
+     * steps grow with the distance from the eye, as window depth wants it. */
+    const uint inverse = as_uint(1.0f / (1.0f + 4.0f * LA_DEPTH_ROUNDING - fmin(nearest, 1.0f)));
+    places[i].key = min((inverse - as_uint(1.0f)) >> 17, LA_DEPTH_KEYS - 1u);
+}
+
+/* Sorts the clusters that can be seen by their keys, by counting, in one work-item: there are few.
+ * boxes: `stride` of low x each, then of low y, high x and high y. */
+KERNEL(depth_order, DepthParameters) {
+    if (get_global_id(0) != 0) return;
+    uint ends[LA_DEPTH_KEYS + 1u];
+    for (uint k = 0; k <= LA_DEPTH_KEYS; ++k) ends[k] = 0;
+    for (uint i = 0; i < args.count; ++i) ends[places[i].key] += 1u;
+    uint sum = 0;
+    for (uint k = 0; k < LA_DEPTH_KEYS; ++k) {
+        const uint count = ends[k];
+        ends[k] = sum;
+        sum += count;
+    }
+    total[0] = sum;
+    for (uint i = 0; i < args.count; ++i) {
+        const ClusterPlace own = places[i];
+        if (own.key == LA_OUT_OF_VIEW) continue;
+        const uint place = ends[own.key]++;
+        order[place] = i;
+        nearest[place] = own.nearest;
+        boxes[place] = own.low_x;
+        boxes[args.stride + place] = own.low_y;
+        boxes[2u * args.stride + place] = own.high_x;
+        boxes[3u * args.stride + place] = own.high_y;
+    }
+    for (uint k = 0; k < LA_MESHLET_PADDING; ++k) { /* lanes beyond the last touch nothing */
+        boxes[sum + k] = 0x7FFFFFFF;
+        boxes[args.stride + sum + k] = 0x7FFFFFFF;
+        boxes[2u * args.stride + sum + k] = -1;
+        boxes[3u * args.stride + sum + k] = -1;
+    }
+}
+
+/* Which of LANES clusters touch the tile, bit by bit. */
+static uint touching(const Tile* tile, __global const int* boxes, const uint stride,
+                     const int2 origin) {
+    const lanes_int left = tile->low.x - origin.x, right = left + (tile->size.x - 1);
+    const lanes_int below = tile->low.y - origin.y, above = below + (tile->size.y - 1);
+    return LANE_BITS((LOAD_INTS(boxes) <= right) & (LOAD_INTS(boxes + stride) <= above) &
+                     (LOAD_INTS(boxes + 2u * stride) >= left) &
+                     (LOAD_INTS(boxes + 3u * stride) >= below));
+}
+
+/* Draws all that touches the tile into it; false if there was nothing, and the tile is as it
+ * was. */
+static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
+                      __global const int* boxes, __global const float* nearest,
+                      __global const uint* order, const uint total,
+                      __global const Meshlet* meshlets, __global const uint* vertex_list,
+                      __global const uchar* corners, __global const float* vertices,
+                      __global const float* depth, __global uchar* seen) {
+    const int2 origin = to_int2(args->origin);
+    const int2 corner = tile->low - origin; /* in `depth` */
+    bool any = false;
+    const uint end = min(args->end, total);
+    for (uint first = args->begin; first < end; first += LANES) {
+        uint bits = touching(tile, boxes + first, args->stride, origin);
+        while (bits != 0) {
+            const uint k = first + lowest_bit(bits);
+            bits &= bits - 1u;
+            if (k >= end) break;
+            if (!any) {
+                any = true;
+                clear_tile(tile);
+                if (args->begin > 0) load_tile(tile, depth, corner, args->depth_size.v[0]);
+            }
+            const int4 box = int4(max(boxes[k] - corner.x, 0),
+                                  max(boxes[args->stride + k] - corner.y, 0),
+                                  min(boxes[2u * args->stride + k] - corner.x, tile->size.x - 1),
+                                  min(boxes[3u * args->stride + k] - corner.y, tile->size.y - 1));
+            if (!cluster_shows(tile, box, nearest[k])) continue;
+            const uint cluster = order[k];
+            seen[cluster] = 1;
+            draw_meshlet(view, tile, meshlets[cluster], vertex_list, corners, vertices);
+        }
+    }
+    return any;
+}
+
+/* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it.
+ * seen[i]: 1 if cluster i was drawn anywhere. */
+KERNEL(depth_tiles, DepthParameters) {
+    LOCAL_TABLE(float, texels, TILE_STRIDE * DEPTH_TILE);
+    const int2 tiles = to_int2(args.tiles), origin = to_int2(args.origin);
+    const int2 depth_size = to_int2(args.depth_size), covered = to_int2(args.covered);
+    const uint tile_count = (uint)(tiles.x * tiles.y);
+    const View view = make_view(&args);
+    Tile tile;
+    tile.texels = texels;
+    for (uint t = atomic_inc(next); t < tile_count; t = atomic_inc(next)) {
+        const int2 place = int2((int)t % tiles.x, (int)t / tiles.x);
+        const int2 corner = covered + int2(place.x * DEPTH_TILE, place.y * DEPTH_TILE);
+        tile.low = corner + origin;
+        tile.size = int2(min(depth_size.x - corner.x, DEPTH_TILE),
+                         min(depth_size.y - corner.y, DEPTH_TILE));
+        const bool any = draw_tile(&args, &view, &tile, boxes, nearest, order, total[0], meshlets,
+                                   vertex_list, corners, vertices, depth, seen);
+        if (!any && args.begin > 0) continue; /* it was cleared before */
+        if (!any) clear_tile(&tile);
+        store_tile(&tile, depth, corner, depth_size.x);
+        store_farthest(&tile, pyramid, corner, (depth_size.x + LA_TILE - 1) / LA_TILE);
+    }
+}

@@ -1,0 +1,44 @@
+#include "depth_model.hpp"
+
+#include "core/clusters.hpp"
+#include "core/meshlets.hpp"
+#include "devices.hpp"
+
+namespace lineatlas::test {
+
+DepthModel::DepthModel(compute::Device& device, const std::vector<glm::vec3>& vertices,
+                       const std::vector<glm::uvec3>& triangles, std::uint32_t cluster_size)
+    : device_(device), vertices_(to_device(device, vertices)) {
+    const TriangleClusters parts = build_clusters(vertices, triangles, cluster_size);
+    const Meshlets built = build_meshlets(parts.triangles, parts.clusters, vertices.size());
+    count_ = static_cast<std::uint32_t>(parts.clusters.size());
+    clusters_ = to_device(device, parts.clusters);
+    meshlets_ = to_device(device, built.meshlets);
+    vertex_list_ = to_device(device, built.vertices);
+    corners_ = to_device(device, built.corners);
+}
+
+DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) {
+    const glm::ivec2 size = wanted.part.size();
+    const glm::ivec2 tiles = compute::tiles_for(size);
+    const auto texel_count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
+    const auto depth = to_device(device_, std::vector(texel_count, 0.125F));
+    const auto pyramid = to_device(device_, std::vector(tile_count, 0.125F));
+    const auto seen = to_device(device_, std::vector<std::uint8_t>(count_, 7));
+    stages.depth({.model = {*clusters_, *meshlets_, *vertex_list_, *corners_, count_},
+                  .vertices = *vertices_,
+                  .clip_from_world = wanted.clip_from_world,
+                  .whole_size = wanted.whole_size,
+                  .origin = wanted.part.low,
+                  .size = size,
+                  .covered = {{0, 0}, size},
+                  .depth = *depth,
+                  .tiles = *pyramid,
+                  .seen = *seen});
+    return {.texels = read_back<float>(device_, *depth, texel_count),
+            .tiles = read_back<float>(device_, *pyramid, tile_count),
+            .seen = read_back<std::uint8_t>(device_, *seen, count_)};
+}
+
+} // namespace lineatlas::test

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "compute/stages/stages.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas::test {
+
+/// A part of a depth buffer to be drawn by kernels.
+struct DepthWanted {
+    glm::mat4 clip_from_world{1};
+    glm::ivec2 whole_size{0, 0}; ///< texels
+    TexelRectangle part;         ///< of these
+};
+
+/// What `depth` leaves.
+struct DrawnDepth {
+    std::vector<float> texels, tiles;
+    std::vector<std::uint8_t> seen; ///< per cluster
+};
+
+/// Triangles on a device as `depth` draws them.
+class DepthModel {
+  public:
+    /// `cluster_size`: triangles, at most.
+    DepthModel(compute::Device& device, const std::vector<glm::vec3>& vertices,
+               const std::vector<glm::uvec3>& triangles, std::uint32_t cluster_size);
+
+    std::size_t clusters() const { return count_; }
+    /// Draws into memory that held something else.
+    DrawnDepth draw(compute::Stages& stages, const DepthWanted& wanted);
+    /// All of a buffer.
+    DrawnDepth draw(compute::Stages& stages, const glm::mat4& clip_from_world, glm::ivec2 size) {
+        return draw(stages, {clip_from_world, size, {{0, 0}, size}});
+    }
+
+  private:
+    compute::Device& device_;
+    std::uint32_t count_;
+    std::unique_ptr<compute::Buffer> vertices_, clusters_, meshlets_, vertex_list_, corners_;
+};
+
+} // namespace lineatlas::test
