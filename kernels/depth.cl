@@ -4,9 +4,9 @@
  * drawn into tiles of the depth buffer. A work-item has one tile at a time, in local memory with
  * rows a little longer than the tile (a power of two would put all of a column into a few lines of
  * the cache), and takes the next when it is done. It leaves out clusters and triangles that lie
- * behind the farthest depth of all blocks of texels they touch (Greene et al. 1993). What is covered
- * is decided as GL does it: by texel centres, in fixed point, and an edge of two triangles belongs
- * to one of them.
+ * behind the farthest depth of all blocks of texels they touch (Greene et al. 1993). What is
+ * covered is decided as GL does it: by texel centres, in fixed point, and an edge of two triangles
+ * belongs to one of them.
  *
  * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
  * once, and texels that are filled, 1 on GPUs. */
@@ -129,10 +129,10 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
                 clear_tile(tile);
                 if (args->begin > 0) load_tile(tile, depth, corner, args->depth_size.v[0]);
             }
-            const int4 box = int4(max(boxes[k] - corner.x, 0),
-                                  max(boxes[args->stride + k] - corner.y, 0),
-                                  min(boxes[2u * args->stride + k] - corner.x, tile->size.x - 1),
-                                  min(boxes[3u * args->stride + k] - corner.y, tile->size.y - 1));
+            const int4 box =
+                int4(max(boxes[k] - corner.x, 0), max(boxes[args->stride + k] - corner.y, 0),
+                     min(boxes[2u * args->stride + k] - corner.x, tile->size.x - 1),
+                     min(boxes[3u * args->stride + k] - corner.y, tile->size.y - 1));
             if (!cluster_shows(tile, box, nearest[k])) continue;
             const uint cluster = order[k];
             seen[cluster] = 1;
@@ -145,7 +145,7 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
 /* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it.
  * seen[i]: 1 if cluster i was drawn anywhere. */
 KERNEL(depth_tiles, DepthParameters) {
-    LOCAL_TABLE(float, texels, TILE_STRIDE * DEPTH_TILE);
+    LOCAL_TABLE(float, texels, TILE_STRIDE* DEPTH_TILE);
     const int2 tiles = to_int2(args.tiles), origin = to_int2(args.origin);
     const int2 depth_size = to_int2(args.depth_size), covered = to_int2(args.covered);
     const uint tile_count = (uint)(tiles.x * tiles.y);

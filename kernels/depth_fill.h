@@ -1,5 +1,6 @@
 /* One triangle into a tile. Included once, by depth_triangle.h. */
 #include "depth_tile.h"
+#include "float_pair.h"
 
 /* Corners are rounded to this grid, as llvmpipe and most GPUs do: units per texel. */
 #define GRID_BITS 8
@@ -109,14 +110,14 @@ typedef struct GridTriangle {
 
 /* The edges from the texel at (x, y) of the tile on, as far as they matter in a box of so many more
  * columns and rows; false if the triangle doesn't touch it. */
-static bool edges_in_box(const GridTriangle* t, const int2 first, const int columns,
-                         const int rows, Edges* edges) {
+static bool edges_in_box(const GridTriangle* t, const int2 first, const int columns, const int rows,
+                         Edges* edges) {
     for (int k = 0; k < 3; ++k) {
         const int next = k == 2 ? 0 : k + 1;
         const long way_x = t->x[next] - t->x[k], way_y = t->y[next] - t->y[k];
         const bool is_own = way_y < 0 || (way_y == 0 && way_x < 0);
-        const long above = way_x * ((long)first.y * GRID - t->y[k]) -
-                           way_y * ((long)first.x * GRID - t->x[k]);
+        const long above =
+            way_x * ((long)first.y * GRID - t->y[k]) - way_y * ((long)first.x * GRID - t->x[k]);
         const long c = (above - (is_own ? 0 : 1)) >> GRID_BITS;
         const long across = -way_y * (long)columns, up = way_x * (long)rows, none = 0;
         if (c + max(across, none) + max(up, none) < 0) return false;
@@ -126,6 +127,13 @@ static bool edges_in_box(const GridTriangle* t, const int2 first, const int colu
         edges->c[k] = all ? 0 : (int)c;
     }
     return true;
+}
+
+/* (a1 - a0) (b2 - b0) - (a2 - a0) (b1 - b0). */
+static float cross_of(const float* a, const float* b) {
+    return pair_minor(pair_of_sum(a[1], -a[0]), pair_of_sum(a[2], -a[0]), pair_of_sum(b[1], -b[0]),
+                      pair_of_sum(b[2], -b[0]))
+        .high;
 }
 
 /* A triangle of any size, of corners in texels of the whole picture and window depth. */
@@ -159,7 +167,8 @@ static void fill_large(Tile* tile, const float3 a, const float3 b, const float3 
     const int last_y = (int)min(max(t.y[0], max(t.y[1], t.y[2])) >> GRID_BITS, top);
     if (first_x > last_x || first_y > last_y) return;
 
-    float area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    /* In pairs: of a long sliver, products of floats cancel to nothing but rounding. */
+    float area = cross_of(x, y);
     const float area_there = (float)(turned ? -doubled : doubled) * (1.0f / (GRID * GRID));
     if (area * SLIVER < area_there) { /* as in set_up() */
         for (int k = 0; k < 3; ++k) {
@@ -168,9 +177,7 @@ static void fill_large(Tile* tile, const float3 a, const float3 b, const float3 
         }
         area = area_there;
     }
-    const float to_p = z[1] - z[0], to_q = z[2] - z[0];
-    const float z_x = (to_p * (y[2] - y[0]) - to_q * (y[1] - y[0])) / area;
-    const float z_y = ((x[1] - x[0]) * to_q - (x[2] - x[0]) * to_p) / area;
+    const float z_x = cross_of(z, y) / area, z_y = cross_of(x, z) / area;
     const float nearest = fmin(z[0], fmin(z[1], z[2])) - PLANE_ROUNDING;
     for (int piece_y = first_y & ~(PIECE - 1); piece_y <= last_y; piece_y += PIECE) {
         for (int piece_x = first_x & ~(PIECE - 1); piece_x <= last_x; piece_x += PIECE) {
@@ -198,12 +205,18 @@ static void fill_large(Tile* tile, const float3 a, const float3 b, const float3 
 
 static float above_plane(const float4 v, const int plane, const float guard) {
     switch (plane) {
-    case 0: return v.z + v.w;
-    case 1: return v.w - v.z;
-    case 2: return guard * v.w - v.x;
-    case 3: return guard * v.w + v.x;
-    case 4: return guard * v.w - v.y;
-    default: return guard * v.w + v.y;
+    case 0:
+        return v.z + v.w;
+    case 1:
+        return v.w - v.z;
+    case 2:
+        return guard * v.w - v.x;
+    case 3:
+        return guard * v.w + v.x;
+    case 4:
+        return guard * v.w - v.y;
+    default:
+        return guard * v.w + v.y;
     }
 }
 
@@ -218,7 +231,8 @@ static int clip_to_view(float4* corner, const float guard) {
             const float4 u = corner[i], v = corner[i + 1 == count ? 0 : i + 1];
             const float at_u = above_plane(u, plane, guard), at_v = above_plane(v, plane, guard);
             if (at_u >= 0.0f) kept[left++] = u;
-            if ((at_u >= 0.0f) != (at_v >= 0.0f)) kept[left++] = u + (v - u) * (at_u / (at_u - at_v));
+            if ((at_u >= 0.0f) != (at_v >= 0.0f))
+                kept[left++] = u + (v - u) * (at_u / (at_u - at_v));
         }
         if (left < 3) return 0;
         count = left;

@@ -18,14 +18,14 @@ typedef struct ClusterPlace {
 typedef struct DepthParameters {
     la_uint count; /* clusters */
     la_mat4 clip_from_world;
-    la_ivec2 whole_size;    /* texels of the whole picture */
-    la_ivec2 origin;        /* the first texel of `depth` in it */
-    la_ivec2 depth_size;    /* texels of `depth` */
-    la_ivec2 covered;       /* of these the first that is wanted: that of a block */
-    la_ivec2 tiles;         /* of DEPTH_TILE texels a side, from there on */
-    float guard;            /* times w: what of clip space is drawn without clipping its sides */
-    la_uint stride;         /* of the rows of `boxes`: at least `count` + LA_MESHLET_PADDING */
-    la_uint begin, end;     /* clusters of the sorted list to draw; from 0 on depth is cleared */
+    la_ivec2 whole_size; /* texels of the whole picture */
+    la_ivec2 origin;     /* the first texel of `depth` in it */
+    la_ivec2 depth_size; /* texels of `depth` */
+    la_ivec2 covered;    /* of these the first that is wanted: that of a block */
+    la_ivec2 tiles;      /* of DEPTH_TILE texels a side, from there on */
+    float guard;         /* times w: what of clip space is drawn without clipping its sides */
+    la_uint stride;      /* of the rows of `boxes`: at least `count` + LA_MESHLET_PADDING */
+    la_uint begin, end;  /* clusters of the sorted list to draw; from 0 on depth is cleared */
 } DepthParameters;
 
 /* Lists stay lists: */

@@ -63,8 +63,7 @@ static float farthest_of_block(const Tile* tile, const int x, const int y) {
 static void store_farthest(const Tile* tile, __global float* pyramid, const int2 corner,
                            const int blocks_a_row) {
     for (int y = 0; y * LA_TILE < tile->size.y; ++y) {
-        __global float* to =
-            pyramid + (corner.y / LA_TILE + y) * blocks_a_row + corner.x / LA_TILE;
+        __global float* to = pyramid + (corner.y / LA_TILE + y) * blocks_a_row + corner.x / LA_TILE;
         for (int x = 0; x * LA_TILE < tile->size.x; ++x) {
             const int block = y * TILE_BLOCKS + x;
             to[x] = tile->stale[block] != 0 ? farthest_of_block(tile, x, y) : tile->farthest[block];

@@ -66,8 +66,7 @@ typedef struct Batch {
 
 /* Edge k from (ax, ay) to (bx, by), from the texel at (x, y) on, all in units of the grid. */
 static void set_edge(Batch* batch, const int k, const lanes_int ax, const lanes_int ay,
-                     const lanes_int bx, const lanes_int by, const lanes_int x,
-                     const lanes_int y) {
+                     const lanes_int bx, const lanes_int by, const lanes_int x, const lanes_int y) {
     const lanes_int way_x = bx - ax, way_y = by - ay, none = 0, one = 1;
     const lanes_mask is_own = (way_y < none) | ((way_y == none) & (way_x < none));
     const lanes_int above = way_x * (y - ay) - way_y * (x - ax);
@@ -193,7 +192,8 @@ static void draw_meshlet(const View* view, Tile* tile, const Meshlet meshlet,
     Places places;
     __global const uint* list = vertex_list + meshlet.vertices;
     place_vertices(view, list, meshlet.vertex_count, vertices, &places);
-    const uint row = (meshlet.triangle_count + LA_MESHLET_PADDING - 1u) & ~(LA_MESHLET_PADDING - 1u);
+    const uint row =
+        (meshlet.triangle_count + LA_MESHLET_PADDING - 1u) & ~(LA_MESHLET_PADDING - 1u);
     for (uint first = 0; first < meshlet.triangle_count; first += LANES) {
         __global const uchar* own = corners + meshlet.corners + first;
         lanes_float x[3], y[3], z[3];

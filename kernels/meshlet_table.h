@@ -1,5 +1,6 @@
 /* What `depth` draws clusters from: each with a list of its own vertices, so that they are
- * transformed once, and its triangles as places in that list. Valid as OpenCL C 1.2 and as C++20. */
+ * transformed once, and its triangles as places in that list. Valid as OpenCL C 1.2 and as C++20.
+ */
 #ifndef LINEATLAS_MESHLET_TABLE_H
 #define LINEATLAS_MESHLET_TABLE_H
 

@@ -50,6 +50,7 @@ using Rows = std::vector<Row>;
 // `devices` must outlive them.
 Rows copy_rows(const Devices& devices);
 Rows transform_rows(const Devices& devices);
+Rows depth_rows(const Devices& devices);
 Rows pyramid_rows(const Devices& devices);
 Rows cull_rows(const Devices& devices);
 Rows facing_rows(const Devices& devices);

@@ -111,13 +111,13 @@ class DepthStage {
     const bool kernels_are_faster_;
     bool by_kernels_ = false; ///< the current frame's form
     bool drawn_is_known_ = true;
-    glm::ivec2 size_{0, 0};                   ///< of what kernels drew
-    std::span<const Cluster> clusters_;       ///< of the model
+    glm::ivec2 size_{0, 0};             ///< of what kernels drew
+    std::span<const Cluster> clusters_; ///< of the model
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_; ///< a byte per cluster
-    std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame
-    std::vector<std::uint8_t> appeared_;    ///< per cluster: to be drawn in the second step
-    std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame
+    std::vector<std::uint8_t> seen_;           ///< per cluster: seen in the last frame
+    std::vector<std::uint8_t> appeared_;       ///< per cluster: to be drawn in the second step
+    std::vector<gl::TriangleRange> ranges_;    ///< drawn so far in this frame
     std::uint32_t triangles_drawn_ = 0;
 };
 

@@ -122,6 +122,7 @@ class Options:
         depth_scale: Optional[int] = None,
         step: float = 2.0,
         atlas: str = "auto",
+        depth: str = "auto",
         atlas_layout: str = "wrap",
         stroke_shader: str = "geometry",
         steady: bool = False,

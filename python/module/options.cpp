@@ -27,8 +27,8 @@ bool is_option(const FrameSetting& setting) {
 /// Of what is None, nothing is set.
 Options make_options(const py::object& method, const py::object& quality, const py::object& probes,
                      const py::object& depth_scale, const py::object& step, const py::object& atlas,
-                     const py::object& atlas_layout, const py::object& stroke_shader,
-                     Flag<"steady"> steady) {
+                     const py::object& depth, const py::object& atlas_layout,
+                     const py::object& stroke_shader, Flag<"steady"> steady) {
     Options options;
     options.rest.steady = steady;
     const auto set = [&](const char* key, const py::object& value) {
@@ -44,6 +44,7 @@ Options make_options(const py::object& method, const py::object& quality, const 
     set("depth-scale", depth_scale);
     set("step", step);
     set("atlas", atlas);
+    set("depth", depth);
     set("atlas-layout", atlas_layout);
     set("stroke-shader", stroke_shader);
     return options;
@@ -127,7 +128,8 @@ void bind_options(py::module_& module) {
         .def(py::init(&make_options), py::kw_only(), py::arg("method") = usual("method"),
              py::arg("quality") = usual("quality"), py::arg("probes") = py::none(),
              py::arg("depth_scale") = py::none(), py::arg("step") = usual("step"),
-             py::arg("atlas") = usual("atlas"), py::arg("atlas_layout") = usual("atlas-layout"),
+             py::arg("atlas") = usual("atlas"), py::arg("depth") = usual("depth"),
+             py::arg("atlas_layout") = usual("atlas-layout"),
              py::arg("stroke_shader") = usual("stroke-shader"), py::arg("steady") = false)
         .def("__repr__", &describe);
 }

@@ -45,8 +45,8 @@ float at(const DrawnDepth& drawn, int x, int y, glm::ivec2 size = hand_size) {
 
 /// Two triangles that share the diagonal.
 Corners rectangle(glm::vec2 low, glm::vec2 high, float z) {
-    return {{low.x, low.y, z},  {high.x, low.y, z},  {high.x, high.y, z},
-            {low.x, low.y, z},  {high.x, high.y, z}, {low.x, high.y, z}};
+    return {{low.x, low.y, z}, {high.x, low.y, z},  {high.x, high.y, z},
+            {low.x, low.y, z}, {high.x, high.y, z}, {low.x, high.y, z}};
 }
 
 Corners operator+(Corners a, const Corners& b) {
@@ -82,14 +82,15 @@ TEST_P(DepthStage, FacesOfEveryWidthAreFilledWhole) {
     for (const float width : {1.0F, 7.0F, 8.0F, 9.0F, 15.0F, 16.0F, 17.0F, 40.0F, 63.0F}) {
         for (const float left : {0.0F, 0.2F, 1.0F}) {
             const auto drawn = draw(rectangle({left, 5}, {left + width, 60}, 0.5F));
-            expect_rectangle(drawn, {0.5F + left, 5},
-                             {static_cast<int>(left + width - 0.5F), 59}, 0.5F);
+            expect_rectangle(drawn, {0.5F + left, 5}, {static_cast<int>(left + width - 0.5F), 59},
+                             0.5F);
         }
     }
 }
 
 TEST_P(DepthStage, TheNearestFaceCountsInWhateverOrder) {
-    const Corners near = rectangle({8, 8}, {24, 24}, 0.25F), far = rectangle({0, 0}, {64, 64}, 0.5F);
+    const Corners near = rectangle({8, 8}, {24, 24}, 0.25F),
+                  far = rectangle({0, 0}, {64, 64}, 0.5F);
     for (const Corners& both : {near + far, far + near}) {
         for (const std::uint32_t cluster_size : {2U, 64U}) {
             const auto drawn = draw(both, hand_size, cluster_size);
@@ -129,7 +130,8 @@ TEST_P(DepthStage, DepthIsThatOfThePlaneThroughTheCornersThemselves) {
 
 /// A floor a unit below the eye that goes on behind it, and a view that it fills the lower half of.
 struct Floor {
-    std::vector<glm::vec3> vertices{{-900, -1, 90}, {900, -1, 90}, {900, -1, -900}, {-900, -1, -900}};
+    std::vector<glm::vec3> vertices{
+        {-900, -1, 90}, {900, -1, 90}, {900, -1, -900}, {-900, -1, -900}};
     std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 3}};
     static constexpr float near = 0.5F, far = 100;
     glm::mat4 clip_from_world = glm::perspective(glm::radians(90.0F), 1.0F, near, far);
@@ -139,13 +141,14 @@ TEST_P(DepthStage, WhatCrossesNearAndFarPlaneAndTheSidesIsCutThere) {
     const Floor floor;
     for (const int side : {64, 300}) {
         const glm::ivec2 size{side, side};
-        const auto drawn = model(floor.vertices, floor.triangles,
-                                 {floor.clip_from_world, size, {{0, 0}, size}});
+        const auto drawn =
+            model(floor.vertices, floor.triangles, {floor.clip_from_world, size, {{0, 0}, size}});
         for (int y = 0; y < side; ++y) {
             const double down = 1 - (y + 0.5) / (0.5 * side); // of the ray, per unit forward
             const double distance = 1 / down;
             const bool seen = down > 0 && distance > Floor::near && distance < Floor::far;
-            const double depth = (1 / Floor::near - 1 / distance) / (1 / Floor::near - 1 / Floor::far);
+            const double depth =
+                (1 / Floor::near - 1 / distance) / (1 / Floor::near - 1 / Floor::far);
             for (int x = 0; x < side; ++x)
                 ASSERT_NEAR(at(drawn, x, y, size), seen ? depth : 1.0, 2e-6) << x << ", " << y;
         }

@@ -9,6 +9,7 @@
 
 #include "compute/opencl/opencl_backend.hpp"
 #include "core/clusters.hpp"
+#include "depth_model.hpp"
 #include "exact_support.hpp"
 #include "lineatlas/error.hpp"
 #include "moved_tables.hpp"
@@ -66,6 +67,8 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines) {
         moved_on(on_device, lines,
                  std::vector(lines.objects.size(),
                              glm::mat4{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {3, 2, 1, 1}}));
+    const DrawnDepth drawn = DepthModel{stages.device(), lines.vertices, lines.triangles, 4}.draw(
+        on_device, camera.clip_from_world(), {70, 37});
     FrameState before;
     stages.pyramid(camera, depth, before);
     const auto visible =
@@ -91,6 +94,9 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines) {
     stages.density(camera, layout, state);
 
     const ExactResult exact = find_exactly(stages.device(), lines, camera, all_line_kinds);
+    append(result, drawn.texels);
+    append(result, drawn.tiles);
+    append(result, drawn.seen);
     append(result, exact.spans);
     append(result, exact.intervals);
     append(result, exact.runs);
@@ -133,8 +139,9 @@ void check(const compute::OpenClDevice& device, const Form& form, const LineSet&
     std::string name;
     const auto result_with = [&](std::uint8_t poison) {
         poison_new_buffers(poison);
-        FrameStages stages{compute::make_opencl_backend(device, {}, compute::tuning_for(shaped)),
-                           lines, settings};
+        compute::Tuning tuning = compute::tuning_for(shaped);
+        tuning.depth_tile = 32; // Oclgrind takes its time for every texel
+        FrameStages stages{compute::make_opencl_backend(device, {}, tuning), lines, settings};
         name = stages.device().description();
         return run_all(stages, lines);
     };

@@ -44,8 +44,7 @@ class DepthForms : public testing::TestWithParam<TestDevice> {
         DepthModel model{*on.device, lines.vertices, lines.triangles, 64};
         for (const NamedCamera& view : scene_cameras(scene, size)) {
             SCOPED_TRACE(scene + " " + view.name);
-            const auto drawn =
-                model.draw(on.stages, view.camera.clip_from_world(), size * scale);
+            const auto drawn = model.draw(on.stages, view.camera.clip_from_world(), size * scale);
             const Difference found =
                 difference(drawn.texels, draw_depth_by_gl(lines, view.camera, scale));
             EXPECT_LE(found.coverage, 3e-5);

@@ -54,7 +54,8 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             build_clusters(lines.vertices, lines.triangles, 64).clusters;
         for (const NamedCamera& view : scene_cameras(scene)) {
             SCOPED_TRACE(scene + " " + view.name);
-            compare_frame(lines, oracles, cpp, device, view.camera, draw_depth_by_gl(lines, view.camera, depth_scale));
+            compare_frame(lines, oracles, cpp, device, view.camera,
+                          draw_depth_by_gl(lines, view.camera, depth_scale));
             const std::vector<std::uint8_t> visible = cpp.cull(view.camera, clusters);
             EXPECT_TRUE(equal(visible, device.cull(view.camera, clusters)));
             EXPECT_GT(std::ranges::count(visible, 1), 0);

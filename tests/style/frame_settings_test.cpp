@@ -20,6 +20,7 @@ const std::map<std::string, std::string> samples{{"lines", "crease,silhouette"},
                                                  {"depth-scale", "3"},
                                                  {"step", "0.5"},
                                                  {"atlas", "compute"},
+                                                 {"depth", "raster"},
                                                  {"atlas-layout", "gutter"},
                                                  {"stroke-shader", "vertex"}};
 
@@ -60,6 +61,7 @@ TEST(FrameSettings, ValuesLandInTheirMembers) {
     EXPECT_EQ(options.depth_scale, 3);
     EXPECT_EQ(options.step, 0.5F);
     EXPECT_EQ(options.atlas, AtlasForm::compute);
+    EXPECT_EQ(options.depth_form, DepthForm::raster);
     EXPECT_EQ(options.atlas_layout, AtlasLayoutChoice::gutter);
     EXPECT_EQ(options.stroke_shader, StrokeShader::vertex);
 }

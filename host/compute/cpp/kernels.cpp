@@ -54,7 +54,7 @@ namespace in_pyramid {
 #undef LANES
 #undef LANES_IN_USE
 #include "pyramid.cl"
-}
+} // namespace in_pyramid
 namespace in_cull {
 #include "cull.cl"
 }

@@ -24,15 +24,15 @@ void Stages::depth(const DepthArgs& args) {
     // One work-item sorts all of them.
     constexpr std::uint32_t rounds_each = 4, rounds_besides = 4 * LA_DEPTH_KEYS;
     if (model.count > (tuning_.longest_chunk - rounds_besides) / rounds_each) {
-        throw DeviceError("depth: kernels of " + device_.description() +
-                          " can't sort a model of " + std::to_string(model.count) +
+        throw DeviceError("depth: kernels of " + device_.description() + " can't sort a model of " +
+                          std::to_string(model.count) +
                           " clusters of triangles; use FrameOptions::depth_form raster");
     }
     const auto side = static_cast<int>(tuning_.depth_tile);
     const glm::ivec2 low = args.covered.low / LA_TILE * LA_TILE;
     const glm::ivec2 tiles = (args.covered.high - low + (side - 1)) / side;
-    const std::uint32_t stride = divide_up(model.count, LA_MESHLET_PADDING) * LA_MESHLET_PADDING +
-                                 2 * LA_MESHLET_PADDING;
+    const std::uint32_t stride =
+        divide_up(model.count, LA_MESHLET_PADDING) * LA_MESHLET_PADDING + 2 * LA_MESHLET_PADDING;
     DepthParameters parameters{.count = model.count,
                                .clip_from_world = args.clip_from_world,
                                .whole_size = args.whole_size,
@@ -53,18 +53,15 @@ void Stages::depth(const DepthArgs& args) {
     launch<kernels::depth_bin>(model.count, tuning_.local_size, parameters,
                                {.clusters = model.clusters, .places = places, .seen = args.seen});
     if (tiles.x <= 0 || tiles.y <= 0) return;
-    launch<kernels::depth_order>(1, 1, parameters,
-                                 {.places = places,
-                                  .boxes = boxes,
-                                  .nearest = nearest,
-                                  .order = order,
-                                  .total = total});
+    launch<kernels::depth_order>(
+        1, 1, parameters,
+        {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
     do {
         parameters.begin = parameters.end;
-        parameters.end = parameters.begin +
-                         std::min(tuning_.depth_clusters, model.count - parameters.begin);
+        parameters.end =
+            parameters.begin + std::min(tuning_.depth_clusters, model.count - parameters.begin);
         device_.clear(next, sizeof(la_uint));
         launch<kernels::depth_tiles>(workers, 1, parameters,
                                      {.boxes = boxes,
