@@ -149,10 +149,12 @@ KERNEL(depth_tiles, DepthParameters) {
     const int2 tiles = to_int2(args.tiles), origin = to_int2(args.origin);
     const int2 depth_size = to_int2(args.depth_size), covered = to_int2(args.covered);
     const uint tile_count = (uint)(tiles.x * tiles.y);
+    /* Where there is a work-item for each, none takes another's: drivers may end long loops. */
+    const bool one_each = get_global_size(0) >= tile_count;
     const View view = make_view(&args);
     Tile tile;
     tile.texels = texels;
-    for (uint t = atomic_inc(next); t < tile_count; t = atomic_inc(next)) {
+    for (uint t = atomic_inc(next); t < tile_count; t = one_each ? tile_count : atomic_inc(next)) {
         const int2 place = int2((int)t % tiles.x, (int)t / tiles.x);
         const int2 corner = covered + int2(place.x * DEPTH_TILE, place.y * DEPTH_TILE);
         tile.low = corner + origin;
