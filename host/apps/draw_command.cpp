@@ -53,6 +53,7 @@ struct DrawArguments {
     float at = 0;
     std::string crease = "auto";
     bool smooth_edges = false;
+    double deflection = 0; ///< 0: not given
     SettingOptions<FrameSettings> frame;
     StyleOptions style;
     ReadOptions read;
@@ -124,7 +125,8 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
             framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
         return {scene.name, std::move(scene.mesh), std::move(lines), view, {}, {}};
     }
-    LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
+    LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits(),
+                                           {.deflection = arguments.deflection});
     arguments.parts.apply(loaded);
     Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin, loaded.unit};
     subject.lines = extract_lines(subject.mesh, line_options);
@@ -188,6 +190,8 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     crease_angle(arguments);
     check_range("--at", arguments.at, 0, 1);
+    if (!(arguments.deflection >= 0 && arguments.deflection <= 1e15))
+        throw UsageError("--deflection must be a distance above 0");
     const bool sequence = arguments.sequence.given(arguments.output);
     if (sequence && arguments.stats) {
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
@@ -426,6 +430,10 @@ Command setup_draw(CLI::App& app) {
         ->capture_default_str()
         ->group(model);
 
+    app.add_option("--deflection", a.deflection,
+                   "How far chords may be off the curved faces of STEP and BREP files, in mm; by "
+                   "default a thousandth of the model's diagonal")
+        ->group(model);
     app.add_flag("--smooth-edges", a.smooth_edges,
                  "Of STEP and BREP files draw edges where faces go over into each other, too")
         ->group(model);

@@ -69,6 +69,12 @@ std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedM
         }
     }
     if (kind == KnownEdge::Kind::free) seen.face_count = 1;
+    // Where parts touch, a triangle may stand for two, or an edge be of four: a face that goes on
+    // in the file has no end there.
+    if (kind == KnownEdge::Kind::seam) {
+        if (edge.face_count < 2) return std::nullopt;
+        seen.face_count = 2;
+    }
     rule.crease_angle = std::numbers::pi_v<float>; // which no angle is above
     return lineatlas::classify(seen, mesh, bend, rule);
 }

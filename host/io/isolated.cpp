@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "image_codec.hpp"
@@ -61,13 +63,15 @@ void send(ReaderOutput& output, const Image& image) {
     output.values(image.pixels);
 }
 
-ReaderKind::Parse open_mesh(const std::filesystem::path& path) {
-    return [source = read_mesh_source(path)](ReaderOutput& output) mutable {
-        send(output, parse_mesh(std::move(source)));
+ReaderKind::Parse open_mesh(const std::filesystem::path& path, std::string_view settings) {
+    LoadOptions options;
+    std::from_chars(settings.data(), settings.data() + settings.size(), options.deflection);
+    return [source = read_mesh_source(path), options](ReaderOutput& output) mutable {
+        send(output, parse_mesh(std::move(source), options));
     };
 }
 
-ReaderKind::Parse open_picture(const std::filesystem::path& path) {
+ReaderKind::Parse open_picture(const std::filesystem::path& path, std::string_view) {
     image_module(); // later there is no loading
     return [file = read_source(path)](ReaderOutput& output) { send(output, decode_image(file)); };
 }
@@ -166,9 +170,13 @@ std::optional<int> serve_as_reader(int argc, char** argv) {
     return serve_as_reader(argc, argv, kinds);
 }
 
-LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits) {
-    if (!serves_as_reader()) return load_mesh(path);
-    ReaderProcess process{mesh_kind, path, limits};
+LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits,
+                              const LoadOptions& options) {
+    if (!serves_as_reader()) return load_mesh(path, options);
+    // As text: %.17g gives back the same number.
+    std::array<char, 32> deflection{};
+    std::snprintf(deflection.data(), deflection.size(), "%.17g", options.deflection);
+    ReaderProcess process{mesh_kind, path, limits, deflection.data()};
     LoadedMesh loaded;
     for (auto left = process.value<std::uint64_t>(); left > 0; --left)
         loaded.notes.push_back(process.text());

@@ -14,7 +14,8 @@ std::optional<int> serve_as_reader(int argc, char** argv);
 /// `limits` with everything filled in that is 0, for a picture of a pen.
 ReadLimits limits_for_picture(const ReadLimits& limits);
 
-LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits = {});
+LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits = {},
+                              const LoadOptions& options = {});
 Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits = {});
 
 } // namespace lineatlas

@@ -27,9 +27,10 @@ std::string upper_name(std::string_view extension) {
     return name;
 }
 
-Soup read_soup(MeshSource source, const std::string& extension) {
+Soup read_soup(MeshSource source, const std::string& extension, const LoadOptions& options) {
     SourceFile& model = source.model;
-    if (is_read_by_module(extension)) return read_by_module(model, extension, source.named);
+    if (is_read_by_module(extension))
+        return read_by_module(model, extension, source.named, options);
     if (extension == ".stl") return import_by_openmesh(check_stl(model), extension, model.path);
 
     refuse_other_types(model, extension);
@@ -64,11 +65,11 @@ MeshSource read_mesh_source(const std::filesystem::path& path) {
     return source;
 }
 
-LoadedMesh parse_mesh(MeshSource source) {
+LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options) {
     const std::filesystem::path path = source.model.path;
     try {
         const std::string extension = lower_extension(path);
-        LoadedMesh loaded = finish(read_soup(std::move(source), extension), path);
+        LoadedMesh loaded = finish(read_soup(std::move(source), extension, options), path);
         if (loaded.format.empty()) loaded.format = upper_name(extension);
         return loaded;
     } catch (const Error&) {
@@ -80,8 +81,8 @@ LoadedMesh parse_mesh(MeshSource source) {
     }
 }
 
-LoadedMesh load_mesh(const std::filesystem::path& path) {
-    return parse_mesh(read_mesh_source(path));
+LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options) {
+    return parse_mesh(read_mesh_source(path), options);
 }
 
 } // namespace lineatlas

@@ -24,6 +24,6 @@ struct MeshSource {
 MeshSource read_mesh_source(const std::filesystem::path& path);
 
 /// Opens nothing. Throws FileError.
-LoadedMesh parse_mesh(MeshSource source);
+LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options = {});
 
 } // namespace lineatlas

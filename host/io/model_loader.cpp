@@ -101,8 +101,11 @@ void prepare_module(std::string_view extension) {
 }
 
 Soup read_by_module(const SourceFile& model, std::string_view extension,
-                    const std::vector<models::NamedFile>& named) {
-    const models::Request request{.extension = extension, .bytes = model.bytes, .named = named};
+                    const std::vector<models::NamedFile>& named, const LoadOptions& options) {
+    const models::Request request{.extension = extension,
+                                  .bytes = model.bytes,
+                                  .named = named,
+                                  .deflection = options.deflection};
     try {
         return find(extension)->module().read(request);
     } catch (const std::bad_alloc&) {

@@ -22,6 +22,6 @@ void refuse_other_models(const SourceFile& model, std::string_view extension);
 void prepare_module(std::string_view extension);
 
 Soup read_by_module(const SourceFile& model, std::string_view extension,
-                    const std::vector<models::NamedFile>& named);
+                    const std::vector<models::NamedFile>& named, const LoadOptions& options);
 
 } // namespace lineatlas

@@ -65,14 +65,14 @@ ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits) {
 }
 
 ReaderProcess::ReaderProcess(std::string_view kind, const std::filesystem::path& path,
-                             const ReadLimits& limits)
+                             const ReadLimits& limits, std::string_view settings)
     : path_(path) {
     if (!serves_as_reader()) throw std::logic_error("main() must call serve_as_reader()");
     const std::uintmax_t size = check_source(path);
     limits_ = limits_for(size, limits);
     patience_ = Patience{limits_.time};
     if (size > limits_.memory) fail_for_memory(); // it is read whole
-    start(kind);
+    start(kind, settings);
     try {
         await_answer();
     } catch (...) {
@@ -85,13 +85,14 @@ ReaderProcess::~ReaderProcess() {
     end();
 }
 
-void ReaderProcess::start(std::string_view kind) {
+void ReaderProcess::start(std::string_view kind, std::string_view settings) {
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
         fail(std::string{"cannot make a socket: "} + std::strerror(errno));
-    std::array<std::string, 6> words{
-        "lineatlas-reader", std::string{reader::argument},  std::string{kind},
-        path_.string(),     std::to_string(limits_.memory), std::to_string(::getpid())};
+    std::array<std::string, 7> words{
+        "lineatlas-reader",   std::string{reader::argument},  std::string{kind},
+        path_.string(),       std::to_string(limits_.memory), std::to_string(::getpid()),
+        std::string{settings}};
     std::array<char*, words.size() + 1> arguments{};
     std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
 

@@ -67,7 +67,8 @@ struct ReaderKind {
     std::string_view name;
     /// Reads all files that belong to it, but believes nothing in them. What it returns does: it is
     /// called when the process is confined (confinement.hpp).
-    Parse (*open)(const std::filesystem::path& path);
+    /// `settings`: what the ReaderProcess was given.
+    Parse (*open)(const std::filesystem::path& path, std::string_view settings);
 };
 
 /// If this process was started by a ReaderProcess: reads the file and returns the exit code that
@@ -84,7 +85,7 @@ class ReaderProcess {
   public:
     /// Waits until the file has been read.
     ReaderProcess(std::string_view kind, const std::filesystem::path& path,
-                  const ReadLimits& limits);
+                  const ReadLimits& limits, std::string_view settings = {});
     ~ReaderProcess();
     ReaderProcess(const ReaderProcess&) = delete;
     ReaderProcess& operator=(const ReaderProcess&) = delete;
@@ -112,7 +113,7 @@ class ReaderProcess {
     int id() const { return process_; }
 
   private:
-    void start(std::string_view kind);
+    void start(std::string_view kind, std::string_view settings);
     void await_answer();
     void receive(std::span<std::byte> bytes);
     std::size_t count(std::size_t element_size);

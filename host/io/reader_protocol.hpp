@@ -10,9 +10,9 @@ namespace lineatlas::reader {
 // What both ends of a ReaderProcess know.
 
 /// The first argument of a process that reads: then the kind, the path, the bytes of memory it may
-/// take, and the process that started it.
+/// take, the process that started it, and settings for the kind.
 inline constexpr std::string_view argument = "--read-one-file";
-inline constexpr int argument_count = 6;
+inline constexpr int argument_count = 7;
 
 /// Where the process finds its socket.
 inline constexpr int socket = STDIN_FILENO;

@@ -54,14 +54,15 @@ void say_no_memory() {
 }
 
 /// Answers by itself if the reader throws.
-void read_file(const ReaderKind& kind, const std::filesystem::path& path) {
+void read_file(const ReaderKind& kind, const std::filesystem::path& path,
+               std::string_view settings) {
     ReaderOutput output{reader::socket};
     const auto refuse = [&](std::string_view message) {
         output.value(reader::Answer::refused);
         output.text(message);
     };
     try {
-        const ReaderKind::Parse parse = kind.open(path);
+        const ReaderKind::Parse parse = kind.open(path, settings);
         confine();
         parse(output);
     } catch (const Error& error) {
@@ -90,7 +91,7 @@ std::optional<int> serve_as_reader(int argc, char** argv, std::span<const Reader
     ::setenv("OPENIMAGEIO_THREADS", "1", 0); // stacks of threads count as memory
     limit_memory(number_of(argv[4]));
     std::set_new_handler(say_no_memory);
-    read_file(*kind, argv[3]);
+    read_file(*kind, argv[3], argv[6]);
     ::_exit(0); // giving the memory back takes time, and is done anyway
 }
 

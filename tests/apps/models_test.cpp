@@ -1,7 +1,13 @@
 // Models of several parts: what `lineatlas info` says of them, and what --only and --hide leave.
 
-#include <map>
+#include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -106,6 +112,71 @@ TEST_F(Models, PartsAreChosenByName) {
 
 TEST_F(Models, GroupsOfObjFilesAreParts) {
     EXPECT_NE(drawn("groups.obj", "")["paths"], drawn("groups.obj", "--only second")["paths"]);
+}
+
+struct Piece {
+    glm::dvec2 from, to;
+};
+
+/// What of a drawing is visible, in pixels.
+std::vector<Piece> visible_pieces(const std::string& file) {
+    const nlohmann::json drawing = nlohmann::json::parse(std::ifstream{file});
+    std::vector<Piece> pieces;
+    for (const nlohmann::json& path : drawing["paths"]) {
+        if (!path["visible"].get<bool>()) continue;
+        const nlohmann::json& points = path["points"];
+        const auto at = [&](std::size_t i) { return glm::dvec2{points[i][0], points[i][1]}; };
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) pieces.push_back({at(i), at(i + 1)});
+        if (path["closed"].get<bool>()) pieces.push_back({at(points.size() - 1), at(0)});
+    }
+    return pieces;
+}
+
+double distance(glm::dvec2 point, const Piece& piece) {
+    const glm::dvec2 along = piece.to - piece.from;
+    const double squared = glm::dot(along, along);
+    const double share =
+        squared > 0 ? std::clamp(glm::dot(point - piece.from, along) / squared, 0.0, 1.0) : 0;
+    return glm::distance(point, piece.from + share * along);
+}
+
+/// The share of one drawing's length that lies farther than `most` pixels from all of the other.
+double length_off(const std::vector<Piece>& one, const std::vector<Piece>& other, double most) {
+    double off = 0, all = 0;
+    for (const Piece& piece : one) {
+        const double length = glm::distance(piece.from, piece.to);
+        const int steps = 1 + static_cast<int>(length);
+        for (int i = 0; i <= steps; ++i) {
+            const glm::dvec2 point = glm::mix(piece.from, piece.to, i / static_cast<double>(steps));
+            const bool near = std::ranges::any_of(
+                other, [&](const Piece& each) { return distance(point, each) <= most; });
+            all += length / (steps + 1);
+            if (!near) off += length / (steps + 1);
+        }
+    }
+    return all > 0 ? off / all : 1;
+}
+
+TEST_F(Models, AScenesFilesGiveOneDrawing) {
+    const char* shared = std::getenv("LINEATLAS_SHARED");
+    const fs::path folder =
+        (shared != nullptr ? fs::path{shared} : fs::path{LINEATLAS_SOURCE_DIR} / "../shared") /
+        "models";
+    if (!fs::is_directory(folder)) GTEST_SKIP() << folder << " is not there";
+    const auto pieces = [&](const char* file) {
+        // The scene's bevels are bent by 30 degrees, give or take a rounding.
+        said("draw " + (folder / file).string() + " -o " + path("a.json") +
+             " --method exact --crease 25");
+        return visible_pieces(path("a.json"));
+    };
+    const std::vector<Piece> hall = pieces("machine_hall.gltf");
+    const std::vector<Piece> z_up = pieces("machine_hall_zup.glb");
+    EXPECT_EQ(length_off(hall, z_up, 0.1), 0);
+    EXPECT_EQ(length_off(z_up, hall, 0.1), 0);
+    // Rounded to 1 mm. The foot of the wall, which lies in the floor's plane, goes below it.
+    const std::vector<Piece> packed = pieces("machine_hall_meshopt.glb");
+    EXPECT_LT(length_off(hall, packed, 0.15), 0.03);
+    EXPECT_EQ(length_off(packed, hall, 0.15), 0);
 }
 
 } // namespace

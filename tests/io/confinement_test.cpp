@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The file says which port.
-ReaderKind::Parse try_everything(const fs::path& path) {
+ReaderKind::Parse try_everything(const fs::path& path, std::string_view) {
     Target target{path.string(), 0};
     std::ifstream{path} >> target.port;
     return [target](ReaderOutput& output) {
@@ -42,7 +42,7 @@ ReaderKind::Parse try_everything(const fs::path& path) {
 }
 
 /// What a parser needs: memory, threads, exceptions.
-ReaderKind::Parse work(const fs::path& path) {
+ReaderKind::Parse work(const fs::path& path, std::string_view) {
     return [path](ReaderOutput& output) {
         std::vector<char> memory(64 << 20, 'x');
         std::size_t count = 0;
@@ -58,7 +58,7 @@ ReaderKind::Parse work(const fs::path& path) {
 }
 
 /// Before anything is confined: what came with the process.
-ReaderKind::Parse tell_what_it_has(const fs::path&) {
+ReaderKind::Parse tell_what_it_has(const fs::path&, std::string_view) {
     std::string environment, descriptors;
     for (char** variable = environ; *variable != nullptr; ++variable)
         environment += std::string{*variable} + '\n';

@@ -99,7 +99,7 @@ void never_end(ReaderOutput& output) {
 }
 
 /// Says who it is while it still can, then waits to be killed.
-ReaderKind::Parse tell_and_hang(const fs::path& path) {
+ReaderKind::Parse tell_and_hang(const fs::path& path, std::string_view) {
     const std::string name = path.string() + ".pid";
     std::ofstream{name + ".part"} << ::getpid();
     fs::rename(name + ".part", name);
@@ -108,7 +108,7 @@ ReaderKind::Parse tell_and_hang(const fs::path& path) {
 
 /// A reader that opens nothing.
 template <void (*read)(ReaderOutput&)>
-ReaderKind::Parse only(const fs::path&) {
+ReaderKind::Parse only(const fs::path&, std::string_view) {
     return read;
 }
 

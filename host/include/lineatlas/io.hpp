@@ -40,6 +40,13 @@ struct LoadedMesh {
     std::vector<ModelPart> parts{}; ///< a tree in the order of the file; empty where it has none
 };
 
+/// How models are read.
+struct LoadOptions {
+    /// Of STEP and BREP: how far a triangle's side may be off a curved face, in millimetres or the
+    /// file's unit if it says none; 0: a thousandth of the model's diagonal.
+    double deflection = 0;
+};
+
 /// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, and by modules
 /// that are loaded when they are needed glTF and GLB, STEP and BREP; chosen by extension in any
 /// case. Throws FileError, one line that names the file and the cause, when the
@@ -53,7 +60,8 @@ struct LoadedMesh {
 /// colour comes from the .mtl file when that is there, and a note says when it is not. Files that
 /// name nothing, and the other mesh types, have no groups. Instances in scenes and assemblies
 /// become triangles of their own, with a group for each of them and its materials.
-LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path);
+LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path,
+                                   const LoadOptions& options = {});
 
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and
 /// alpha, RGB, or RGB and alpha. Colour is sRGB-coded and not multiplied by alpha, as in PNG files.

@@ -33,10 +33,10 @@ struct KnownEdge {
         seam,   ///< where a face that goes round, as a cylinder's, meets itself: never a line
         free,   ///< of one face only: a boundary
     };
-    std::uint32_t from = 0; ///< index into Mesh::positions
-    std::uint32_t to = 0;   ///< index into Mesh::positions
-    Kind kind = Kind::sharp;
-    std::uint32_t edge = 0; ///< number of the file's own edge, of which this is a piece
+    std::uint32_t from = 0;  ///< index into Mesh::positions
+    std::uint32_t to = 0;    ///< index into Mesh::positions
+    Kind kind = Kind::sharp; ///< what it is
+    std::uint32_t edge = 0;  ///< number of the file's own edge, of which this is a piece
 };
 
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.

@@ -1,0 +1,78 @@
+// Edges of which the file says what they are, in place of the angle at them.
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "lineatlas/error.hpp"
+#include "lineatlas/lines.hpp"
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+namespace {
+
+using Kind = KnownEdge::Kind;
+
+/// Two triangles that meet at a right angle along 0-1.
+Mesh roof() {
+    return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+            .triangles = {{0, 1, 2}, {1, 0, 3}},
+            .triangle_group = {},
+            .groups = {},
+            .polylines = {}};
+}
+
+std::array<std::uint32_t, LA_KIND_COUNT> counts(const Mesh& mesh, const LineOptions& options = {}) {
+    return extract_lines(mesh, options).kind_counts;
+}
+
+TEST(KnownEdges, SayWhatAnglesDoNot) {
+    Mesh mesh = roof();
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+    mesh.known_edges = {{0, 1, Kind::smooth}, {1, 2, Kind::free}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_SILHOUETTE], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_BOUNDARY], 1U); // the others are nothing that the file knows
+    EXPECT_EQ(counts(mesh, {.smooth_edges = true})[LA_KIND_CREASE], 1U);
+    mesh.known_edges[0].kind = Kind::seam;
+    EXPECT_EQ(counts(mesh, {.smooth_edges = true})[LA_KIND_CREASE], 0U);
+}
+
+TEST(KnownEdges, SharpOnesAreCreasesHoweverFlat) {
+    Mesh mesh = roof();
+    mesh.positions[3] = {0.1F, -1, 0.01F};
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
+    mesh.known_edges = {{1, 0, Kind::sharp}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+    EXPECT_EQ(counts(mesh, {.kinds = mask_of(LineKind::silhouette)})[LA_KIND_SILHOUETTE], 1U);
+}
+
+TEST(KnownEdges, BetweenGroupsTheyAreMaterialLines) {
+    Mesh mesh = roof();
+    mesh.triangle_group = {0, 1};
+    mesh.groups.resize(2);
+    mesh.known_edges = {{0, 1, Kind::sharp}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 1U);
+    mesh.known_edges[0].kind = Kind::smooth;
+    EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 1U);
+}
+
+TEST(KnownEdges, AreFoundBetweenWeldedPositions) {
+    Mesh mesh = roof();
+    // The second triangle has corners of its own.
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, 0}, {1, 0, 0}});
+    mesh.triangles[1] = {5, 4, 3};
+    mesh.known_edges = {{4, 5, Kind::smooth}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
+    mesh.known_edges.push_back({0, 1, Kind::sharp}); // of two parts, one sharp
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+}
+
+TEST(KnownEdges, WithIndicesBeyondThePositionsAreRefused) {
+    Mesh mesh = roof();
+    mesh.known_edges = {{0, 4, Kind::sharp}};
+    EXPECT_THROW(extract_lines(mesh), UsageError);
+}
+
+} // namespace
+} // namespace lineatlas
