@@ -24,19 +24,22 @@ class BoxTree {
     /// compared.
     explicit BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners = {});
 
-    /// Calls visit(i) for every box i that meets `box`.
+    static constexpr std::uint32_t nobody = 0xFFFFFFFF; ///< as an owner
+
+    /// Calls visit(i) for every box i that meets `box`, but for those of one owner.
     template <class Visit>
-    void visit_meeting(const Bounds& box, Visit&& visit) const {
+    void visit_meeting(const Bounds& box, Visit&& visit, std::uint32_t but = nobody) const {
         if (nodes_.empty()) return;
         std::array<std::uint32_t, deepest> waiting;
         std::size_t count = 0;
         waiting[count++] = 0;
         while (count > 0) {
             const Node& node = nodes_[waiting[--count]];
-            if (!boxes_meet(node.box, box)) continue;
+            if (!boxes_meet(node.box, box) || (but != nobody && node.owner == but)) continue;
             if (node.count > 0) {
                 for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                    if (boxes_meet(boxes_[i], box)) visit(order_[i]);
+                    const bool wanted = but == nobody || owners_[i] != but;
+                    if (wanted && boxes_meet(boxes_[i], box)) visit(order_[i]);
                 }
             } else {
                 waiting[count++] = node.right;
@@ -52,8 +55,8 @@ class BoxTree {
     }
 
   private:
-    static constexpr std::uint32_t mixed = 0xFFFFFFFF; ///< owners
-    static constexpr std::size_t deepest = 64;         ///< twice the depth of halving 2^31 boxes
+    static constexpr std::uint32_t mixed = nobody; ///< owners
+    static constexpr std::size_t deepest = 64;     ///< twice the depth of halving 2^31 boxes
 
     /// A leaf of `count` boxes, or with none an inner node: its left child is the next node.
     struct Node {

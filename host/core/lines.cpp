@@ -182,11 +182,12 @@ class Extraction {
 
     /// Nothing passes through, or abuts on, a body that is closed and alone.
     void find_parts_and_tree() {
-        const bool is_open =
-            std::ranges::any_of(edges_, [](const MeshEdge& edge) { return edge.face_count == 1; });
-        const MeshParts parts = find_parts(welded_);
-        has_parts_ = parts.count > 1;
-        if (!has_parts_ && !is_open) return;
+        parts_ = find_parts(welded_);
+        is_open_.assign(parts_.count, false);
+        for (const MeshEdge& edge : edges_)
+            if (edge.face_count == 1) is_open_[parts_.of_vertex[edge.p]] = true;
+        has_parts_ = parts_.count > 1;
+        if (!has_parts_ && std::ranges::find(is_open_, true) == is_open_.end()) return;
         std::vector<Bounds> boxes;
         std::vector<std::uint32_t> owners;
         boxes.reserve(welded_.triangles.size());
@@ -195,7 +196,7 @@ class Extraction {
             const glm::vec3 a = welded_.vertices[t.x], b = welded_.vertices[t.y],
                             c = welded_.vertices[t.z];
             boxes.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
-            owners.push_back(parts.of_vertex[t.x]);
+            owners.push_back(parts_.of_vertex[t.x]);
         }
         tree_.emplace(boxes, owners);
         object_of_triangle_ = objects_of(welded_);
@@ -204,8 +205,20 @@ class Extraction {
     void leave_out_seams() {
         if (!tree_) return;
         const std::int64_t start = host_nanoseconds();
+        const std::vector<std::uint32_t> material =
+            materials_of(mesh_.groups, welded_, object_of_triangle_);
+        std::vector<std::uint32_t> body = material, closed_part;
+        const auto above = material.empty() ? 0U : *std::ranges::max_element(material) + 1;
+        closed_part.reserve(body.size());
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const std::uint32_t part = parts_.of_vertex[welded_.triangles[i].x];
+            const bool named =
+                !mesh_.groups.empty() && !mesh_.groups[welded_.triangle_group[i]].material.empty();
+            if (!named) body[i] = above + part;
+            closed_part.push_back(is_open_[part] ? BoxTree::nobody : part);
+        }
         seams_ = find_seams(welded_, edges_, normals_, kinds_, *tree_,
-                            materials_of(mesh_.groups, welded_, object_of_triangle_));
+                            {.material = material, .body = body, .closed_part = closed_part});
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (seams_.of_edge[i]) kinds_[i].reset();
             left_out_.seams += seams_.of_edge[i] ? 1 : 0;
@@ -325,6 +338,8 @@ class Extraction {
     std::vector<std::uint32_t> first_face_; ///< of edges, before a neighbour stands for a sliver
     std::vector<glm::dvec3> normals_;
     std::vector<std::optional<LineKind>> kinds_; ///< nothing: never a line
+    MeshParts parts_;
+    std::vector<bool> is_open_; ///< parts
     bool has_parts_ = false;
     std::optional<BoxTree> tree_; ///< of triangles
     std::vector<std::uint32_t> object_of_triangle_;

@@ -71,8 +71,8 @@ void keep_above(Span& span, double at_0, double at_1) {
 class SeamFinder {
   public:
     SeamFinder(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals, const BoxTree& tree,
-               std::span<const std::uint32_t> material)
-        : mesh_(mesh), normals_(normals), tree_(tree), material_(material),
+               const SeamSurfaces& surfaces)
+        : mesh_(mesh), normals_(normals), tree_(tree), surfaces_(surfaces),
           diagonal_(diagonal_of(mesh.vertices)) {}
 
     /// Where the edge is a seam.
@@ -80,7 +80,7 @@ class SeamFinder {
         const std::optional<Side> a = side(edge, edge.face_a);
         if (!a) return {};
         find_near(edge);
-        return covered(edge, *a, beyond, true);
+        return covered(edge, *a, beyond, surfaces_.material);
     }
     Spans of_crease(const MeshEdge& edge) {
         const std::optional<Side> a = side(edge, edge.face_a);
@@ -88,14 +88,14 @@ class SeamFinder {
         if (!a || !b) return {};
         find_near(edge);
         if (near_.empty()) return {};
-        const Spans a_goes_on = covered(edge, *a, beyond, true);
-        const Spans b_goes_on = covered(edge, *b, beyond, true);
+        const Spans a_goes_on = covered(edge, *a, beyond, surfaces_.body);
+        const Spans b_goes_on = covered(edge, *b, beyond, surfaces_.body);
         const double gap = least(edge);
         Spans result;
         if (!a_goes_on.empty())
-            result = both(a_goes_on, either(b_goes_on, covered(edge, *b, -beyond, false), gap));
+            result = both(a_goes_on, either(b_goes_on, covered(edge, *b, -beyond, {}), gap));
         if (!b_goes_on.empty()) {
-            const Spans covered_a = either(a_goes_on, covered(edge, *a, -beyond, false), gap);
+            const Spans covered_a = either(a_goes_on, covered(edge, *a, -beyond, {}), gap);
             result = either(result, both(b_goes_on, covered_a), gap);
         }
         return result;
@@ -135,18 +135,22 @@ class SeamFinder {
         const auto reach = static_cast<float>(2 * beyond * diagonal_);
         const glm::vec3 p = mesh_.vertices[edge.p], q = mesh_.vertices[edge.q];
         near_.clear();
-        tree_.visit_meeting({glm::min(p, q) - reach, glm::max(p, q) + reach}, [&](std::uint32_t t) {
+        const auto keep = [&](std::uint32_t t) {
             if (t != edge.face_a && t != (edge.face_b & LA_FACE_INDEX)) near_.push_back(t);
-        });
+        };
+        tree_.visit_meeting({glm::min(p, q) - reach, glm::max(p, q) + reach}, keep,
+                            surfaces_.closed_part[edge.face_a]);
     }
 
-    /// Where some face in the plane of this one covers the line beside the edge, `away` outwards.
-    Spans covered(const MeshEdge& edge, const Side& side, double away, bool same_material) const {
+    /// Where some face in the plane of this one covers the line beside the edge, `away` outwards;
+    /// with `surface`, of its own.
+    Spans covered(const MeshEdge& edge, const Side& side, double away,
+                  std::span<const std::uint32_t> surface) const {
         const glm::dvec3 move = side.outward * (away * diagonal_);
         const glm::dvec3 a = at(edge.p) + move, b = at(edge.q) + move;
         Spans spans;
         for (const std::uint32_t face : near_) {
-            if (same_material && material_[face] != material_[side.face]) continue;
+            if (!surface.empty() && surface[face] != surface[side.face]) continue;
             const double cosine = glm::dot(normals_[face], normals_[side.face]);
             if (std::abs(cosine) < least_cosine) continue;
             const Span span = part_over(face, a, b);
@@ -180,7 +184,7 @@ class SeamFinder {
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
     const BoxTree& tree_;
-    std::span<const std::uint32_t> material_;
+    const SeamSurfaces& surfaces_;
     double diagonal_;
     std::vector<std::uint32_t> near_;
 };
@@ -202,8 +206,8 @@ Spans rest_of(const Spans& seams, double least) {
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
                  std::span<const std::optional<LineKind>> kinds, const BoxTree& tree,
-                 std::span<const std::uint32_t> material) {
-    SeamFinder finder{mesh, normals, tree, material};
+                 const SeamSurfaces& surfaces) {
+    SeamFinder finder{mesh, normals, tree, surfaces};
     Seams seams{.of_edge = std::vector<bool>(edges.size(), false), .left = {}, .cut = {}};
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
         const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;

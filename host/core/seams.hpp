@@ -25,13 +25,24 @@ struct Seams {
     std::vector<std::uint32_t> cut; ///< those edges, ascending
 };
 
+/// What is one surface where triangles meet in a plane.
+struct SeamSurfaces {
+    std::span<const std::uint32_t> material; ///< per triangle, for boundaries
+    /// Per triangle, for creases: what has no material is of its part, since bodies of an assembly
+    /// that end in one plane are drawn each.
+    std::span<const std::uint32_t> body;
+    /// Per triangle the owner in the tree whose triangles need not be looked at: its own part, if
+    /// that is closed; else BoxTree::nobody.
+    std::span<const std::uint32_t> closed_part;
+};
+
 /// Which boundaries and creases (`kinds`) are seams. A boundary is one where, just beyond it, a
 /// face of the same material goes on in the same plane; a crease where one of its faces goes on,
-/// and the other goes on too or has another face over it. `tree` is of the mesh's triangles; faces
-/// of one `material` are of one.
+/// and the other goes on too or has another face over it. `tree` is of the mesh's
+/// triangles, its owners their parts.
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
                  std::span<const std::optional<LineKind>> kinds, const BoxTree& tree,
-                 std::span<const std::uint32_t> material);
+                 const SeamSurfaces& surfaces);
 
 } // namespace lineatlas

@@ -131,6 +131,10 @@ TEST(EdgeTruth, CoincidentFacesDoNotHide) {
         if (in_front) add_panel(mesh, {-9, -9}, {9, 9}, 0);
         add_panel(mesh, {-0.5F, -0.5F}, {0.5F, 0.5F}, 0);
         if (!in_front) add_panel(mesh, {-9, -9}, {9, 9}, 0);
+        // Of another material: of one, no line would be seen there.
+        mesh.groups = {{.object = "", .material = "a"}, {.object = "", .material = "b"}};
+        mesh.triangle_group.assign(mesh.triangles.size(), 0);
+        std::fill_n(mesh.triangle_group.begin() + (in_front ? 2 : 0), 2, 1U);
         const Lengths lengths = look(mesh, boundary);
         EXPECT_NEAR(lengths.visible, 400, 0.1);
         EXPECT_EQ(lengths.hidden + lengths.undecided, 0);
