@@ -32,9 +32,9 @@ static float chance(uint x) {
 static uint priority_of(__global const Segment* segments, __global const uint* arcs, const uint i,
                         const Density density) {
     const uint kind = segments[i].tag & LA_TAG_KIND_MASK;
-    const float weights[LA_KIND_COUNT] = {density.priority[0], density.priority[1],
-                                          density.priority[2], density.priority[3],
-                                          density.priority[4], density.priority[5]};
+    const float weights[LA_KIND_COUNT] = {
+        density.priority[0], density.priority[1], density.priority[2], density.priority[3],
+        density.priority[4], density.priority[5], density.priority[6], density.priority[7]};
     float length = 1.0f, tie = 0.5f;
     if (kind != LA_KIND_SILHOUETTE) {
         const uint first = i - segments[i].from_start;

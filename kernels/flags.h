@@ -10,7 +10,9 @@
 #define LA_KIND_SILHOUETTE 3u
 #define LA_KIND_FILE 4u
 #define LA_KIND_INTERSECTION 5u
-#define LA_KIND_COUNT 6u
+#define LA_KIND_SECTION 6u
+#define LA_KIND_HATCHING 7u
+#define LA_KIND_COUNT 8u
 
 /* Segment.tag: the kind in the low bits, then flags. */
 #define LA_TAG_KIND_MASK 0x7u

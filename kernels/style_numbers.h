@@ -35,9 +35,9 @@ typedef struct StrokeFilter {
 typedef struct Density {
     /** Pixels of line per pixel of the picture at most, averaged over a neighbourhood; 0: off. */
     float limit LA_BY_DEFAULT(0);
-    /** Weight of each line kind (crease, boundary, material, silhouette, file,
-     * intersection), 0 to 1: lines of more weight stay longer, then longer lines. */
-    LA_ARRAY(float, priority, 6, 0.5F, 0.6F, 0.5F, 1, 1, 0.5F);
+    /** Weight of each line kind (crease, boundary, material, silhouette, file, intersection,
+     * section, hatching), 0 to 1: lines of more weight stay longer, then longer lines. */
+    LA_ARRAY(float, priority, 8, 0.5F, 0.6F, 0.5F, 1, 1, 0.5F, 1, 0.2F);
 } Density;
 
 #ifndef __OPENCL_VERSION__

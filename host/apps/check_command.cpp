@@ -95,6 +95,9 @@ void check(const CheckArguments& arguments) {
     if (!arguments.picture.empty()) check_image_path(arguments.picture);
     check_ray_module();
     const DrawingFile drawing = read_drawing(arguments.drawing);
+    if (described(drawing.description, "--section"))
+        throw FileError("cannot check \"" + arguments.drawing +
+                        "\": its model was cut; `draw --certify` checks such drawings");
     const LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
     const Mesh& mesh = loaded.mesh;
     const Making making = making_of(drawing, arguments.drawing, loaded.origin);

@@ -1,5 +1,7 @@
 #include "commands.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include <epoxy/gl.h>
@@ -38,6 +40,7 @@
 #include "path_options.hpp"
 #include "picture_options.hpp"
 #include "profile_output.hpp"
+#include "section_options.hpp"
 #include "sequence_options.hpp"
 #include "style/frame_settings.hpp"
 #include "vector/sheet.hpp"
@@ -54,6 +57,7 @@ struct DrawArguments {
     std::string crease = "auto";
     bool smooth_edges = false;
     double deflection = 0; ///< 0: not given
+    SectionOptions sections;
     SettingOptions<FrameSettings> frame;
     StyleOptions style;
     ReadOptions read;
@@ -112,12 +116,33 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<
     return up;
 }
 
+/// Cuts the model where --section says so.
+void cut(const DrawArguments& arguments, Mesh& mesh, glm::dvec3 origin, View view,
+         std::vector<std::string>& notes) {
+    if (!arguments.sections.given()) return;
+    arguments.view.apply(view, origin, false);
+    Section section = arguments.sections.cut(mesh, origin, view);
+    mesh = std::move(section.mesh);
+    std::ranges::move(section.notes, std::back_inserter(notes));
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+    if (!notes.empty()) print_error(fmt::format("lineatlas: {}\n", fmt::join(notes, "; ")));
+}
+
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
     const LineOptions line_options{.kinds = kinds,
                                    .crease_angle = crease_angle(arguments),
                                    .smooth_edges = arguments.smooth_edges};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
+        std::vector<std::string> notes;
+        const View whole =
+            arguments.view.says_direction()
+                ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
+                : scene.view(arguments.at);
+        cut(arguments, scene.mesh, {}, whole, notes);
+        print_notes(notes);
         LineSet lines = extract_lines(scene.mesh, line_options);
         const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
         const glm::vec3 up = arguments.view.up({0, 1, 0});
@@ -128,15 +153,16 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits(),
                                            {.deflection = arguments.deflection});
     arguments.parts.apply(loaded);
+    const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
+    cut(arguments, loaded.mesh, loaded.origin,
+        arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
     Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin, loaded.unit};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (std::string note = frames ? framing_note(subject.lines, loaded.origin) : ""; !note.empty())
         loaded.notes.push_back(std::move(note));
-    const glm::vec3 up = up_of(arguments, subject.mesh, loaded.up, loaded.notes);
-    if (!loaded.notes.empty())
-        print_error(fmt::format("lineatlas: {}\n", fmt::join(loaded.notes, "; ")));
+    print_notes(loaded.notes);
     const std::vector<glm::vec3>& points = subject.lines.vertices;
     subject.view =
         arguments.view.framed(arguments.sequence.turns() ? swept(points, vertical_axis(subject, up))
@@ -197,6 +223,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
     arguments.view.check();
+    arguments.sections.check();
     arguments.profile.check();
     arguments.read.check();
     arguments.paths.check(arguments.output, settings.method.value_or(Method::exact));
@@ -429,6 +456,7 @@ Command setup_draw(CLI::App& app) {
                    "but for noise of scanned or sculpted surfaces")
         ->capture_default_str()
         ->group(model);
+    a.sections.declare(app, model);
 
     app.add_option("--deflection", a.deflection,
                    "How far chords may be off the curved faces of STEP and BREP files, in mm; by "

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "flags.h"
+
 namespace lineatlas {
 namespace {
 
@@ -78,9 +80,12 @@ class Chainer {
         candidates_.clear();
         for (std::size_t i = 0; i < ends.size(); ++i) {
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
-                if (edges_[ends[i] / 2].kind != edges_[ends[j] / 2].kind) continue;
+                const std::uint32_t kind = edges_[ends[i] / 2].kind;
+                if (kind != edges_[ends[j] / 2].kind) continue;
                 const float cosine = -glm::dot(inward(ends[i]), inward(ends[j]));
-                if (cosine >= smallest_cosine_) candidates_.push_back({cosine, ends[i], ends[j]});
+                // The outline of a cut is one way, whatever corners it has.
+                const bool goes_on = cosine >= smallest_cosine_ || kind == LA_KIND_SECTION;
+                if (goes_on) candidates_.push_back({cosine, ends[i], ends[j]});
             }
         }
         std::stable_sort(

@@ -22,6 +22,9 @@ void check_indices(const Mesh& mesh) {
         for (int corner = 0; corner < 3; ++corner)
             check_index(mesh.triangles[i][corner], count, "triangle", i);
     }
+    if (!mesh.polyline_kind.empty() && mesh.polyline_kind.size() != mesh.polylines.size())
+        throw UsageError("mesh: there are " + std::to_string(mesh.polylines.size()) +
+                         " polylines, but kinds for " + std::to_string(mesh.polyline_kind.size()));
     for (std::size_t i = 0; i < mesh.polylines.size(); ++i) {
         for (const std::uint32_t index : mesh.polylines[i])
             check_index(index, count, "polyline", i);

@@ -40,11 +40,25 @@ std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
     return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
 }
 
-/// The segments of the file's polylines, each once.
-std::vector<Line> file_lines(const WeldedMesh& mesh,
-                             std::unordered_map<std::uint64_t, std::size_t>& line_of_edge) {
+LineKind kind_of(PolylineKind kind) {
+    switch (kind) {
+    case PolylineKind::section:
+        return LineKind::section;
+    case PolylineKind::hatching:
+        return LineKind::hatching;
+    case PolylineKind::file:
+        break;
+    }
+    return LineKind::file;
+}
+
+/// The segments of the polylines that are wanted, each once.
+std::vector<Line> lines_of_polylines(const WeldedMesh& mesh, LineKindMask kinds,
+                                     std::unordered_map<std::uint64_t, std::size_t>& line_of_edge) {
     std::vector<Line> lines;
     for (std::size_t k = 0; k < mesh.polylines.size(); ++k) {
+        const LineKind kind = kind_of(mesh.polyline_kinds[k]);
+        if ((kinds & mask_of(kind)) == 0) continue;
         const std::vector<std::uint32_t>& polyline = mesh.polylines[k];
         const std::vector<std::uint32_t>& sources = mesh.polyline_sources[k];
         for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
@@ -52,7 +66,7 @@ std::vector<Line> file_lines(const WeldedMesh& mesh,
             if (!line_of_edge.emplace(key, lines.size()).second) continue;
             lines.push_back({.p = polyline[i],
                              .q = polyline[i + 1],
-                             .kind = LineKind::file,
+                             .kind = kind,
                              .source = {.from = sources[i], .to = sources[i + 1]}});
         }
     }
@@ -229,7 +243,7 @@ class Extraction {
 
     void collect_lines() {
         std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
-        if (wanted(LineKind::file)) fixed_ = file_lines(welded_, line_of_edge);
+        fixed_ = lines_of_polylines(welded_, options_.kinds, line_of_edge);
         auto cut = seams_.cut.begin();
         auto left = seams_.left.begin();
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {

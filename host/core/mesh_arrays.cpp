@@ -81,6 +81,7 @@ void add_polyline(Mesh& mesh, std::span<const glm::vec3> points) {
     mesh.positions.insert(mesh.positions.end(), points.begin(), points.end());
     std::vector<std::uint32_t>& line = mesh.polylines.emplace_back(points.size());
     std::iota(line.begin(), line.end(), first);
+    if (!mesh.polyline_kind.empty()) mesh.polyline_kind.push_back(PolylineKind::file);
 }
 
 } // namespace lineatlas

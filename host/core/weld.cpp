@@ -169,6 +169,8 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
         if (welded.size() < 2) continue;
         result.polylines.push_back(std::move(welded));
         result.polyline_sources.push_back(std::move(sources));
+        result.polyline_kinds.push_back(mesh.polyline_kind.empty() ? PolylineKind::file
+                                                                   : mesh.polyline_kind[i]);
     }
     take_used_vertices(weld_vertex, objects.names.size(), result);
     return result;

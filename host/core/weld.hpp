@@ -20,6 +20,7 @@ struct WeldedMesh {
     std::vector<std::uint32_t> triangle_source;        ///< index into Mesh::triangles
     /// Per polyline, per vertex: index into Mesh::positions.
     std::vector<std::vector<std::uint32_t>> polyline_sources;
+    std::vector<PolylineKind> polyline_kinds;
     std::vector<std::uint32_t> vertex_sources; ///< index into Mesh::positions
     std::vector<std::uint32_t> object_ends;    ///< per object the end of its vertices
     OddTriangles odd;                          ///< but not those without area

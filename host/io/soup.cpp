@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/polygon.hpp"
 #include "exact_bounds.hpp"
+#include "polygon/polygon.hpp"
 #include "source_file.hpp"
 
 namespace lineatlas {

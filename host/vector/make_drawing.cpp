@@ -16,9 +16,9 @@
 namespace lineatlas {
 namespace {
 
-/// By LineKind: crease, boundary, material, silhouette, file, intersection. What outlines the model
-/// is drawn last.
-constexpr std::array drawn_rank{1, 3, 0, 4, 5, 2};
+/// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching. What
+/// outlines the model is drawn last.
+constexpr std::array<int, LA_KIND_COUNT> drawn_rank{2, 4, 1, 5, 6, 3, 7, 0};
 
 void sort_for_drawing(std::vector<VectorPath>& paths) {
     std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {

@@ -28,8 +28,8 @@ constexpr double shortest_overlap = 0.02;
 /// What is left between two overlaps, or of a path with overlaps, is dropped if shorter, pixels.
 constexpr double shortest_rest = 0.5;
 
-/// By LineKind: crease, boundary, material, silhouette, file, intersection.
-constexpr std::array kind_rank{3, 1, 2, 4, 0, 5};
+/// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching.
+constexpr std::array<int, LA_KIND_COUNT> kind_rank{4, 2, 3, 5, 0, 6, 1, 7};
 
 /// From one place of a line or path to another.
 struct Span {

@@ -67,6 +67,8 @@ class LineKind(_enum.IntEnum):
     silhouette = 3
     file = 4
     intersection = 5
+    section = 6
+    hatching = 7
 
 
 def _renderer(model: _Model, arguments: dict[str, _Any]) -> Renderer:

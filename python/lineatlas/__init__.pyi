@@ -37,6 +37,8 @@ class LineKind(enum.IntEnum):
     silhouette = 3
     file = 4
     intersection = 5
+    section = 6
+    hatching = 7
 
 def draw(
     model: _Model,

@@ -60,6 +60,14 @@ class Mesh:
     def notes(self) -> list[str]: ...
     @property
     def origin(self) -> list[float]: ...
+    def cut(
+        self,
+        planes: Union[str, list[str]],
+        *,
+        spacing: float = 0.0,
+        angle: float = 45.0,
+        hatching: bool = True,
+    ) -> Mesh: ...
 
 class Scene:
     @property

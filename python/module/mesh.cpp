@@ -207,7 +207,7 @@ void bind_mesh(py::module_& module) {
             },
             "Red, green and blue, 0 to 1, sRGB-coded; None where unknown.");
 
-    py::class_<Model, std::shared_ptr<Model>>(
+    py::class_<Model, std::shared_ptr<Model>> mesh(
         module, "Mesh",
         "Triangles and polylines to draw the lines of. It can't be changed.\n\n"
         "positions: (n, 3) real numbers. triangles: (m, 3) indices; without them, and without\n"
@@ -216,8 +216,8 @@ void bind_mesh(py::module_& module) {
         "polylines: lines to be drawn as they are, each (k,) indices or (k, 3) points.\n\n"
         "Arrays of any real type and memory order do; they are copied. Equal positions are welded\n"
         "when lines are found. Raises UsageError for wrong shapes, indices out of range and\n"
-        "numbers that are not finite, TypeError for what is no array of numbers.")
-        .def(py::init(&make_model), py::arg("positions"), py::arg("triangles") = py::none(),
+        "numbers that are not finite, TypeError for what is no array of numbers.");
+    mesh.def(py::init(&make_model), py::arg("positions"), py::arg("triangles") = py::none(),
              py::kw_only(), py::arg("triangle_group") = py::none(), py::arg("groups") = py::none(),
              py::arg("polylines") = py::tuple())
         .def_property_readonly("positions", &positions, "(n, 3) float32, read-only, not copied.")
@@ -235,6 +235,7 @@ void bind_mesh(py::module_& module) {
                       "What was taken off the file's positions: zero, unless it lies so far from "
                       "zero, compared with its size, that float32 could not hold it there.")
         .def("__repr__", &describe);
+    bind_section(mesh);
     module.def(
         "load",
         [](const Argument<std::filesystem::path, "path", "a path">& path) { return load(path); },

@@ -25,6 +25,9 @@ using ModelOrPath = std::variant<std::shared_ptr<Model>, std::filesystem::path>;
 
 using ModelArgument = Argument<ModelOrPath, "model", "a Mesh or the path of a file">;
 
+/// Mesh.cut().
+void bind_section(py::class_<Model, std::shared_ptr<Model>>& mesh);
+
 std::shared_ptr<const Model> model_of(const ModelOrPath& given);
 
 } // namespace lineatlas::python

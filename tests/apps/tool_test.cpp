@@ -62,7 +62,8 @@ TEST_F(Tool, DrawsAModelWithEveryOption) {
     const Result result =
         run("draw " + path("tetrahedron.obj") + " -o " + path("t.png") +
             " --size 120x90 --eye -2,1.5,-3 --target 0.2,0.2,0.2 --up z --fov 50 "
-            "--lines crease,boundary,material,silhouette,file --crease 20 --method atlas "
+            "--lines crease,boundary,material,silhouette,file,section,hatching --crease 20 "
+            "--method atlas "
             "--quality low --probes 4 --depth-scale 3 --step 1 --atlas raster "
             "--atlas-layout gutter --width 2.5 --pen pencil --stroke-shader vertex "
             "--style ink --set halo=3 --hidden --hidden-width 0.5 --color 0.1,0.2,0.3 "

@@ -204,7 +204,10 @@ TEST(ExtractLines, TrianglesKeepTheColorsOfTheirGroups) {
 TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
     test::Random random{53};
     Mesh mesh = test::with_random_groups(test::height_field(random, 6, 1), random, 2);
-    add_random_polylines(mesh, random, 2);
+    add_random_polylines(mesh, random, 6);
+    for (const PolylineKind kind :
+         {PolylineKind::file, PolylineKind::section, PolylineKind::hatching})
+        mesh.polyline_kind.insert(mesh.polyline_kind.end(), 2, kind);
     for (LineKindMask mask = 0; mask <= all_line_kinds; ++mask) {
         const LineSet lines = extract_lines(mesh, {.kinds = mask, .crease_angle = 0.5F});
         expect_sound(lines);

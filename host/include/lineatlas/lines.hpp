@@ -18,8 +18,8 @@
 namespace lineatlas {
 
 /// Where a line comes from. An edge that qualifies as several kinds takes the first of: file,
-/// boundary (non-manifold edges included), material, crease, silhouette. docs/lines.md has the
-/// rules.
+/// section, boundary (non-manifold edges included), material, crease, silhouette. docs/lines.md has
+/// the rules.
 enum class LineKind : std::uint32_t {
     crease = LA_KIND_CREASE,         ///< bent, by the rule of `LineOptions::crease_angle`
     boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
@@ -27,11 +27,14 @@ enum class LineKind : std::uint32_t {
     silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
     file = LA_KIND_FILE,             ///< given as a polyline in the model
     intersection = LA_KIND_INTERSECTION, ///< where parts pass through each other; no edge
+    section = LA_KIND_SECTION,       ///< the outline of a cut: Section::mesh has it
+    hatching = LA_KIND_HATCHING,     ///< on the faces of a cut
 };
 
 /// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
-    "crease", "boundary", "material", "silhouette", "file", "intersection"};
+    "crease", "boundary",     "material", "silhouette",
+    "file",   "intersection", "section",  "hatching"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;

@@ -39,6 +39,13 @@ struct KnownEdge {
     std::uint32_t edge = 0;  ///< number of the file's own edge, of which this is a piece
 };
 
+/// What a polyline of a mesh is.
+enum class PolylineKind : std::uint8_t {
+    file,     ///< a line that the file has, or the program's own
+    section,  ///< a part of the outline of a cut (lineatlas/section.hpp)
+    hatching, ///< on the face of a cut
+};
+
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.
 ///
 /// Equal positions need not share an index: extract_lines() merges them. Nothing is assumed
@@ -57,6 +64,8 @@ struct Mesh {
     /// Where there are any, they say which edges are creases and boundaries, and angles between
     /// triangles do not: those within a curved face are the tessellation's own.
     std::vector<KnownEdge> known_edges{};
+    /// What each polyline is. Empty: all are PolylineKind::file.
+    std::vector<PolylineKind> polyline_kind{};
 
     /// Whether it has nothing to draw.
     bool empty() const { return triangles.empty() && polylines.empty(); }

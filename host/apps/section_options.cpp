@@ -1,0 +1,79 @@
+#include "section_options.hpp"
+
+#include <charconv>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+/// Towards the eye from a place of the model.
+glm::dvec3 toward_eye(const View& view, glm::dvec3 from) {
+    const bool parallel = view.projection == Projection::orthographic;
+    return glm::dvec3{view.eye} - (parallel ? glm::dvec3{view.target} : from);
+}
+
+} // namespace
+
+void SectionOptions::declare(CLI::App& app, const std::string& group) {
+    app_ = &app;
+    app.add_option("--section", planes_,
+                   "Cut the model by a plane, up to six times: x=0.3, -y=50% (of the model), or "
+                   "X,Y,Z/NX,NY,NZ (point and normal). What is beyond it is left out: with + or - "
+                   "before the axis there, with neither what lies towards the eye")
+        ->type_name("PLANE")
+        ->take_all()
+        ->expected(1)
+        ->group(group);
+    app.add_option("--hatching", hatching_,
+                   "Lines on faces of cuts: SPACING or SPACING,DEGREES in the model's unit, or "
+                   "none; by default a fortieth of the model apart and at 45 degrees")
+        ->group(group);
+}
+
+void SectionOptions::check() const {
+    for (const std::string& plane : planes_) parse_section(plane, {{0, 0, 0}, {1, 1, 1}});
+    if (planes_.size() > most_sections)
+        throw UsageError(fmt::format("--section: {} planes at most", most_sections));
+    if (planes_.empty() && app_->count("--hatching") > 0)
+        throw UsageError("--hatching is for --section");
+    hatching();
+}
+
+Hatching SectionOptions::hatching() const {
+    Hatching result;
+    if (hatching_.empty()) return result;
+    result.none = hatching_ == "none";
+    if (result.none) return result;
+    const char* const end = hatching_.data() + hatching_.size();
+    auto [rest, error] = std::from_chars(hatching_.data(), end, result.spacing);
+    if (error == std::errc{} && rest != end && *rest == ',') {
+        const auto angle = std::from_chars(rest + 1, end, result.angle);
+        rest = angle.ptr;
+        error = angle.ec;
+    }
+    const bool in_range =
+        result.spacing > 0 && result.spacing < 1e15 && result.angle >= -360 && result.angle <= 360;
+    if (error != std::errc{} || rest != end || !in_range)
+        throw UsageError("--hatching \"" + hatching_ +
+                         "\" is none; it is a spacing, as in 2.5, with degrees, as in 2.5,30, or "
+                         "\"none\"");
+    return result;
+}
+
+Section SectionOptions::cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const {
+    const Bounds bounds = bounds_of(mesh);
+    std::vector<SectionPlane> planes;
+    for (const std::string& text : planes_) {
+        SectionPlane& plane = planes.emplace_back(parse_section(text, bounds));
+        if (!text.ends_with('%')) plane.point -= origin;
+        if (!plane.side_is_given && glm::dot(plane.normal, toward_eye(view, plane.point)) < 0)
+            plane.normal = -plane.normal;
+    }
+    return cut_mesh(mesh, planes, hatching());
+}
+
+} // namespace lineatlas::apps

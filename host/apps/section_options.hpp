@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/section.hpp"
+
+namespace lineatlas::apps {
+
+/// --section and --hatching.
+class SectionOptions {
+  public:
+    void declare(CLI::App& app, const std::string& group);
+
+    /// Throws UsageError for what can't be, whatever the model.
+    void check() const;
+
+    bool given() const { return !planes_.empty(); }
+    /// Cuts the mesh. `origin`: of mesh and view, in the file's coordinates. What planes without a
+    /// side take away is the side that the view's eye is on. Throws UsageError.
+    Section cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const;
+
+  private:
+    Hatching hatching() const;
+
+    CLI::App* app_ = nullptr;
+    std::vector<std::string> planes_;
+    std::string hatching_;
+};
+
+} // namespace lineatlas::apps

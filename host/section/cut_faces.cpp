@@ -1,0 +1,277 @@
+#include "cut_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "holes.hpp"
+#include "polygon/polygon.hpp"
+
+namespace lineatlas {
+namespace {
+
+double area_of(std::span<const glm::dvec2> points) {
+    double twice = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec2 a = points[i], b = points[(i + 1) % points.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return 0.5 * twice;
+}
+
+/// The steps of one part, joined to loops.
+class LoopFinder {
+  public:
+    LoopFinder(std::span<const CutStep> steps, const std::vector<glm::vec3>& positions,
+               const std::vector<std::uint32_t>& places, const PlaneFrame& plane)
+        : steps_(steps), positions_(positions), places_(places), plane_(plane),
+          used_(steps.size(), false) {
+        for (std::uint32_t i = 0; i < steps.size(); ++i) {
+            at_[places[steps[i].from]].push_back(i);
+            at_[places[steps[i].to]].push_back(i);
+        }
+    }
+
+    /// Places where a way ends.
+    std::set<std::uint32_t> ends() const {
+        std::set<std::uint32_t> found;
+        for (const auto& [place, steps] : at_)
+            if (steps.size() % 2 == 1) found.insert(place);
+        return found;
+    }
+
+    std::vector<CutLoop> loops() {
+        std::vector<CutLoop> found;
+        for (std::uint32_t i = 0; i < steps_.size(); ++i) {
+            if (used_[i]) continue;
+            CutLoop loop = walk(i);
+            if (loop.points.size() > 2) found.push_back(std::move(loop));
+        }
+        return found;
+    }
+
+  private:
+    glm::dvec2 flat(std::uint32_t place) const { return plane_.flat(positions_[place]); }
+
+    CutLoop walk(std::uint32_t first) {
+        CutLoop loop;
+        const std::uint32_t start = places_[steps_[first].from];
+        std::uint32_t before = start, here = places_[steps_[first].to];
+        used_[first] = true;
+        loop.points.push_back(start);
+        while (here != start) {
+            loop.points.push_back(here);
+            const std::uint32_t next = next_step(before, here);
+            if (next == none) break; // can't be: every place has an even number of steps
+            used_[next] = true;
+            before = here;
+            const std::uint32_t from = places_[steps_[next].from];
+            here = from == here ? places_[steps_[next].to] : from;
+        }
+        for (const std::uint32_t point : loop.points) loop.flat.push_back(flat(point));
+        loop.area = area_of(loop.flat);
+        return loop;
+    }
+
+    /// On the way that it has, if that can be, and as far to the left as can be: ways that only
+    /// touch in a corner stay apart.
+    std::uint32_t next_step(std::uint32_t before, std::uint32_t here) const {
+        std::uint32_t best = none;
+        double best_rank = -1;
+        const glm::dvec2 came = flat(here) - flat(before);
+        for (const std::uint32_t i : at_.at(here)) {
+            if (used_[i]) continue;
+            const bool forwards = places_[steps_[i].from] == here;
+            const glm::dvec2 goes =
+                flat(forwards ? places_[steps_[i].to] : places_[steps_[i].from]) - flat(here);
+            const double turn = std::atan2(came.x * goes.y - came.y * goes.x, glm::dot(came, goes));
+            const double rank = (forwards ? 10 : 0) + turn + 4;
+            if (rank <= best_rank) continue;
+            best = i;
+            best_rank = rank;
+        }
+        return best;
+    }
+
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    std::span<const CutStep> steps_;
+    const std::vector<glm::vec3>& positions_;
+    const std::vector<std::uint32_t>& places_;
+    const PlaneFrame& plane_;
+    std::vector<bool> used_;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> at_; ///< steps per place
+};
+
+/// Each step once. A surface of two sides, one upon the other, has every step in both directions,
+/// and is one as well.
+std::vector<CutStep> single_steps(std::span<const CutStep> steps,
+                                  const std::vector<std::uint32_t>& places) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+    std::vector<CutStep> once;
+    for (const CutStep& step : steps)
+        if (known.emplace(places[step.from], places[step.to]).second) once.push_back(step);
+    const auto has_reverse = [&](const CutStep& step) {
+        return known.contains({places[step.to], places[step.from]});
+    };
+    if (std::ranges::all_of(once, has_reverse)) {
+        std::erase_if(once, [&](const CutStep& step) {
+            if (!known.contains({places[step.from], places[step.to]})) return true;
+            known.erase({places[step.to], places[step.from]});
+            return false;
+        });
+    }
+    return once;
+}
+
+/// A part whose steps do not close.
+struct OpenPart {
+    std::vector<CutStep> steps;
+    std::set<std::uint32_t> ends; ///< places
+};
+
+/// Files may name pieces of one surface as objects of their own: those whose ways end where others
+/// do are one part.
+void join_open_parts(std::vector<OpenPart>& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t k = i + 1; k < parts.size();) {
+            std::set<std::uint32_t>& ends = parts[i].ends;
+            const auto meets = [&](std::uint32_t end) { return ends.contains(end); };
+            if (!std::ranges::any_of(parts[k].ends, meets)) {
+                ++k;
+                continue;
+            }
+            std::ranges::copy(parts[k].steps, std::back_inserter(parts[i].steps));
+            for (const std::uint32_t end : parts[k].ends)
+                if (!ends.insert(end).second) ends.erase(end); // goes on there
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+            k = i + 1; // those before may meet it now
+        }
+    }
+}
+
+double area_of(const CutFace& face) {
+    double area = 0;
+    for (const CutLoop& loop : face.loops) area += loop.area;
+    return area;
+}
+
+bool holds(const CutFace& face, glm::dvec2 at) {
+    return std::ranges::count_if(face.loops, [&](const CutLoop& loop) { return loop.holds(at); }) %
+               2 ==
+           1;
+}
+
+/// Hollows hang together with nothing, and go round the other way.
+void adopt_hollows(std::vector<CutFace>& faces) {
+    std::vector<double> areas;
+    double sum = 0;
+    for (const CutFace& face : faces) sum += areas.emplace_back(area_of(face));
+    const double sign = sum < 0 ? -1 : 1; // a model that is inside out, as some are
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> around(faces.size(), none);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (sign * areas[i] >= 0) continue;
+        const glm::dvec2 at = faces[i].loops.front().flat.front();
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            if (!(sign * areas[k] > 0) || !holds(faces[k], at)) continue;
+            if (around[i] == none || std::abs(areas[k]) < std::abs(areas[around[i]])) around[i] = k;
+        }
+    }
+    std::vector<CutFace> kept;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (around[i] != none)
+            std::ranges::copy(faces[i].loops, std::back_inserter(faces[around[i]].loops));
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (around[i] == none) kept.push_back(std::move(faces[i]));
+    faces = std::move(kept);
+}
+
+/// In how many others a loop lies. Those of one face do not cross, so any of its points says it.
+std::size_t depth_of(const CutFace& face, std::size_t loop) {
+    const glm::dvec2 at = 0.5 * (face.loops[loop].flat[0] + face.loops[loop].flat[1]);
+    std::size_t depth = 0;
+    for (std::size_t i = 0; i < face.loops.size(); ++i)
+        if (i != loop && face.loops[i].holds(at)) ++depth;
+    return depth;
+}
+
+Ring ring_of(const CutLoop& loop, bool counter_clockwise) {
+    Ring ring;
+    for (std::size_t i = 0; i < loop.points.size(); ++i)
+        ring.push_back({loop.flat[i], loop.points[i]});
+    if ((loop.area > 0) != counter_clockwise) std::ranges::reverse(ring);
+    return ring;
+}
+
+} // namespace
+
+bool CutLoop::holds(glm::dvec2 at) const {
+    bool inside = false;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+        const glm::dvec2 a = flat[i], b = flat[(i + 1) % flat.size()];
+        if ((a.y > at.y) == (b.y > at.y)) continue;
+        if (a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x) inside = !inside;
+    }
+    return inside;
+}
+
+CutFaces find_faces(const PlaneCut& cut, const PlaneFrame& plane) {
+    const std::vector<glm::vec3>& positions = cut.mesh.positions;
+    const std::vector<std::uint32_t> places = place_numbers(positions);
+    std::map<std::uint32_t, std::vector<CutStep>> of_part;
+    for (const CutStep& step : cut.steps) of_part[step.part].push_back(step);
+    CutFaces found;
+    std::vector<OpenPart> open;
+    for (const auto& [part, all] : of_part) {
+        std::vector<CutStep> steps = single_steps(all, places);
+        LoopFinder finder{steps, positions, places, plane};
+        std::set<std::uint32_t> ends = finder.ends();
+        if (!ends.empty()) {
+            open.push_back({std::move(steps), std::move(ends)});
+        } else if (std::vector<CutLoop> loops = finder.loops(); !loops.empty()) {
+            found.closed.push_back({part, steps.front().triangle, std::move(loops)});
+        }
+    }
+    join_open_parts(open);
+    for (const OpenPart& part : open) {
+        const CutStep& first = part.steps.front();
+        LoopFinder finder{part.steps, positions, places, plane};
+        if (!part.ends.empty()) {
+            found.gaps.push_back({first.part, positions[*part.ends.begin()], part.ends.size()});
+            std::ranges::copy(part.steps, std::back_inserter(found.open));
+        } else if (std::vector<CutLoop> loops = finder.loops(); !loops.empty()) {
+            found.closed.push_back({first.part, first.triangle, std::move(loops)});
+        }
+    }
+    adopt_hollows(found.closed);
+    return found;
+}
+
+std::vector<glm::uvec3> face_triangles(const CutFace& face,
+                                       const std::vector<glm::vec3>& positions) {
+    std::vector<glm::uvec3> triangles;
+    std::vector<std::size_t> depths;
+    for (std::size_t i = 0; i < face.loops.size(); ++i) depths.push_back(depth_of(face, i));
+    for (std::size_t i = 0; i < face.loops.size(); ++i) {
+        if (depths[i] % 2 == 1) continue;
+        std::vector<Ring> holes;
+        for (std::size_t k = 0; k < face.loops.size(); ++k) {
+            const CutLoop& hole = face.loops[k];
+            if (depths[k] == depths[i] + 1 &&
+                face.loops[i].holds(0.5 * (hole.flat[0] + hole.flat[1])))
+                holes.push_back(ring_of(hole, false));
+        }
+        std::vector<std::uint32_t> polygon;
+        for (const RingPoint& point : bridged(ring_of(face.loops[i], true), std::move(holes)))
+            polygon.push_back(point.position);
+        triangulate(positions, polygon, triangles);
+    }
+    return triangles;
+}
+
+} // namespace lineatlas

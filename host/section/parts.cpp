@@ -1,0 +1,105 @@
+#include "parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+
+namespace lineatlas {
+namespace {
+
+/// Of three numbers.
+struct TripleHash {
+    std::size_t operator()(const std::array<std::uint32_t, 3>& bits) const {
+        std::uint64_t h = bits[0] * 0x9E3779B97F4A7C15ULL;
+        h ^= (std::uint64_t{bits[1]} << 32U | bits[2]) * 0xC2B2AE3D27D4EB4FULL;
+        return static_cast<std::size_t>(h ^ h >> 29U);
+    }
+};
+
+/// Sets that grow together.
+class Unions {
+  public:
+    explicit Unions(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+    std::uint32_t root(std::uint32_t of) {
+        while (parent_[of] != of) of = parent_[of] = parent_[parent_[of]];
+        return of;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// The object of each triangle, as the number of a name; 0: it has none.
+std::vector<std::uint32_t> objects_of(const Mesh& mesh) {
+    std::map<std::string, std::uint32_t> numbers{{"", 0}};
+    std::vector<std::uint32_t> of_group;
+    for (const MeshGroup& group : mesh.groups)
+        of_group.push_back(numbers.emplace(group.object, static_cast<std::uint32_t>(numbers.size()))
+                               .first->second);
+    std::vector<std::uint32_t> objects(mesh.triangles.size(), 0);
+    for (std::size_t i = 0; i < mesh.triangle_group.size(); ++i)
+        objects[i] = of_group[mesh.triangle_group[i]];
+    return objects;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions) {
+    std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, TripleHash> known;
+    known.reserve(positions.size());
+    std::vector<std::uint32_t> numbers(positions.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        const glm::vec3 at = positions[i] + 0.0F; // -0 becomes 0
+        const std::array<std::uint32_t, 3> bits{std::bit_cast<std::uint32_t>(at.x),
+                                                std::bit_cast<std::uint32_t>(at.y),
+                                                std::bit_cast<std::uint32_t>(at.z)};
+        numbers[i] = known.emplace(bits, i).first->second;
+    }
+    return numbers;
+}
+
+Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    const std::vector<std::uint32_t> objects = objects_of(mesh);
+    Unions unions{count};
+    // Objects that touch along an edge do not hang together there.
+    std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, TripleHash> triangle_at;
+    triangle_at.reserve(2 * mesh.triangles.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::uint32_t p = places[mesh.triangles[i][corner]];
+            const std::uint32_t q = places[mesh.triangles[i][(corner + 1) % 3]];
+            const auto [found, fresh] =
+                triangle_at.emplace(std::array{std::min(p, q), std::max(p, q), objects[i]}, i);
+            if (!fresh) unions.join(found->second, i);
+        }
+    }
+    Parts parts;
+    parts.of_triangle.resize(count);
+    std::map<std::uint32_t, std::uint32_t> looks; // of objects
+    std::vector<std::uint32_t> number(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t root = unions.root(i);
+        if (root == i) {
+            number[i] = static_cast<std::uint32_t>(parts.name.size());
+            const bool named = objects[i] != 0;
+            parts.name.push_back(named ? mesh.groups[mesh.triangle_group[i]].object : "");
+            parts.look.push_back(named ? looks.emplace(objects[i], number[i]).first->second
+                                       : number[i]);
+        }
+        parts.of_triangle[i] = number[root];
+    }
+    return parts;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// What a mesh consists of: pieces that hang together by edges, and of which object each is.
+struct Parts {
+    std::vector<std::uint32_t> of_triangle; ///< its piece
+    std::vector<std::uint32_t> look;        ///< per piece: those of one look are hatched alike
+    std::vector<std::string> name;          ///< per piece: its object's; empty where none has one
+};
+
+/// `places`: per position a number of its place (place_numbers).
+Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places);
+
+/// Positions at one place have one number, that of the first of them.
+std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions);
+
+} // namespace lineatlas

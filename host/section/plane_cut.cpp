@@ -1,0 +1,135 @@
+#include "plane_cut.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/common.hpp>
+
+#include "parts.hpp"
+
+namespace lineatlas {
+namespace {
+
+class PlaneCutter {
+  public:
+    PlaneCutter(const Mesh& mesh, const std::vector<std::uint32_t>& parts, const PlaneFrame& plane,
+                double rounding)
+        : mesh_(mesh), parts_(parts), plane_(plane), places_(place_numbers(mesh.positions)) {
+        distances_.reserve(mesh.positions.size());
+        for (const glm::vec3 position : mesh.positions) {
+            const double distance = plane.distance(position);
+            distances_.push_back(std::abs(distance) <= rounding ? 0 : distance);
+        }
+        cut_.mesh.positions = mesh.positions;
+        cut_.mesh.groups = mesh.groups;
+    }
+
+    PlaneCut cut() {
+        bool any_below = false, any_above = false;
+        for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+            const glm::uvec3 corners = mesh_.triangles[i];
+            const int count = is_beyond(corners.x) + is_beyond(corners.y) + is_beyond(corners.z);
+            any_below |= count < 3;
+            any_above |= count > 0;
+            if (count == 0) {
+                keep(corners, i);
+            } else if (count < 3) {
+                clip(corners, i);
+            }
+        }
+        for (std::size_t i = 0; i < mesh_.polylines.size(); ++i) clip_polyline(i);
+        cut_.misses = !any_below || !any_above;
+        return std::move(cut_);
+    }
+
+  private:
+    bool is_beyond(std::uint32_t position) const { return distances_[position] >= 0; }
+
+    void keep(glm::uvec3 corners, std::uint32_t triangle) {
+        if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x) return;
+        cut_.mesh.triangles.push_back(corners);
+        cut_.part_of_triangle.push_back(parts_[triangle]);
+        if (!mesh_.triangle_group.empty())
+            cut_.mesh.triangle_group.push_back(mesh_.triangle_group[triangle]);
+        if (!mesh_.triangle_object.empty())
+            cut_.mesh.triangle_object.push_back(mesh_.triangle_object[triangle]);
+    }
+
+    /// Where an edge goes through the plane: one position for all triangles that share it.
+    std::uint32_t cut_point(std::uint32_t below, std::uint32_t beyond) {
+        if (distances_[beyond] == 0) return beyond;
+        const std::uint64_t key = std::uint64_t{places_[below]} << 32U | places_[beyond];
+        const auto fresh = static_cast<std::uint32_t>(cut_.mesh.positions.size());
+        const auto [found, is_new] = points_.emplace(key, fresh);
+        if (!is_new) return found->second;
+        const glm::dvec3 p{mesh_.positions[below]}, q{mesh_.positions[beyond]};
+        const double share = distances_[below] / (distances_[below] - distances_[beyond]);
+        cut_.mesh.positions.push_back(plane_.placed(glm::mix(p, q, share)));
+        return fresh;
+    }
+
+    void clip(glm::uvec3 corners, std::uint32_t triangle) {
+        std::array<std::uint32_t, 4> polygon{};
+        std::size_t size = 0;
+        std::uint32_t out = 0,
+                      in = 0; // where the way around it leaves what is kept, and comes back
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::uint32_t p = corners[corner], q = corners[(corner + 1) % 3];
+            if (!is_beyond(p)) polygon[size++] = p;
+            if (is_beyond(p) == is_beyond(q)) continue;
+            const std::uint32_t point = is_beyond(q) ? cut_point(p, q) : cut_point(q, p);
+            (is_beyond(q) ? out : in) = point;
+            polygon[size++] = point;
+        }
+        const auto first = static_cast<std::uint32_t>(cut_.mesh.triangles.size());
+        keep({polygon[0], polygon[1], polygon[2]}, triangle);
+        if (size == 4) keep({polygon[0], polygon[2], polygon[3]}, triangle);
+        if (out == in || cut_.mesh.positions[out] == cut_.mesh.positions[in]) return;
+        // The cut's own face goes the other way along this edge.
+        cut_.steps.push_back({in, out, parts_[triangle], first});
+    }
+
+    void clip_polyline(std::size_t index) {
+        const std::vector<std::uint32_t>& polyline = mesh_.polylines[index];
+        std::vector<std::uint32_t> part;
+        const auto finish = [&] {
+            if (part.size() > 1) {
+                cut_.mesh.polylines.push_back(part);
+                if (!mesh_.polyline_kind.empty())
+                    cut_.mesh.polyline_kind.push_back(mesh_.polyline_kind[index]);
+                if (!mesh_.polyline_object.empty())
+                    cut_.mesh.polyline_object.push_back(mesh_.polyline_object[index]);
+            }
+            part.clear();
+        };
+        for (std::size_t i = 0; i < polyline.size(); ++i) {
+            const std::uint32_t at = polyline[i];
+            if (i > 0 && is_beyond(at) != is_beyond(polyline[i - 1])) {
+                const std::uint32_t before = polyline[i - 1];
+                part.push_back(is_beyond(at) ? cut_point(before, at) : cut_point(at, before));
+                if (is_beyond(at)) finish();
+            }
+            if (!is_beyond(at)) part.push_back(at);
+        }
+        finish();
+    }
+
+    const Mesh& mesh_;
+    const std::vector<std::uint32_t>& parts_;
+    const PlaneFrame& plane_;
+    std::vector<std::uint32_t> places_;
+    std::vector<double> distances_;
+    std::unordered_map<std::uint64_t, std::uint32_t> points_;
+    PlaneCut cut_;
+};
+
+} // namespace
+
+PlaneCut cut_by_plane(const Mesh& mesh, const std::vector<std::uint32_t>& part_of_triangle,
+                      const PlaneFrame& plane, double rounding) {
+    return PlaneCutter{mesh, part_of_triangle, plane, rounding}.cut();
+}
+
+} // namespace lineatlas

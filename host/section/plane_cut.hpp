@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "lineatlas/mesh.hpp"
+#include "plane_frame.hpp"
+
+namespace lineatlas {
+
+/// A step of the outline of a cut, where a plane goes through one triangle.
+struct CutStep {
+    std::uint32_t from, to; ///< positions; what is solid lies to the left, seen against the normal
+    std::uint32_t part;     ///< of the triangle
+    std::uint32_t triangle; ///< of what is left
+};
+
+/// What one plane leaves of a mesh, open where it cut.
+struct PlaneCut {
+    Mesh mesh;
+    std::vector<std::uint32_t> part_of_triangle;
+    std::vector<CutStep> steps;
+    bool misses = false; ///< all of the mesh lies on one side
+};
+
+/// Takes away what lies on the side that the plane's normal points to. Corners nearer to the plane
+/// than `rounding` lie on it, and count as beyond: the cut of what is closed is closed.
+PlaneCut cut_by_plane(const Mesh& mesh, const std::vector<std::uint32_t>& part_of_triangle,
+                      const PlaneFrame& plane, double rounding);
+
+} // namespace lineatlas

@@ -1,0 +1,171 @@
+#include "lineatlas/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "cut_faces.hpp"
+#include "hatch_lines.hpp"
+#include "lineatlas/error.hpp"
+#include "parts.hpp"
+#include "plane_cut.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// Corners nearer to a plane than this share of the model's size lie on it: floats are no finer.
+constexpr double rounding = 1e-6;
+constexpr double usual_spacing = 1.0 / 40; ///< share of the diagonal
+
+double diagonal_of(const Bounds& bounds) {
+    return glm::distance(glm::dvec3{bounds.min}, glm::dvec3{bounds.max});
+}
+
+/// Where coordinates are large, so is their rounding.
+double reach_of(const Bounds& bounds) {
+    const glm::dvec3 far =
+        glm::max(glm::abs(glm::dvec3{bounds.min}), glm::abs(glm::dvec3{bounds.max}));
+    return std::max({diagonal_of(bounds), far.x, far.y, far.z});
+}
+
+void check(std::span<const SectionPlane> planes, const Hatching& hatching) {
+    if (planes.size() > most_sections)
+        throw UsageError(fmt::format("sections: {} planes are too many; {} at most", planes.size(),
+                                     most_sections));
+    for (const SectionPlane& plane : planes) {
+        const double length = glm::length(plane.normal);
+        if (!(length > 0) || !std::isfinite(length) || !std::isfinite(glm::length(plane.point)))
+            throw UsageError("section: its normal has no direction, or its point is nowhere");
+    }
+    const bool spaced = hatching.spacing >= 0 && std::isfinite(hatching.spacing);
+    if (!spaced || !std::isfinite(hatching.angle))
+        throw UsageError("hatching: spacing must be from 0 on, and spacing and angle finite");
+}
+
+std::string name_of(const SectionPlane& plane) {
+    if (!plane.name.empty()) return plane.name;
+    const auto text = [](glm::dvec3 at) { return fmt::format("{:g},{:g},{:g}", at.x, at.y, at.z); };
+    return text(plane.point) + "/" + text(plane.normal);
+}
+
+class Sectioner {
+  public:
+    Sectioner(const Mesh& mesh, const Hatching& hatching)
+        : hatching_(hatching), bounds_(bounds_of(mesh)),
+          parts_(find_parts(mesh, place_numbers(mesh.positions))),
+          part_of_triangle_(parts_.of_triangle) {
+        if (hatching_.spacing == 0) hatching_.spacing = usual_spacing * diagonal_of(bounds_);
+        section_.mesh = mesh;
+    }
+
+    void cut(const SectionPlane& plane) {
+        const PlaneFrame frame{plane.point, plane.normal};
+        PlaneCut cut =
+            cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding * reach_of(bounds_));
+        if (cut.misses) refuse(plane, frame);
+        const CutFaces faces = find_faces(cut, frame);
+        mesh_ = &cut.mesh;
+        part_of_triangle_ = std::move(cut.part_of_triangle);
+        name_kinds();
+        for (const CutFace& face : faces.closed) add_face(face, frame);
+        for (const CutStep& step : faces.open)
+            add_line({step.from, step.to}, PolylineKind::section, step.triangle);
+        if (!faces.gaps.empty()) note(plane, faces.gaps);
+        section_.mesh = std::move(cut.mesh);
+    }
+
+    Section take() { return std::move(section_); }
+
+  private:
+    [[noreturn]] void refuse(const SectionPlane& plane, const PlaneFrame& frame) const {
+        double low = INFINITY, high = -INFINITY;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 upper{(corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0};
+            const double at = frame.distance(glm::mix(bounds_.min, bounds_.max, upper));
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+        const std::string name = name_of(plane);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(frame.normal[axis]) != 1) continue;
+            throw UsageError(
+                fmt::format("section {} misses the model, which goes from {}={:g} to {:g}", name,
+                            "xyz"[axis], bounds_.min[axis], bounds_.max[axis]));
+        }
+        throw UsageError(
+            fmt::format("section {} misses the model, which lies from {:g} to {:g} along "
+                        "its normal, seen from its point",
+                        name, low, high));
+    }
+
+    void name_kinds() { mesh_->polyline_kind.resize(mesh_->polylines.size(), PolylineKind::file); }
+
+    /// `triangle`: one of the part that the line belongs to.
+    void add_line(std::vector<std::uint32_t> line, PolylineKind kind, std::uint32_t triangle) {
+        mesh_->polylines.push_back(std::move(line));
+        mesh_->polyline_kind.push_back(kind);
+        if (!mesh_->polyline_object.empty() && !mesh_->triangle_object.empty())
+            mesh_->polyline_object.push_back(mesh_->triangle_object[triangle]);
+    }
+
+    void add_face(const CutFace& face, const PlaneFrame& frame) {
+        Mesh& mesh = *mesh_;
+        for (const glm::uvec3 triangle : face_triangles(face, mesh.positions)) {
+            mesh.triangles.push_back(triangle);
+            part_of_triangle_.push_back(face.part);
+            if (!mesh.triangle_group.empty())
+                mesh.triangle_group.push_back(mesh.triangle_group[face.triangle]);
+            if (!mesh.triangle_object.empty())
+                mesh.triangle_object.push_back(mesh.triangle_object[face.triangle]);
+        }
+        for (const CutLoop& loop : face.loops) {
+            std::vector<std::uint32_t> line = loop.points;
+            line.push_back(line.front());
+            add_line(std::move(line), PolylineKind::section, face.triangle);
+        }
+        if (hatching_.none) return;
+        const std::size_t number =
+            numbers_.emplace(parts_.look[face.part], numbers_.size()).first->second;
+        const double angle = hatch_angle(hatching_.angle, number);
+        for (const auto& [from, to] : hatch_lines(face, hatching_.spacing, angle)) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.push_back(frame.space(from));
+            mesh.positions.push_back(frame.space(to));
+            add_line({first, first + 1}, PolylineKind::hatching, face.triangle);
+        }
+    }
+
+    /// Names the first: there may be hundreds.
+    void note(const SectionPlane& plane, const std::vector<CutFaces::Gap>& gaps) {
+        const CutFaces::Gap& gap = gaps.front();
+        const std::string& part = parts_.name[gap.part];
+        std::string text =
+            fmt::format("section {}: the cut{} does not close, at {:g},{:g},{:g}", name_of(plane),
+                        part.empty() ? "" : " of \"" + part + "\"", gap.at.x, gap.at.y, gap.at.z);
+        if (gap.count > 1) text += fmt::format(" and {} more places", gap.count - 1);
+        if (gaps.size() > 1) text += fmt::format(", nor do {} other parts", gaps.size() - 1);
+        section_.notes.push_back(text + "; left open");
+    }
+
+    Hatching hatching_;
+    Bounds bounds_;
+    Parts parts_;
+    std::vector<std::uint32_t> part_of_triangle_;
+    std::map<std::uint32_t, std::size_t> numbers_; ///< of looks, in the order in which they are met
+    Mesh* mesh_ = nullptr;                         ///< what is being closed
+    Section section_;
+};
+
+} // namespace
+
+Section cut_mesh(const Mesh& mesh, std::span<const SectionPlane> planes, const Hatching& hatching) {
+    check(planes, hatching);
+    Sectioner sectioner{mesh, hatching};
+    for (const SectionPlane& plane : planes) sectioner.cut(plane);
+    return sectioner.take();
+}
+
+} // namespace lineatlas

@@ -1,0 +1,38 @@
+"""Meshes that are cut by planes."""
+
+import unittest
+
+import numpy as np
+
+import lineatlas
+from support import cube
+
+
+class Sections(unittest.TestCase):
+    def test_half_a_cube(self) -> None:
+        mesh = cube()
+        low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+        half = mesh.cut("x=50%", spacing=0.1)
+        used = half.positions[half.triangles]
+        self.assertAlmostEqual(float(used[..., 0].max()), float(low[0] + high[0]) / 2, 6)
+        self.assertAlmostEqual(float(used[..., 1].max()), float(high[1]), 6)
+        self.assertGreater(len(half.polylines), 10)
+        np.testing.assert_array_equal(half.positions[:len(mesh.positions)], mesh.positions)
+        other = mesh.cut("-x=50%", hatching=False)
+        self.assertEqual(len(other.polylines), 1)
+        kinds = set(lineatlas.intervals(half, compute="cpp", hidden=True)["kind"])
+        self.assertIn(lineatlas.LineKind.section, kinds)
+        self.assertIn(lineatlas.LineKind.hatching, kinds)
+
+    def test_several_planes_and_what_is_wrong(self) -> None:
+        mesh = cube()
+        self.assertEqual(mesh.cut(["x=50%", "y=50%"]).notes, [])
+        for planes in ("x=1000", "w=1", ["x=50%"] * 7):
+            with self.assertRaises(lineatlas.UsageError):
+                mesh.cut(planes)
+        with self.assertRaises(TypeError):
+            mesh.cut(3)
+
+
+if __name__ == "__main__":
+    unittest.main()

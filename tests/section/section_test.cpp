@@ -1,0 +1,356 @@
+#include "lineatlas/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "lineatlas/error.hpp"
+#include "lineatlas/lines.hpp"
+#include "test_meshes.hpp"
+
+namespace lineatlas {
+namespace {
+
+using test::cube;
+using test::cylinder;
+using test::sphere;
+
+SectionPlane plane(glm::dvec3 point, glm::dvec3 normal) {
+    return {.point = point, .normal = normal};
+}
+
+Section cut(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal, Hatching hatching = {}) {
+    return cut_mesh(mesh, std::vector{plane(point, normal)}, hatching);
+}
+
+/// Another mesh beside what is there.
+void add(Mesh& mesh, const Mesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const glm::uvec3 triangle : other.triangles) mesh.triangles.push_back(triangle + first);
+}
+
+Mesh placed(const Mesh& mesh, glm::vec3 at, float size) {
+    return test::moved(mesh, glm::scale(glm::translate(glm::mat4{1}, at), glm::vec3{size}));
+}
+
+Mesh turned_over(Mesh mesh) {
+    for (glm::uvec3& triangle : mesh.triangles) std::swap(triangle.x, triangle.y);
+    return mesh;
+}
+
+std::vector<std::vector<glm::vec3>> polylines(const Mesh& mesh, PolylineKind kind) {
+    std::vector<std::vector<glm::vec3>> found;
+    for (std::size_t i = 0; i < mesh.polylines.size(); ++i) {
+        if (mesh.polyline_kind[i] != kind) continue;
+        found.emplace_back();
+        for (const std::uint32_t index : mesh.polylines[i])
+            found.back().push_back(mesh.positions[index]);
+    }
+    return found;
+}
+
+double volume(const Mesh& mesh) {
+    double six = 0;
+    for (const glm::uvec3 t : mesh.triangles) {
+        const glm::dvec3 a{mesh.positions[t.x]}, b{mesh.positions[t.y]}, c{mesh.positions[t.z]};
+        six += glm::dot(a, glm::cross(b, c));
+    }
+    return six / 6;
+}
+
+/// Area of what faces this way in the plane.
+double face_area(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal) {
+    double area = 0;
+    for (const glm::uvec3 t : mesh.triangles) {
+        const glm::dvec3 a{mesh.positions[t.x]}, b{mesh.positions[t.y]}, c{mesh.positions[t.z]};
+        const auto off = [&](glm::dvec3 at) { return std::abs(glm::dot(at - point, normal)); };
+        if (std::max({off(a), off(b), off(c)}) > 1e-5) continue;
+        area += 0.5 * glm::dot(glm::cross(b - a, c - a), normal);
+    }
+    return area;
+}
+
+std::size_t open_edges(const Mesh& mesh) {
+    const LineSet lines = extract_lines(mesh, {.kinds = mask_of(LineKind::boundary)});
+    return lines.segments.size();
+}
+
+TEST(Sections, HalfACubeIsClosed) {
+    const Section half = cut(cube(), {0, 0, 0.25}, {0, 0, 1});
+    EXPECT_TRUE(half.notes.empty());
+    EXPECT_EQ(open_edges(half.mesh), 0U);
+    EXPECT_NEAR(volume(half.mesh), 4 * 1.25, 1e-6);
+    EXPECT_NEAR(face_area(half.mesh, {0, 0, 0.25}, {0, 0, 1}), 4, 1e-6);
+    const auto outlines = polylines(half.mesh, PolylineKind::section);
+    ASSERT_EQ(outlines.size(), 1U);
+    EXPECT_EQ(outlines[0].front(), outlines[0].back());
+    for (const glm::vec3 point : outlines[0]) {
+        EXPECT_EQ(point.z, 0.25F);
+        EXPECT_EQ(std::max(std::abs(point.x), std::abs(point.y)), 1);
+    }
+    // Positions of the cube keep their numbers.
+    for (std::size_t i = 0; i < cube().positions.size(); ++i)
+        EXPECT_EQ(half.mesh.positions[i], cube().positions[i]);
+}
+
+TEST(Sections, LinesAreOfTheirOwnKinds) {
+    const LineSet lines = extract_lines(cut(cube(), {0, 0, 0.25}, {0, 0, 1}).mesh);
+    const auto count = [&](LineKind kind) {
+        return lines.kind_counts[static_cast<std::size_t>(kind)];
+    };
+    EXPECT_EQ(count(LineKind::section), 8U); // sides, and where their diagonals were cut
+    EXPECT_GT(count(LineKind::hatching), 20U);
+    EXPECT_EQ(count(LineKind::crease), 8U);
+    EXPECT_EQ(count(LineKind::boundary), 0U);
+    for (const Segment& segment : lines.segments) {
+        if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SECTION) continue;
+        EXPECT_NE(segment.face_a, LA_NO_FACE); // they know what they are edges of
+        EXPECT_NE(segment.face_b, LA_NO_FACE);
+        EXPECT_TRUE(segment.tag & LA_TAG_CLOSED); // one way around its corners
+    }
+}
+
+TEST(Sections, TheSectionOfACylinderIsACircle) {
+    const Mesh mesh = cylinder(64, true); // along y
+    const Section across = cut(mesh, {0, 0.3, 0}, {0, 1, 0});
+    const auto outlines = polylines(across.mesh, PolylineKind::section);
+    ASSERT_EQ(outlines.size(), 1U);
+    for (const glm::vec3 point : outlines[0]) {
+        EXPECT_NEAR(std::hypot(point.x, point.z), 1, 0.0013); // within the chords of the mesh
+        EXPECT_EQ(point.y, 0.3F);
+    }
+    const double whole = 32 * std::sin(std::numbers::pi / 32); // of 64 sides
+    EXPECT_NEAR(volume(across.mesh), 1.3 * whole, 1e-5);
+    EXPECT_EQ(open_edges(across.mesh), 0U);
+}
+
+TEST(Sections, AnyDirection) {
+    test::Random random{11};
+    const Mesh mesh = sphere(4);
+    const double whole = volume(mesh);
+    for (int i = 0; i < 50; ++i) {
+        const glm::dvec3 normal{random.direction()};
+        const glm::dvec3 point{random.point(0.4F)};
+        const Section one = cut(mesh, point, normal), other = cut(mesh, point, -normal);
+        EXPECT_NEAR(volume(one.mesh) + volume(other.mesh), whole, 1e-4);
+        EXPECT_EQ(open_edges(one.mesh), 0U);
+        EXPECT_NEAR(face_area(one.mesh, point, normal), face_area(other.mesh, point, -normal),
+                    1e-4);
+    }
+}
+
+TEST(Sections, ThroughCornersAndAlongFaces) {
+    // Through four corners of the cube and their edges, and through one corner alone.
+    for (const glm::dvec3 normal : {glm::dvec3{1, 1, 0}, {1, 0, -1}, {1, 1, 1}}) {
+        const Section half = cut(cube(), {0, 0, 0}, normal);
+        EXPECT_EQ(open_edges(half.mesh), 0U);
+        EXPECT_NEAR(volume(half.mesh), 4, 1e-5);
+    }
+    // In its own upper face: what closes it lies there.
+    const Section along = cut(cube(), {0, 0, 1}, {0, 0, 1});
+    EXPECT_EQ(open_edges(along.mesh), 0U);
+    EXPECT_NEAR(volume(along.mesh), 8, 1e-6);
+    EXPECT_FALSE(polylines(along.mesh, PolylineKind::hatching).empty());
+}
+
+TEST(Sections, HollowsAndHolesStayEmpty) {
+    Mesh shell = placed(cube(), {0, 0, 0}, 1);
+    add(shell, turned_over(placed(cube(), {0.2F, 0, 0}, 0.5F))); // a hollow
+    add(shell, placed(cube(), {0.2F, 0.1F, 0}, 0.2F));           // and something in it
+    const Section half = cut(shell, {0, 0, 0.05}, {0, 0, 1}, {.spacing = 0.1});
+    EXPECT_NEAR(face_area(half.mesh, {0, 0, 0.05}, {0, 0, 1}), 4 - 1 + 0.16, 1e-5);
+    EXPECT_EQ(open_edges(half.mesh), 0U);
+    EXPECT_EQ(polylines(half.mesh, PolylineKind::section).size(), 3U);
+    for (const auto& line : polylines(half.mesh, PolylineKind::hatching)) {
+        for (const float share : {0.1F, 0.3F, 0.5F, 0.7F, 0.9F}) {
+            const glm::vec3 at = glm::mix(line.front(), line.back(), share) - glm::vec3{0.2F, 0, 0};
+            const bool in_hollow = std::max(std::abs(at.x), std::abs(at.y)) < 0.499F;
+            const bool in_piece = std::max(std::abs(at.x), std::abs(at.y - 0.1F)) < 0.201F;
+            EXPECT_TRUE(!in_hollow || in_piece) << at.x << " " << at.y;
+        }
+    }
+    // The same of a model that is inside out.
+    EXPECT_NEAR(
+        face_area(cut(turned_over(shell), {0, 0, 0.05}, {0, 0, 1}).mesh, {0, 0, 0.05}, {0, 0, 1}),
+        3.16, 1e-5);
+}
+
+TEST(Sections, ManyHoles) {
+    // A plate with 36 holes: the outlines of its section are one way and 36 ways within it.
+    Mesh plate = placed(cube(), {0, 0, 0}, 10);
+    test::Random random{3};
+    double holes = 0;
+    for (int i = 0; i < 36; ++i) {
+        const glm::vec3 at{-8.0F + 3.1F * static_cast<float>(i % 6) + random.between(0, 0.5F),
+                           -8.0F + 3.1F * static_cast<float>(i / 6) + random.between(0, 0.5F), 0};
+        const float radius = random.between(0.3F, 1.2F);
+        const auto sides = 3 + random.below(20);
+        Mesh hole = test::moved(cylinder(sides, true),
+                                glm::rotate(glm::mat4{1}, 1.5707963F, glm::vec3{1, 0, 0}));
+        add(plate, turned_over(placed(hole, at, radius)));
+        holes += 0.5 * sides * std::sin(2 * std::numbers::pi / sides) *
+                 static_cast<double>(radius * radius);
+    }
+    const Section half = cut(plate, {0, 0, 0.1}, {0, 0, 1}, {.none = true});
+    EXPECT_NEAR(face_area(half.mesh, {0, 0, 0.1}, {0, 0, 1}), 400 - holes, 1e-3);
+    EXPECT_EQ(polylines(half.mesh, PolylineKind::section).size(), 37U);
+    EXPECT_EQ(open_edges(half.mesh), 0U);
+}
+
+TEST(Sections, HatchingIsTurnedFromPartToPart) {
+    Mesh two = cube();
+    add(two, placed(cube(), {3, 0, 0}, 1));
+    const Section half = cut(two, {0, 0, 0}, {0, 0, 1}, {.spacing = 0.2, .angle = 30});
+    std::vector<double> angles;
+    for (const auto& line : polylines(half.mesh, PolylineKind::hatching)) {
+        ASSERT_EQ(line.size(), 2U);
+        const glm::dvec3 way = line[1] - line[0];
+        const double angle = std::atan2(way.y, way.x) * 180 / std::numbers::pi;
+        const bool left = line[0].x < 1.5F;
+        EXPECT_NEAR(std::fmod(angle + 360, 180), left ? 30 : 120, 0.01);
+        EXPECT_EQ(line[0].z, 0);
+    }
+    // 0.2 apart: of the cube's section, whose width that way is 2 (cos 30 + sin 30).
+    const auto lines = polylines(half.mesh, PolylineKind::hatching);
+    const auto of_left =
+        std::ranges::count_if(lines, [](const auto& line) { return line[0].x < 1.5F; });
+    EXPECT_NEAR(static_cast<double>(of_left), 2 * (0.866 + 0.5) / 0.2, 1.5);
+    // Objects with a name are one part, however many pieces they have.
+    two.groups = {{"pair", ""}};
+    two.triangle_group.assign(two.triangles.size(), 0);
+    for (const auto& line :
+         polylines(cut(two, {0, 0, 0}, {0, 0, 1}, {.spacing = 0.2, .angle = 30}).mesh,
+                   PolylineKind::hatching)) {
+        const glm::dvec3 way = line[1] - line[0];
+        EXPECT_NEAR(std::fmod(std::atan2(way.y, way.x) * 180 / std::numbers::pi + 360, 180), 30,
+                    0.01);
+    }
+}
+
+TEST(Sections, AQuarterIsTwoPlanes) {
+    // What the second plane cuts has a face of the first.
+    const std::vector planes{plane({0, 0, 0}, {0, 0, 1}), plane({0, 0, 0}, {1, 0, 0})};
+    const Section quarter = cut_mesh(cube(), planes, {.spacing = 0.25});
+    EXPECT_NEAR(volume(quarter.mesh), 2, 1e-6);
+    EXPECT_EQ(open_edges(quarter.mesh), 0U);
+    EXPECT_NEAR(face_area(quarter.mesh, {0, 0, 0}, {0, 0, 1}), 2, 1e-6);
+    EXPECT_NEAR(face_area(quarter.mesh, {0, 0, 0}, {1, 0, 0}), 2, 1e-6);
+    for (const auto& line : polylines(quarter.mesh, PolylineKind::hatching))
+        for (const glm::vec3 point : line) EXPECT_LE(std::max(point.x, point.z), 1e-6F);
+}
+
+TEST(Sections, ObjectsThatTouchAndPiecesOfOneSurface) {
+    // Two cubes, one upon the other, with the corners of one where those of the other are.
+    Mesh two = cube();
+    add(two, placed(cube(), {0, 2, 0}, 1));
+    two.groups = {{"lower", ""}, {"upper", ""}};
+    two.triangle_group.assign(two.triangles.size(), 0);
+    std::fill(two.triangle_group.begin() + 12, two.triangle_group.end(), 1U);
+    const Section half = cut(two, {0, 0, 0}, {0, 0, 1});
+    EXPECT_TRUE(half.notes.empty());
+    EXPECT_EQ(polylines(half.mesh, PolylineKind::section).size(), 2U);
+    EXPECT_NEAR(face_area(half.mesh, {0, 0, 0}, {0, 0, 1}), 8, 1e-6);
+    // One cube, every side of which has a name of its own.
+    Mesh sides = cube();
+    sides.triangle_group.clear();
+    for (std::uint32_t i = 0; i < sides.triangles.size(); ++i) {
+        sides.groups.push_back({"side " + std::to_string(i), ""});
+        sides.triangle_group.push_back(i);
+    }
+    const Section one = cut(sides, {0, 0, 0.25}, {0, 0, 1});
+    EXPECT_TRUE(one.notes.empty());
+    EXPECT_EQ(polylines(one.mesh, PolylineKind::section).size(), 1U);
+    EXPECT_NEAR(face_area(one.mesh, {0, 0, 0.25}, {0, 0, 1}), 4, 1e-6);
+}
+
+TEST(Sections, WhatDoesNotCloseIsSaidAndStaysOpen) {
+    Mesh mesh = cylinder(16, false);
+    mesh.triangles.pop_back(); // a gap in its side
+    mesh.triangles.pop_back();
+    add(mesh, placed(cube(), {5, 0, 0}, 1));
+    const Section half = cut(mesh, {0, 0.25, 0}, {0, 1, 0});
+    ASSERT_EQ(half.notes.size(), 1U);
+    EXPECT_NE(half.notes[0].find("does not close, at "), std::string::npos) << half.notes[0];
+    EXPECT_NE(half.notes[0].find("1 more places"), std::string::npos) << half.notes[0];
+    // The cube beside it is closed, and hatched.
+    EXPECT_NEAR(face_area(half.mesh, {0, 0.25, 0}, {0, 1, 0}), 4, 1e-6);
+    for (const auto& line : polylines(half.mesh, PolylineKind::hatching))
+        EXPECT_GT(line[0].x, 3.9F);
+    EXPECT_GT(polylines(half.mesh, PolylineKind::section).size(), 10U); // outlined all the same
+}
+
+TEST(Sections, CornersOfTheirOwnAndBothWindings) {
+    const Mesh soup = test::with_own_corners(sphere(3)); // as STL has them
+    EXPECT_TRUE(cut(soup, {0.1, 0, 0}, {1, 0, 0}).notes.empty());
+    EXPECT_EQ(open_edges(cut(soup, {0.1, 0, 0}, {1, 0, 0}).mesh), 0U);
+    test::Random random{2};
+    const Section odd = cut(test::with_random_windings(sphere(3), random), {0.1, 0, 0}, {1, 0, 0});
+    EXPECT_TRUE(odd.notes.empty());
+    EXPECT_EQ(polylines(odd.mesh, PolylineKind::section).size(), 1U);
+    EXPECT_EQ(open_edges(odd.mesh), 0U);
+}
+
+TEST(Sections, FilesLinesAreCutToo) {
+    Mesh mesh = cube();
+    const std::vector<glm::vec3> line{{0, 0, -2}, {0, 0, 2}, {1, 0, 2}, {1, 0, -2}};
+    add_polyline(mesh, line);
+    const auto left = polylines(cut(mesh, {0, 0, 0.5}, {0, 0, 1}).mesh, PolylineKind::file);
+    ASSERT_EQ(left.size(), 2U);
+    EXPECT_EQ(left[0], (std::vector<glm::vec3>{{0, 0, -2}, {0, 0, 0.5}}));
+    EXPECT_EQ(left[1], (std::vector<glm::vec3>{{1, 0, 0.5}, {1, 0, -2}}));
+}
+
+std::string refusal(const std::function<void()>& what) {
+    try {
+        what();
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(Sections, RefusesWhatCannotBe) {
+    const auto cut_at = [](glm::dvec3 point, glm::dvec3 normal, Hatching hatching = {}) {
+        return refusal([&] { cut(cube(), point, normal, hatching); });
+    };
+    EXPECT_EQ(cut_at({0, 0, 5}, {0, 0, 1}),
+              "section 0,0,5/0,0,1 misses the model, which goes from z=-1 to 1");
+    EXPECT_NE(cut_at({0, 0, 5}, {0, 0, -1}).find("misses"), std::string::npos);
+    EXPECT_NE(cut_at({3, 3, 3}, {1, 1, 1}).find("misses the model, which lies from"),
+              std::string::npos);
+    EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 0}).find("normal"), std::string::npos);
+    EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 1}, {.spacing = -1}).find("spacing"), std::string::npos);
+    EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 1}, {.spacing = 1e-9}).find("too near"), std::string::npos);
+    const std::vector<SectionPlane> many(7, plane({0, 0, 0}, {0, 0, 1}));
+    EXPECT_NE(refusal([&] { cut_mesh(cube(), many); }).find("6 at most"), std::string::npos);
+}
+
+TEST(Sections, PlanesAsText) {
+    const Bounds bounds{{0, 10, -4}, {2, 30, 4}};
+    const SectionPlane at = parse_section("x=0.5", bounds);
+    EXPECT_EQ(at.point.x, 0.5);
+    EXPECT_EQ(at.normal, (glm::dvec3{1, 0, 0}));
+    EXPECT_FALSE(at.side_is_given);
+    const SectionPlane share = parse_section("-y=25%", bounds);
+    EXPECT_EQ(share.point.y, 15);
+    EXPECT_EQ(share.normal, (glm::dvec3{0, -1, 0}));
+    EXPECT_TRUE(share.side_is_given);
+    const SectionPlane free = parse_section("1,-2.5,3/0,1,1", bounds);
+    EXPECT_EQ(free.point, (glm::dvec3{1, -2.5, 3}));
+    EXPECT_EQ(free.normal, (glm::dvec3{0, 1, 1}));
+    for (const char* wrong : {"", "x", "x=", "w=1", "x=1mm", "1,2/0,0,1", "1,2,3/0,0,0", "1,2,3/",
+                              "x=nan", "x=1e99", "--x=1", "1,2,3,4/0,0,1"}) {
+        EXPECT_THROW(parse_section(wrong, bounds), UsageError) << wrong;
+    }
+}
+
+} // namespace
+} // namespace lineatlas
