@@ -42,8 +42,9 @@ DepthStage::DepthStage(const interop::Connection& connection)
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
-    appeared_.resize(seen_.size());
     clusters_ = scene.all_clusters();
+    appeared_.resize(clusters_.size());
+    ranges_.reserve(clusters_.size()); // frames allocate nothing
     visible_ = compute::allocate(device_, clusters_.size(), purpose::model);
 }
 
@@ -148,10 +149,9 @@ void DepthStage::draw_by_kernels(Frame& frame) {
 void DepthStage::find_drawn() {
     if (drawn_is_known_) return;
     drawn_is_known_ = true;
-    std::vector<std::uint8_t> seen(clusters_.size());
-    device_.download(*visible_, std::as_writable_bytes(std::span{seen}));
+    device_.download(*visible_, std::as_writable_bytes(std::span{appeared_}));
     ranges_.clear();
-    add_drawn(clusters_, seen);
+    add_drawn(clusters_, appeared_);
 }
 
 void DepthStage::fill_texture(Frame& frame) {
