@@ -387,7 +387,6 @@ void say(const std::string& note) {
 
 void draw_without_gl(const Drawing& drawing) {
     LineVisibility visibility{drawing.subject.lines, drawing.arguments.device};
-    say(visibility.note());
     const VisibilityOptions wanted{
         .lines = drawing.options.lines, .hidden = true, .step = drawing.options.step};
     draw_paths(

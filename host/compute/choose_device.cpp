@@ -41,6 +41,8 @@ FoundDevice find_device(const DeviceOptions& options) {
         throw UsageError("visibility: nothing is shared with GL; leave out DeviceOptions::interop");
     }
     FoundDevice found{.wanted = wanted_device(options.compute, options.device)};
+    // A driver takes longer to start than most lines to find.
+    if (found.wanted.kind.empty() && found.wanted.device.empty()) found.wanted.kind = "cpp";
     if (!found.wanted.may_be_opencl()) {
         check_device_kind(found.wanted.kind);
         return found;
@@ -50,14 +52,8 @@ FoundDevice find_device(const DeviceOptions& options) {
         return device.is_gpu ? 0 : device.is_cpu ? 1 : 2;
     };
     const auto best = std::ranges::min_element(devices, {}, rank);
-    if (best != devices.end()) {
-        found.opencl = *best;
-    } else if (found.wanted.kind == "opencl") {
-        throw DeviceError(no_device_message());
-    } else {
-        found.wanted = {.kind = "cpp"};
-        found.note = note_of_cpp();
-    }
+    if (best == devices.end()) throw DeviceError(no_device_message());
+    found.opencl = *best;
     return found;
 }
 

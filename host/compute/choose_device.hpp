@@ -37,9 +37,8 @@ std::unique_ptr<Device> with_comparison(std::unique_ptr<Device> device, const st
 struct FoundDevice {
     WantedDevice wanted;
     std::optional<OpenClDevice> opencl{};
-    std::string note{}; ///< see Renderer::note()
 };
-/// The device to take that shares nothing with GL. Throws UsageError and DeviceError as a
+/// The device to take that shares nothing with GL: C++ on all cores where none is named. Throws UsageError and DeviceError as a
 /// LineVisibility.
 FoundDevice find_device(const DeviceOptions& options);
 std::unique_ptr<Device> make_device(const FoundDevice& found, const DeviceOptions& options);

@@ -40,6 +40,7 @@ class PlaneCutter {
             }
         }
         for (std::size_t i = 0; i < mesh_.polylines.size(); ++i) clip_polyline(i);
+        for (const KnownEdge& edge : mesh_.known_edges) clip_known_edge(edge);
         cut_.misses = !any_below || !any_above;
         return std::move(cut_);
     }
@@ -114,6 +115,13 @@ class PlaneCutter {
             if (!is_beyond(at)) part.push_back(at);
         }
         finish();
+    }
+
+    void clip_known_edge(KnownEdge edge) {
+        if (is_beyond(edge.from) && is_beyond(edge.to)) return;
+        if (is_beyond(edge.to)) edge.to = cut_point(edge.from, edge.to);
+        if (is_beyond(edge.from)) edge.from = cut_point(edge.to, edge.from);
+        cut_.mesh.known_edges.push_back(edge);
     }
 
     const Mesh& mesh_;

@@ -30,7 +30,6 @@ class LineVisibility::State {
     explicit State(const DeviceOptions& options) : State(compute::find_device(options), options) {}
 
     std::string description() const { return device_->description(); }
-    const std::string& note() const { return note_; }
 
     void set_lines(const LineSet& lines) {
         tables_.reset();
@@ -54,7 +53,7 @@ class LineVisibility::State {
 
   private:
     State(const compute::FoundDevice& found, const DeviceOptions& options)
-        : device_(compute::make_device(found, options)), stages_(*device_), note_(found.note) {}
+        : device_(compute::make_device(found, options)), stages_(*device_) {}
 
     /// What a call leaves to the next: tables that have grown.
     struct Work {
@@ -111,7 +110,6 @@ class LineVisibility::State {
 
     std::unique_ptr<compute::Device> device_;
     compute::Stages stages_;
-    std::string note_;
     std::optional<LineTables> tables_;
     std::uint32_t triangle_count_ = 0;
     Bounds bounds_;
@@ -129,10 +127,6 @@ LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
 
 std::string LineVisibility::description() const {
     return state_->description();
-}
-
-std::string LineVisibility::note() const {
-    return state_->note();
 }
 
 void LineVisibility::set_lines(const LineSet& lines) {

@@ -58,13 +58,14 @@ Drawer::Drawer(ModelLines subject, const DeviceOptions& device)
     : subject_(std::make_shared<ModelLines>(std::move(subject))) {
     enter_drivers();
     if (device.interop.empty()) {
-        state_ = std::make_unique<State>(State{device, compute::find_device(device).note});
+        compute::find_device(device); // or it throws
+        state_ = std::make_unique<State>(State{device});
         return;
     }
     // What is said of sharing with GL is wrong or right only where GL is.
     const gl::CurrentContextKeeper keeper;
     state_ = std::make_unique<State>(State{device});
-    state_->note = make_pictures().renderer.note();
+    make_pictures();
 }
 
 Drawer::~Drawer() {
@@ -75,6 +76,7 @@ Drawer::Pictures& Drawer::make_pictures() {
     auto pictures = std::make_unique<Pictures>(state_->device);
     state_->visibility.reset(); // the model's memory goes to the renderer
     pictures->renderer.set_lines(subject_->lines);
+    state_->note = pictures->renderer.note();
     state_->pictures = std::move(pictures);
     return *state_->pictures;
 }
@@ -126,9 +128,9 @@ std::string Drawer::description() {
                             : make_visibility().description();
 }
 
-std::string Drawer::note() {
+std::string Drawer::take_note() {
     const InUse use{*this};
-    return state_->note;
+    return std::exchange(state_->note, {});
 }
 
 void Drawer::set_pens(Pictures& pictures, const Style& style) {

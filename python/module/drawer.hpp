@@ -50,7 +50,7 @@ class Drawer {
     void set_subject(ModelLines subject);
     std::shared_ptr<const ModelLines> subject() const;
     std::string description();
-    std::string note(); ///< Renderer::note()
+    std::string take_note(); ///< Renderer::note(), once
 
     Picture draw(const Camera& camera, const FrameOptions& options, bool transparent);
     /// What is visible of the lines, and with `hidden` the rest too.

@@ -34,6 +34,12 @@ void warn_of_no_line(const std::string& why) {
     if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), level) != 0) throw py::error_already_set();
 }
 
+void warn(const std::string& note) {
+    if (!note.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), 1) != 0) {
+        throw py::error_already_set(); // where warnings are errors
+    }
+}
+
 std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgument& lines,
                                     const CreaseArgument& crease, const Word<"compute">& compute,
                                     const Word<"device">& device, const Word<"interop">& interop) {
@@ -46,11 +52,9 @@ std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgum
         drawer = std::make_unique<Drawer>(
             find_lines(std::move(mesh), found),
             DeviceOptions{.compute = compute, .device = device, .interop = interop});
-        note = drawer->note();
+        note = drawer->take_note();
     }
-    if (!note.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), 1) != 0) {
-        throw py::error_already_set(); // where warnings are errors
-    }
+    warn(note);
     return drawer;
 }
 
@@ -71,16 +75,18 @@ py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                Flag<"transparent"> transparent) {
     const FrameOptions frame = frame_options(options, style_of(style));
     Picture picture;
-    std::string flaw;
+    std::string flaw, note;
     {
         const Released released;
         const auto subject = drawer.subject();
         const Camera camera = camera_on(*subject, size, view, up);
         picture = drawer.draw(camera, frame, transparent);
+        note = drawer.take_note();
         const bool shows_lines =
             picture.shows_lines ? *picture.shows_lines : any_in_view(subject->lines, camera);
         if (!shows_lines) flaw = why_no_line(subject->lines, subject->kinds, camera);
     }
+    warn(note);
     warn_of_no_line(flaw);
     return array_of(std::move(picture.pixels), {(*size)[1], (*size)[0], 4});
 }

@@ -193,7 +193,6 @@ TEST(LineVisibility, SaysWhatItRunsOnAndMoves) {
     const LineSet lines = extract_lines(cube());
     LineVisibility first{lines, {.compute = "cpp"}};
     EXPECT_TRUE(first.description().starts_with("cpp")) << first.description();
-    EXPECT_EQ(first.note(), "");
     const std::vector<Interval> found = first.find(camera_on(lines));
     LineVisibility second = std::move(first);
     EXPECT_TRUE(same(second.find(camera_on(lines)), found));

@@ -6,8 +6,8 @@ namespace lineatlas {
 
 /// Which compute backend and device, and how it shares buffers with GL. Empty: the best there is.
 struct DeviceOptions {
-    /// "opencl", "cpp" or another (docs/backends.md); empty: OpenCL, else cpp where no driver
-    /// works, which Renderer::note() and LineVisibility::note() say then.
+    /// "opencl", "cpp" or another (docs/backends.md); empty: for a Renderer OpenCL, else cpp where
+    /// no driver works, which Renderer::note() says then; for a LineVisibility cpp.
     std::string compute{};
     std::string device{}; ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
     /// "gl-sharing", "host-pointer", "copy" or "": chosen. Not for LineVisibility, which shares

@@ -22,8 +22,8 @@ struct VisibilityOptions {
 };
 
 /// What is visible of lines, by the exact method (Method::exact): the intervals that a Renderer
-/// finds, without a picture. Needs neither GL nor an OpenCL driver: it runs on an OpenCL device
-/// where there is one, and else as C++ on all cores.
+/// finds, without a picture. Needs neither GL nor an OpenCL driver: it runs as C++ on all cores,
+/// which starts at once, unless DeviceOptions or LINEATLAS_DEVICE name another device.
 ///
 /// One call at a time; different ones may work at the same time on different threads.
 ///
@@ -41,9 +41,6 @@ class LINEATLAS_API LineVisibility {
 
     /// The compute backend in use, for people.
     std::string description() const;
-
-    /// As Renderer::note(): empty, or a line about OpenCL drivers that do not work.
-    std::string note() const;
 
     /// Other lines and triangles, on the same device.
     void set_lines(const LineSet& lines);
