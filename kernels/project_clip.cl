@@ -8,8 +8,8 @@
 #include "clipping.h"
 
 /* describe_own_face() of a face that may be none. */
-static uint own_face(const uint face, const uint kind, const uint vertex_p, const uint vertex_q, const float4 p,
-                     const float4 q, const float2 across, const float length_px,
+static uint own_face(const uint face, const uint kind, const uint vertex_p, const uint vertex_q,
+                     const float4 p, const float4 q, const float2 across, const float length_px,
                      __global const float* vertices, __global const uint* triangles,
                      const Matrix clip_from_world, const Matrix world_from_clip,
                      const float2 viewport) {

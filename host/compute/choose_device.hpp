@@ -38,8 +38,8 @@ struct FoundDevice {
     WantedDevice wanted;
     std::optional<OpenClDevice> opencl{};
 };
-/// The device to take that shares nothing with GL: C++ on all cores where none is named. Throws UsageError and DeviceError as a
-/// LineVisibility.
+/// The device to take that shares nothing with GL: C++ on all cores where none is named. Throws
+/// UsageError and DeviceError as a LineVisibility.
 FoundDevice find_device(const DeviceOptions& options);
 std::unique_ptr<Device> make_device(const FoundDevice& found, const DeviceOptions& options);
 

@@ -22,8 +22,8 @@ class KnownEdges {
     bool any() const { return !kinds_.empty(); }
 
     /// As classify() of edges.hpp, for a mesh with any().
-    std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh,
-                                     double bend, const LineOptions& options) const;
+    std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
+                                     const LineOptions& options) const;
 
   private:
     std::unordered_map<std::uint64_t, KnownEdge::Kind> kinds_;

@@ -126,7 +126,8 @@ std::vector<FrameSetting> make_frame_settings() {
 bool FrameSettings::asks_for_samples() const {
     const FrameOptions usual;
     return quality != Quality::high || probes || depth_scale || rest.step != usual.step ||
-           rest.atlas != usual.atlas || rest.atlas_layout != usual.atlas_layout;
+           rest.atlas != usual.atlas || rest.depth_form != usual.depth_form ||
+           rest.atlas_layout != usual.atlas_layout;
 }
 
 FrameOptions FrameSettings::for_pixels() const {

@@ -27,14 +27,13 @@ enum class LineKind : std::uint32_t {
     silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
     file = LA_KIND_FILE,             ///< given as a polyline in the model
     intersection = LA_KIND_INTERSECTION, ///< where parts pass through each other; no edge
-    section = LA_KIND_SECTION,       ///< the outline of a cut: Section::mesh has it
-    hatching = LA_KIND_HATCHING,     ///< on the faces of a cut
+    section = LA_KIND_SECTION,           ///< the outline of a cut: Section::mesh has it
+    hatching = LA_KIND_HATCHING,         ///< on the faces of a cut
 };
 
 /// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
-    "crease", "boundary",     "material", "silhouette",
-    "file",   "intersection", "section",  "hatching"};
+    "crease", "boundary", "material", "silhouette", "file", "intersection", "section", "hatching"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
@@ -81,9 +80,10 @@ struct LineSource {
 
 /// A vertex that no position of the mesh is: where a line begins or ends within an edge.
 struct CutVertex {
-    std::uint32_t vertex;   ///< of LineSet::vertices
-    std::uint32_t from, to; ///< the edge's ends, likewise
-    float share;            ///< of the way from one to the other
+    std::uint32_t vertex; ///< of LineSet::vertices
+    std::uint32_t from;   ///< of LineSet::vertices, one end of the edge
+    std::uint32_t to;     ///< of LineSet::vertices, its other end
+    float share;          ///< of the way from one to the other
 };
 
 /// What extract_lines() met beside proper triangles.
@@ -102,7 +102,9 @@ struct LeftOut {
 
 /// Milliseconds that steps of extract_lines() took.
 struct LineTimes {
-    double creases = 0, seams = 0, intersections = 0;
+    double creases = 0;       ///< telling those of the model from noise
+    double seams = 0;         ///< finding where faces go on
+    double intersections = 0; ///< of parts
 };
 
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the

@@ -111,8 +111,8 @@ void method_section(Ui& ui) {
 
 void lines_section(Ui& ui) {
     LineKindMask& lines = ui.session.settings.lines;
-    static constexpr std::array labels{"Creases", "Boundaries", "Materials", "Silhouettes",
-                                       "Lines of the file", "Intersections"};
+    static constexpr std::array labels{"Creases",     "Boundaries",        "Materials",
+                                       "Silhouettes", "Lines of the file", "Intersections"};
     heading(ui, "Lines");
     for (std::size_t kind = 0; kind < labels.size(); ++kind) {
         bool on = (lines >> kind & 1U) != 0;
