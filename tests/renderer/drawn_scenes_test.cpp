@@ -114,7 +114,8 @@ TEST_P(DrawnScene, TagsLeadBackToTheMesh) {
         for (const VectorPiece& piece : path.pieces) {
             const LineSource& source = piece.source;
             if (path.kind == LineKind::intersection) {
-                expect_in_both_triangles(piece, near);
+                // A vertex this near to a plane counts as in it: contact, in core/intersections.
+                expect_in_both_triangles(piece, 2.1F * near);
                 continue;
             }
             ASSERT_LT(source.from, mesh.positions.size());
