@@ -190,15 +190,17 @@ class Profiles : public testing::Test {
     gl::HeadlessContext context_;
     gl::Canvas canvas_{{400, 300}};
     Camera camera_{};
-    FrameOptions options_{.atlas = AtlasForm::compute};
+    FrameOptions options_{.atlas = AtlasForm::compute, .depth_form = DepthForm::raster};
 };
 
 const std::set<std::string> atlas_stages{"depth", "handover", "pyramid",  "facing",  "project_clip",
                                          "scan",  "atlas",    "temporal", "compact", "strokes"};
 
-void expect_sound(TraceCheck& check) {
-    check.expect_order("depth", "pyramid");
-    check.expect_order("pyramid", "project_clip");
+void expect_sound(TraceCheck& check, DepthForm depth = DepthForm::raster) {
+    if (depth == DepthForm::raster) {
+        check.expect_order("depth", "pyramid");
+        check.expect_order("pyramid", "project_clip");
+    }
     check.expect_order("depth", "project_clip");
     check.expect_order("project_clip", "scan");
     check.expect_order("scan", "atlas");
@@ -220,6 +222,18 @@ TEST_F(Profiles, ATraceTellsEveryStageInOrderOnOneClock) {
         expect_sound(check);
         EXPECT_EQ(joined(check.problems), "");
     }
+}
+
+TEST_F(Profiles, OfDepthByKernelsThePyramidIsAPart) {
+    options_.depth_form = DepthForm::compute;
+    Renderer renderer = warm("ship");
+    TraceCheck check{profile_trace(profile(renderer, 3), renderer.description())};
+    EXPECT_EQ(check.frame_count(), 3U);
+    std::set<std::string> stages = atlas_stages;
+    stages.erase("pyramid");
+    check.expect_stages(stages);
+    expect_sound(check, DepthForm::compute);
+    EXPECT_EQ(joined(check.problems), "");
 }
 
 TEST_F(Profiles, TheCheckFindsWhatIsWrong) {
