@@ -44,6 +44,9 @@ Visibility is computed by OpenCL kernels that share buffers with OpenGL." PARENT
     install(FILES ${changelog}.gz DESTINATION ${folder} COMPONENT ${component})
 endfunction()
 
+# Neither drivers of OpenGL and OpenCL nor their loaders are linked: pictures need those of OpenGL,
+# paths none.
+set(drivers "libegl1, libopengl0 | libgl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
 set(base liblineatlas${lineatlas_soversion})
 set(io liblineatlas-io${lineatlas_soversion})
 set(same "(= ${packaged_version})")
@@ -61,18 +64,28 @@ if(TARGET lineatlas-rays)
     list(APPEND tool_suggests lineatlas-rays)
 endif()
 if(TARGET lineatlas-brep)
-    describe_package(brep lineatlas-brep graphics "" "line drawings of 3D models - STEP and BREP files")
+    describe_package(brep lineatlas-brep graphics "" "line drawings of 3D models - STEP, IGES and BREP files")
     list(APPEND tool_suggests lineatlas-brep)
 endif()
 if(TARGET lineatlas-pdf)
     describe_package(pdf lineatlas-pdf graphics "" "line drawings of 3D models - written as PDF")
     list(APPEND tool_suggests lineatlas-pdf)
 endif()
+if(TARGET lineatlas_python)
+    # The module is compiled for one version of Python, as Debian has one.
+    math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+    describe_package(python python3-lineatlas python
+        "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy, ${io} ${same}"
+        "line drawings of 3D models - Python package")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "${drivers}")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "lineatlas-brep, lineatlas-pdf")
+    describe_package(blender lineatlas-blender graphics "blender (>= 3.3), python3-lineatlas (>= ${packaged_version})"
+        "line drawings of 3D models - add-on for Blender")
+    set(CPACK_DEBIAN_BLENDER_PACKAGE_ARCHITECTURE all)
+    list(APPEND tool_suggests python3-lineatlas)
+endif()
 list(JOIN tool_suggests ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
-# Neither drivers of OpenGL and OpenCL nor their loaders are linked: pictures need those of OpenGL,
-# paths none.
-set(drivers "libegl1, libopengl0 | libgl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "liblineatlas-io-dev, libepoxy-dev, pkg-config")

@@ -53,6 +53,9 @@ install(TARGETS lineatlas-images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lin
 if(TARGET lineatlas-gltf)
     install(TARGETS lineatlas-gltf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
 endif()
+if(TARGET lineatlas-3mf)
+    install(TARGETS lineatlas-3mf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
+endif()
 # Beside them in the same folder, for whoever wants Open CASCADE on the machine.
 if(TARGET lineatlas-brep)
     install(TARGETS lineatlas-brep LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep)
@@ -100,6 +103,7 @@ execute_process(COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/packaging/lineatlas.1
                 COMMAND_ERROR_IS_FATAL ANY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS packaging/lineatlas.1)
 install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
+
 install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES README.md docs/styles.md docs/output.md docs/vector.md docs/devices.md
@@ -109,13 +113,4 @@ install(FILES docs/embedding.md docs/install.md docs/backends.md DESTINATION ${C
         COMPONENT development)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
-# All that is installed; tests and benchmarks need not be there.
-add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
-                                    lineatlas-images lineatlas
-                                    $<TARGET_NAME_IF_EXISTS:lineatlas-gltf>
-                                    $<TARGET_NAME_IF_EXISTS:lineatlas-brep>
-                                    $<TARGET_NAME_IF_EXISTS:lineatlas-rays>
-                                    $<TARGET_NAME_IF_EXISTS:lineatlas-pdf>)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
-
-include(cmake/debian.cmake)

@@ -15,6 +15,9 @@ namespace {
 constexpr GLuint segment_binding = 0;
 constexpr GLuint offset_binding = 1;
 
+// Beyond those of the passes that probe.
+constexpr int number_unit = 6, plane_unit = 7, patch_unit = 8;
+
 constexpr Purpose raster_atlas{"the segment atlas",
                                "use FrameOptions::atlas compute, a larger FrameOptions::step or a "
                                "smaller Camera::size"};
@@ -28,6 +31,18 @@ void ProbeParams::bind(const Program& program, GLuint unit) const {
     program.set("depth_scale", depth_scale);
     program.set("probes_per_axis", probes);
     program.set("tolerance", tolerance);
+    const bool known = surfaces.numbers != 0;
+    program.set("knows_surfaces", known);
+    program.set("parallel_view", surfaces.parallel);
+    program.set("bend", surfaces.bend);
+    // Samplers of different kinds must never share a unit, even where they are not read.
+    program.set("numbers", number_unit);
+    program.set("planes", plane_unit);
+    program.set("patches", patch_unit);
+    if (!known) return;
+    glBindTextureUnit(number_unit, surfaces.numbers);
+    glBindTextureUnit(plane_unit, surfaces.planes);
+    glBindTextureUnit(patch_unit, surfaces.patches);
 }
 
 AtlasPass::AtlasPass(std::string_view fragment_shader)

@@ -11,6 +11,15 @@
 
 namespace lineatlas::gl {
 
+/// What a depth texture shows, for probes that know surfaces (kernels/spine.h).
+struct SurfaceTextures {
+    GLuint numbers = 0; ///< of the triangle that each texel shows; 0: nothing is known but depth
+    GLuint planes = 0;  ///< a texture over a buffer of 4 floats per triangle
+    GLuint patches = 0; ///< the same of a uint32
+    bool parallel = false;
+    float bend = 0; ///< nearness by which a line's own patch may stand before it, times w
+};
+
 /// How visibility is probed; the same for both forms of `atlas`.
 struct ProbeParams {
     GLuint depth;         ///< depth texture
@@ -18,8 +27,10 @@ struct ProbeParams {
     float depth_scale;    ///< depth texels per pixel
     std::uint32_t probes; ///< per axis
     float tolerance;      ///< window depth that may stand before a line, times w
+    SurfaceTextures surfaces{};
 
-    /// Binds the depth texture to `unit` and sets the uniforms of probe.glsl.
+    /// Binds the depth texture to `unit`, those of surfaces to units of their own, and sets the
+    /// uniforms of probe.glsl.
     void bind(const Program& program, GLuint unit) const;
 };
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "segment_table.h"
 #include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
 
-void copy_texels(GLuint texture, GLenum format, glm::ivec2 whole, const TexelRectangle& part,
-                 GLuint buffer) {
+void copy_texels(GLuint texture, GLenum format, GLenum type, glm::ivec2 whole,
+                 const TexelRectangle& part, GLuint buffer) {
     const glm::ivec2 size = part.size();
     if (size.x <= 0 || size.y <= 0) return;
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
@@ -19,7 +20,7 @@ void copy_texels(GLuint texture, GLenum format, glm::ivec2 whole, const TexelRec
     const int most_rows = rows_at_once(row);
     for (int low = part.low.y; low < part.high.y; low += most_rows) {
         const int rows = std::min(part.high.y - low, most_rows);
-        glGetTextureSubImage(texture, 0, part.low.x, low, 0, size.x, rows, 1, format, GL_FLOAT,
+        glGetTextureSubImage(texture, 0, part.low.x, low, 0, size.x, rows, 1, format, type,
                              static_cast<GLsizei>(row * static_cast<std::size_t>(rows) - left),
                              reinterpret_cast<void*>(row * static_cast<std::size_t>(low) + left));
     }
@@ -27,14 +28,41 @@ void copy_texels(GLuint texture, GLenum format, glm::ivec2 whole, const TexelRec
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
+namespace {
+
+/// Takes a rectangle of a texture of `size` texels from its place in a buffer for all of it.
+void load_texels(GLuint texture, GLenum format, GLenum type, GLuint buffer, glm::ivec2 size,
+                 const TexelRectangle& part) {
+    const glm::ivec2 texels = part.size();
+    if (texels.x <= 0 || texels.y <= 0) return;
+    const std::size_t first =
+        static_cast<std::size_t>(part.low.y) * static_cast<std::size_t>(size.x) +
+        static_cast<std::size_t>(part.low.x);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
+    glTextureSubImage2D(texture, 0, part.low.x, part.low.y, texels.x, texels.y, format, type,
+                        reinterpret_cast<const void*>(first * sizeof(float)));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
+} // namespace
+
 DepthPass::DepthPass()
-    : program_({"depth.vert", "depth.frag"}), vertex_array_(VertexArray::create()),
-      framebuffer_(Framebuffer::create()) {
-    glEnableVertexArrayAttrib(vertex_array_.id(), 0);
-    glVertexArrayAttribFormat(vertex_array_.id(), 0, 3, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vertex_array_.id(), 0, 0);
-    glNamedFramebufferDrawBuffer(framebuffer_.id(), GL_NONE);
-    glNamedFramebufferReadBuffer(framebuffer_.id(), GL_NONE);
+    : programs_({"depth.vert", "depth.frag"}), vertex_array_(VertexArray::create()),
+      numbered_array_(VertexArray::create()), framebuffer_(Framebuffer::create()),
+      numbered_framebuffer_(Framebuffer::create()) {
+    for (const VertexArray* array : {&vertex_array_, &numbered_array_}) {
+        glEnableVertexArrayAttrib(array->id(), 0);
+        glVertexArrayAttribFormat(array->id(), 0, 3, GL_FLOAT, GL_FALSE, 0);
+        glVertexArrayAttribBinding(array->id(), 0, 0);
+    }
+    RangeCommands::describe(numbered_array_, 1, 1);
+    for (const Framebuffer* framebuffer : {&framebuffer_, &numbered_framebuffer_}) {
+        glNamedFramebufferDrawBuffer(framebuffer->id(), GL_NONE);
+        glNamedFramebufferReadBuffer(framebuffer->id(), GL_NONE);
+    }
 }
 
 void DepthPass::resize(glm::ivec2 size) {
@@ -45,18 +73,36 @@ void DepthPass::resize(glm::ivec2 size) {
     glTextureParameteri(texture_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glNamedFramebufferTexture(framebuffer_.id(), GL_DEPTH_ATTACHMENT, texture_.id(), 0);
+    glNamedFramebufferTexture(numbered_framebuffer_.id(), GL_DEPTH_ATTACHMENT, texture_.id(), 0);
     size_ = size;
 }
 
-void DepthPass::begin(glm::ivec2 viewport, int scale) {
+void DepthPass::resize_numbers(glm::ivec2 size) {
+    if (size == numbers_size_) return;
+    Texture2D texture = Texture2D::create();
+    allocate(texture, GL_R32UI, size, purpose::depth);
+    numbers_ = std::move(texture);
+    glTextureParameteri(numbers_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(numbers_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glNamedFramebufferTexture(numbered_framebuffer_.id(), GL_COLOR_ATTACHMENT0, numbers_.id(), 0);
+    glNamedFramebufferDrawBuffer(numbered_framebuffer_.id(), GL_COLOR_ATTACHMENT0);
+    numbers_size_ = size;
+}
+
+void DepthPass::begin(glm::ivec2 viewport, int scale, bool numbered) {
     resize(viewport * scale);
+    numbered_ = numbered;
     const float far = 1.0F;
     glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far);
+    if (!numbered) return;
+    resize_numbers(size_);
+    const GLuint none[4] = {LA_NO_FACE, LA_NO_FACE, LA_NO_FACE, LA_NO_FACE};
+    glClearNamedFramebufferuiv(numbered_framebuffer_.id(), GL_COLOR, 0, none);
 }
 
 void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
                      glm::vec4 tile) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, numbered_ ? numbered_framebuffer_.id() : framebuffer_.id());
     set_viewport({0, 0}, size_);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -64,16 +110,22 @@ void DepthPass::bind(const TriangleBuffers& triangles, const glm::mat4& clip_fro
     glDisablei(GL_BLEND, 0);
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
-    glVertexArrayElementBuffer(vertex_array_.id(), triangles.indices);
-    glBindVertexArray(vertex_array_.id());
-    program_.use();
-    program_.set("clip_from_world", clip_from_world);
-    program_.set("tile", tile);
+    const VertexArray& array = numbered_ ? numbered_array_ : vertex_array_;
+    glVertexArrayVertexBuffer(array.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
+    glVertexArrayElementBuffer(array.id(), triangles.indices);
+    glBindVertexArray(array.id());
+    const Program& program = programs_.with(numbered_ ? "NUMBERED" : "");
+    program.use();
+    program.set("clip_from_world", clip_from_world);
+    program.set("tile", tile);
 }
 
 void DepthPass::draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world) {
     if (triangles.triangle_count == 0) return;
+    if (numbered_) {
+        const TriangleRange all{0, triangles.triangle_count};
+        return draw_ranges(triangles, clip_from_world, {&all, 1});
+    }
     bind(triangles, clip_from_world, whole_picture);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.triangle_count * 3),
                    GL_UNSIGNED_INT, nullptr);
@@ -84,6 +136,11 @@ void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& c
                             std::span<const TriangleRange> ranges, glm::vec4 tile) {
     if (ranges.empty()) return;
     bind(triangles, clip_from_world, tile);
+    if (numbered_) {
+        if (commands_.take(ranges, purpose::depth)) commands_.draw(numbered_array_, 1);
+        glDisable(GL_DEPTH_TEST);
+        return;
+    }
     counts_.clear();
     first_bytes_.clear();
     for (const TriangleRange& range : ranges) {
@@ -98,23 +155,20 @@ void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& c
 
 void DepthPass::load(GLuint buffer, glm::ivec2 size, const TexelRectangle& part) {
     resize(size);
-    const glm::ivec2 texels = part.size();
-    if (texels.x <= 0 || texels.y <= 0) return;
-    const std::size_t first =
-        static_cast<std::size_t>(part.low.y) * static_cast<std::size_t>(size.x) +
-        static_cast<std::size_t>(part.low.x);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
-    glTextureSubImage2D(texture_.id(), 0, part.low.x, part.low.y, texels.x, texels.y,
-                        GL_DEPTH_COMPONENT, GL_FLOAT,
-                        reinterpret_cast<const void*>(first * sizeof(float)));
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    load_texels(texture_.id(), GL_DEPTH_COMPONENT, GL_FLOAT, buffer, size, part);
+}
+
+void DepthPass::load_numbers(GLuint buffer, glm::ivec2 size, const TexelRectangle& part) {
+    resize_numbers(size);
+    load_texels(numbers_.id(), GL_RED_INTEGER, GL_UNSIGNED_INT, buffer, size, part);
 }
 
 void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
-    copy_texels(texture_.id(), GL_DEPTH_COMPONENT, size_, part, buffer);
+    copy_texels(texture_.id(), GL_DEPTH_COMPONENT, GL_FLOAT, size_, part, buffer);
+}
+
+void DepthPass::copy_numbers_to(GLuint buffer, const TexelRectangle& part) const {
+    copy_texels(numbers_.id(), GL_RED_INTEGER, GL_UNSIGNED_INT, numbers_size_, part, buffer);
 }
 
 } // namespace lineatlas::gl

@@ -11,6 +11,7 @@
 #include "core/tiles.hpp"
 #include "objects.hpp"
 #include "program.hpp"
+#include "range_commands.hpp"
 
 namespace lineatlas::gl {
 
@@ -21,15 +22,10 @@ struct TriangleBuffers {
     std::uint32_t triangle_count;
 };
 
-/// A piece of a list of triangles.
-struct TriangleRange {
-    std::uint32_t first, count;
-};
-
-/// Copies a rectangle of a texture of `size` floats to its place in a buffer for all of it: rows
-/// from the lower left. `format`: GL_DEPTH_COMPONENT or GL_RED.
-void copy_texels(GLuint texture, GLenum format, glm::ivec2 size, const TexelRectangle& part,
-                 GLuint buffer);
+/// Copies a rectangle of a texture of `size` texels to its place in a buffer for all of it: rows
+/// from the lower left. `format`: GL_DEPTH_COMPONENT, GL_RED or GL_RED_INTEGER; `type`: of 4 bytes.
+void copy_texels(GLuint texture, GLenum format, GLenum type, glm::ivec2 size,
+                 const TexelRectangle& part, GLuint buffer);
 
 /// `depth`: draws triangles into a depth texture of its own, larger than the viewport by `scale`
 /// per axis (§3.2). Without a polygon offset: probes know the planes of a line's own faces
@@ -38,8 +34,9 @@ class DepthPass {
   public:
     DepthPass();
 
-    /// Clears the depth and makes it the target of what follows.
-    void begin(glm::ivec2 viewport, int scale);
+    /// Clears the depth and makes it the target of what follows; `numbered`: with the number of
+    /// the triangle that each texel shows, in the order of the list of triangles.
+    void begin(glm::ivec2 viewport, int scale, bool numbered = false);
     void draw(const TriangleBuffers& triangles, const glm::mat4& clip_from_world);
     /// Draws only these pieces of the list of triangles; `tile`: tile_transform().
     void draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
@@ -47,23 +44,33 @@ class DepthPass {
 
     /// Takes a rectangle of depth from its place in a buffer for all of it, in place of drawing.
     void load(GLuint buffer, glm::ivec2 size, const TexelRectangle& part);
+    /// The same of the numbers: uint32.
+    void load_numbers(GLuint buffer, glm::ivec2 size, const TexelRectangle& part);
 
     /// Copies a rectangle of the depth of the last draw to its place in a buffer for all of it:
     /// floats, rows from the lower left.
     void copy_to(GLuint buffer, const TexelRectangle& part) const;
+    /// The same of the numbers: uint32, LA_NO_FACE where there is no triangle.
+    void copy_numbers_to(GLuint buffer, const TexelRectangle& part) const;
 
     GLuint texture() const { return texture_.id(); }
+    GLuint numbers() const { return numbers_.id(); }
     glm::ivec2 size() const { return size_; } ///< of the texture
 
   private:
     void resize(glm::ivec2 size);
+    /// Makes the texture of numbers as large as that.
+    void resize_numbers(glm::ivec2 size);
     void bind(const TriangleBuffers& triangles, const glm::mat4& clip_from_world, glm::vec4 tile);
 
-    Program program_;
-    VertexArray vertex_array_;
-    Framebuffer framebuffer_;
+    ProgramVariants programs_;
+    VertexArray vertex_array_, numbered_array_;
+    Framebuffer framebuffer_, numbered_framebuffer_;
     Texture2D texture_;
-    glm::ivec2 size_{0, 0};
+    Texture2D numbers_; ///< made when first asked for
+    glm::ivec2 size_{0, 0}, numbers_size_{0, 0};
+    bool numbered_ = false;       ///< what is drawn now
+    RangeCommands commands_;      ///< of numbered ranges
     std::vector<GLsizei> counts_; ///< of the ranges being drawn
     std::vector<const void*> first_bytes_;
 };

@@ -1,7 +1,6 @@
 #include "fill_pass.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 #include <glm/geometric.hpp>
 
@@ -12,18 +11,13 @@ namespace lineatlas::gl {
 
 FillPass::FillPass()
     : flat_program_({"fill.vert", "fill.frag"}), lit_program_({"fill.vert", "fill.frag"}, "LIT"),
-      vertex_array_(VertexArray::create()), command_buffer_(Buffer::create()),
-      indices_(TextureBuffer::create()), table_(TextureBuffer::create()) {
+      vertex_array_(VertexArray::create()), indices_(TextureBuffer::create()),
+      table_(TextureBuffer::create()) {
     const GLuint array = vertex_array_.id();
     glEnableVertexArrayAttrib(array, 0);
     glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribBinding(array, 0, 0);
-    // gl_PrimitiveID starts at 0 in every range. Where the range starts is read from its draw
-    // command: an attribute per instance, of which base_instance picks the range's.
-    glEnableVertexArrayAttrib(array, 1);
-    glVertexArrayAttribIFormat(array, 1, 1, GL_UNSIGNED_INT, offsetof(Command, first_index));
-    glVertexArrayAttribBinding(array, 1, 1);
-    glVertexArrayBindingDivisor(array, 1, 1);
+    RangeCommands::describe(vertex_array_, 1, 1);
 }
 
 void FillPass::set_light(const FillView& view, const Fill& fill) const {
@@ -49,17 +43,7 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
     glDisable(GL_POLYGON_OFFSET_FILL);
     clear_depth(view.origin, view.viewport);
 
-    commands_.clear();
-    for (const TriangleRange& range : ranges) {
-        if (range.count == 0) continue;
-        commands_.push_back({.count = range.count * 3,
-                             .instance_count = 1,
-                             .first_index = range.first * 3,
-                             .base_vertex = 0,
-                             .base_instance = static_cast<GLuint>(commands_.size())});
-    }
-    if (commands_.empty()) return;
-    refill(command_buffer_, commands_.size() * sizeof(Command), commands_.data(), purpose::fill);
+    if (!commands_.take(ranges, purpose::fill)) return;
 
     if (colors.indices != 0) {
         check_buffer_texture(triangles.triangle_count, purpose::fill);
@@ -80,13 +64,9 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
     if (lit) set_light(view, fill);
 
     glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
-    glVertexArrayVertexBuffer(vertex_array_.id(), 1, command_buffer_.id(), 0, sizeof(Command));
     glVertexArrayElementBuffer(vertex_array_.id(), triangles.indices);
     glBindVertexArray(vertex_array_.id());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command_buffer_.id());
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr,
-                                static_cast<GLsizei>(commands_.size()), 0);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    commands_.draw(vertex_array_, 1);
     glDisable(GL_DEPTH_TEST);
 }
 

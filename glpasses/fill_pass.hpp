@@ -41,20 +41,13 @@ class FillPass {
               GLuint framebuffer);
 
   private:
-    /// As glMultiDrawElementsIndirect() reads it.
-    struct Command {
-        GLuint count, instance_count, first_index;
-        GLint base_vertex;
-        GLuint base_instance;
-    };
     void set_light(const FillView& view, const Fill& fill) const;
 
     Program flat_program_;
     Program lit_program_;
     VertexArray vertex_array_;
-    Buffer command_buffer_;
+    RangeCommands commands_;
     TextureBuffer indices_, table_; ///< views of the buffers of a draw
-    std::vector<Command> commands_;
 };
 
 } // namespace lineatlas::gl

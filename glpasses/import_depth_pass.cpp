@@ -99,7 +99,7 @@ void ImportDepthPass::draw(GLuint depth, glm::ivec2 origin, glm::ivec2 size,
 }
 
 void ImportDepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
-    copy_texels(texture_.id(), GL_RED, size_, part, buffer);
+    copy_texels(texture_.id(), GL_RED, GL_FLOAT, size_, part, buffer);
 }
 
 } // namespace lineatlas::gl

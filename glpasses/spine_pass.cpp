@@ -27,7 +27,8 @@ SpinePass::SpinePass()
     : point_programs_({"spine.vert", "spine.geom", "spine.frag"}),
       quad_programs_({"spine_quad.vert", "spine.frag"}), point_array_(segment_array(0)),
       quad_array_(segment_array(1)), vertices_(TextureBuffer::create()),
-      triangles_(TextureBuffer::create()), tiles_(TextureBuffer::create()) {}
+      triangles_(TextureBuffer::create()), tiles_(TextureBuffer::create()),
+      numbers_(TextureBuffer::create()) {}
 
 void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
                      const ProbeParams& probes, const StrokeParams& stroke) {
@@ -40,6 +41,7 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     glTextureBuffer(vertices_.id(), GL_RGB32F, segments.vertices);
     glTextureBuffer(triangles_.id(), GL_RGB32UI, segments.triangles);
     if (spine.tiles != 0) glTextureBuffer(tiles_.id(), GL_R32F, spine.tiles);
+    if (segments.numbers != 0) glTextureBuffer(numbers_.id(), GL_R32UI, segments.numbers);
 
     const bool geometry = stroke.form == StrokeForm::geometry_shader;
     ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
@@ -50,7 +52,9 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     glBindTextureUnit(2, vertices_.id());
     glBindTextureUnit(3, triangles_.id());
     if (spine.tiles != 0) glBindTextureUnit(4, tiles_.id());
+    if (segments.numbers != 0) glBindTextureUnit(5, numbers_.id());
     program.use();
+    program.set("face_numbers", 5);
     program.set("tiles", 4);
     program.set("tile_count", glm::vec2{spine.tile_count});
     program.set("use_tiles", spine.tiles != 0);

@@ -17,6 +17,7 @@ struct SegmentBuffers {
     GLuint segments;  ///< `Segment` each
     GLuint vertices;  ///< 3 floats each
     GLuint triangles; ///< 3 uint32 each
+    GLuint numbers;   ///< a uint32 per triangle, as in SurfaceTextures; 0 where nothing is known
     std::uint32_t segment_count, vertex_count, triangle_count;
 };
 
@@ -44,7 +45,7 @@ class SpinePass {
     ProgramVariants quad_programs_;
     VertexArray point_array_;
     VertexArray quad_array_;
-    TextureBuffer vertices_, triangles_, tiles_; ///< views of the buffers of a draw
+    TextureBuffer vertices_, triangles_, tiles_, numbers_; ///< views of the buffers of a draw
 };
 
 } // namespace lineatlas::gl

@@ -25,7 +25,7 @@ class StateGuard {
     void take();
 
   private:
-    static constexpr int texture_units = 5; ///< that passes use
+    static constexpr int texture_units = 9; ///< that passes use
     static constexpr int most_draw_buffers = 8;
     static constexpr int capability_count = 29;
     static constexpr int pixel_store_count = 16;

@@ -63,6 +63,7 @@ void list_features(const StrokeParams& params, const StrokeStyle& style, bool de
         {"FAR_TEXTURE", far_texture},
         {"FAR_SOLID", other_far && !far_texture},
         {"HIDDEN", style.hidden},
+        {"PENS", style.only_pen.has_value()},
         {"PEN_TEXTURE", params.pen.texture != 0},
     };
     names.clear();
@@ -88,6 +89,7 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
     if (style.cap_grain.texture != 0) glBindTextureUnit(2, style.cap_grain.texture);
     program.set("cap_grain", 2);
     program.set("cap_grain_repeat", style.cap_grain.repeat_length);
+    if (style.only_pen) program.set("only_pen", *style.only_pen);
     if (!style.focus) return;
     const FocusParams& focus = *style.focus;
     if (focus.far_pen.texture != 0) glBindTextureUnit(3, focus.far_pen.texture);

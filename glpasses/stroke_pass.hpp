@@ -67,7 +67,8 @@ struct StrokeStyle {
     std::span<const float> width_profile, opacity_profile; ///< at least one value each
     PenTexture cap_grain;                                  ///< for textured caps
     std::optional<FocusParams> focus;
-    bool hidden = false;     ///< draw runs of hidden samples: opaque where nothing is visible
+    bool hidden = false; ///< draw runs of hidden samples: opaque where nothing is visible
+    std::optional<std::uint32_t> only_pen{}; ///< draw the runs of this pen; else all
     bool exact_ends = false; ///< runs end where visibility does (`filter`), some without samples
 };
 

@@ -72,7 +72,14 @@ KERNEL(atlas, AtlasParameters) {
     const uint first = (uint)get_global_id(0) * args.block;
     if (first >= total) return;
     const uint last = min(first + args.block, total);
-    const Depth buffer = {depth, to_int2(args.depth_size), args.depth_scale, args.tolerance};
+#ifdef TILED
+    const int2 origin = to_int2(args.origin);
+#else
+    const int2 origin = int2(0, 0);
+#endif
+    const Depth buffer =
+        make_depth(depth, to_int2(args.depth_size), origin, to_float2(args.viewport),
+                   args.depth_scale, args.tolerance, args.surfaces, numbers, planes, patches);
     uint i = segment_of_sample(offsets, count, first);
     uint s = first;
     while (s < last) {
@@ -82,11 +89,11 @@ KERNEL(atlas, AtlasParameters) {
             if (offsets[++i + 1] <= s) i = segment_of_sample(offsets, count, s);
             continue;
         }
-        Spine spine = spine_of(clipped + i, to_float2(args.viewport), args.depth_scale);
+        Spine spine = spine_of(clipped + i, to_float2(args.viewport), buffer);
         const float inverse_l = 1.0f / (float)(end - begin);
 #ifdef TILED
         const float2 whole_p = spine.p;
-        spine.p -= convert_float2(to_int2(args.origin));
+        spine.p -= convert_float2(origin);
 #endif
         const uint address = atlas_address(args.rows, begin);
         const uint stop = min(end, last);

@@ -4,6 +4,7 @@
 
 #include "constants.h"
 #include "language.h"
+#include "own_face.h"
 
 FUNCTION float4 transform_point(const Matrix m, const float3 v) {
     return (m.x * v.x + m.y * v.y) + (m.z * v.z + m.w);

@@ -69,6 +69,14 @@
 /* Rounding in the depth buffer: a few units in the last place of a float just below 1. */
 #define LA_DEPTH_ROUNDING 2.4e-7f
 
+/* The same of nearness (1/w, or 1 - z of a parallel view), times w: what places on the screen and
+ * planes are rounded by. */
+#define LA_NEARNESS_ROUNDING 4.8e-7f
+
+/* In place of the number of a triangle, and of a patch: none. */
+#define LA_NO_NUMBER 0x7FFFFFFFu
+#define LA_NO_PATCH -1
+
 /* No probe touches a texel whose centre is farther than this many texels from its line: half a
  * pixel across, or for a single probe the clearance from a fold, and half a diagonal to the texel's
  * centre. */

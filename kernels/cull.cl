@@ -5,6 +5,7 @@
  * of its box lies behind everything that is there already (Greene et al. 1993). */
 
 #include "kernels.h"
+#include "screen_box.h"
 
 /* Whether the tiles under a rectangle of texels hold nothing as far away as `nearest`. */
 static bool tiles_hide(const float2 low, const float2 high, const float nearest,
@@ -23,36 +24,19 @@ static bool tiles_hide(const float2 low, const float2 high, const float nearest,
 KERNEL(cull, CullParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    const Matrix m = to_matrix(args.clip_from_world);
-    const float3 box_low = vload3(0, clusters[i].low);
-    const float3 box_high = vload3(0, clusters[i].high);
-    float3 low = INFINITY, high = -INFINITY; /* in normalised device coordinates */
-    int outside = 63;                        /* planes that all corners so far lie outside of */
-    bool before_near = false;
-    for (int corner = 0; corner < 8; ++corner) {
-        const float x = (corner & 1) != 0 ? box_high.x : box_low.x;
-        const float y = (corner & 2) != 0 ? box_high.y : box_low.y;
-        const float z = (corner & 4) != 0 ? box_high.z : box_low.z;
-        const float4 c = (m.x * x + m.y * y) + (m.z * z + m.w);
-        outside &= (c.x < -c.w ? 1 : 0) | (c.x > c.w ? 2 : 0) | (c.y < -c.w ? 4 : 0) |
-                   (c.y > c.w ? 8 : 0) | (c.z < -c.w ? 16 : 0) | (c.z > c.w ? 32 : 0);
-        before_near = before_near || c.z < -c.w || c.w <= 0.0f;
-        const float3 n = xyz(c) / c.w;
-        low = fmin(low, n);
-        high = fmax(high, n);
-    }
-    if (outside != 0) {
+    const ScreenBox box = box_on_screen(to_matrix(args.clip_from_world), &clusters[i]);
+    if (box.is_outside) {
         visible[i] = 0;
         return;
     }
-    if (before_near) { /* its corners don't bound it on the screen */
+    if (box.before_near) { /* its corners don't bound it on the screen */
         visible[i] = 1;
         return;
     }
     const float2 size = convert_float2(to_int2(args.depth_size));
     /* One texel to spare for the rasteriser's grid. */
-    const float2 first = (xy(low) * 0.5f + 0.5f) * size - 1.0f;
-    const float2 last = (xy(high) * 0.5f + 0.5f) * size + 1.0f;
-    const float nearest = low.z * 0.5f + 0.5f - 4.0f * LA_DEPTH_ROUNDING;
+    const float2 first = (xy(box.low) * 0.5f + 0.5f) * size - 1.0f;
+    const float2 last = (xy(box.high) * 0.5f + 0.5f) * size + 1.0f;
+    const float nearest = box.low.z * 0.5f + 0.5f - 4.0f * LA_DEPTH_ROUNDING;
     visible[i] = tiles_hide(first, last, nearest, tiles, to_int2(args.tile_count)) ? 0 : 1;
 }

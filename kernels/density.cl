@@ -27,22 +27,19 @@ static float chance(uint x) {
 }
 
 /* Priority of a line in 1/LA_BIN_STEPS of a bin. Paths of 1,000 pixels and more count as long.
- * Edges of silhouettes are no paths in the table, though they are parts of long lines: all are
- * alike, or outlines would fall to pieces. */
+ * Chains of silhouettes come and go, and share and part: chance takes all of them alike, or they
+ * would flash up. */
 static uint priority_of(__global const Segment* segments, __global const uint* arcs, const uint i,
                         const Density density) {
     const uint kind = segments[i].tag & LA_TAG_KIND_MASK;
     const float weights[LA_KIND_COUNT] = {
         density.priority[0], density.priority[1], density.priority[2], density.priority[3],
         density.priority[4], density.priority[5], density.priority[6], density.priority[7]};
-    float length = 1.0f, tie = 0.5f;
-    if (kind != LA_KIND_SILHOUETTE) {
-        const uint first = i - segments[i].from_start;
-        const uint units = arcs[i + segments[i].to_end + 1] - arcs[first];
-        const float pixels = (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL);
-        length = fmin(rough_log2(1.0f + pixels * 0.0625f) * (1.0f / 6.0f), 1.0f);
-        tie = chance(segments[i].path);
-    }
+    const uint first = i - segments[i].from_start;
+    const uint units = arcs[i + segments[i].to_end + 1] - arcs[first];
+    const float pixels = (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL);
+    const float length = fmin(rough_log2(1.0f + pixels * 0.0625f) * (1.0f / 6.0f), 1.0f);
+    const float tie = kind == LA_KIND_SILHOUETTE ? 0.5f : chance(segments[i].path);
     const float priority =
         (LA_PRIORITY_KIND * clamp(weights[kind], 0.0f, 1.0f) + LA_PRIORITY_LENGTH * length) +
         LA_PRIORITY_CHANCE * tie;

@@ -9,10 +9,12 @@
  * belongs to one of them.
  *
  * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
- * once, and texels that are filled, 1 on GPUs. */
+ * once, and texels that are filled, 1 on GPUs. NUMBERED: each texel gets the number of the triangle
+ * it shows, too. */
 
 #define LANES DEPTH_LANES
 #include "depth_triangle.h"
+#include "screen_box.h"
 
 /* Whether the cluster can be seen, and where. */
 KERNEL(depth_bin, DepthParameters) {
@@ -20,37 +22,20 @@ KERNEL(depth_bin, DepthParameters) {
     if (i >= args.count) return;
     seen[i] = 0;
     places[i].key = LA_OUT_OF_VIEW;
-    const Matrix m = to_matrix(args.clip_from_world);
-    const float3 box_low = vload3(0, clusters[i].low);
-    const float3 box_high = vload3(0, clusters[i].high);
-    float3 low = INFINITY, high = -INFINITY; /* in normalised device coordinates */
-    int outside = 63;                        /* planes that all corners so far lie outside of */
-    bool before_near = false;
-    for (int corner = 0; corner < 8; ++corner) {
-        const float x = (corner & 1) != 0 ? box_high.x : box_low.x;
-        const float y = (corner & 2) != 0 ? box_high.y : box_low.y;
-        const float z = (corner & 4) != 0 ? box_high.z : box_low.z;
-        const float4 c = (m.x * x + m.y * y) + (m.z * z + m.w);
-        outside &= (c.x < -c.w ? 1 : 0) | (c.x > c.w ? 2 : 0) | (c.y < -c.w ? 4 : 0) |
-                   (c.y > c.w ? 8 : 0) | (c.z < -c.w ? 16 : 0) | (c.z > c.w ? 32 : 0);
-        before_near = before_near || c.z < -c.w || c.w <= 0.0f;
-        const float3 n = xyz(c) / c.w;
-        low = fmin(low, n);
-        high = fmax(high, n);
-    }
-    if (outside != 0) return;
+    const ScreenBox box = box_on_screen(to_matrix(args.clip_from_world), &clusters[i]);
+    if (box.is_outside) return;
     const int2 size = to_int2(args.depth_size);
     const float2 last = convert_float2(size - 1);
     float2 from = 0.0f, to = last;
     float nearest = 0.0f;
-    if (!before_near) { /* else its corners don't bound it on the screen */
+    if (!box.before_near) { /* else its corners don't bound it on the screen */
         const float2 scale = convert_float2(to_int2(args.whole_size)) * 0.5f;
         const float2 origin = convert_float2(to_int2(args.origin));
         /* One texel to spare for the grid that corners are rounded to. */
-        from = fmax((xy(low) + 1.0f) * scale - (origin + 1.0f), from);
-        to = fmin((xy(high) + 1.0f) * scale - (origin - 1.0f), to);
+        from = fmax((xy(box.low) + 1.0f) * scale - (origin + 1.0f), from);
+        to = fmin((xy(box.high) + 1.0f) * scale - (origin - 1.0f), to);
         if (from.x > to.x || from.y > to.y) return;
-        nearest = fmax(low.z * 0.5f + 0.5f - PLANE_ROUNDING, 0.0f);
+        nearest = fmax(box.low.z * 0.5f + 0.5f - PLANE_ROUNDING, 0.0f);
     }
     places[i].low_x = int_of(from.x);
     places[i].low_y = int_of(from.y);
@@ -111,9 +96,10 @@ static uint touching(const Tile* tile, __global const int* boxes, const uint str
 static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
                       __global const int* boxes, __global const float* nearest,
                       __global const uint* order, const uint total,
-                      __global const Meshlet* meshlets, __global const uint* vertex_list,
-                      __global const uchar* corners, __global const float* vertices,
-                      __global const float* depth, __global uchar* seen) {
+                      __global const Cluster* clusters, __global const Meshlet* meshlets,
+                      __global const uint* vertex_list, __global const uchar* corners,
+                      __global const float* vertices, __global const float* depth,
+                      __global const uint* numbers, __global uchar* seen) {
     const int2 origin = to_int2(args->origin);
     const int2 corner = tile->low - origin; /* in `depth` */
     bool any = false;
@@ -127,7 +113,7 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
             if (!any) {
                 any = true;
                 clear_tile(tile);
-                if (args->begin > 0) load_tile(tile, depth, corner, args->depth_size.v[0]);
+                if (args->begin > 0) load_tile(tile, depth, numbers, corner, args->depth_size.v[0]);
             }
             const int4 box =
                 int4(max(boxes[k] - corner.x, 0), max(boxes[args->stride + k] - corner.y, 0),
@@ -136,7 +122,8 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
             if (!cluster_shows(tile, box, nearest[k])) continue;
             const uint cluster = order[k];
             seen[cluster] = 1;
-            draw_meshlet(view, tile, meshlets[cluster], vertex_list, corners, vertices);
+            draw_meshlet(view, tile, clusters[cluster].first, meshlets[cluster], vertex_list,
+                         corners, vertices);
         }
     }
     return any;
@@ -146,6 +133,9 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
  * seen[i]: 1 if cluster i was drawn anywhere. */
 KERNEL(depth_tiles, DepthParameters) {
     LOCAL_TABLE(float, texels, TILE_STRIDE* DEPTH_TILE);
+#ifdef NUMBERED
+    LOCAL_TABLE(int, texel_numbers, TILE_STRIDE* DEPTH_TILE);
+#endif
     const int2 tiles = to_int2(args.tiles), origin = to_int2(args.origin);
     const int2 depth_size = to_int2(args.depth_size), covered = to_int2(args.covered);
     const uint tile_count = (uint)(tiles.x * tiles.y);
@@ -154,17 +144,22 @@ KERNEL(depth_tiles, DepthParameters) {
     const View view = make_view(&args);
     Tile tile;
     tile.texels = texels;
+#ifdef NUMBERED
+    tile.numbers = texel_numbers;
+#else
+    tile.numbers = 0;
+#endif
     for (uint t = atomic_inc(next); t < tile_count; t = one_each ? tile_count : atomic_inc(next)) {
         const int2 place = int2((int)t % tiles.x, (int)t / tiles.x);
         const int2 corner = covered + int2(place.x * DEPTH_TILE, place.y * DEPTH_TILE);
         tile.low = corner + origin;
         tile.size = int2(min(depth_size.x - corner.x, DEPTH_TILE),
                          min(depth_size.y - corner.y, DEPTH_TILE));
-        const bool any = draw_tile(&args, &view, &tile, boxes, nearest, order, total[0], meshlets,
-                                   vertex_list, corners, vertices, depth, seen);
+        const bool any = draw_tile(&args, &view, &tile, boxes, nearest, order, total[0], clusters,
+                                   meshlets, vertex_list, corners, vertices, depth, numbers, seen);
         if (!any && args.begin > 0) continue; /* it was cleared before */
         if (!any) clear_tile(&tile);
-        store_tile(&tile, depth, corner, depth_size.x);
+        store_tile(&tile, depth, numbers, corner, depth_size.x);
         store_farthest(&tile, pyramid, corner, (depth_size.x + LA_TILE - 1) / LA_TILE);
     }
 }

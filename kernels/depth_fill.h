@@ -22,25 +22,34 @@ typedef struct DepthPlane {
     float z, x, y;
 } DepthPlane;
 
-/* LANES texels: the nearer of what is there and the triangle, where its edges let it. */
-static void fill_lanes(__local float* texels, const lanes_int outside, const lanes_float z) {
+/* LANES texels from the one at `at` on: the nearer of what is there and the triangle, where its
+ * edges let it. */
+static void fill_lanes(const Tile* tile, const int at, const int number, const lanes_int outside,
+                       const lanes_float z) {
+    __local float* texels = tile->texels + at;
     const lanes_float before = LOAD_LANES(texels);
     const lanes_int none = 0;
-    STORE_LANES(SELECT(before, z, (outside >= none) & (z < before)), texels);
+    const lanes_mask shows = (outside >= none) & (z < before);
+    STORE_LANES(SELECT(before, z, shows), texels);
+#ifdef NUMBERED
+    __local int* numbers = tile->numbers + at;
+    const lanes_int own = number, shown = LOAD_INTS(numbers);
+    STORE_LANES(SELECT(shown, own, shows), numbers);
+#endif
 }
 
-/* A triangle of at most `vectors` times LANES columns. */
-static void fill_narrow(__local float* texels, const int rows, const Edges* edges,
-                        const DepthPlane plane, const int vectors) {
+/* A triangle of at most `vectors` times LANES columns, from the texel at `at` on. */
+static void fill_narrow(const Tile* tile, const int at, const int number, const int rows,
+                        const Edges* edges, const DepthPlane plane, const int vectors) {
     for (int v = 0; v < vectors; ++v) {
         const lanes_int column = LANE_INDEX + v * LANES;
         lanes_int e0 = column * edges->a[0] + edges->c[0];
         lanes_int e1 = column * edges->a[1] + edges->c[1];
         lanes_int e2 = column * edges->a[2] + edges->c[2];
         const lanes_float z = TO_FLOAT(column) * plane.x + plane.z;
-        __local float* row = texels + v * LANES;
+        int row = at + v * LANES;
         for (int y = 0; y <= rows; ++y) {
-            fill_lanes(row, e0 | e1 | e2, z + (float)y * plane.y);
+            fill_lanes(tile, row, number, e0 | e1 | e2, z + (float)y * plane.y);
             e0 += edges->b[0];
             e1 += edges->b[1];
             e2 += edges->b[2];
@@ -51,8 +60,8 @@ static void fill_narrow(__local float* texels, const int rows, const Edges* edge
 
 /* A wider one: `texels` begin a vector. Where each row begins and ends is found for LANES rows at
  * once, in floats and a little too wide; the edges decide. */
-static void fill_wide(__local float* texels, const int columns, const int rows, const Edges* edges,
-                      const DepthPlane plane) {
+static void fill_wide(const Tile* tile, const int at, const int number, const int columns,
+                      const int rows, const Edges* edges, const DepthPlane plane) {
     const float none = 0.0f, far = 1e6f;
     float left_slope[3], left[3], right_slope[3], right[3];
     for (int k = 0; k < 3; ++k) {
@@ -79,7 +88,7 @@ static void fill_wide(__local float* texels, const int columns, const int rows, 
         for (int i = 0; i <= last; ++i) {
             const int row = first + i, start = begins[i], stop = ends[i];
             if (start > stop) continue;
-            __local float* to = texels + row * TILE_STRIDE;
+            const int to = at + row * TILE_STRIDE;
             const lanes_int column = LANE_INDEX + start;
             lanes_int e0 = column * edges->a[0] + (edges->c[0] + edges->b[0] * row);
             lanes_int e1 = column * edges->a[1] + (edges->c[1] + edges->b[1] * row);
@@ -89,7 +98,7 @@ static void fill_wide(__local float* texels, const int columns, const int rows, 
             const float z = plane.z + plane.y * (float)row;
             lanes_float across = TO_FLOAT(column);
             for (int x = start; x <= stop; x += LANES) {
-                fill_lanes(to + x, e0 | e1 | e2, across * plane.x + z);
+                fill_lanes(tile, to + x, number, e0 | e1 | e2, across * plane.x + z);
                 e0 += step0;
                 e1 += step1;
                 e2 += step2;
@@ -137,7 +146,8 @@ static float cross_of(const float* a, const float* b) {
 }
 
 /* A triangle of any size, of corners in texels of the whole picture and window depth. */
-static void fill_large(Tile* tile, const float3 a, const float3 b, const float3 c) {
+static void fill_large(Tile* tile, const int number, const float3 a, const float3 b,
+                       const float3 c) {
     const float3 given[3] = {a, b, c};
     const long low_x = (long)tile->low.x * GRID, low_y = (long)tile->low.y * GRID;
     long grid_x[3], grid_y[3];
@@ -195,7 +205,7 @@ static void fill_large(Tile* tile, const float3 a, const float3 b, const float3 
             /* Lanes beyond the last column are filled too, so edges are right there as well. */
             if (!edges_in_box(&t, start, columns | (LANES - 1), rows, &edges)) continue;
             const DepthPlane plane = {at_start, z_x, z_y};
-            fill_wide(tile->texels + start.y * TILE_STRIDE + start.x, columns, rows, &edges, plane);
+            fill_wide(tile, start.y * TILE_STRIDE + start.x, number, columns, rows, &edges, plane);
         }
     }
 }

@@ -36,7 +36,8 @@ typedef struct DepthParameters {
     in(ClusterPlace, places) out(int, boxes) out(float, nearest) out(uint, order) out(uint, total)
 #define depth_tiles_tables(in, out, inout, unordered) \
     in(int, boxes) in(float, nearest) in(uint, order) in(uint, total) \
-    in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) in(float, vertices) \
-    unordered(uint, next) inout(float, depth) inout(float, pyramid) inout(uchar, seen)
+    in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
+    in(float, vertices) unordered(uint, next) inout(float, depth) inout(uint, numbers) \
+    inout(float, pyramid) inout(uchar, seen)
 /* clang-format on */
 #endif

@@ -10,8 +10,9 @@
 
 typedef struct Tile {
     __local float* texels;
-    int2 low;  /* its first texel in the whole picture */
-    int2 size; /* texels of the picture that it has */
+    __local int* numbers; /* NUMBERED: of the triangle that each texel shows */
+    int2 low;             /* its first texel in the whole picture */
+    int2 size;            /* texels of the picture that it has */
     /* Of each block the farthest depth, or something farther while it is stale. */
     float farthest[TILE_BLOCKS * TILE_BLOCKS];
     uchar stale[TILE_BLOCKS * TILE_BLOCKS];
@@ -20,6 +21,9 @@ typedef struct Tile {
 /* Texels that the picture has not hide all and never change what is farthest. */
 static void clear_tile(Tile* tile) {
     for (int i = 0; i < TILE_STRIDE * DEPTH_TILE; ++i) tile->texels[i] = 1.0f;
+#ifdef NUMBERED
+    for (int i = 0; i < TILE_STRIDE * DEPTH_TILE; ++i) tile->numbers[i] = (int)LA_NO_FACE;
+#endif
     if (tile->size.x < DEPTH_TILE || tile->size.y < DEPTH_TILE) {
         for (int y = 0; y < DEPTH_TILE; ++y) {
             for (int x = y < tile->size.y ? tile->size.x : 0; x < DEPTH_TILE; ++x)
@@ -33,20 +37,32 @@ static void clear_tile(Tile* tile) {
 }
 
 /* corner: of the tile in `depth`; width: of `depth`. */
-static void load_tile(Tile* tile, __global const float* depth, const int2 corner, const int width) {
+static void load_tile(Tile* tile, __global const float* depth, __global const uint* numbers,
+                      const int2 corner, const int width) {
     for (int y = 0; y < tile->size.y; ++y) {
-        __global const float* from = depth + (size_t)(corner.y + y) * (size_t)width + corner.x;
-        for (int x = 0; x < tile->size.x; ++x) tile->texels[y * TILE_STRIDE + x] = from[x];
+        const size_t row = (size_t)(corner.y + y) * (size_t)width + (size_t)corner.x;
+        for (int x = 0; x < tile->size.x; ++x) {
+            tile->texels[y * TILE_STRIDE + x] = depth[row + (size_t)x];
+#ifdef NUMBERED
+            tile->numbers[y * TILE_STRIDE + x] = (int)numbers[row + (size_t)x];
+#endif
+        }
     }
     for (int i = 0; i < TILE_BLOCKS * TILE_BLOCKS; ++i) tile->stale[i] = 1;
 }
 
-static void store_tile(const Tile* tile, __global float* depth, const int2 corner,
-                       const int width) {
+static void store_tile(const Tile* tile, __global float* depth, __global uint* numbers,
+                       const int2 corner, const int width) {
     for (int y = 0; y < tile->size.y; ++y) {
-        __global float* to = depth + (size_t)(corner.y + y) * (size_t)width + corner.x;
+        const size_t row = (size_t)(corner.y + y) * (size_t)width + (size_t)corner.x;
+        __global float* to = depth + row;
         __local const float* from = tile->texels + y * TILE_STRIDE;
         for (int x = 0; x < tile->size.x; ++x) to[x] = from[x];
+#ifdef NUMBERED
+        __global uint* to_numbers = numbers + row;
+        __local const int* from_numbers = tile->numbers + y * TILE_STRIDE;
+        for (int x = 0; x < tile->size.x; ++x) to_numbers[x] = (uint)from_numbers[x];
+#endif
     }
 }
 

@@ -149,7 +149,7 @@ static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
     STORE_LANES(last_y - first_y, batch->rows);
 }
 
-static void fill(Tile* tile, const Batch* batch, const uint i) {
+static void fill(Tile* tile, const int number, const Batch* batch, const uint i) {
     const int x = batch->x[i], y = batch->y[i];
     const int columns = batch->columns[i], rows = batch->rows[i];
     if (!triangle_shows(tile, int4(x, y, x + columns, y + rows), batch->nearest[i])) return;
@@ -160,17 +160,17 @@ static void fill(Tile* tile, const Batch* batch, const uint i) {
         edges.c[k] = batch->c[k][i];
     }
     const DepthPlane plane = {batch->z[i], batch->z_x[i], batch->z_y[i]};
-    __local float* texels = tile->texels + y * TILE_STRIDE + x;
+    const int at = y * TILE_STRIDE + x;
     if (columns < LANES)
-        fill_narrow(texels, rows, &edges, plane, 1);
+        fill_narrow(tile, at, number, rows, &edges, plane, 1);
     else if (columns < 2 * LANES)
-        fill_narrow(texels, rows, &edges, plane, 2);
+        fill_narrow(tile, at, number, rows, &edges, plane, 2);
     else
-        fill_wide(texels, columns, rows, &edges, plane);
+        fill_wide(tile, at, number, columns, rows, &edges, plane);
 }
 
-static void draw_clipped(const View* view, Tile* tile, const float3 a, const float3 b,
-                         const float3 c) {
+static void draw_clipped(const View* view, Tile* tile, const int number, const float3 a,
+                         const float3 b, const float3 c) {
     const Matrix m = view->m;
     float4 corner[MOST_CORNERS];
     corner[0] = (m.x * a.x + m.y * a.y) + (m.z * a.z + m.w);
@@ -183,10 +183,11 @@ static void draw_clipped(const View* view, Tile* tile, const float3 a, const flo
         place[i] = float3(n.x * view->half_size.x + view->shift.x,
                           n.y * view->half_size.y + view->shift.y, n.z * 0.5f + 0.5f);
     }
-    for (int i = 2; i < count; ++i) fill_large(tile, place[0], place[i - 1], place[i]);
+    for (int i = 2; i < count; ++i) fill_large(tile, number, place[0], place[i - 1], place[i]);
 }
 
-static void draw_meshlet(const View* view, Tile* tile, const Meshlet meshlet,
+/* number: of its first triangle. */
+static void draw_meshlet(const View* view, Tile* tile, const uint number, const Meshlet meshlet,
                          __global const uint* vertex_list, __global const uchar* corners,
                          __global const float* vertices) {
     Places places;
@@ -206,17 +207,19 @@ static void draw_meshlet(const View* view, Tile* tile, const Meshlet meshlet,
         Batch batch;
         set_up(tile, x, y, z, (int)(meshlet.triangle_count - first), &batch);
         for (uint bits = batch.to_fill; bits != 0; bits &= bits - 1u)
-            fill(tile, &batch, lowest_bit(bits));
+            fill(tile, (int)(number + first + lowest_bit(bits)), &batch, lowest_bit(bits));
         for (uint bits = batch.large; bits != 0; bits &= bits - 1u) {
             __global const uchar* at = own + lowest_bit(bits);
             const uint i = at[0], j = at[row], k = at[2u * row];
-            fill_large(tile, float3(places.x[i], places.y[i], places.z[i]),
+            fill_large(tile, (int)(number + first + lowest_bit(bits)),
+                       float3(places.x[i], places.y[i], places.z[i]),
                        float3(places.x[j], places.y[j], places.z[j]),
                        float3(places.x[k], places.y[k], places.z[k]));
         }
         for (uint bits = batch.clipped; bits != 0; bits &= bits - 1u) {
             __global const uchar* at = own + lowest_bit(bits);
-            draw_clipped(view, tile, vload3(list[at[0]], vertices), vload3(list[at[row]], vertices),
+            draw_clipped(view, tile, (int)(number + first + lowest_bit(bits)),
+                         vload3(list[at[0]], vertices), vload3(list[at[row]], vertices),
                          vload3(list[at[2u * row]], vertices));
         }
     }

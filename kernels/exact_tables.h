@@ -52,7 +52,33 @@ typedef struct ExactParameters {
     la_uint chunk;    /* triangles per work-item of tile_lists */
     la_uint chunks;
     la_uint entry_capacity, group_capacity, span_capacity;
+    /* 1: the clipped segments are the two ways beside each segment, see outline_push; all that is
+     * over them hides them. 0: they are the segments. */
+    la_uint beside;
 } ExactParameters;
+
+typedef struct OutlineParameters {
+    la_uint count; /* segments */
+    la_vec2 viewport;
+    float reach;      /* pixels from a line to the place beside it */
+    la_uint parallel; /* 1: a parallel view */
+} OutlineParameters;
+
+typedef struct OutlineSamplesParameters {
+    la_uint count; /* segments */
+    la_vec2 viewport;
+    float reach; /* as in OutlineParameters */
+    la_ivec2 depth_size;
+    float depth_scale; /* depth texels per pixel */
+    la_uint sample_capacity;
+    la_uint part_capacity;
+} OutlineSamplesParameters;
+
+typedef struct PensParameters {
+    la_uint sides; /* lists of parts per segment; 0: nothing is outline, and none are read */
+    la_uint first; /* segment that is a silhouette, of the candidate that `origins` says */
+    la_uint run_capacity, drawn_capacity;
+} PensParameters;
 
 /* SpansParameters.wanted, a sum of: */
 #define LA_WANTS_VISIBLE 1u
@@ -107,6 +133,22 @@ typedef struct SpansParameters {
 #define spans_intervals_tables(in, out, inout, unordered) \
     FRAME_TABLES(in) in(float, vertices) in(uint, span_offsets) in(float, spans) \
     in(uint, block_offsets) out(Interval, intervals) out(uint, interval_total)
+
+#define outline_push_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) in(uint, span_offsets) \
+    inout(ClippedSegment, pushed)
+#define outline_samples_count_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \
+    out(uint, counts)
+#define outline_samples_write_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \
+    in(uint, part_offsets) out(float, parts)
+#define pens_count_tables(in, out, inout, unordered) \
+    in(Run, runs) in(FrameRecord, record) in(uint, segment_pens) in(uint, origins) \
+    in(uint, part_offsets) in(float, parts) out(uint, counts)
+#define pens_write_tables(in, out, inout, unordered) \
+    in(Run, runs) in(FrameRecord, record) in(uint, segment_pens) in(uint, origins) \
+    in(uint, part_offsets) in(float, parts) in(uint, run_offsets) out(Run, drawn) out(FrameRecord, drawn_record)
 
 /* clang-format on */
 #endif

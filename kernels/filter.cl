@@ -25,9 +25,6 @@ typedef struct Work {
     AtlasRows rows;
     uint first, last; /* segments of the path */
     uint first_run, last_run;
-    /* The path is an edge of a silhouette, each of which is a path of its own but a part of a
-     * longer line. */
-    bool is_outline;
     bool seam;   /* the path is closed, and drawn where its last segment meets its first */
     bool joined; /* and visible there */
     float
@@ -103,9 +100,8 @@ static Stroke run_interval(const Work* work, const uint r) {
 }
 
 /* Whether a stroke may go on beyond an end, so that nobody knows how long it is. */
-static bool is_cut_off(const Work* work, const uint kind) {
-    return kind == LA_END_CLIPPED || kind == LA_END_JOIN ||
-           (kind == LA_END_PATH && work->is_outline);
+static bool is_cut_off(const uint kind) {
+    return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
 }
 
 /* Whether the path is drawn all the way between two of its segments. */
@@ -362,13 +358,13 @@ static void emit(Work* work, const Stroke interval, const StrokeFilter filter) {
     float shortest = SHORTEST;
     while (cut.x < end && cut.y > cut.x) {
         shortest = fmax(filter.drop, SHORTEST);
-        if (is_cut_off(work, start_kind) || cut.x - start >= shortest)
+        if (is_cut_off(start_kind) || cut.x - start >= shortest)
             emit_piece(work, i, start, cut.x, start_kind, LA_END_HIDDEN);
         start = cut.y;
         start_kind = LA_END_HIDDEN;
         cut = next_cut(work, interval, start);
     }
-    if (is_cut_off(work, end_kind) || end - start >= shortest)
+    if (is_cut_off(end_kind) || end - start >= shortest)
         emit_piece(work, i, start, end, start_kind, end_kind);
 }
 
@@ -388,7 +384,6 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
     filter.overshoot *=
         1.0f - filter.overshoot_variation * path_share(frame.segments[work->first].path);
     work->half_length = arc_pixels(frame.arcs[work->last + 1] - frame.arcs[work->first]) * 0.5f;
-    work->is_outline = (tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE && (tag & LA_TAG_LONE) == 0;
     work->seam = (tag & LA_TAG_CLOSED) != 0 && frame.clipped[work->last].t1 >= 1.0f &&
                  frame.clipped[work->first].t0 <= 0.0f &&
                  frame.arcs[work->last + 1] != frame.arcs[work->last] &&
@@ -433,7 +428,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
             }
         }
         if (has_current) {
-            if (is_cut_off(work, current.start_kind) || is_cut_off(work, current.end_kind) ||
+            if (is_cut_off(current.start_kind) || is_cut_off(current.end_kind) ||
                 current.end - current.start >= filter.drop) {
                 set_overshoot(work, &current, filter.overshoot);
                 const float grow =

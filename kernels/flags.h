@@ -41,6 +41,8 @@
 #define LA_RUN_SOLID 0x8000u /* visible all along: the atlas has no samples of it */
 #define LA_RUN_BIN_SHIFT 16u /* priority of the line, in 1/LA_BIN_STEPS of a bin, see `density` */
 #define LA_RUN_BIN_MASK 0xFFu
+#define LA_RUN_PEN_SHIFT 24u /* which pen draws it, see `pens` */
+#define LA_RUN_PEN_MASK 0xFFu
 
 /* Interval.flags: whether it is visible, what either end is (LA_END_CLIPPED, JOIN, ROUND, HIDDEN:
  * visibility changes, or PATH), and between what visibility changes there; whether it was cut and

@@ -218,11 +218,12 @@ KERNEL(intervals_refine, IntervalsParameters) {
     __global Interval* interval = intervals + k;
     const uint i = interval->segment;
     const Frame frame = {segments, clipped, offsets, arcs, to_float2(args.viewport), 0.0f};
-    const Depth seen = {depth, to_int2(args.depth_size), args.depth_scale, args.tolerance};
+    const Depth seen =
+        make_depth(depth, to_int2(args.depth_size), int2(0, 0), frame.viewport, args.depth_scale,
+                   args.tolerance, args.surfaces, numbers, planes, patches);
     const uint l = max(offsets[i + 1] - offsets[i], 1u);
-    const Line line = {spine_of(clipped + i, frame.viewport, args.depth_scale), (float)l,
-                       1.0f / (float)l, (float)l / arc_pixels(arcs[i + 1] - arcs[i]),
-                       least_shown(frame, i)};
+    const Line line = {spine_of(clipped + i, frame.viewport, seen), (float)l, 1.0f / (float)l,
+                       (float)l / arc_pixels(arcs[i + 1] - arcs[i]), least_shown(frame, i)};
     const bool visible = (interval->flags & LA_INTERVAL_VISIBLE) != 0;
     const uint start_change = interval->flags >> LA_INTERVAL_START_CHANGE_SHIFT & LA_CHANGE_MASK;
     const uint end_change = interval->flags >> LA_INTERVAL_END_CHANGE_SHIFT & LA_CHANGE_MASK;

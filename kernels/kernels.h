@@ -77,10 +77,12 @@ typedef struct ProjectClipParameters {
     la_ivec2 tile_count;
     float depth_scale; /* depth texels per pixel */
     float tolerance;   /* window depth that may stand before a line, times w */
+    la_uint numbered;  /* 1: own faces are numbers, for probes that know surfaces */
 } ProjectClipParameters;
 #define project_clip_tables(in, out, inout, unordered) \
     in(Segment, segments) in(float, vertices) in(uint, triangles) in(uchar, front) \
-    in(float, tiles) out(ClippedSegment, clipped) out(uint, counts) out(uint, arcs)
+    in(float, tiles) in(uint, numbers) out(ClippedSegment, clipped) out(uint, counts) \
+    out(uint, arcs)
 
 typedef struct ScanParameters {
     la_uint n;     /* values; tiles of `scan_tiles_sums` */
@@ -92,18 +94,39 @@ typedef struct ScanParameters {
 #define scan_tiles_sums_tables(in, out, inout, unordered) inout(uint, sums)
 #define scan_tiles_apply_tables(in, out, inout, unordered) inout(uint, values) in(uint, sums)
 
+/* What a probe must know of a view to judge surfaces by their planes; see spine.h. */
+typedef struct SurfaceParameters {
+    la_uint known;    /* 0: nothing is known but depth, and the tables are not read */
+    la_uint parallel; /* 1: of a parallel view */
+    float bend;       /* nearness by which a line's own patch may stand before it, times w */
+} SurfaceParameters;
+#define SURFACE_TABLES(in) in(uint, numbers) in(float, planes) in(uint, patches)
+
+typedef struct PlanesParameters {
+    la_uint count; /* clusters */
+    /* A point of the world, homogeneous, from its place on the screen (-1 to 1), 1 and nearness. */
+    la_mat4 world_from_screen;
+    float contact;       /* what is nearer to a plane than this touches it; world units */
+    la_uint only_seen;   /* 1: of clusters that `seen` names; the others keep what they had */
+} PlanesParameters;
+#define planes_tables(in, out, inout, unordered) \
+    in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
+    in(float, vertices) in(uchar, seen) inout(float, planes)
+
 typedef struct AtlasParameters {
     la_uint count; /* segments */
     la_ivec2 depth_size;
     la_vec2 viewport;
     float depth_scale, tolerance; /* as in ProjectClipParameters */
+    SurfaceParameters surfaces;
     AtlasRows rows;
     la_uint block;   /* samples per work-item */
     la_ivec2 origin; /* TILED: the first texel of `depth` in the whole */
     la_ivec4 core;   /* TILED: samples in these texels, from xy up to, without, zw, are computed */
 } AtlasParameters;
 #define atlas_tables(in, out, inout, unordered) \
-    in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) out(uchar, alpha)
+    in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) SURFACE_TABLES(in) \
+    out(uchar, alpha)
 
 /* TemporalParameters.history: what the frame before is good for. */
 #define LA_HISTORY_NONE 0u   /* only remember the ranges */
@@ -115,10 +138,11 @@ typedef struct TemporalParameters {
     AtlasRows rows;
     la_uint block;   /* segments per work-item */
     la_uint history; /* LA_HISTORY_* */
+    la_uint first;   /* segment that `chain` has placed; they stand where they do in this frame */
 } TemporalParameters;
 #define temporal_tables(in, out, inout, unordered) \
     in(ClippedSegment, clipped) in(uint, offsets) in(uint, offsets_before) in(uchar, before) \
-    inout(uint, ranges) inout(uchar, alpha)
+    in(uint, origins) in(uint, positions_before) inout(uint, ranges) inout(uchar, alpha)
 
 typedef struct CompactParameters {
     la_uint count; /* segments */
@@ -194,6 +218,7 @@ typedef struct IntervalsParameters {
     la_uint interval_capacity;
     la_ivec2 depth_size;
     float depth_scale, tolerance; /* as in ProjectClipParameters */
+    SurfaceParameters surfaces;
 } IntervalsParameters;
 #define intervals_count_tables(in, out, inout, unordered) \
     FRAME_TABLES(in) in(uchar, alpha) out(uint, counts)
@@ -201,26 +226,33 @@ typedef struct IntervalsParameters {
     FRAME_TABLES(in) in(uchar, alpha) in(uint, block_offsets) out(Interval, intervals) \
     out(uint, interval_total)
 #define intervals_refine_tables(in, out, inout, unordered) \
-    FRAME_TABLES(in) in(float, vertices) in(float, depth) inout(Interval, intervals) \
-    in(uint, interval_total)
+    FRAME_TABLES(in) in(float, vertices) in(float, depth) SURFACE_TABLES(in) \
+    inout(Interval, intervals) in(uint, interval_total)
 
+#include "chain_tables.h"
 #include "depth_tables.h"
 #include "exact_tables.h"
 
 /* All of them, in the order of a frame: the stage that the kernel belongs to, which names its file,
  * the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE; `of_tiles`:
- * those of them that need local memory and barriers; `of_probes`: one for each PROBES_PER_AXIS,
- * with TILED and without. */
-#define LA_KERNELS(kernel, of_sums, of_tiles, of_probes) \
+ * those of them that need local memory and barriers; `of_numbers`: without NUMBERED and with it;
+ * `of_probes`: one for each PROBES_PER_AXIS, with TILED and without. */
+#define LA_KERNELS(kernel, of_sums, of_tiles, of_numbers, of_probes) \
     kernel(transform, transform_bounds, CountParameters) \
     kernel(transform, transform, CountParameters) \
     kernel(transform, transform_boxes, CountParameters) \
     kernel(depth, depth_bin, DepthParameters) \
     kernel(depth, depth_order, DepthParameters) \
-    kernel(depth, depth_tiles, DepthParameters) \
+    of_numbers(depth, depth_tiles, DepthParameters) \
+    kernel(planes, planes, PlanesParameters) \
     kernel(pyramid, pyramid, PyramidParameters) \
     kernel(cull, cull, CullParameters) \
     kernel(facing, facing, FacingParameters) \
+    kernel(silhouette, silhouette, SilhouetteParameters) \
+    kernel(chain, chain_link, ChainParameters) \
+    kernel(chain, chain_jump, ChainParameters) \
+    kernel(chain, chain_place, ChainParameters) \
+    kernel(chain, chain_write, ChainParameters) \
     kernel(project_clip, project_clip, ProjectClipParameters) \
     of_sums(scan, scan_chunks_reduce, ScanParameters) \
     of_sums(scan, scan_chunks_apply, ScanParameters) \
@@ -256,7 +288,12 @@ typedef struct IntervalsParameters {
     kernel(density, density_lines, DensityParameters) \
     kernel(density, density_smooth, DensityParameters) \
     kernel(density, density_weights, DensityParameters) \
-    kernel(density, density_excess, DensityParameters)
+    kernel(density, density_excess, DensityParameters) \
+    kernel(outline, outline_push, OutlineParameters) \
+    kernel(outline, outline_samples_count, OutlineSamplesParameters) \
+    kernel(outline, outline_samples_write, OutlineSamplesParameters) \
+    kernel(pens, pens_count, PensParameters) \
+    kernel(pens, pens_write, PensParameters)
 
 /* clang-format on */
 #endif

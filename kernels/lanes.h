@@ -17,6 +17,8 @@
 #undef LOAD_LANES
 #undef STORE_LANES
 #undef GATHER_LANES
+#undef GATHER_INTS
+#undef SQUARE_ROOT
 #undef ANY
 #undef COUNT
 #undef LANE_BITS
@@ -36,6 +38,8 @@ typedef int lanes_mask;
 #define LOAD_LANES(from) (*(from))
 #define STORE_LANES(mask, to) (*(to) = (mask))
 #define GATHER_LANES(from, i) ((from)[i])
+#define GATHER_INTS(from, i) ((int)(from)[i])
+#define SQUARE_ROOT(x) sqrt(x)
 #define ANY(mask) ((mask) != 0)
 #define COUNT(mask) ((mask)&1)
 #define LANE_BITS(mask) ((uint)((mask)&1))
@@ -69,6 +73,7 @@ typedef LANES_TYPE(int, LANES) lanes_mask;
 #define LOAD_BYTES(from) LANES_TYPE(convert_int, LANES)(LANES_TYPE(vload, LANES)(0, from))
 #define LOAD_INTS(from) LOAD_BYTES(from)
 #define SELECT(a, b, mask) select(a, b, mask)
+#define SQUARE_ROOT(x) sqrt(x)
 static uint bits_of_four(const int4 bits) {
     return (uint)((bits.x | bits.y) | (bits.z | bits.w));
 }
@@ -92,6 +97,8 @@ static uint lane_bits(const int16 mask) {
 #if LANES == 4
 #define LANE_INDEX (int4)(0, 1, 2, 3)
 #define GATHER_LANES(from, i) (float4)((from)[i.x], (from)[i.y], (from)[i.z], (from)[i.w])
+#define GATHER_INTS(from, i)                                                                       \
+    (int4)((int)(from)[i.x], (int)(from)[i.y], (int)(from)[i.z], (int)(from)[i.w])
 static int count_lanes(const int4 mask) {
     const int4 ones = mask & 1;
     return ones.x + ones.y + ones.z + ones.w;
@@ -104,6 +111,9 @@ static float largest_lane(const float4 x) {
 #define GATHER_LANES(from, i)                                                                      \
     (float8)((from)[i.s0], (from)[i.s1], (from)[i.s2], (from)[i.s3], (from)[i.s4], (from)[i.s5],   \
              (from)[i.s6], (from)[i.s7])
+#define GATHER_INTS(from, i)                                                                       \
+    (int8)((int)(from)[i.s0], (int)(from)[i.s1], (int)(from)[i.s2], (int)(from)[i.s3],             \
+           (int)(from)[i.s4], (int)(from)[i.s5], (int)(from)[i.s6], (int)(from)[i.s7])
 static float largest_lane(const float8 x) {
     const float4 four = fmax(x.lo, x.hi);
     return fmax(fmax(four.x, four.y), fmax(four.z, four.w));
@@ -114,11 +124,20 @@ static float largest_lane(const float8 x) {
 #define GATHER_LANES(from, i)                                                                      \
     (float16)((from)[i.s0], (from)[i.s1], (from)[i.s2], (from)[i.s3], (from)[i.s4], (from)[i.s5],  \
               (from)[i.s6], (from)[i.s7], (from)[i.s8], 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f)
+#define GATHER_INTS(from, i)                                                                       \
+    (int16)((int)(from)[i.s0], (int)(from)[i.s1], (int)(from)[i.s2], (int)(from)[i.s3],            \
+            (int)(from)[i.s4], (int)(from)[i.s5], (int)(from)[i.s6], (int)(from)[i.s7],            \
+            (int)(from)[i.s8], 0, 0, 0, 0, 0, 0, 0)
 #else
 #define GATHER_LANES(from, i)                                                                      \
     (float16)((from)[i.s0], (from)[i.s1], (from)[i.s2], (from)[i.s3], (from)[i.s4], (from)[i.s5],  \
               (from)[i.s6], (from)[i.s7], (from)[i.s8], (from)[i.s9], (from)[i.sa], (from)[i.sb],  \
               (from)[i.sc], (from)[i.sd], (from)[i.se], (from)[i.sf])
+#define GATHER_INTS(from, i)                                                                       \
+    (int16)((int)(from)[i.s0], (int)(from)[i.s1], (int)(from)[i.s2], (int)(from)[i.s3],            \
+            (int)(from)[i.s4], (int)(from)[i.s5], (int)(from)[i.s6], (int)(from)[i.s7],            \
+            (int)(from)[i.s8], (int)(from)[i.s9], (int)(from)[i.sa], (int)(from)[i.sb],            \
+            (int)(from)[i.sc], (int)(from)[i.sd], (int)(from)[i.se], (int)(from)[i.sf])
 #endif
 static int count_lanes(const int16 mask) {
     const int16 ones = mask & 1;
@@ -142,7 +161,9 @@ typedef LanesOf<int, LANES> lanes_mask;
 #define FLOOR_TO_INT(x) floor_to_int_lanes(x)
 #define LOAD_LANES(from) load_lanes<lanes_float>(from)
 #define STORE_LANES(mask, to) store_lanes(mask, to)
-#define GATHER_LANES(from, i) gather_lanes<LANES_IN_USE>(from, i)
+#define GATHER_LANES(from, i) gather_lanes<LANES_IN_USE, float>(from, i)
+#define GATHER_INTS(from, i) gather_lanes<LANES_IN_USE, int>(from, i)
+#define SQUARE_ROOT(x) square_root(x)
 #define ANY(mask) any_lane(mask)
 #define COUNT(mask) count_true_lanes(mask)
 #define LANE_BITS(mask) lane_bits(mask)

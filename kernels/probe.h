@@ -9,7 +9,49 @@ typedef struct Depth {
     int2 size;
     float scale; /* texels per pixel */
     float tolerance;
+    /* What `planes` and the numbered form of `depth` leave, and what follows from the view. */
+    bool knows_surfaces, parallel;
+    float bend;
+    float2 screen_scale, screen_origin; /* from texels to places on the screen, -1 to 1 */
+    __global const uint* numbers;
+    __global const float* planes;
+    __global const uint* patches;
 } Depth;
+
+/* origin: the first texel in the whole. */
+static Depth make_depth(__global const float* texels, const int2 size, const int2 origin,
+                        const float2 viewport, const float scale, const float tolerance,
+                        const SurfaceParameters surfaces, __global const uint* numbers,
+                        __global const float* planes, __global const uint* patches) {
+    Depth depths;
+    depths.texels = texels;
+    depths.size = size;
+    depths.scale = scale;
+    depths.tolerance = tolerance;
+    depths.knows_surfaces = surfaces.known != 0;
+    depths.parallel = surfaces.parallel != 0;
+    depths.bend = surfaces.bend;
+    depths.screen_scale = float2(2.0f, 2.0f) / (viewport * scale);
+    depths.screen_origin = convert_float2(origin) * depths.screen_scale - 1.0f;
+    depths.numbers = numbers;
+    depths.planes = planes;
+    depths.patches = patches;
+    return depths;
+}
+
+static lanes_int number_at(const Depth depths, const lanes_int column, const lanes_int row) {
+    const lanes_int index = row * depths.size.x + column;
+    return GATHER_INTS(depths.numbers, index);
+}
+
+static lanes_float plane_at(const Depth depths, const lanes_int number, const int part) {
+    const lanes_int index = number * 4 + part;
+    return GATHER_LANES(depths.planes, index);
+}
+
+static lanes_int patch_at(const Depth depths, const lanes_int number) {
+    return GATHER_INTS(depths.patches, number);
+}
 
 static lanes_float depth_at(const Depth depths, const lanes_int column, const lanes_int row) {
     const lanes_int index = row * depths.size.x + column;
@@ -18,8 +60,17 @@ static lanes_float depth_at(const Depth depths, const lanes_int column, const la
 
 #include "spine.h"
 
+static int own_patch(const Depth depths, const int number) {
+    return number != (int)LA_NO_NUMBER ? (int)depths.patches[number] : LA_NO_PATCH;
+}
+
 static Spine spine_of(__global const ClippedSegment* segment, const float2 viewport,
-                      const float depth_scale) {
-    return make_spine(vload4(0, segment->p), vload4(0, segment->q), segment->own_a, segment->own_b,
-                      viewport, depth_scale);
+                      const Depth depths) {
+    Spine spine = make_spine(vload4(0, segment->p), vload4(0, segment->q), segment->own_a,
+                             segment->own_b, depths.knows_surfaces, viewport, depths.scale);
+    if (depths.knows_surfaces) {
+        spine.patch_a = own_patch(depths, spine.number_a);
+        spine.patch_b = own_patch(depths, spine.number_b);
+    }
+    return spine;
 }

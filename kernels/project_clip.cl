@@ -6,6 +6,7 @@
 #include "kernels.h"
 
 #include "clipping.h"
+#include "silhouette.h"
 
 /* describe_own_face() of a face that may be none. */
 static uint own_face(const uint face, const uint kind, const uint vertex_p, const uint vertex_q,
@@ -26,11 +27,6 @@ static uint own_face(const uint face, const uint kind, const uint vertex_p, cons
     const uint description = describe_own_face(a, b, c, corner, p, q, across, length_px,
                                                clip_from_world, world_from_clip, viewport);
     return kind == LA_KIND_INTERSECTION ? within_own_face(description) : description;
-}
-
-static bool is_silhouette(const uint face_a, const uint face_b, __global const uchar* front) {
-    const uchar flipped = (face_b & LA_FACE_FLIPPED) != 0 ? 1 : 0;
-    return front[face_a] != (front[face_b & LA_FACE_INDEX] ^ flipped);
 }
 
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
@@ -86,10 +82,15 @@ KERNEL(project_clip, ProjectClipParameters) {
         l = 0;
     }
     counts[i] = l;
+    const float outside = outside_of_fold(own_a, own_b);
+    const uint number_a =
+        args.numbered != 0 && face_a != LA_NO_FACE ? numbers[face_a & LA_FACE_INDEX] : LA_NO_NUMBER;
+    const uint number_b =
+        args.numbered != 0 && face_b != LA_NO_FACE ? numbers[face_b & LA_FACE_INDEX] : LA_NO_NUMBER;
     vstore4(cp, 0, clipped[i].p);
     vstore4(cq, 0, clipped[i].q);
     clipped[i].t0 = t0;
     clipped[i].t1 = t1;
-    clipped[i].own_a = own_a;
-    clipped[i].own_b = own_b;
+    clipped[i].own_a = args.numbered != 0 ? numbered_face(number_a, outside > 0.0f) : own_a;
+    clipped[i].own_b = args.numbered != 0 ? numbered_face(number_b, outside < 0.0f) : own_b;
 }

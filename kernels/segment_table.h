@@ -32,8 +32,8 @@ typedef struct Segment {
 typedef struct ClippedSegment {
     float p[4], q[4]; /* p', q': clipped end points in homogeneous clip space, w > 0 */
     float t0, t1;     /* clip parameters: p' lies at t0, q' at t1 of the segment; 0 and 1: whole */
-    la_uint own_a,
-        own_b; /* the two faces beside the line on the screen, see own_face in project_clip.cl */
+    la_uint own_a, own_b; /* the two faces beside the line on the screen, see own_face in
+                             project_clip.cl, or their numbers, see numbered_face in own_face.h */
 } ClippedSegment;
 
 /* A piece of the list of triangles with the box around it. */

@@ -1,6 +1,13 @@
 /* What a line's samples see of the depth buffer (§3.2, §4.3): what `atlas` and `intervals` share
  * with the atlas and spine passes. The file that includes it says first what lanes are, and what
- * Depth and depth_at(depths, column, row) are; included once by each, so there is no guard. */
+ * Depth is, with depth_at(depths, column, row) and, of what the triangles in it are,
+ * number_at(depths, column, row), plane_at(depths, number, part) and patch_at(depths, number);
+ * included once by each, so there is no guard.
+ *
+ * There are two rules. Where the depth buffer is known to be that of numbered triangles, what is
+ * seen is judged as the surface that it is (sees_past_surface). Else, as of a program's own depth,
+ * by depth alone (sees_past_depth). */
+#include "own_face.h"
 
 /* One of the two faces of a line, as describe_own_face() in clipping.h packs it. */
 struct OwnFace {
@@ -26,12 +33,15 @@ struct Spine {
     float depth_along;              /* window depth per pixel along it */
     OwnFace a, b;
     float outside; /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; else 0 */
+    /* Of its two faces, where those are known by number: that, and their smooth patches. */
+    int number_a, number_b, patch_a, patch_b;
 };
 LA_TYPEDEF(Spine)
 
-/* p, q: clipped ends in clip space; own_a, own_b: packed faces. */
+/* p, q: clipped ends in clip space; own_a, own_b: packed faces, or numbered ones: then their
+ * patches are for the caller to find. */
 FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, const uint own_b,
-                          const float2 viewport, const float depth_scale) {
+                          const bool numbered, const float2 viewport, const float depth_scale) {
     const float3 scale = float3(viewport * 0.5f, 0.5f);
     const float3 window_p = (xyz(p) / p.w + 1.0f) * scale;
     const float3 window_q = (xyz(q) / q.w + 1.0f) * scale;
@@ -47,12 +57,13 @@ FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, cons
     spine.inverse_w_d = 1.0f / q.w - 1.0f / p.w;
     spine.along = has_length ? xy(d) / length_px : float2(1.0f, 0.0f);
     spine.depth_along = has_length ? d.z / length_px : 0.0f;
-    spine.a = unpack_own_face(own_a);
-    spine.b = unpack_own_face(own_b);
-    const bool both_left = spine.a.height > 0.0f && spine.b.height > 0.0f;
-    const bool both_right = spine.a.height < 0.0f && spine.b.height < 0.0f;
-    const bool within = fmax(spine.a.height, spine.b.height) > LA_HEIGHT_LIMIT;
-    spine.outside = within ? 0.0f : both_left ? -1.0f : both_right ? 1.0f : 0.0f;
+    spine.a = unpack_own_face(numbered ? 0u : own_a);
+    spine.b = unpack_own_face(numbered ? 0u : own_b);
+    spine.number_a = int_of(own_a & LA_NO_NUMBER);
+    spine.number_b = int_of(own_b & LA_NO_NUMBER);
+    spine.patch_a = LA_NO_PATCH;
+    spine.patch_b = LA_NO_PATCH;
+    spine.outside = numbered ? outside_of_numbered(own_a, own_b) : outside_of_fold(own_a, own_b);
     return spine;
 }
 
@@ -71,21 +82,15 @@ FUNCTION lanes_mask is_own_face(const OwnFace face, const lanes_float seen,
     return on_side && in_reach && fabs(seen - expected) <= fmin(snap, before);
 }
 
-/* Which probes see the line: those at `side` pixels to the left of the point at share u of the
- * segment, where nothing in the depth buffer stands before it by more than the tolerance, or where
- * what stands there is one of the line's own two faces: their planes are known, so they need no
- * bias. Only lanes in `in_use` are of interest. */
-FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lanes_float side,
-                              const lanes_mask in_use, const Depth depths) {
+/* By depth: nothing there stands before the line by more than the tolerance, or what stands there
+ * is one of the line's own two faces: their planes are known, so they need no bias. x, y: the point
+ * of the line; column, row: the texel that is probed. */
+FUNCTION lanes_mask sees_past_depth(const Spine spine, const lanes_float u, const lanes_float x,
+                                    const lanes_float y, const lanes_int column,
+                                    const lanes_int row, const lanes_mask in_use,
+                                    const Depth depths) {
     const float inverse_scale = 1.0f / depths.scale;
     const float2 left = float2(-spine.along.y, spine.along.x);
-    const lanes_float x = spine.p.x + spine.d.x * u;
-    const lanes_float y = spine.p.y + spine.d.y * u;
-    const lanes_float side_texels = side * depths.scale;
-    /* Vectors on both sides: Oclgrind reads past a scalar beside a vector in min and max. */
-    const lanes_int none = 0, right = depths.size.x - 1, top = depths.size.y - 1;
-    const lanes_int column = min(max(FLOOR_TO_INT(x + left.x * side_texels), none), right);
-    const lanes_int row = min(max(FLOOR_TO_INT(y + left.y * side_texels), none), top);
     const lanes_float offset_x = (TO_FLOAT(column) + 0.5f - x) * inverse_scale;
     const lanes_float offset_y = (TO_FLOAT(row) + 0.5f - y) * inverse_scale;
     const lanes_float along = offset_x * spine.along.x + offset_y * spine.along.y;
@@ -101,6 +106,62 @@ FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lane
                is_own_face(spine.b, seen, across, before);
     }
     return sees && in_use;
+}
+
+/* By surface: what the texel shows hides the line unless it is one of the line's own faces, touches
+ * the line, does not stand before the probe, or is of the line's own smooth patch and bends into
+ * the way beside its outline. A face is judged by its plane, carried on from the texel to the
+ * probe: a texel's middle is not where the probe is. side_x, side_y: texels from the point of the
+ * line at (x, y) to the probe. */
+FUNCTION lanes_mask sees_past_surface(const Spine spine, const lanes_float u, const lanes_float x,
+                                      const lanes_float y, const lanes_float side_x,
+                                      const lanes_float side_y, const lanes_int column,
+                                      const lanes_int row, const lanes_mask in_use,
+                                      const Depth depths) {
+    const lanes_int none = 0;
+    const lanes_int number = number_at(depths, column, row);
+    lanes_mask sees = number < none || number == spine.number_a || number == spine.number_b;
+    if (ANY(!sees && in_use)) {
+        const lanes_int face = max(number, none);
+        const lanes_float plane_x = plane_at(depths, face, 0), plane_y = plane_at(depths, face, 1);
+        const lanes_float screen_x = x * depths.screen_scale.x + depths.screen_origin.x;
+        const lanes_float screen_y = y * depths.screen_scale.y + depths.screen_origin.y;
+        const lanes_float at_line =
+            (plane_x * screen_x + plane_y * screen_y) + plane_at(depths, face, 2);
+        const lanes_float beside =
+            plane_x * (side_x * depths.screen_scale.x) + plane_y * (side_y * depths.screen_scale.y);
+        const lanes_float inverse_w = spine.inverse_w_p + spine.inverse_w_d * u;
+        /* As `planes` has it: of a parallel view 1 - z. */
+        const lanes_float nearness =
+            depths.parallel ? 2.0f - 2.0f * (spine.depth_p + spine.depth_d * u) : inverse_w;
+        const lanes_float contact = (plane_at(depths, face, 3) + LA_NEARNESS_ROUNDING) * inverse_w;
+        const lanes_float before_line = at_line - nearness, before = before_line + beside;
+        sees = sees || fabs(before_line) < contact || !(before > contact);
+        const lanes_mask bends = before < inverse_w * depths.bend;
+        if (ANY(!sees && bends && in_use)) {
+            const lanes_int own = patch_at(depths, face);
+            sees = sees || (bends && (own == spine.patch_a || own == spine.patch_b));
+        }
+    }
+    return sees && in_use;
+}
+
+/* Which probes see the line: those at `side` pixels to the left of the point at share u of the
+ * segment. Only lanes in `in_use` are of interest. */
+FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lanes_float side,
+                              const lanes_mask in_use, const Depth depths) {
+    const lanes_float x = spine.p.x + spine.d.x * u;
+    const lanes_float y = spine.p.y + spine.d.y * u;
+    const lanes_float side_texels = side * depths.scale;
+    const lanes_float side_x = side_texels * -spine.along.y;
+    const lanes_float side_y = side_texels * spine.along.x;
+    /* Vectors on both sides: Oclgrind reads past a scalar beside a vector in min and max. */
+    const lanes_int none = 0, right = depths.size.x - 1, top = depths.size.y - 1;
+    const lanes_int column = min(max(FLOOR_TO_INT(x + side_x), none), right);
+    const lanes_int row = min(max(FLOOR_TO_INT(y + side_y), none), top);
+    if (depths.knows_surfaces)
+        return sees_past_surface(spine, u, x, y, side_x, side_y, column, row, in_use, depths);
+    return sees_past_depth(spine, u, x, y, column, row, in_use, depths);
 }
 
 /* The box of probes around a sample is one pixel wide across the line and one sample long along it

@@ -20,9 +20,29 @@ static uchar average(const uchar now, const float past, const uint history) {
     return (uchar)(past + change * LA_TEMPORAL_SHARE + 0.5f);
 }
 
+/* Where a segment stands in tables by segment. */
+typedef struct Places {
+    uint own;    /* in `ranges`: silhouettes keep theirs, whatever their place in a chain */
+    uint before; /* in the frame before */
+    bool there;  /* it was there, and ran the same way */
+} Places;
+
+static Places places_of(const uint i, const uint first, __global const uint* origins,
+                        __global const uint* positions_before) {
+    Places places = {i, i, true};
+    if (i < first) return places;
+    const uint origin = origins[i - first] - 1u;
+    const uint position = positions_before[origin >> 1];
+    places.own = first + (origin >> 1);
+    places.before = first + ((position - 1u) >> 1);
+    places.there = position != 0 && ((position - 1u) & 1u) == (origin & 1u);
+    return places;
+}
+
 /* alpha: of this frame, in and out; before: of the frame before, at the addresses of
  * offsets_before. ranges: clip parameters t0 and t1 of every segment in the frame before, 16 bits
- * each; those of this frame when the kernel is done. */
+ * each; those of this frame when the kernel is done. origins: of this frame's chains; and
+ * positions_before: of the frame before, as chain_write has them. */
 KERNEL(temporal, TemporalParameters) {
     const uint b = (uint)get_global_id(0);
     const uint first = b * args.block;
@@ -34,12 +54,14 @@ KERNEL(temporal, TemporalParameters) {
         if (!is_in_atlas(args.rows, s, l)) continue;
         const float t0 = clipped[i].t0;
         const float t1 = clipped[i].t1;
-        const uint range = ranges[i];
+        const bool follows = args.history != LA_HISTORY_NONE;
+        const Places places = places_of(i, args.first, origins, positions_before);
+        const uint range = ranges[places.own];
         const uint range_now = (uint)(t0 * 65535.0f + 0.5f) | (uint)(t1 * 65535.0f + 0.5f) << 16;
-        ranges[i] = range_now;
-        const uint s_before = args.history != LA_HISTORY_NONE ? offsets_before[i] : 0;
-        const uint l_before =
-            args.history != LA_HISTORY_NONE ? offsets_before[i + 1] - s_before : 0;
+        ranges[places.own] = range_now;
+        if (!follows || !places.there) continue;
+        const uint s_before = offsets_before[places.before];
+        const uint l_before = offsets_before[places.before + 1] - s_before;
         if (l_before == 0) continue;
         __global uchar* own = alpha + atlas_address(args.rows, s);
         __global const uchar* own_before = before + atlas_address(args.rows, s_before);

@@ -118,6 +118,16 @@ static void find_within_sides(const ExactParameters* args, const Lists* lists, c
     }
 }
 
+/* Keeps of u from `low` to `high` where face t is hit beyond the near plane. */
+static void keep_beyond_near(const ExactParameters* args, const Lists* lists, const Piece* piece,
+                             const uint t, float* low, float* high) {
+    if (lists->faces[t].kind != FACE_CROSSES || !(*low < *high)) return;
+    Linear sides[3], near;
+    crossing_sides(args, t, lists->vertices, lists->triangles, piece->origin, sides, &near);
+    keep_above(near.a * piece->a.x + near.b * piece->a.y + near.c,
+               near.a * piece->b.x + near.b * piece->b.y + near.c, low, high);
+}
+
 /* Where face t hides the piece, of u from `low` to `high`, decided in space: by how far the line's
  * ends lie behind the face's plane. */
 static void find_behind(const ExactParameters* args, const Lists* lists, const Line* line,
@@ -132,12 +142,7 @@ static void find_behind(const ExactParameters* args, const Lists* lists, const L
     const float behind_q = holds_q ? 0.0f : behind_p + dot_product(normal, at_q - at_p);
     keep_above_in_space(args, line, piece, behind_p - args->contact, behind_q - args->contact, low,
                         high);
-    if (lists->faces[t].kind == FACE_CROSSES && *low < *high) {
-        Linear sides[3], near;
-        crossing_sides(args, t, lists->vertices, lists->triangles, piece->origin, sides, &near);
-        keep_above(near.a * piece->a.x + near.b * piece->a.y + near.c,
-                   near.a * piece->b.x + near.b * piece->b.y + near.c, low, high);
-    }
+    keep_beyond_near(args, lists, piece, t, low, high);
 }
 
 /* Takes u from `low` to `high` away from what is visible. least: shorter parts are left out. */
@@ -187,11 +192,13 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
     if (!ANY(may)) return;
     lanes_float at_a[3], at_b[3];
     lanes_int along[3];
+    /* What lies beside a line is in space where nobody knows. */
+    const float close = args->beside != 0 ? -1.0f : CLOSE_TO_SIDE;
     for (int k = 0; k < 3; ++k) {
         __global const float* side = entries + (LA_ENTRY_SIDES + 3 * k) * LA_GROUP;
         at_a[k] = value_at(side, piece->a) + args->slack;
         at_b[k] = value_at(side, piece->b) + args->slack;
-        along[k] = fmax(fabs(at_a[k]), fabs(at_b[k])) < CLOSE_TO_SIDE;
+        along[k] = fmax(fabs(at_a[k]), fabs(at_b[k])) < close;
         may = may && (at_a[k] >= 0.0f || at_b[k] >= 0.0f || along[k]);
     }
     if (!ANY(may)) return;
@@ -226,7 +233,10 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
         const uint lane = lowest_bit(may_hide);
         const uint t = as_uint(entries[LA_ENTRY_FACE * LA_GROUP + lane]);
         float from = lows[lane], to = highs[lane];
-        if ((hides_surely >> lane & 1u) == 0) find_behind(args, lists, line, piece, t, &from, &to);
+        if (args->beside != 0)
+            keep_beyond_near(args, lists, piece, t, &from, &to);
+        else if ((hides_surely >> lane & 1u) == 0)
+            find_behind(args, lists, line, piece, t, &from, &to);
         if ((is_close >> lane & 1u) != 0 && from < to) {
             const uint which =
                 (along_0 >> lane & 1u) | (along_1 >> lane & 1u) << 1 | (along_2 >> lane & 1u) << 2;
@@ -406,6 +416,11 @@ static Line line_of(const ExactParameters* args, __global const Segment* segment
     return line;
 }
 
+/* The segment that clipped segment i is of. */
+static uint segment_of(const ExactParameters* args, const uint i) {
+    return args->beside != 0 ? i / 2 : i;
+}
+
 /* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
 static bool lists_fit(const ExactParameters* args, const uint entries, const uint groups) {
     return entries <= args->entry_capacity && groups <= args->group_capacity;
@@ -420,10 +435,10 @@ KERNEL(visible_count, ExactParameters) {
     if (i >= args.count) return;
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
     counts[i] = 0;
-    if (arcs[i + 1] == arcs[i] || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles]))
-        return;
+    const bool absent = args.beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
+    if (absent || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const Lists lists = LISTS;
-    const Line line = line_of(&args, segments + i, clipped + i);
+    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i);
     Found found = nothing_found(&line, 0);
     find_visible(&args, &lists, &line, &found);
     counts[i] = found.count;
@@ -444,7 +459,7 @@ KERNEL(visible_write, ExactParameters) {
     if (count == 2) vstore2(zw(two), 1, out);
     if (count <= 2) return;
     const Lists lists = LISTS;
-    const Line line = line_of(&args, segments + i, clipped + i);
+    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i);
     Found found = nothing_found(&line, out);
     find_visible(&args, &lists, &line, &found);
 }

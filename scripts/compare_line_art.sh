@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Drawings of the built-in scenes by lineatlas and by Blender's Line Art and Freestyle, all checked by rays:
-# scripts/compare_line_art.sh [FOLDER [SCENE...]]
-# PROGRAMS="line_art freestyle" are run beside lineatlas; Freestyle takes 7 GB and many minutes on the ship.
-# Needs Blender 3.3 or newer (Debian: apt install blender) and a build of lineatlas with its module for rays.
+# Drawings of the built-in scenes by lineatlas, by its add-on in Blender, and by Blender's Line Art and Freestyle, all
+# checked by rays: scripts/compare_line_art.sh [FOLDER [SCENE...]]
+# PROGRAMS="addon line_art freestyle" are run beside lineatlas; Freestyle takes 7 GB and many minutes on the ship.
+# Needs Blender 3.3 or newer (Debian: apt install blender) and a build of lineatlas with its Python package and its module
+# for rays.
 set -euo pipefail
 export LC_ALL=C
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -11,7 +12,8 @@ folder=${1:-$root/build/line_art}
 shift $(($# > 0 ? 1 : 0))
 scenes=("$@")
 ((${#scenes[@]})) || scenes=(clevis house ship office)
-lines=crease,boundary,silhouette # that all three know
+lines=crease,boundary,silhouette # that all of them know
+export LINEATLAS_PYTHONPATH=${LINEATLAS_PYTHONPATH-$root/build/release/python}
 
 for program in "$tool" blender; do
     if ! command -v "$program" >/dev/null; then
@@ -60,7 +62,7 @@ for scene in "${scenes[@]}"; do
         end=$EPOCHREALTIME
         cp "$folder/drawing.json" "$folder/own.json"
         report lineatlas "$(awk "BEGIN { printf \"%.1f\", $end - $begin }")"
-        for program in ${PROGRAMS-line_art freestyle}; do
+        for program in ${PROGRAMS-addon line_art freestyle}; do
             if blender --background --factory-startup --python-exit-code 1 \
                 --python "$root/scripts/line_art.py" -- "$program" "$model" "$folder/own.json" \
                 "$folder/drawing.json" >"$folder/$program.log" 2>&1; then

@@ -1,8 +1,9 @@
-"""Draws a model by Blender's Line Art or Freestyle as lineatlas would write it:
-blender --background --python line_art.py -- line_art|freestyle MODEL.obj LIKE.json DRAWING.json
+"""Draws a model by Blender's Line Art or Freestyle, or by the add-on, as lineatlas would write it:
+blender --background --python line_art.py -- line_art|freestyle|addon MODEL.obj LIKE.json DRAWING.json
 Camera and picture size are those of LIKE.json, a drawing of lineatlas. See compare_line_art.sh."""
 import json
 import math
+import pathlib
 import re
 import sys
 import time
@@ -124,12 +125,21 @@ def freestyle(scene, like):
     return [[[x, height - y] for x, y in points] for points in bpy.app.driver_namespace["paths"]]
 
 
+def addon(scene, like):
+    sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "integrations/blender"))
+    from lineatlas_blender import Drawer, Lines, collect
+
+    drawer = Drawer(Lines(kinds=["crease", "boundary", "silhouette"]))
+    drawer.show(collect(scene, bpy.context.view_layer))
+    return [path["points"] for path in drawer.paths()[0] if path["visible"]]
+
+
 def main(program, model, like_name, output):
     begin = time.monotonic()
     with open(like_name) as file:
         like = json.load(file)
     scene = set_up(model, like)
-    paths = {"line_art": line_art, "freestyle": freestyle}[program](scene, like)
+    paths = {"line_art": line_art, "freestyle": freestyle, "addon": addon}[program](scene, like)
     if not paths:
         sys.exit("nothing was drawn")
     drawing = {"format": like["format"], "version": like["version"], "units": "pixels", "size": like["size"],

@@ -21,6 +21,7 @@ flat out vec4 spine_line;    // p, d
 flat out vec4 spine_depths;  // depth, inverse_w
 flat out vec4 spine_along;   // along, depth_along, outside
 flat out vec4 spine_faces;   // face_a, face_b
+flat out ivec4 spine_surfaces; // number_a, number_b, patch_a, patch_b
 flat out uvec2 sample_base; // address of the first sample, l
 
 void main() {
@@ -43,6 +44,7 @@ void main() {
         spine_depths = vec4(spine.depth_p, spine.depth_d, spine.inverse_w_p, spine.inverse_w_d);
         spine_along = vec4(spine.along, spine.depth_along, spine.outside);
         spine_faces = vec4(spine.a.slope, spine.a.height, spine.b.slope, spine.b.height);
+        spine_surfaces = ivec4(spine.number_a, spine.number_b, spine.patch_a, spine.patch_b);
         sample_base = uvec2(place.y * uint(atlas_size.x) + place.x, l);
         gl_Position = vec4((i == 0 ? start : end) / atlas_size * 2.0 - 1.0, 0.0, 1.0);
         EmitVertex();

@@ -14,6 +14,7 @@ uniform usamplerBuffer triangles;     // vertex indices
 uniform samplerBuffer tiles;          // the depth pyramid (kernels/pyramid.cl)
 uniform vec2 tile_count;
 uniform bool use_tiles;
+uniform usamplerBuffer face_numbers;  // of the triangles, as in `numbers`
 
 #include "clipping.h"
 #include "flags.h"
@@ -59,6 +60,10 @@ uint own_face(uint face, uint kind, uvec2 ends, vec4 p, vec4 q, vec2 across, flo
     return kind == LA_KIND_INTERSECTION ? within_own_face(description) : description;
 }
 
+uint face_number(uint face) {
+    return face != LA_NO_FACE ? texelFetch(face_numbers, int(face & LA_FACE_INDEX)).x : LA_NO_NUMBER;
+}
+
 // ends: vertex indices; faces: the triangles on either side.
 Stroke make_stroke(uvec2 ends, uvec2 faces, uint tag) {
     Stroke stroke;
@@ -89,6 +94,11 @@ Stroke make_stroke(uvec2 ends, uvec2 faces, uint tag) {
                               vec3(stroke.end - stroke.start, depths.y - depths.x),
                               min(stroke.p.w, stroke.q.w), stroke.own_faces.x, stroke.own_faces.y,
                               depth_scale, tolerance, ivec2(tile_count));
+    if (knows_surfaces) {
+        float outside = outside_of_fold(stroke.own_faces.x, stroke.own_faces.y);
+        stroke.own_faces = uvec2(numbered_face(face_number(faces.x), outside > 0.0),
+                                 numbered_face(face_number(faces.y), outside < 0.0));
+    }
     return stroke;
 }
 

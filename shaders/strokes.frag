@@ -9,6 +9,7 @@
 // DENSITY, FOCUS                  see stroke_style.glsl
 // FAR_TEXTURE, FAR_SOLID          the mark is another one far from the focus
 // HIDDEN                          draws what is not visible
+// PENS                            draws runs of one pen of several (strokes.glsl)
 // PEN_TEXTURE                     see mark.glsl
 
 #define VARYING in

@@ -14,7 +14,7 @@ in VertexRun {
 
 void main() {
     Run run = Run(runs[0].ends, runs[0].corners, runs[0].params, runs[0].indices, runs[0].stroke);
-    if (fades_out(run)) return;
+    if (is_left_out(run)) return;
     Axes axes = axes_of(run);
     for (uint i = 0u; i < 4u; ++i) {
         set_corner(run, axes, i >> 1, (i & 1u) == 0u ? 1.0 : -1.0);

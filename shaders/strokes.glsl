@@ -21,6 +21,8 @@ uniform float mitre_limit;  // largest length of a mitre over the stroke's width
 uniform uvec2 cap_kinds;    // where visibility ends, and where the path does
 uniform float cap_length;   // of tapered and textured caps, pixels
 
+uniform uint only_pen;      // PENS: runs of others are left out
+
 uniform bool focus_in_scene;
 uniform vec4 focus_point;   // pixels, or in the scene
 uniform vec2 focus_range;   // radius and falloff, in the same units
@@ -126,6 +128,14 @@ bool fades_out(Run run) {
 #else
     return false;
 #endif
+}
+
+// Whether another pen draws the run, or nothing of it is drawn.
+bool is_left_out(Run run) {
+#ifdef PENS
+    if ((run.indices.z >> LA_RUN_PEN_SHIFT & LA_RUN_PEN_MASK) != only_pen) return true;
+#endif
+    return fades_out(run);
 }
 
 void set_run(Run run, Axes axes) {

@@ -15,5 +15,5 @@ void main() {
     Axes axes = axes_of(run);
     set_corner(run, axes, i >> 1, (i & 1u) == 0u ? 1.0 : -1.0);
     set_run(run, axes);
-    if (fades_out(run)) gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // a quad without area
+    if (is_left_out(run)) gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // a quad without area
 }

@@ -73,9 +73,9 @@ TEST_F(QualityProgram, MeasuresEveryMethod) {
 }
 
 TEST_F(QualityProgram, FindsAPlantedTolerance) {
-    // With all of the depth range as tolerance nothing is ever hidden.
-    const fs::path kernels = with_planted("kernels", "#define LA_DEPTH_ROUNDING 2.4e-7f",
-                                          "#define LA_DEPTH_ROUNDING 1.0f");
+    // Where everything touches the line nothing is ever hidden.
+    const fs::path kernels = with_planted("kernels", "#define LA_NEARNESS_ROUNDING 4.8e-7f",
+                                          "#define LA_NEARNESS_ROUNDING 1e9f");
     const std::string arguments = "--scene clevis --at 0.3 --burst 1 --methods SAhi,SThi";
     const nlohmann::json good = measure("", arguments);
     const nlohmann::json bad = measure("LINEATLAS_KERNEL_DIR=" + kernels.string(), arguments);
@@ -87,18 +87,16 @@ TEST_F(QualityProgram, FindsAPlantedTolerance) {
 }
 
 /// Where the segment atlas at high quality is worse than it is known to be. Wanted are a mean error
-/// of 0.02, 0.3 percent wrong and 0.2 of either kind (docs/quality.md): of the scenes the clevis
-/// has that, and all have it of lines falsely hidden. What stands less than two pixels before a
-/// line does not hide it for this method; where parts pass through each other that is most often
-/// so.
+/// of 0.02, 0.3 percent wrong and 0.2 of either kind (docs/quality.md): all have that but the
+/// house, of which the mean error is 0.024 in pictures as small as these.
 std::vector<std::string> misses(const nlohmann::json& figures) {
     struct Known {
-        double mean_error, false_visible;
+        double mean_error, false_visible, false_hidden;
     };
-    const std::map<std::string, Known> known{{"clevis", {0.009, 0.002}},
-                                             {"house", {0.073, 0.044}},
-                                             {"ship", {0.0275, 0.0236}},
-                                             {"office", {0.015, 0.0105}}};
+    const std::map<std::string, Known> known{{"clevis", {0.0065, 0.0004, 0.0004}},
+                                             {"house", {0.0252, 0.0009, 0.0005}},
+                                             {"ship", {0.0082, 0.0007, 0.0003}},
+                                             {"office", {0.0058, 0.0005, 0.0003}}};
     std::vector<std::string> result;
     for (const auto& [name, scene] : figures["scenes"].items()) {
         const auto& f = scene["methods"]["SAhi"];
@@ -108,7 +106,7 @@ std::vector<std::string> misses(const nlohmann::json& figures) {
         };
         limit("mean_error", known.at(name).mean_error);
         limit("false_visible", known.at(name).false_visible);
-        limit("false_hidden", 0.002);
+        limit("false_hidden", known.at(name).false_hidden);
     }
     return result;
 }
@@ -118,15 +116,27 @@ TEST_F(QualityProgram, ScenesAreAsTheyAreKnownToBe) {
     const nlohmann::json good = measure("", arguments);
     EXPECT_EQ(good["scenes"].size(), 4U);
     EXPECT_EQ(misses(good), std::vector<std::string>{});
-    // The same with a depth tolerance twenty times as large.
-    const fs::path kernels = with_planted("kernels", "before =\n        depths.tolerance *",
-                                          "before =\n        20.0f * depths.tolerance *");
-    const nlohmann::json bad = measure("LINEATLAS_KERNEL_DIR=" + kernels.string(), arguments);
-    const std::vector<std::string> worse = misses(bad);
-    for (const auto& [name, scene] : bad["scenes"].items()) {
-        EXPECT_TRUE(std::ranges::any_of(worse, [&, scene_name = name](const std::string& miss) {
-            return miss.starts_with(scene_name + ", false_visible");
-        })) << name;
+    // Surfaces up to twenty pixels before a line excused; no smooth patch known; planes not carried
+    // on to the probe, but taken where the texel's middle is.
+    struct Planted {
+        const char *from, *to, *figure;
+    };
+    const std::vector<Planted> errors{
+        {"!(before > contact)", "!(before > contact + 10.0f * depths.bend * inverse_w)",
+         "false_visible"},
+        {"own == spine.patch_a || own == spine.patch_b",
+         "own == spine.patch_a + 1 || own == spine.patch_b + 1", "false_hidden"},
+        {"plane_x * (side_x * depths.screen_scale.x) + plane_y * (side_y * depths.screen_scale.y)",
+         "plane_x * ((TO_FLOAT(column) + 0.5f - x) * depths.screen_scale.x) + "
+         "plane_y * ((TO_FLOAT(row) + 0.5f - y) * depths.screen_scale.y)",
+         "mean_error"}};
+    for (const Planted& error : errors) {
+        const fs::path kernels = with_planted("kernels", error.from, error.to);
+        const std::vector<std::string> worse = misses(
+            measure("LINEATLAS_KERNEL_DIR=" + kernels.string(), arguments + " --scene house"));
+        EXPECT_TRUE(std::ranges::any_of(worse, [&](const std::string& miss) {
+            return miss.starts_with(std::string{"house, "} + error.figure);
+        })) << error.to;
     }
 }
 
@@ -145,9 +155,9 @@ TEST_F(QualityProgram, MeasuresDrawingsAsPathsAndPixels) {
             EXPECT_LT(f["false_ink"], 0.001) << view << ", " << method;
         }
     }
-    // With all of the depth range as tolerance nothing is ever hidden.
-    const fs::path kernels = with_planted("kernels", "#define LA_DEPTH_ROUNDING 2.4e-7f",
-                                          "#define LA_DEPTH_ROUNDING 1.0f");
+    // Where everything touches the line nothing is ever hidden.
+    const fs::path kernels = with_planted("kernels", "#define LA_NEARNESS_ROUNDING 4.8e-7f",
+                                          "#define LA_NEARNESS_ROUNDING 1e9f");
     const nlohmann::json bad =
         measure("LINEATLAS_KERNEL_DIR=" + kernels.string(), arguments + " --methods SAhi")["paths"];
     for (const char* view : {"clevis, outside", "clevis, inside"}) {

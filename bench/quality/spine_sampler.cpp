@@ -1,6 +1,7 @@
 #include "spine_sampler.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "motion.hpp"
 
@@ -29,9 +30,30 @@ AtlasLayout layout_for(const ClippedLines& lines) {
 } // namespace
 
 SpineSampler::SpineSampler(const LineSet& lines)
-    : connection_(interop::connect({.kind = "cpp"})),
-      scene_(*connection_.stages, connection_.mode, lines), depth_(connection_) {
+    : lines_(lines), connection_(interop::connect({.kind = "cpp"})),
+      scene_(*connection_.stages, connection_.mode, lines), numbers_(lines.triangles.size()),
+      depth_(connection_) {
     depth_.set_scene(scene_);
+    connection_.device->download(scene_.surfaces().numbers,
+                                 std::as_writable_bytes(std::span{numbers_}));
+}
+
+std::vector<ClippedSegment> SpineSampler::numbered(std::vector<ClippedSegment> clipped) const {
+    // As kernels/own_face.h packs and numbers them.
+    const auto height = [](std::uint32_t own) { return std::bit_cast<float>(own & 0xFFFF0000U); };
+    const auto number = [&](std::uint32_t face, bool is_outside) {
+        const std::uint32_t found =
+            face != LA_NO_FACE ? numbers_[face & LA_FACE_INDEX] : LA_NO_NUMBER;
+        return found | (is_outside ? 0x80000000U : 0U);
+    };
+    for (std::size_t i = 0; i < clipped.size(); ++i) {
+        ClippedSegment& own = clipped[i];
+        const float a = height(own.own_a), b = height(own.own_b);
+        const bool within = std::max(a, b) > LA_HEIGHT_LIMIT;
+        own.own_a = number(lines_.segments[i].face_a, !within && a < 0 && b < 0);
+        own.own_b = number(lines_.segments[i].face_b, !within && a > 0 && b > 0);
+    }
+    return clipped;
 }
 
 Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& camera,
@@ -45,17 +67,19 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
                 .clock = {*connection_.device, false}};
     check_depth_size(camera.size * options.depth_scale);
     depth_.draw_texture(frame);
+    depth_.surfaces().to_gl();
 
     const std::uint32_t samples = lines.offsets.back();
     const AtlasLayout layout = layout_for(lines);
     std::vector<std::uint8_t> texels(layout.texels(samples));
-    const gl::Buffer clipped = upload(lines.clipped);
+    const gl::Buffer clipped =
+        upload(frame.knows_surfaces() ? numbered(lines.clipped) : lines.clipped);
     const gl::Buffer offsets = upload(lines.offsets);
     const gl::Buffer alpha = upload(texels);
     pass_.program().set("probe_step", options.step);
     pass_.draw(
         {.clipped = clipped.id(), .offsets = offsets.id(), .segment_count = scene_.segment_count()},
-        frame.probe_params(depth_.texture()), layout, samples, alpha.id());
+        depth_.probed_by_gl(frame), layout, samples, alpha.id());
     glGetNamedBufferSubData(alpha.id(), 0, static_cast<GLsizeiptr>(texels.size()), texels.data());
 
     Renderer::Samples result;

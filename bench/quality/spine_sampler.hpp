@@ -15,7 +15,7 @@ namespace lineatlas::bench {
 /// functions are run once more, on the same depth, into an atlas.
 class SpineSampler {
   public:
-    /// Needs a current GL context for its whole life.
+    /// Needs a current GL context and `lines` for its whole life.
     explicit SpineSampler(const LineSet& lines);
 
     /// As Renderer::read_samples(), with the runs of spine_runs().
@@ -23,8 +23,13 @@ class SpineSampler {
                              const FrameOptions& options);
 
   private:
+    /// With the numbers of own faces, as probes that know surfaces want them.
+    std::vector<ClippedSegment> numbered(std::vector<ClippedSegment> clipped) const;
+
+    const LineSet& lines_;
     interop::Connection connection_;
     SceneBuffers scene_;
+    std::vector<std::uint32_t> numbers_; ///< per triangle
     DepthStage depth_;
     PenTextures pens_;
     Backdrop backdrop_;

@@ -9,6 +9,7 @@
 #include <lineatlas/headless.hpp>
 #include <lineatlas/io.hpp>
 #include <lineatlas/renderer.hpp>
+#include <lineatlas/style_files.hpp>
 
 using namespace lineatlas;
 
@@ -48,7 +49,9 @@ void draw(const char* model, const char* picture) {
     Renderer renderer;
     renderer.set_lines(lines);
     const Camera camera = make_camera(frame_points(lines.vertices, size), size, lines.bounds);
-    renderer.draw(camera, {}, bound_framebuffer);
+    FrameOptions options;
+    options.style = default_style(); // as the tool draws
+    renderer.draw(camera, options, bound_framebuffer);
     write_image(picture, read_pixels());
 }
 

@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "core/patches.hpp"
 #include "truth/certificate.hpp"
-#include "truth/patches.hpp"
 
 namespace lineatlas::apps {
 

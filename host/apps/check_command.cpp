@@ -15,12 +15,12 @@
 #include "command_line/read_options.hpp"
 #include "command_line/values.hpp"
 #include "commands.hpp"
+#include "core/patches.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "style/frame_settings.hpp"
 #include "truth/certificate.hpp"
 #include "truth/drawing_file.hpp"
-#include "truth/patches.hpp"
 
 namespace lineatlas::apps {
 namespace {

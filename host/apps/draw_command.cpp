@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -16,11 +17,12 @@
 #include "command_line/style_options.hpp"
 #include "command_line/values.hpp"
 #include "command_line/view_options.hpp"
+#include "core/far_part.hpp"
+#include "core/line_pens.hpp"
 #include "core/up_axis.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
 #include "empty_frames.hpp"
-#include "framing_note.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/extension.hpp"
 #include "io/image_writer.hpp"
@@ -94,6 +96,7 @@ struct Subject {
     std::string name;
     Mesh mesh;
     LineSet lines;
+    std::vector<glm::vec3> framed; ///< points that the camera shows unless it is placed by hand
     View view;
     glm::dvec3 origin{0};         ///< of the mesh and the view, in the file's coordinates
     std::optional<double> unit{}; ///< of the file, in millimetres
@@ -130,6 +133,13 @@ void print_notes(const std::vector<std::string>& notes) {
     if (!notes.empty()) print_error(fmt::format("lineatlas: {}\n", fmt::join(notes, "; ")));
 }
 
+std::string framing_note(const FarPart& far, glm::dvec3 origin) {
+    if (is_left_out(far)) return note_of(far);
+    const glm::dvec3 middle = 0.5 * (glm::dvec3{far.rest.min} + glm::dvec3{far.rest.max}) + origin;
+    return fmt::format("{}; --eye and --target show the others, about {:.7g},{:.7g},{:.7g}",
+                       note_of(far), middle.x, middle.y, middle.z);
+}
+
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
     const LineOptions line_options{.kinds = kinds,
                                    .crease_angle = crease_angle(arguments),
@@ -148,7 +158,12 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         const glm::vec3 up = arguments.view.up({0, 1, 0});
         const View view =
             framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
-        return {scene.name, std::move(scene.mesh), std::move(lines), view, {}, {}};
+        std::vector<glm::vec3> points = lines.vertices;
+        return {.name = scene.name,
+                .mesh = std::move(scene.mesh),
+                .lines = std::move(lines),
+                .framed = std::move(points),
+                .view = view};
     }
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits(),
                                            {.deflection = arguments.deflection});
@@ -156,14 +171,21 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
     const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
     cut(arguments, loaded.mesh, loaded.origin,
         arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
-    Subject subject{arguments.model, std::move(loaded.mesh), {}, {}, loaded.origin, loaded.unit};
+    Subject subject{.name = arguments.model,
+                    .mesh = std::move(loaded.mesh),
+                    .lines = {},
+                    .framed = {},
+                    .view = {},
+                    .origin = loaded.origin,
+                    .unit = loaded.unit};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
+    const std::optional<FarPart> far = find_far_part(subject.lines);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
-    if (std::string note = frames ? framing_note(subject.lines, loaded.origin) : ""; !note.empty())
-        loaded.notes.push_back(std::move(note));
+    if (far && frames) loaded.notes.push_back(framing_note(*far, loaded.origin));
     print_notes(loaded.notes);
-    const std::vector<glm::vec3>& points = subject.lines.vertices;
+    subject.framed = points_to_frame(subject.lines, far);
+    const std::vector<glm::vec3>& points = subject.framed;
     subject.view =
         arguments.view.framed(arguments.sequence.turns() ? swept(points, vertical_axis(subject, up))
                                                          : std::span<const glm::vec3>{points},
@@ -188,7 +210,7 @@ void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 s
     arguments.view.apply(subject.view, subject.origin, up_is_guessed);
     if (!arguments.view.to_scale()) return;
     subject.view = arguments.view.scaled(subject.view, millimetres_per_pixel(arguments, size), size,
-                                         subject.lines.vertices, subject.unit);
+                                         subject.framed, subject.unit);
 }
 
 /// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
@@ -329,7 +351,7 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
 }
 
 /// Paths, of what `find` finds.
-void draw_paths(const Drawing& drawing, const FindIntervals& find, const Measuring* measuring) {
+void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* measuring) {
     const PathOptions& paths = drawing.arguments.paths;
     const Subject& subject = drawing.subject;
     SvgOptions svg = paths.svg();
@@ -361,9 +383,9 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
         options.draw = false;
         return renderer.draw(camera, options, 0);
     };
-    const auto find = [&](const Camera& camera) {
+    const auto find = [&](const Camera& camera) -> SeenLines {
         draw(camera, drawing.options);
-        return renderer.read_intervals();
+        return {renderer.read_intervals(), renderer.read_outlines()};
     };
     const Measuring measuring{renderer, [&](const Camera& camera, const FrameOptions& wanted) {
                                   const FrameStats stats = draw(camera, wanted);
@@ -387,10 +409,15 @@ void say(const std::string& note) {
 
 void draw_without_gl(const Drawing& drawing) {
     LineVisibility visibility{drawing.subject.lines, drawing.arguments.device};
-    const VisibilityOptions wanted{
-        .lines = drawing.options.lines, .hidden = true, .step = drawing.options.step};
-    draw_paths(
-        drawing, [&](const Camera& camera) { return visibility.find(camera, wanted); }, nullptr);
+    const VisibilityOptions wanted{.lines = drawing.options.lines,
+                                   .hidden = true,
+                                   .step = drawing.options.step,
+                                   .outlines = tells_outlines(drawing.options.style)};
+    const auto find = [&](const Camera& camera) -> SeenLines {
+        std::vector<Interval> intervals = visibility.find(camera, wanted);
+        return {std::move(intervals), visibility.outlines()};
+    };
+    draw_paths(drawing, find, nullptr);
 }
 
 void draw(const DrawArguments& arguments, const CLI::App& app) {
@@ -406,6 +433,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const OutputPlaces places = output_places(arguments, pen_images);
 
     Subject subject = load_subject(arguments, options.lines, size);
+    if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
     apply_camera(arguments, subject, size);
     const std::optional<std::vector<SequenceFrame>> frames =
         sequence_frames(arguments, subject, size);
@@ -440,7 +468,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
 Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
-    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF, OM, glTF, GLB, STEP or BREP file");
+    app.add_option("MODEL", a.model,
+                   "OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file");
     app.add_option(
            "-o,--output", a.output,
            "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG, PDF, DXF or JSON")
@@ -451,18 +480,19 @@ Command setup_draw(CLI::App& app) {
                    "A built-in scene in place of MODEL: clevis, house, ship, office")
         ->group(model);
     app.add_option("--crease", a.crease,
-                   "Edges bent by more degrees than this are creases; auto: by more than 30, "
-                   "but for noise of scanned or sculpted surfaces")
+                   "All edges bent by more degrees than this are creases; auto: by more than 30, "
+                   "but for noise of scanned or sculpted surfaces, and for seams")
         ->capture_default_str()
         ->group(model);
     a.sections.declare(app, model);
 
-    app.add_option("--deflection", a.deflection,
-                   "How far chords may be off the curved faces of STEP and BREP files, in mm; by "
-                   "default a thousandth of the model's diagonal")
+    app.add_option(
+           "--deflection", a.deflection,
+           "How far chords may be off the curved faces of STEP, IGES and BREP files, in mm; by "
+           "default a thousandth of the model's diagonal")
         ->group(model);
     app.add_flag("--smooth-edges", a.smooth_edges,
-                 "Of STEP and BREP files draw edges where faces go over into each other, too")
+                 "Of STEP, IGES and BREP files draw edges where faces go over into each other, too")
         ->group(model);
     a.parts.declare(app, model);
 
@@ -489,7 +519,8 @@ Command setup_draw(CLI::App& app) {
                    "opencl:...) and report the first that differs; slow")
         ->group(device);
     app.add_option("--compare-until", a.device.compare_until,
-                   "The last stage to compare: pyramid, cull, facing, project_clip, scan, atlas, "
+                   "The last stage to compare: pyramid, cull, facing, silhouette, chain, "
+                   "project_clip, scan, atlas, "
                    "temporal, intervals, compact, halo, filter or density; default all")
         ->group(device);
 

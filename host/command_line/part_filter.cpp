@@ -37,15 +37,6 @@ std::string listed(const std::vector<PartPath>& paths) {
                        more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<bool>& kept) {
-    if (values.empty()) return;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < kept.size(); ++i)
-        if (kept[i]) values[next++] = std::move(values[i]);
-    values.resize(next);
-}
-
 } // namespace
 
 void PartFilter::declare(CLI::App& app, const std::string& group) {
@@ -61,7 +52,6 @@ void PartFilter::declare(CLI::App& app, const std::string& group) {
 
 void PartFilter::apply(LoadedMesh& loaded) const {
     if (!given()) return;
-    Mesh& mesh = loaded.mesh;
     const PartPaths paths = part_paths(loaded);
     const auto wanted_part = [&](const PartPath& path) {
         const auto named = [&](const std::string& pattern) { return names_part(pattern, path); };
@@ -80,19 +70,8 @@ void PartFilter::apply(LoadedMesh& loaded) const {
     }
     std::vector<bool> wanted;
     for (const PartPath& path : paths.paths) wanted.push_back(wanted_part(path));
-    const auto kept = [&](const std::vector<std::uint32_t>& parts) {
-        std::vector<bool> result;
-        for (const std::uint32_t part : parts)
-            result.push_back(part == PartPaths::none ? only_.empty() : wanted[part]);
-        return result;
-    };
-    const std::vector<bool> triangles = kept(paths.of_triangle), lines = kept(paths.of_polyline);
-    keep(mesh.triangles, triangles);
-    keep(mesh.triangle_group, triangles);
-    keep(mesh.triangle_object, triangles);
-    keep(mesh.polylines, lines);
-    keep(mesh.polyline_object, lines);
-    if (mesh.empty()) throw UsageError("--only and --hide leave nothing to draw");
+    keep_parts(loaded.mesh, paths, wanted, only_.empty());
+    if (loaded.mesh.empty()) throw UsageError("--only and --hide leave nothing to draw");
 }
 
 } // namespace lineatlas

@@ -8,7 +8,7 @@ namespace lineatlas {
 void StyleOptions::declare(CLI::App& app) {
     const std::string group = "Style";
     app.add_option("--style", name_,
-                   "Name of a style, see `lineatlas styles`, or a TOML file; default plain lines")
+                   "Name of a style, see `lineatlas styles`, or a TOML file; default plain")
         ->group(group);
     app.add_option("--set", changes_, "key=value: change a setting of the style; may be repeated")
         ->allow_extra_args(false)
@@ -17,8 +17,7 @@ void StyleOptions::declare(CLI::App& app) {
 }
 
 Style StyleOptions::style() const {
-    Style style;
-    if (!name_.empty()) style = load_style(name_);
+    Style style = name_.empty() ? default_style() : load_style(name_);
     for (const std::string& change : changes_) apply_setting(style, change);
     settings_.apply(style);
     return style;

@@ -21,7 +21,7 @@ namespace {
     constexpr KernelTable kernel##_list[] = {                                                      \
         kernel##_tables(LA_IN, LA_OUT, LA_INOUT, LA_UNORDERED)};                                   \
     static_assert(std::size(kernel##_list) <= most_tables);
-LA_KERNELS(LA_TABLES, LA_TABLES, LA_TABLES, LA_TABLES)
+LA_KERNELS(LA_TABLES, LA_TABLES, LA_TABLES, LA_TABLES, LA_TABLES)
 
 #define LA_VARIANT(stage, kernel, Parameters, defines, has_barriers)                               \
     {#stage, #kernel, defines, sizeof(Parameters), kernel##_list, has_barriers, 0},
@@ -32,6 +32,9 @@ LA_KERNELS(LA_TABLES, LA_TABLES, LA_TABLES, LA_TABLES)
 #define LA_TILES(stage, kernel, Parameters)                                                        \
     LA_VARIANT(stage, kernel, Parameters, "-DSCAN_SATURATE=0", true)                               \
     LA_VARIANT(stage, kernel, Parameters, "-DSCAN_SATURATE=1", true)
+#define LA_NUMBERS(stage, kernel, Parameters)                                                      \
+    LA_VARIANT(stage, kernel, Parameters, "", false)                                               \
+    LA_VARIANT(stage, kernel, Parameters, "-DNUMBERED", false)
 #define LA_PROBES(stage, kernel, Parameters)                                                       \
     LA_VARIANT(stage, kernel, Parameters, "-DPROBES_PER_AXIS=1", false)                            \
     LA_VARIANT(stage, kernel, Parameters, "-DPROBES_PER_AXIS=2", false)                            \
@@ -43,7 +46,7 @@ LA_KERNELS(LA_TABLES, LA_TABLES, LA_TABLES, LA_TABLES)
     LA_VARIANT(stage, kernel, Parameters, "-DPROBES_PER_AXIS=4 -DTILED", false)
 
 std::vector<Kernel> list_kernels() {
-    std::vector<Kernel> all{LA_KERNELS(LA_PLAIN, LA_SUMS, LA_TILES, LA_PROBES)};
+    std::vector<Kernel> all{LA_KERNELS(LA_PLAIN, LA_SUMS, LA_TILES, LA_NUMBERS, LA_PROBES)};
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i].index = i;
     return all;
 }

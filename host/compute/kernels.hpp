@@ -44,7 +44,7 @@ namespace kernels {
                 {kernel##_tables(LA_ADDRESS, LA_ADDRESS, LA_ADDRESS, LA_ADDRESS)});                \
         }                                                                                          \
     };
-LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
+LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
 #undef LA_KERNEL_TYPE
 #undef LA_ADDRESS
 #undef LA_MEMBER
@@ -54,7 +54,8 @@ LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
 /// The first of a kernel's variants; the others follow it in all_kernels().
 const Kernel& first_variant(std::string_view name);
 
-/// Variants count through SCAN_SATURATE 0 and 1; PROBES_PER_AXIS from 1 to 4, then those TILED.
+/// Variants count through SCAN_SATURATE 0 and 1; without NUMBERED and with it; PROBES_PER_AXIS from
+/// 1 to 4, then those TILED.
 template <class K>
 const Kernel& kernel_of(std::uint32_t variant = 0) {
     static const Kernel& first = first_variant(K::name);

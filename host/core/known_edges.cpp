@@ -1,18 +1,18 @@
 #include "known_edges.hpp"
 
-#include <algorithm>
 #include <numbers>
 #include <string>
 
 #include "lineatlas/error.hpp"
+#include "pair_key.hpp"
 
 namespace lineatlas {
 namespace {
 
 constexpr std::uint32_t unused = LineSource::none;
 
-std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
-    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
+bool is_crease(KnownEdge::Kind kind) {
+    return kind == KnownEdge::Kind::sharp || kind == KnownEdge::Kind::marked;
 }
 
 /// Per position of the mesh the vertex that triangles have in its place.
@@ -43,21 +43,28 @@ KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) {
         check_index(edge.to, mesh.positions.size());
         const std::uint32_t p = vertices[edge.from], q = vertices[edge.to];
         if (p == unused || q == unused || p == q) continue;
+        all_ = all_ || edge.kind != KnownEdge::Kind::marked;
         // Where parts touch, an edge may be two: the one that is a line wins.
-        const auto [entry, fresh] = kinds_.try_emplace(edge_key(p, q), edge.kind);
-        if (!fresh && edge.kind == KnownEdge::Kind::sharp) entry->second = edge.kind;
+        const auto [entry, fresh] = kinds_.try_emplace(pair_key(p, q), edge.kind);
+        if (!fresh && is_crease(edge.kind)) entry->second = edge.kind;
     }
+}
+
+bool KnownEdges::drawn(const MeshEdge& edge) const {
+    if (kinds_.empty()) return false;
+    const auto found = kinds_.find(pair_key(edge.p, edge.q));
+    return found != kinds_.end() && is_crease(found->second);
 }
 
 std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedMesh& mesh,
                                              double bend, const LineOptions& options) const {
-    const auto found = kinds_.find(edge_key(edge.p, edge.q));
+    const auto found = kinds_.find(pair_key(edge.p, edge.q));
     const KnownEdge::Kind kind =
         found != kinds_.end() ? found->second : KnownEdge::Kind::seam; // within a face
     MeshEdge seen = edge;
     LineOptions rule = options;
     const bool is_line =
-        kind == KnownEdge::Kind::sharp || (kind == KnownEdge::Kind::smooth && options.smooth_edges);
+        is_crease(kind) || (kind == KnownEdge::Kind::smooth && options.smooth_edges);
     if (is_line && (options.kinds & mask_of(LineKind::crease)) != 0) {
         // Faces of other parts in the same place make no boundary of it.
         if (edge.face_count >= 2 || (options.kinds & mask_of(LineKind::boundary)) == 0) {

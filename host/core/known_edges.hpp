@@ -18,15 +18,19 @@ class KnownEdges {
     /// Throws UsageError when an index is out of range.
     KnownEdges(const Mesh& mesh, const WeldedMesh& welded);
 
-    /// Whether the file says anything.
-    bool any() const { return !kinds_.empty(); }
+    /// Whether the file says of every edge what it is; what it does not name is within a face.
+    bool all() const { return all_; }
 
-    /// As classify() of edges.hpp, for a mesh with any().
+    /// Whether the edge is a line however little it is bent.
+    bool drawn(const MeshEdge& edge) const;
+
+    /// As classify() of edges.hpp, for an edge of a mesh with all(), or one that is drawn().
     std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                      const LineOptions& options) const;
 
   private:
     std::unordered_map<std::uint64_t, KnownEdge::Kind> kinds_;
+    bool all_ = false;
 };
 
 } // namespace lineatlas

@@ -22,6 +22,7 @@
 #include "line_set_builder.hpp"
 #include "lineatlas/error.hpp"
 #include "noisy_creases.hpp"
+#include "pair_key.hpp"
 #include "parts.hpp"
 #include "seams.hpp"
 #include "weld.hpp"
@@ -34,10 +35,6 @@ void check_angle(const char* name, float angle) {
     if (angle >= 0 && angle <= most) return;                      // NaN is not
     throw UsageError("lines: " + std::string{name} + " must be from 0 to pi radians, not " +
                      std::to_string(angle));
-}
-
-std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
-    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
 }
 
 LineKind kind_of(PolylineKind kind) {
@@ -62,7 +59,7 @@ std::vector<Line> lines_of_polylines(const WeldedMesh& mesh, LineKindMask kinds,
         const std::vector<std::uint32_t>& polyline = mesh.polylines[k];
         const std::vector<std::uint32_t>& sources = mesh.polyline_sources[k];
         for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
-            const std::uint64_t key = edge_key(polyline[i], polyline[i + 1]);
+            const std::uint64_t key = pair_key(polyline[i], polyline[i + 1]);
             if (!line_of_edge.emplace(key, lines.size()).second) continue;
             lines.push_back({.p = polyline[i],
                              .q = polyline[i + 1],
@@ -180,14 +177,15 @@ class Extraction {
         const std::vector<double> bends = bends_of(edges_, normals_);
         const KnownEdges known{mesh_, welded_};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
-            kinds_.push_back(known.any() ? known.classify(edges_[i], welded_, bends[i], options_)
-                                         : classify(edges_[i], welded_, bends[i], options_));
+            kinds_.push_back(known.all() || known.drawn(edges_[i])
+                                 ? known.classify(edges_[i], welded_, bends[i], options_)
+                                 : classify(edges_[i], welded_, bends[i], options_));
         }
-        if (known.any() || options_.crease_angle || !wanted(LineKind::crease)) return;
+        if (known.all() || options_.crease_angle || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, edges_, bends, kinds_);
         const LineOptions smooth{.kinds = options_.kinds & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
-            if (!noisy[i]) continue;
+            if (!noisy[i] || known.drawn(edges_[i])) continue;
             kinds_[i] = classify(edges_[i], welded_, bends[i], smooth);
             ++left_out_.noisy_creases;
         }
@@ -217,7 +215,7 @@ class Extraction {
     }
 
     void leave_out_seams() {
-        if (!tree_) return;
+        if (!tree_ || options_.crease_angle) return; // a number means every edge by that number
         const std::int64_t start = host_nanoseconds();
         const std::vector<std::uint32_t> material =
             materials_of(mesh_.groups, welded_, object_of_triangle_);
@@ -253,7 +251,7 @@ class Extraction {
             const bool is_cut = cut != seams_.cut.end() && *cut == i;
             if (is_cut) ++cut;
             if (!line_of_edge.empty()) {
-                const auto found = line_of_edge.find(edge_key(edge.p, edge.q));
+                const auto found = line_of_edge.find(pair_key(edge.p, edge.q));
                 if (found != line_of_edge.end()) {
                     fixed_[found->second].face_a = edge.face_a;
                     fixed_[found->second].face_b = edge.face_b;
@@ -312,7 +310,7 @@ class Extraction {
         const auto place = [&](Line& line) {
             line.p = number[line.p];
             line.q = number[line.q];
-            const bool is_new = !has_added || known.insert(edge_key(line.p, line.q)).second;
+            const bool is_new = !has_added || known.insert(pair_key(line.p, line.q)).second;
             return is_new && line.p != line.q;
         };
         for (Line& line : candidates_) place(line);
@@ -337,6 +335,10 @@ class Extraction {
             result.objects.push_back({objects_.names[i], first, welded_.object_ends[i] - first});
         }
         add_colors(mesh_.groups, welded_.triangle_group, result);
+        if (!mesh_.groups.empty()) {
+            result.groups = mesh_.groups;
+            result.triangle_group = std::move(welded_.triangle_group);
+        }
         for (const glm::vec3& v : result.vertices) {
             result.bounds.min = glm::min(result.bounds.min, v);
             result.bounds.max = glm::max(result.bounds.max, v);

@@ -19,6 +19,8 @@ constexpr double degree = std::numbers::pi / 180;
 // The gate.
 constexpr double flat_bend = 0.5 * degree; ///< a face with an edge bent by less is flat
 constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed
+constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely,
+constexpr double least_coarse = 0.05;              ///< of the model's diagonal: but for crumbs
 
 // Hysteresis: how far a crease stands out from the bends around it.
 constexpr double weak_ratio = 2.4, most_weak = 60 * degree;
@@ -194,7 +196,8 @@ class CreaseFilter {
     }
 
     /// Creases of surfaces that nobody designed. A designed one is cut into triangles along lines
-    /// that need not be there, and so flat across many of them; or it repeats itself.
+    /// that need not be there, and so flat across many of them; or it repeats itself; or it is so
+    /// coarse that each of its edges was drawn.
     void find_doubtful() {
         std::vector<bool> is_flat(mesh_.triangles.size(), false);
         for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -211,11 +214,30 @@ class CreaseFilter {
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
             if (is_crease(i) && flatness.about(edges_[i]) <= flat_share) doubtful_.push_back(i);
         }
-        if (!doubtful_.empty()) trust_repeating_parts();
+        if (doubtful_.empty()) return;
+        const MeshParts parts = find_parts(mesh_);
+        trust_coarse_parts(parts);
+        trust_repeating_parts(parts);
     }
 
-    void trust_repeating_parts() {
-        const MeshParts parts = find_parts(mesh_);
+    void trust_coarse_parts(const MeshParts& parts) {
+        std::vector<std::size_t> triangles(parts.count, 0);
+        for (const glm::uvec3& t : mesh_.triangles) ++triangles[parts.of_vertex[t.x]];
+        std::vector<std::vector<glm::vec3>> vertices(parts.count);
+        for (std::uint32_t i = 0; i < mesh_.vertices.size(); ++i) {
+            const std::uint32_t part = parts.of_vertex[i];
+            if (triangles[part] <= most_coarse_triangles)
+                vertices[part].push_back(mesh_.vertices[i]);
+        }
+        const double least = least_coarse * diagonal_of(mesh_.vertices);
+        std::vector<bool> is_coarse;
+        for (const std::vector<glm::vec3>& part : vertices)
+            is_coarse.push_back(!part.empty() && diagonal_of(part) >= least);
+        std::erase_if(doubtful_,
+                      [&](std::uint32_t i) { return is_coarse[parts.of_vertex[edges_[i].p]]; });
+    }
+
+    void trust_repeating_parts(const MeshParts& parts) {
         std::vector<std::uint32_t> wanted;
         for (const std::uint32_t i : doubtful_) wanted.push_back(parts.of_vertex[edges_[i].p]);
         RepeatingParts repeating{parts, wanted};

@@ -15,7 +15,7 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 UsualUp usual_up(const std::filesystem::path& model) {
     // Machines are drawn lying on a table.
-    constexpr std::array lying{".stl", ".step", ".stp", ".brep", ".brp"};
+    constexpr std::array lying{".stl", ".step", ".stp", ".iges", ".igs", ".brep", ".brp"};
     const bool lies = std::ranges::find(lying, lower_extension(model)) != lying.end();
     return lies ? UsualUp::z : UsualUp::y;
 }

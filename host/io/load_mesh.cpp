@@ -58,8 +58,8 @@ MeshSource read_mesh_source(const std::filesystem::path& path) {
         refuse_other_models(source.model, extension);
         refuse_other_types(source.model, extension);
         throw read_error(path, "unknown mesh type \"" + printable(extension) +
-                                   "\"; known are .obj, .ply, .stl, .off, .om, .gltf, .glb, .step, "
-                                   ".stp and .brep");
+                                   "\"; known are .obj, .ply, .stl, .off, .om, .gltf, .glb, .3mf, "
+                                   ".step, .stp, .iges, .igs and .brep");
     }
     if (extension == ".obj") source.materials = read_material_files(source.model);
     return source;

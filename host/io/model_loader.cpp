@@ -23,11 +23,16 @@ constexpr Family gltf{.file = {.name = "lineatlas-gltf",
                                .package = "libdraco-dev libmeshoptimizer-dev"},
                       .symbol = models::gltf_symbol};
 constexpr Family brep{.file = {.name = "lineatlas-brep",
-                               .purpose = "which reads STEP and BREP models",
+                               .purpose = "which reads STEP, IGES and BREP models",
                                .library = "Open CASCADE",
                                .package = "libocct-data-exchange-dev",
                                .own_package = "lineatlas-brep"},
                       .symbol = models::brep_symbol};
+constexpr Family threemf{.file = {.name = "lineatlas-3mf",
+                                  .purpose = "which reads 3MF models",
+                                  .library = "lib3mf",
+                                  .package = "lib3mf1 libzip4"},
+                         .symbol = models::threemf_symbol};
 
 /// Loaded once: when a file is believed, nothing can be opened any more.
 template <const Family& family>
@@ -42,9 +47,11 @@ struct Extension {
     const models::Module& (*module)();
 };
 constexpr std::array extensions{
-    Extension{".gltf", module_of<gltf>}, Extension{".glb", module_of<gltf>},
-    Extension{".step", module_of<brep>}, Extension{".stp", module_of<brep>},
-    Extension{".brep", module_of<brep>}, Extension{".brp", module_of<brep>}};
+    Extension{".gltf", module_of<gltf>},  Extension{".glb", module_of<gltf>},
+    Extension{".step", module_of<brep>},  Extension{".stp", module_of<brep>},
+    Extension{".iges", module_of<brep>},  Extension{".igs", module_of<brep>},
+    Extension{".brep", module_of<brep>},  Extension{".brp", module_of<brep>},
+    Extension{".3mf", module_of<threemf>}};
 
 struct Other {
     std::string_view extension, what, convert;
@@ -59,9 +66,6 @@ constexpr std::array others{
     Other{".usdc", "a USD scene", "convert it to GLB, with Blender for one"},
     Other{".usdz", "a USD scene", "convert it to GLB, with Blender for one"},
     Other{".ifc", "an IFC building", "convert it to GLB, with IfcConvert for one"},
-    Other{".iges", "an IGES model", "convert it to STEP, with FreeCAD for one"},
-    Other{".igs", "an IGES model", "convert it to STEP, with FreeCAD for one"},
-    Other{".3mf", "a 3MF model", "convert it to OBJ or STL, with the slicer that wrote it"},
     Other{".fcstd", "a FreeCAD document", "export it from FreeCAD as STEP"},
     Other{".sldprt", "a SolidWorks part", "export it from SolidWorks as STEP"},
     Other{".dwg", "a DWG drawing", "export its solids as STEP"},

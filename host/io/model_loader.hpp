@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-// Models that modules read: scenes (glTF) and exact surfaces (STEP, BREP).
+// Models that modules read: scenes (glTF, 3MF) and exact surfaces (STEP, IGES, BREP).
 
 /// Whether a module reads files of this extension (lower case, with its dot).
 bool is_read_by_module(std::string_view extension);

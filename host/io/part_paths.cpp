@@ -48,6 +48,15 @@ PartPaths of_groups(const Mesh& mesh) {
     return result;
 }
 
+template <class T>
+void keep(std::vector<T>& values, const std::vector<bool>& kept) {
+    if (values.empty()) return;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i]) values[next++] = std::move(values[i]);
+    values.resize(next);
+}
+
 } // namespace
 
 std::string PartPath::whole() const {
@@ -58,6 +67,24 @@ std::string PartPath::whole() const {
 
 PartPaths part_paths(const LoadedMesh& loaded) {
     return loaded.parts.empty() ? of_groups(loaded.mesh) : of_tree(loaded);
+}
+
+void keep_parts(Mesh& mesh, const PartPaths& paths, const std::vector<bool>& wanted,
+                bool loose_lines) {
+    const auto kept = [&](const std::vector<std::uint32_t>& parts) {
+        std::vector<bool> result;
+        result.reserve(parts.size());
+        for (const std::uint32_t part : parts)
+            result.push_back(part == PartPaths::none ? loose_lines : wanted[part]);
+        return result;
+    };
+    const std::vector<bool> triangles = kept(paths.of_triangle), lines = kept(paths.of_polyline);
+    keep(mesh.triangles, triangles);
+    keep(mesh.triangle_group, triangles);
+    keep(mesh.triangle_object, triangles);
+    keep(mesh.polylines, lines);
+    keep(mesh.polyline_object, lines);
+    keep(mesh.polyline_kind, lines);
 }
 
 } // namespace lineatlas

@@ -26,4 +26,9 @@ struct PartPaths {
 };
 PartPaths part_paths(const LoadedMesh& loaded);
 
+/// Takes out of the mesh what is not `wanted`, per path of its `paths`; lines of no part stay if
+/// `loose_lines`. Positions stay as they are.
+void keep_parts(Mesh& mesh, const PartPaths& paths, const std::vector<bool>& wanted,
+                bool loose_lines);
+
 } // namespace lineatlas

@@ -13,6 +13,7 @@ namespace {
 struct Signature {
     std::string_view magic;
     std::string_view what;
+    std::string_view extension{}; ///< of files that are it on purpose
 };
 
 constexpr std::array signatures{
@@ -27,7 +28,7 @@ constexpr std::array signatures{
               "compressed by xz; unpack it first"},
     Signature{"\x28\xB5\x2F\xFD", "compressed by zstd; unpack it first"},
     Signature{"7z\xBC\xAF", "a 7z archive; unpack it first"},
-    Signature{"PK\x03\x04", "a ZIP archive; unpack it first"},
+    Signature{"PK\x03\x04", "a ZIP archive; unpack it first", ".3mf"},
     Signature{"\x7F"
               "ELF",
               "a program"},
@@ -119,7 +120,7 @@ std::string_view without_utf8_mark(std::string_view text) {
 void refuse_other_types(const SourceFile& source, std::string_view extension) {
     const std::string_view bytes = source.bytes;
     for (const Signature& signature : signatures)
-        if (bytes.starts_with(signature.magic))
+        if (bytes.starts_with(signature.magic) && extension != signature.extension)
             throw read_error(source.path, "it is " + std::string(signature.what));
     for (const MeshSignature& signature : mesh_signatures)
         if (bytes.starts_with(signature.magic) && extension != signature.extension &&

@@ -35,8 +35,10 @@ struct Module {
 // The modules' one symbol each. Their numbers change with `Module` and all that it names.
 inline constexpr const char* gltf_symbol = "lineatlas_gltf_1";
 inline constexpr const char* brep_symbol = "lineatlas_brep_1";
+inline constexpr const char* threemf_symbol = "lineatlas_3mf_1";
 
 } // namespace lineatlas::models
 
 extern "C" const lineatlas::models::Module lineatlas_gltf_1;
 extern "C" const lineatlas::models::Module lineatlas_brep_1;
+extern "C" const lineatlas::models::Module lineatlas_3mf_1;

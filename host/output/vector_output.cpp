@@ -9,13 +9,16 @@
 
 namespace lineatlas {
 
-VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindIntervals find)
+VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindLines find)
     : frame_(std::move(frame)), lines_(lines), find_(std::move(find)) {}
 
 bool VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
     AtomicFile file{path}; // what cannot be written is said before the work
+    const SeenLines seen = find_(camera);
+    VectorOptions options = frame_.paths;
+    options.outlines = seen.outlines;
     const VectorDrawing drawing =
-        make_vector_drawing(lines_, camera, find_(camera), frame_.style, frame_.paths);
+        make_vector_drawing(lines_, camera, seen.intervals, frame_.style, options);
     const std::string description =
         frame_.description + " " + describe_camera(camera, frame_.json.origin);
     const std::string certificate = frame_.certify ? frame_.certify(drawing, camera, path) : "";

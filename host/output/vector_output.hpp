@@ -24,15 +24,21 @@ struct VectorFrame {
         certify{};
 };
 
+/// What a camera sees of lines.
+struct SeenLines {
+    std::vector<Interval> intervals;
+    std::vector<OutlinePart> outlines; ///< if the style has pens for them
+};
+
 /// Finds what `camera` sees of lines, hidden intervals too: what hides a line may bridge a gap in
 /// it.
-using FindIntervals = std::function<std::vector<Interval>(const Camera& camera)>;
+using FindLines = std::function<SeenLines(const Camera& camera)>;
 
 /// Frames as paths, by extension.
 class VectorOutput final : public FrameOutput {
   public:
     /// `find` is about `lines`, which must outlive it.
-    VectorOutput(VectorFrame frame, const LineSet& lines, FindIntervals find);
+    VectorOutput(VectorFrame frame, const LineSet& lines, FindLines find);
 
     bool draw(const Camera& camera, const std::filesystem::path& path) override;
     void finish() override {}
@@ -41,7 +47,7 @@ class VectorOutput final : public FrameOutput {
   private:
     VectorFrame frame_;
     const LineSet& lines_;
-    FindIntervals find_;
+    FindLines find_;
 };
 
 } // namespace lineatlas

@@ -65,9 +65,8 @@ pdf::Way way_of(const Outline& outline) {
     return way;
 }
 
-pdf::Strokes strokes_of(const LineGroup& group, const Style& style, const Sheet& sheet,
-                        bool fit_arcs) {
-    const PenStroke stroke = pen_stroke(group.pen(style), sheet);
+pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, bool fit_arcs) {
+    const PenStroke stroke = pen_stroke(group.pen, sheet);
     pdf::Strokes strokes{.color = stroke.color,
                          .opacity = stroke.opacity,
                          .width = stroke.width,
@@ -99,7 +98,7 @@ std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options) {
     if (options.background && drawing.style.paper.color != glm::vec3{1})
         page.background = drawing.style.paper.color;
     for (const LineGroup& group : line_groups(drawing))
-        page.strokes.push_back(strokes_of(group, drawing.style, sheet, options.fit_arcs));
+        page.strokes.push_back(strokes_of(group, sheet, options.fit_arcs));
     const pdf::Module& module = pdf_module();
     try {
         return module.write(page);

@@ -1,7 +1,9 @@
 #include "atlas_method.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -15,6 +17,7 @@ namespace {
 
 // A first guess; a frame that needs more makes its tables grow.
 constexpr std::uint32_t first_sample_capacity = 1U << 16U;
+constexpr std::uint32_t first_part_capacity = 1U << 13U;
 
 // Faster motion doesn't sparkle: nobody follows a line through it.
 constexpr float slow_pixels = 4;
@@ -25,6 +28,12 @@ std::uint32_t longest_segment(const Frame& frame) {
     return static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
 }
 
+/// rusticl's compute form of `atlas` draws wrong lines of a second line set, where probes know
+/// surfaces (docs/devices.md); the raster form is right there.
+bool draws_wrong_atlas(const compute::Device& device) {
+    return device.description().find("(rusticl)") != std::string::npos;
+}
+
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
 }
@@ -33,13 +42,15 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), raster_is_faster_(!interop::gl_is_software()), depth_(connection),
-      strokes_(connection), intervals_(stages_) {
+      handover_(device_),
+      prefers_raster_(!interop::gl_is_software() || draws_wrong_atlas(device_)),
+      depth_(connection), chains_(stages_), strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
 
 void AtlasMethod::release_scene() {
+    chains_.release();
     front_.reset();
     arcs_.reset();
     past_ = {};
@@ -49,6 +60,7 @@ void AtlasMethod::release_scene() {
 
 void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables) {
     release_scene();
+    strokes_.forget_lines();
     const std::size_t segments = tables.most_segments();
     front_ = compute::allocate(device_, scene.triangle_count(), purpose::model);
     clipped_ = shared(segments * sizeof(ClippedSegment), purpose::segments);
@@ -90,36 +102,54 @@ void AtlasMethod::prepare(const Frame& frame) {
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.atlas == AtlasForm::raster ||
-              (frame.options.atlas == AtlasForm::automatic && raster_is_faster_ &&
+              (frame.options.atlas == AtlasForm::automatic && prefers_raster_ &&
                longest_segment(frame) < static_cast<std::uint32_t>(largest_side_));
     prepare_layout(frame, raster_ ? largest_side_ : no_texture);
     cull_hidden_ = frame.culls_hidden();
     keeps_intervals_ = IntervalStage::wanted(frame);
+    // The item buffer has no depth that kernels could look at.
+    finds_outlines_ = frame.options.method == Method::atlas &&
+                      (StrokeStage::wants_outlines(frame) || IntervalStage::wants_outlines(frame));
 }
 
 void AtlasMethod::begin_chunk(Frame& frame, std::size_t chunk) {
     if (chunk == 0) {
-        strokes_.begin_frame();
+        strokes_.begin_frame(frame);
         intervals_.begin_frame(frame);
     }
     frame.scene.select(chunk);
-    segment_count_ = frame.scene.table().segment_count;
+    all_segments_ = frame.scene.candidate_table().segment_count;
 }
 
 void AtlasMethod::keep_chunk(Frame& frame) {
     if (frame.scene.chunk_count() == 1) return;
     strokes_.keep(frame, alpha_.get(), layout_.texels(strokes_.sample_total()));
-    intervals_.keep(frame);
+    intervals_.keep(frame, order(), read_offsets());
+}
+
+void AtlasMethod::find_silhouettes(Frame& frame) {
+    const compute::SegmentTable candidates = frame.scene.candidate_table();
+    if ((frame.options.lines & mask_of(LineKind::silhouette)) == 0) {
+        frame.scene.set_order(chains_.without(candidates));
+    } else {
+        const glm::vec4 eye = frame.camera.eye();
+        frame.clock("facing",
+                    [&] { stages_.facing({.table = candidates, .eye = eye, .front = *front_}); });
+        frame.scene.set_order(chains_.find(candidates, *front_, eye, frame.clock));
+    }
+    segment_count_ = frame.scene.table().segment_count;
+}
+
+std::vector<std::uint32_t> AtlasMethod::read_offsets() {
+    if (!chains_.has_order()) return {};
+    std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
+    device_.download(offsets_->compute(), std::as_writable_bytes(std::span{offsets}));
+    return offsets;
 }
 
 void AtlasMethod::project(Frame& frame) {
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
-    if ((frame.options.lines & mask_of(LineKind::silhouette)) != 0) {
-        frame.clock("facing", [&] {
-            stages_.facing(
-                {.table = frame.scene.table(), .eye = frame.camera.eye(), .front = *front_});
-        });
-    }
+    find_silhouettes(frame);
     const compute::OcclusionTest occlusion{
         .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // any buffer where it isn't read
         .tile_count = compute::tiles_for(depth_.size()),
@@ -136,7 +166,8 @@ void AtlasMethod::project(Frame& frame) {
              .step = frame.options.step,
              .kind_mask = frame.options.lines,
              .occlusion = cull_hidden_ ? &occlusion : nullptr,
-             .out = clipped_table()});
+             .out = clipped_table(),
+             .numbers = frame.knows_surfaces() ? &frame.scene.surfaces().numbers : nullptr});
     });
     frame.clock("scan", [&] {
         stages_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
@@ -151,7 +182,39 @@ void AtlasMethod::sample(Frame& frame) {
 }
 
 void AtlasMethod::sample_compute(Frame& frame) {
-    frame.clock("atlas", [&] { stages_.atlas(atlas_args(frame, depth_.size())); });
+    frame.clock("atlas", [&] { stages_.atlas(atlas_args(frame)); });
+}
+
+compute::OutlineTable AtlasMethod::outline(Frame& frame) {
+    const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(la_uint);
+    if (!outline_offsets_ || outline_offsets_->size() < sums) {
+        outline_offsets_.reset(); // it may not fit beside another
+        outline_offsets_ = compute::allocate(device_, sums, purpose::segments);
+    }
+    using Part = std::array<float, 2>;
+    outline_capacity_ =
+        std::max(outline_capacity_, compute::first_capacity<Part>(device_, first_part_capacity));
+    for (bool again = true; again;) {
+        const std::size_t bytes = std::size_t{outline_capacity_} * sizeof(Part);
+        if (!outline_parts_ || outline_parts_->size() < bytes) {
+            outline_parts_.reset();
+            outline_parts_ = compute::allocate(device_, bytes, purpose::segments);
+        }
+        stages_.outline_samples({.table = frame.scene.table(),
+                                 .clipped = clipped_table(),
+                                 .sample_capacity = sample_capacity_,
+                                 .depth = depth_.probed(frame),
+                                 .viewport = frame.viewport(),
+                                 .offsets = *outline_offsets_,
+                                 .parts = *outline_parts_,
+                                 .part_capacity = outline_capacity_});
+        std::uint32_t found = 0;
+        device_.download(*outline_offsets_, std::as_writable_bytes(std::span{&found, 1}),
+                         segment_count_ * sizeof(la_uint));
+        again = found > outline_capacity_;
+        if (again) outline_capacity_ = compute::capacity_for<Part>(device_, found);
+    }
+    return {*outline_offsets_, *outline_parts_, 1};
 }
 
 bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
@@ -159,10 +222,10 @@ bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const
            layout_.rows(samples) > static_cast<std::uint32_t>(largest_side_);
 }
 
-compute::AtlasArgs AtlasMethod::atlas_args(const Frame& frame, glm::ivec2 depth) {
+compute::AtlasArgs AtlasMethod::atlas_args(Frame& frame) {
     return {.segment_count = segment_count_,
             .atlas = segment_atlas(),
-            .depth = frame.depth_buffer(depth_.buffer(), depth),
+            .depth = depth_.probed(frame),
             .viewport = frame.viewport(),
             .probes = frame.probes_per_axis()};
 }
@@ -173,6 +236,7 @@ void AtlasMethod::sample_raster(Frame& frame) {
         clipped_->wrote(clipped_->size());
         offsets_->wrote(offsets_->size());
         handover_.to_gl({clipped_.get(), offsets_.get(), alpha_.get()});
+        depth_.surfaces().to_gl();
     });
     // The total decides how many rows are drawn and read, so the host needs it here.
     std::uint32_t total = 0;
@@ -184,12 +248,13 @@ void AtlasMethod::sample_raster(Frame& frame) {
         if (leaves_raster(frame, total)) return;
         atlas_pass_.draw(
             {.clipped = clipped_->gl(), .offsets = offsets_->gl(), .segment_count = segment_count_},
-            frame.probe_params(depth_.texture()), layout_, total, alpha_->gl());
+            depth_.probed_by_gl(frame), layout_, total, alpha_->gl());
     });
     frame.clock.handover([&] {
         const bool drawn = total <= sample_capacity_ && !leaves_raster(frame, total);
         alpha_->wrote(drawn ? layout_.texels(total) : 0);
         handover_.to_compute({clipped_.get(), offsets_.get(), alpha_.get()});
+        depth_.surfaces().to_compute();
     });
     if (total > sample_capacity_ || !leaves_raster(frame, total)) return;
     if (!reads_depth()) depth_.draw_for_compute(frame);
@@ -217,6 +282,22 @@ bool AtlasMethod::follows_past(const Frame& frame) const {
                slow_pixels;
 }
 
+void AtlasMethod::make_past(const compute::SegmentTable& table) {
+    const std::size_t segments = table.segment_count;
+    const auto words = [&](std::size_t count) {
+        return compute::allocate(device_, count * sizeof(la_uint), purpose::segments);
+    };
+    past_.offsets = words(segments + 1);
+    past_.ranges = words(segments);
+    past_.positions = words(table.candidates.count);
+    device_.clear(*past_.ranges, segments * sizeof(la_uint));
+    forget_chains(table);
+}
+
+void AtlasMethod::forget_chains(const compute::SegmentTable& table) {
+    device_.clear(*past_.positions, std::size_t{table.candidates.count} * sizeof(la_uint));
+}
+
 void AtlasMethod::steady(Frame& frame) {
     const bool wanted = frame.options.steady && frame.options.method == Method::atlas &&
                         frame.options.probes > 1 && frame.scene.chunk_count() == 1;
@@ -225,12 +306,8 @@ void AtlasMethod::steady(Frame& frame) {
         return;
     }
     frame.clock("temporal", [&] {
-        if (!past_.offsets) {
-            const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(la_uint);
-            past_.offsets = compute::allocate(device_, sums, purpose::segments);
-            past_.ranges = compute::allocate(device_, std::size_t{segment_count_} * sizeof(la_uint),
-                                             purpose::segments);
-        }
+        const compute::SegmentTable table = frame.scene.candidate_table();
+        if (!past_.offsets) make_past(table);
         if (!past_.alpha || past_.alpha->size() != alpha_->size()) {
             past_.alpha.reset(); // it may not fit beside another
             past_.alpha = compute::allocate(device_, alpha_->size(), purpose::atlas);
@@ -241,12 +318,16 @@ void AtlasMethod::steady(Frame& frame) {
         if (follows) {
             frame.scene.forget_jumps(past_.transforms, frame.camera, slow_pixels, *past_.ranges);
         }
+        std::optional<compute::ChainOrder> chains;
+        if (chains_.has_order()) chains.emplace(chains_.order(table, *past_.positions));
         stages_.temporal({.segment_count = segment_count_,
                           .atlas = segment_atlas(),
                           .history = {*past_.alpha, *past_.offsets, *past_.ranges},
                           .use = !follows        ? LA_HISTORY_NONE
                                  : objects_moved ? LA_HISTORY_SCENE
-                                                 : LA_HISTORY_CAMERA});
+                                                 : LA_HISTORY_CAMERA,
+                          .chains = chains ? &*chains : nullptr});
+        if (!chains) forget_chains(table);
         past_.camera = frame.camera;
         past_.probes = frame.options.probes;
         past_.depth_scale = frame.depth_scale();
@@ -293,24 +374,25 @@ void AtlasMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
         alpha_->wrote(layout_.texels(strokes_.sample_total()));
         strokes_.note_written();
-        const auto [runs, record, hidden_runs, hidden_record, weights] = strokes_.tables();
-        handover_.to_gl({alpha_.get(), runs, record, hidden_runs, hidden_record, weights});
+        handover_.to_gl(strokes_.tables({alpha_.get()}));
     });
 }
 
 void AtlasMethod::take_tables() {
-    const auto [runs, record, hidden_runs, hidden_record, weights] = strokes_.tables();
-    handover_.to_compute({clipped_.get(), offsets_.get(), alpha_.get(), runs, record, hidden_runs,
-                          hidden_record, weights});
+    handover_.to_compute(strokes_.tables({clipped_.get(), offsets_.get(), alpha_.get()}));
 }
 
 void AtlasMethod::find(Frame& frame) {
     do {
         sample(frame);
         steady(frame);
+        std::optional<compute::OutlineTable> outline;
+        if (finds_outlines_) frame.clock("outline", [&] { outline.emplace(this->outline(frame)); });
         intervals_.find(frame, segment_atlas(), depth_);
-        strokes_.make_runs(frame, segment_atlas());
+        strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
+    if (finds_outlines_ && keeps_intervals_)
+        intervals_.add_outlines(frame, {*outline_offsets_, *outline_parts_, 1}, order());
     keep_chunk(frame);
 }
 
@@ -350,7 +432,8 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
-                             arcs_->size() + size_of(past_.offsets) + size_of(past_.ranges),
+                             arcs_->size() + chains_.bytes() + size_of(past_.offsets) +
+                             size_of(past_.ranges) + size_of(past_.positions),
             .sample_bytes = alpha_->size() + size_of(past_.alpha),
             .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
@@ -373,6 +456,9 @@ Renderer::Samples AtlasMethod::read_samples() {
         const auto* first = texels.data() + layout_.address(result.offsets[i]);
         result.alpha.insert(result.alpha.end(), first, first + l);
     }
+    const TableOrder in_chains = order();
+    in_chains.restore(all_segments_, result.offsets, result.alpha);
+    in_chains.restore(result.runs);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "compute/stages/silhouette_chains.hpp"
 #include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
 #include "frame.hpp"
@@ -29,7 +30,8 @@ class AtlasMethod {
     /// See Renderer::draw_tiles().
     FrameStats draw_tiles(Frame& frame, const TileTarget& target);
     Renderer::Samples read_samples();
-    std::vector<Interval> read_intervals() { return intervals_.read(); }
+    std::vector<Interval> read_intervals() { return intervals_.read(order(), read_offsets()); }
+    std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
 
   private:
     using SharedBuffer = interop::SharedBuffer;
@@ -42,13 +44,18 @@ class AtlasMethod {
     void begin_chunk(Frame& frame, std::size_t chunk);
     /// After all stages of a chunk, where there are several: what comes of it goes to the host.
     void keep_chunk(Frame& frame);
+    /// Which silhouettes the current chunk has, in chains.
+    void find_silhouettes(Frame& frame);
+    /// In which its segments stand since then; waits.
+    TableOrder order() const { return {chains_.first(), chains_.read_origins()}; }
+    /// Where the samples of each begin; empty where all stand as in the line set.
+    std::vector<std::uint32_t> read_offsets();
     void project(Frame& frame);
     /// Samples, intervals and runs of the current chunk.
     void find(Frame& frame);
     void sample(Frame& frame);
     void sample_tiles(Frame& frame, const TileTarget& target);
-    /// `depth`: the texels of the buffer.
-    compute::AtlasArgs atlas_args(const Frame& frame, glm::ivec2 depth);
+    compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
     }
@@ -56,6 +63,10 @@ class AtlasMethod {
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
     void steady(Frame& frame);
+    /// Makes the tables of what the last frame leaves.
+    void make_past(const compute::SegmentTable& table);
+    /// The last frame had no silhouettes.
+    void forget_chains(const compute::SegmentTable& table);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
@@ -77,7 +88,11 @@ class AtlasMethod {
     /// Whether the current frame's atlas has more rows than GL can draw, and kernels may do it.
     bool leaves_raster(const Frame& frame, std::uint32_t samples) const;
     /// Whether kernels need the current frame's depth.
-    bool reads_depth() const { return !raster_ || cull_hidden_ || keeps_intervals_; }
+    bool reads_depth() const {
+        return !raster_ || cull_hidden_ || keeps_intervals_ || finds_outlines_;
+    }
+    /// Which parts of the current chunk's segments have the background on one side; waits.
+    compute::OutlineTable outline(Frame& frame);
     compute::ClippedTable clipped_table() {
         return {clipped_->compute(), offsets_->compute(), *arcs_};
     }
@@ -86,24 +101,30 @@ class AtlasMethod {
     compute::Device& device_; ///< of stages_
     interop::SharingMode mode_;
     interop::Handover handover_;
-    bool raster_is_faster_;
+    bool prefers_raster_;
     /// The longest row of an atlas that is a plain buffer, which GL doesn't draw to.
     static constexpr GLint no_texture = 1 << 24;
     GLint largest_side_ = 0; ///< of what GL draws to
     GLint largest_texture_buffer_ = 0;
 
     DepthStage depth_;
-    std::uint32_t segment_count_ = 0; ///< of the current chunk
+    compute::SilhouetteChains chains_; ///< of the current chunk
+    std::uint32_t segment_count_ = 0;  ///< of the current chunk, as the frame draws it
+    std::uint32_t all_segments_ = 0;   ///< of the current chunk, candidates too
     std::unique_ptr<compute::Buffer> front_, arcs_;
     std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
     AtlasLayout layout_{0, 0};
-    bool keeps_intervals_ = false; ///< the current frame
-    bool raster_ = false;          ///< the current frame's form of `atlas`
+    bool keeps_intervals_ = false;                                     ///< the current frame
+    bool finds_outlines_ = false;                                      ///< the current frame
+    std::unique_ptr<compute::Buffer> outline_offsets_, outline_parts_; ///< while there are any
+    std::uint32_t outline_capacity_ = 0;                               ///< of outline_parts_
+    bool raster_ = false; ///< the current frame's form of `atlas`
     /// What the last frame left for `temporal`, and what it must have in common with the next.
     struct Past {
         std::unique_ptr<compute::Buffer> alpha, offsets, ranges;
-        std::optional<Camera> camera; ///< none: nothing to go by
+        std::unique_ptr<compute::Buffer> positions{}; ///< of candidates, see ChainOrder
+        std::optional<Camera> camera;                 ///< none: nothing to go by
         std::uint32_t probes = 0;
         int depth_scale = 0;
         float step = 0;

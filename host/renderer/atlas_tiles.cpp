@@ -26,7 +26,7 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
     for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
         const compute::DepthTile depth = depth_.draw_tile(frame, tile);
         frame.clock("atlas", [&] {
-            compute::AtlasArgs args = atlas_args(frame, depth_.size());
+            compute::AtlasArgs args = atlas_args(frame);
             args.tile = &depth;
             stages_.atlas(args);
         });
@@ -48,7 +48,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         bool sampled = false;
         do {
             if (!sampled) sample_tiles(frame, target);
-            strokes_.make_runs(frame, segment_atlas());
+            strokes_.make_runs(frame, segment_atlas(), nullptr, nullptr);
             sampled = !strokes_.changes_samples();
         } while (grow());
         keep_chunk(frame);

@@ -37,10 +37,11 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 DepthStage::DepthStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_),
+      handover_(device_), surfaces_(connection),
       kernels_are_faster_(interop::gl_is_software() && device_.tuning().depth_lanes > 1) {}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
+    surfaces_.set_scene();
     seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
     clusters_ = scene.all_clusters();
     appeared_.resize(clusters_.size());
@@ -97,11 +98,12 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
 
 void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part) {
     const auto [low, size] = std::pair{part.low, part.size()};
+    surfaces_.begin(frame, size);
     handover_.to_gl({depth_.get()});
     frame.clock.gl("depth", [&] {
         const glm::mat4 clip = frame.camera.clip_from_world();
         ranges_ = pieces_in_view(frame.scene, tile_projection(clip, {low, size}, whole));
-        pass_.begin(size, 1);
+        pass_.begin(size, 1, surfaces_.known());
         pass_.draw_ranges(frame.scene.gl_triangles(), clip, ranges_,
                           tile_transform({low, size}, whole));
         pass_.copy_to(depth_->gl(), {{0, 0}, size});
@@ -111,6 +113,7 @@ void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRect
         depth_->wrote(area(size) * sizeof(float));
         handover_.to_compute({depth_.get()});
     });
+    hand_over_surfaces(frame, {{0, 0}, size});
 }
 
 bool DepthStage::wants_kernels(const Frame& frame) const {
@@ -123,10 +126,14 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
                                  const TexelRectangle& covered) {
     size_ = part.size();
     prepare_tiles(size_);
-    frame.clock.handover([&] { handover_.to_compute({depth_.get(), tiles_.get()}); });
+    surfaces_.begin(frame, size_);
+    frame.clock.handover([&] {
+        handover_.to_compute({depth_.get(), tiles_.get()});
+        surfaces_.to_compute();
+    });
     frame.clock("depth", [&] {
         stages_.depth({.model = frame.scene.meshlets(),
-                       .vertices = frame.scene.table().vertices,
+                       .vertices = frame.scene.candidate_table().vertices,
                        .clip_from_world = frame.camera.clip_from_world(),
                        .whole_size = whole,
                        .origin = part.low,
@@ -134,8 +141,10 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
                        .covered = covered,
                        .depth = depth_->compute(),
                        .tiles = tiles_->compute(),
-                       .seen = *visible_});
+                       .seen = *visible_,
+                       .numbers = surfaces_.known() ? &surfaces_.numbers()->compute() : nullptr});
     });
+    surfaces_.find_planes(frame, visible_.get());
     drawn_is_known_ = false;
 }
 
@@ -159,8 +168,12 @@ void DepthStage::fill_texture(Frame& frame) {
     frame.clock.handover([&] {
         depth_->wrote(area(size_) * sizeof(float));
         take_back();
+        surfaces_.to_gl();
     });
-    frame.clock.gl("depth", [&] { pass_.load(depth_->gl(), size_, covered(frame)); });
+    frame.clock.gl("depth", [&] {
+        pass_.load(depth_->gl(), size_, covered(frame));
+        if (surfaces_.known()) pass_.load_numbers(surfaces_.numbers()->gl(), size_, covered(frame));
+    });
     frame.clock.handover([&] { handover_.to_compute({depth_.get(), tiles_.get()}); });
 }
 
@@ -190,9 +203,15 @@ void DepthStage::draw_texture(Frame& frame) {
         return fill_texture(frame);
     }
     drawn_is_known_ = true;
+    draw_raster(frame);
+    surfaces_.find_planes(frame, nullptr);
+}
+
+void DepthStage::draw_raster(Frame& frame) {
+    surfaces_.begin(frame, frame.camera.size * frame.depth_scale());
     if (imported_) return import_depth(frame);
     frame.clock.gl("depth", [&] {
-        pass_.begin(frame.camera.size, frame.depth_scale());
+        pass_.begin(frame.camera.size, frame.depth_scale(), surfaces_.known());
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world());
         triangles_drawn_ = frame.scene.triangle_count();
         ranges_.assign(1, {0, triangles_drawn_});
@@ -207,12 +226,15 @@ void DepthStage::draw_for_compute(Frame& frame) {
     drawn_is_known_ = true;
     frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
     if (imported_ || !frame.culls_hidden() || seen_.empty()) {
-        draw_texture(frame);
-        return build_pyramid(frame);
+        draw_raster(frame);
+        build_pyramid(frame);
+        return hand_over_surfaces(frame, covered(frame));
     }
+    surfaces_.begin(frame, frame.camera.size * frame.depth_scale());
     triangles_drawn_ = 0;
     ranges_.clear();
-    frame.clock.gl("depth", [&] { pass_.begin(frame.camera.size, frame.depth_scale()); });
+    frame.clock.gl("depth",
+                   [&] { pass_.begin(frame.camera.size, frame.depth_scale(), surfaces_.known()); });
     draw_clusters(frame, seen_);
     build_pyramid(frame);
     const std::vector<std::uint8_t>& visible = appeared_;
@@ -224,10 +246,34 @@ void DepthStage::draw_for_compute(Frame& frame) {
         seen_[i] = visible[i];
         appeared_[i] = appears ? 1 : 0;
     }
-    if (!any) return;
-    frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
-    draw_clusters(frame, appeared_);
-    build_pyramid(frame);
+    if (any) {
+        frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
+        draw_clusters(frame, appeared_);
+        build_pyramid(frame);
+    }
+    hand_over_surfaces(frame, covered(frame));
+}
+
+void DepthStage::hand_over_surfaces(Frame& frame, const TexelRectangle& part) {
+    if (!surfaces_.known()) return;
+    frame.clock.handover([&] { surfaces_.to_gl(); });
+    frame.clock.gl("depth", [&] { pass_.copy_numbers_to(surfaces_.numbers()->gl(), part); });
+    frame.clock.handover([&] { surfaces_.to_compute(); });
+    surfaces_.find_planes(frame, nullptr);
+}
+
+compute::DepthBuffer DepthStage::probed(Frame& frame) const {
+    return {.texels = depth_->compute(),
+            .size = size(),
+            .scale = static_cast<float>(frame.depth_scale()),
+            .tolerance = frame.depth_tolerance(),
+            .surfaces = surfaces_.tables(frame)};
+}
+
+gl::ProbeParams DepthStage::probed_by_gl(Frame& frame) {
+    gl::ProbeParams params = frame.probe_params(texture());
+    params.surfaces = surfaces_.textures(frame, pass_.numbers());
+    return params;
 }
 
 void DepthStage::take_back() {

@@ -10,6 +10,7 @@
 #include "glpasses/import_depth_pass.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
+#include "surface_stage.hpp"
 
 namespace lineatlas {
 
@@ -47,6 +48,12 @@ class DepthStage {
     void take_tile_back() {
         if (!by_kernels_) handover_.to_gl({depth_.get()});
     }
+    /// What probes look at, by kernels.
+    compute::DepthBuffer probed(Frame& frame) const;
+    /// The same by GL's passes, after surfaces().to_gl().
+    gl::ProbeParams probed_by_gl(Frame& frame);
+    SurfaceStage& surfaces() { return surfaces_; }
+
     /// At the end of the frame: takes back from compute what GL will draw to.
     void end_frame() {
         if (!by_kernels_) take_back();
@@ -75,6 +82,10 @@ class DepthStage {
   private:
     void prepare(const Frame& frame);
     void prepare_depth(glm::ivec2 size);
+    /// Draws the texture by GL.
+    void draw_raster(Frame& frame);
+    /// Of depth that GL has drawn, all of `part`: hands on what it shows.
+    void hand_over_surfaces(Frame& frame, const TexelRectangle& part);
     /// The raster form of draw_tile().
     void draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part);
     /// Whether the frame's depth is drawn by kernels.
@@ -106,6 +117,7 @@ class DepthStage {
     interop::SharingMode mode_;
     interop::Handover handover_;
     gl::DepthPass pass_;
+    SurfaceStage surfaces_;
     std::optional<gl::ImportDepthPass> import_; ///< made when first used
     bool imported_ = false;                     ///< the current frame's depth is the program's own
     const bool kernels_are_faster_;

@@ -12,11 +12,12 @@ ExactMethod::ExactMethod(const interop::Connection& connection)
       strokes_(connection), intervals_(stages_) {}
 
 void ExactMethod::set_scene(const SceneBuffers& scene) {
+    strokes_.forget_lines();
     lines_.make_tables(scene.triangle_count(), scene.tables().most_segments());
 }
 
 void ExactMethod::find(Frame& frame) {
-    strokes_.begin_frame();
+    strokes_.begin_frame(frame);
     intervals_.begin_frame(frame);
     const LineView view{.camera = frame.camera,
                         .bounds = frame.scene.bounds(),
@@ -26,18 +27,26 @@ void ExactMethod::find(Frame& frame) {
     const std::size_t chunks = frame.scene.chunk_count();
     const auto table = [&](std::size_t chunk) {
         frame.scene.select(chunk);
-        return frame.scene.table();
+        return frame.scene.candidate_table();
     };
-    lines_.find(view, chunks, table, frame.clock,
-                [&](std::size_t, const compute::SpanTable& spans) {
-                    do {
-                        intervals_.find(frame, lines_.clipped(), spans);
-                        strokes_.make_runs(frame, no_samples(), &spans);
-                    } while (grow());
-                    if (chunks == 1) return;
-                    strokes_.keep(frame, alpha_.get(), 0);
-                    intervals_.keep(frame);
-                });
+    const bool of_intervals = IntervalStage::wants_outlines(frame);
+    const bool of_strokes = StrokeStage::wants_outlines(frame);
+    lines_.find(
+        view, chunks, table, frame.clock,
+        [&](std::size_t, const compute::SegmentTable& segments, const compute::SpanTable& spans) {
+            frame.scene.set_order(segments);
+            std::optional<compute::OutlineTable> outline;
+            if (of_intervals || of_strokes)
+                frame.clock("outline", [&] { outline.emplace(lines_.outline()); });
+            do {
+                intervals_.find(frame, lines_.clipped(), spans);
+                strokes_.make_runs(frame, no_samples(), &spans, outline ? &*outline : nullptr);
+            } while (grow());
+            if (of_intervals) intervals_.add_outlines(frame, *outline, lines_.order());
+            if (chunks == 1) return;
+            strokes_.keep(frame, alpha_.get(), 0);
+            intervals_.keep(frame, lines_.order(), {});
+        });
 }
 
 bool ExactMethod::grow() {
@@ -46,15 +55,13 @@ bool ExactMethod::grow() {
 }
 
 void ExactMethod::take_tables() {
-    const auto [runs, record, hidden_runs, hidden_record, weights] = strokes_.tables();
-    handover_.to_compute({alpha_.get(), runs, record, hidden_runs, hidden_record, weights});
+    handover_.to_compute(strokes_.tables({alpha_.get()}));
 }
 
 void ExactMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
         strokes_.note_written();
-        const auto [runs, record, hidden_runs, hidden_record, weights] = strokes_.tables();
-        handover_.to_gl({alpha_.get(), runs, record, hidden_runs, hidden_record, weights});
+        handover_.to_gl(strokes_.tables({alpha_.get()}));
     });
 }
 

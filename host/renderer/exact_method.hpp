@@ -26,7 +26,8 @@ class ExactMethod {
     FrameStats draw(Frame& frame);
     /// See Renderer::draw_tiles(); only strokes are drawn by tiles.
     FrameStats draw_tiles(Frame& frame, const TileTarget& target);
-    std::vector<Interval> read_intervals() { return intervals_.read(); }
+    std::vector<Interval> read_intervals() { return intervals_.read(lines_.order(), {}); }
+    std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
 
   private:
     /// Finds what is visible, and makes intervals and runs of it.

@@ -20,6 +20,10 @@ float Frame::depth_tolerance() const {
     return lineatlas::depth_tolerance(camera);
 }
 
+bool Frame::knows_surfaces() const {
+    return !options.depth && (options.method == Method::atlas || options.method == Method::spine);
+}
+
 bool Frame::culls_hidden() const {
     // Below this, samples and strokes cost less than the pyramid.
     constexpr std::uint32_t fewest_segments = 10'000;

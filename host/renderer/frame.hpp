@@ -41,9 +41,9 @@ struct Frame {
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).
     float depth_tolerance() const;
-    compute::DepthBuffer depth_buffer(compute::Buffer& texels, glm::ivec2 size) const {
-        return {texels, size, static_cast<float>(depth_scale()), depth_tolerance()};
-    }
+    /// Whether probes judge what they hit as the surface that it is: that of the program's own
+    /// depth is not known.
+    bool knows_surfaces() const;
     /// Whether segments and triangles that are hidden whole are looked for and left out.
     bool culls_hidden() const;
     /// Pens and visibility as the passes take them.

@@ -1,6 +1,7 @@
 #include "interval_stage.hpp"
 
 #include "lineatlas/error.hpp"
+#include "visibility/outline_parts.hpp"
 
 namespace lineatlas {
 
@@ -12,7 +13,7 @@ void IntervalStage::find(Frame& frame, const compute::SegmentAtlas& input,
         stages_.intervals({.table = frame.scene.table(),
                            .atlas = input,
                            .viewport = frame.viewport(),
-                           .depth = frame.depth_buffer(depth.buffer(), depth.size()),
+                           .depth = depth.probed(frame),
                            .hidden_too = wants_hidden(frame),
                            .intervals = room.intervals,
                            .interval_capacity = room.capacity,
@@ -38,12 +39,19 @@ void IntervalStage::find(Frame& frame, const compute::ClippedTable& clipped,
     });
 }
 
-std::vector<Interval> IntervalStage::read() {
+void IntervalStage::add_outlines(const Frame& frame, const compute::OutlineTable& table,
+                                 const TableOrder& order) {
+    add_outline_parts(stages_.device(), table, table_.read_table(), order,
+                      frame.scene.first_segment(), frame.scene.table().segment_count, outlines_);
+}
+
+std::vector<Interval> IntervalStage::read(const TableOrder& order,
+                                          std::span<const std::uint32_t> offsets) {
     if (!table_.kept()) {
         throw UsageError("renderer: read_intervals() needs a frame of method atlas or exact with "
                          "FrameOptions::intervals");
     }
-    return table_.read();
+    return table_.read(order, offsets);
 }
 
 } // namespace lineatlas

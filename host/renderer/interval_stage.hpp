@@ -23,22 +23,37 @@ class IntervalStage {
     }
 
     /// Before the first find() of a frame.
-    void begin_frame(const Frame& frame) { table_.begin_frame(wanted(frame)); }
+    void begin_frame(const Frame& frame) {
+        table_.begin_frame(wanted(frame));
+        outlines_.clear();
+    }
+    /// Whether add_outlines() is to come after find().
+    static bool wants_outlines(const Frame& frame) {
+        return wanted(frame) && tells_outlines(frame.options.style);
+    }
     /// Finds the frame's intervals, if it keeps any, and waits for their number. `input`: before a
     /// style changes it.
     void find(Frame& frame, const compute::SegmentAtlas& input, const DepthStage& depth);
     /// The same of the exact method.
     void find(Frame& frame, const compute::ClippedTable& clipped, const compute::SpanTable& spans);
+    /// What of the current chunk's intervals, whose segments stand in that order, is outline.
+    void add_outlines(const Frame& frame, const compute::OutlineTable& table,
+                      const TableOrder& order);
     /// Enlarges the table if they exceed it; true if they must be found again.
     bool grow() { return table_.grow(); }
     /// Where segments come in chunks: the intervals of the current one go to the host.
-    void keep(const Frame& frame) { table_.keep(frame.scene.first_segment()); }
+    void keep(const Frame& frame, const TableOrder& order, std::span<const std::uint32_t> offsets) {
+        table_.keep(frame.scene.first_segment(), order, offsets);
+    }
     /// Of the last frame; throws UsageError if it kept none.
-    std::vector<Interval> read();
+    std::vector<Interval> read(const TableOrder& order, std::span<const std::uint32_t> offsets);
+    /// Likewise; empty where wants_outlines() was not so.
+    std::vector<OutlinePart> read_outlines() const { return outlines_; }
 
   private:
     compute::Stages& stages_;
     IntervalTable table_;
+    std::vector<OutlinePart> outlines_; ///< of the frame
 };
 
 } // namespace lineatlas

@@ -91,6 +91,8 @@ void check(const FrameOptions& options) {
     }
     if (options.depth) check(*options.depth, options.method);
     check(options.style.pen, "pen");
+    for (const PenRule& rule : options.style.pens)
+        check(with_rule(options.style.pen, rule, options.style.pen), "pens");
     if (options.style.hidden) check(options.style.hidden_pen, "hidden pen");
 }
 
@@ -240,6 +242,11 @@ class Renderer::State {
         return has_exact_intervals_ && exact_ ? exact_->read_intervals() : atlas_->read_intervals();
     }
 
+    std::vector<OutlinePart> read_outlines() {
+        if (broken_) throw UsageError("renderer: read_outlines() needs a frame that was drawn");
+        return has_exact_intervals_ && exact_ ? exact_->read_outlines() : atlas_->read_outlines();
+    }
+
     std::vector<FrameProfile> take_profiles(bool wait) {
         return recorder_ ? recorder_->take(wait) : std::vector<FrameProfile>{};
     }
@@ -312,17 +319,19 @@ class Renderer::State {
         check(options);
         check_picture(camera.size);
         if (scene_->chunk_count() > 1) check_chunks(options);
+        options_ = options;
+        scale_lengths(options_.style, camera.size);
         camera_ = standard_camera(camera, options);
         Frame frame{.camera = camera_.camera,
                     .depth_mapping = camera_.depth,
-                    .options = options,
+                    .options = options_,
                     .scene = *scene_,
                     .framebuffer = framebuffer_name(framebuffer),
                     .pens = pens_,
                     .backdrop = backdrop_,
                     .clock = {connection_.stages->device(), options.measure_stages,
                               options.profile ? &*recorder_ : nullptr}};
-        frame.stroke_params(options.style.pen); // refuses an unknown pen and
+        frame.stroke_params(options_.style.pen); // refuses an unknown pen and
         frame.probes_per_axis(); // refuses what is not a square before anything is drawn
         if (scene_->has_moved()) frame.clock("transform", [&] { scene_->move(); });
         return frame;
@@ -354,6 +363,7 @@ class Renderer::State {
     gl::CurrentContext context_ = gl::current_context();
     interop::Connection connection_;
     StandardCamera camera_; ///< of the current frame
+    FrameOptions options_;  ///< of the current frame, with lengths for its size
     std::optional<SceneBuffers> scene_;
     std::optional<ProfileRecorder> recorder_; ///< from the first profiled frame on
     PenTextures pens_;
@@ -425,6 +435,10 @@ FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
 std::vector<Interval> Renderer::read_intervals() {
     const gl::StateGuard guard = state_->enter();
     return state_->read_intervals();
+}
+std::vector<OutlinePart> Renderer::read_outlines() {
+    const gl::StateGuard guard = state_->enter();
+    return state_->read_outlines();
 }
 std::vector<FrameProfile> Renderer::take_profiles(bool wait) {
     const gl::StateGuard guard = state_->enter();

@@ -10,6 +10,7 @@
 
 #include "core/clusters.hpp"
 #include "core/meshlets.hpp"
+#include "core/patches.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
@@ -37,7 +38,8 @@ gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose) {
 
 SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines)
     : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
-      motion_(lines), diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
+      motion_(lines), classes_(line_classes(lines)),
+      diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
       gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
@@ -47,6 +49,7 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, c
     clusters_ = std::move(parts.clusters);
     cluster_objects_ = std::move(parts.objects);
     upload_colors(lines, parts.order);
+    triangle_order_ = std::move(parts.order);
     tables_.clusters = upload(device(), bytes_of(clusters_), purpose::model);
 }
 
@@ -57,7 +60,8 @@ bool SceneBuffers::is_cut_up() const {
 std::uint64_t SceneBuffers::mesh_bytes() const {
     std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() +
                         (tables_.moving ? tables_.moving->bytes() : 0);
-    for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners}) {
+    for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners,
+                               &tables_.numbers, &tables_.patches}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -82,6 +86,33 @@ compute::MeshletTables SceneBuffers::meshlets() {
     }
     return {cluster_buffer(), *tables_.meshlets, *tables_.vertex_list, *tables_.corners,
             static_cast<std::uint32_t>(clusters_.size())};
+}
+
+SceneBuffers::Surfaces SceneBuffers::surfaces() {
+    if (!tables_.numbers) {
+        std::vector<std::uint32_t> numbers(triangle_count_), patches(triangle_count_);
+        const std::vector<std::uint32_t> of_triangles = smooth_patches(
+            download<glm::uvec3>(*tables_.triangles, triangle_count_), download_segments());
+        for (std::uint32_t i = 0; i < triangle_count_; ++i) {
+            numbers[triangle_order_[i]] = i;
+            patches[i] = of_triangles[triangle_order_[i]];
+        }
+        auto uploaded = upload(device(), bytes_of(numbers), purpose::model);
+        tables_.patches = upload(device(), bytes_of(patches), purpose::model);
+        tables_.numbers = std::move(uploaded);
+    }
+    return {*tables_.numbers, *tables_.patches};
+}
+
+SceneBuffers::GlSurfaces SceneBuffers::gl_surfaces() {
+    if (!gl_numbers_) {
+        const Surfaces own = surfaces();
+        gl_patches_ = upload_gl(bytes_of(download<std::uint32_t>(own.patches, triangle_count_)),
+                                purpose::model);
+        gl_numbers_ = upload_gl(bytes_of(download<std::uint32_t>(own.numbers, triangle_count_)),
+                                purpose::model);
+    }
+    return {gl_numbers_.id(), gl_patches_.id()};
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
@@ -145,7 +176,7 @@ void SceneBuffers::forget_jumps(std::span<const glm::mat4> transforms_from, cons
                                 float most_pixels, compute::Buffer& ranges) {
     if (!tables_.moving) return;
     const std::vector<std::uint8_t> jumped = motion_.jumped(transforms_from, camera, most_pixels);
-    if (!jumped.empty()) tables_.moving->forget(table(), jumped, ranges);
+    if (!jumped.empty()) tables_.moving->forget(candidate_table(), jumped, ranges);
 }
 
 void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint32_t> order) {
@@ -214,8 +245,13 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
         gl_table_triangles_ = upload_gl(
             bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)), purpose::spine);
     }
-    return {gl_segments_.id(), gl_vertices(),          gl_table_triangles_.id(),
-            segment_count_,    motion_.vertex_count(), triangle_count_};
+    return {.segments = gl_segments_.id(),
+            .vertices = gl_vertices(),
+            .triangles = gl_table_triangles_.id(),
+            .numbers = 0,
+            .segment_count = segment_count_,
+            .vertex_count = motion_.vertex_count(),
+            .triangle_count = triangle_count_};
 }
 
 gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {

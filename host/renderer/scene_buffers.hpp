@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "compute/stages/stages.hpp"
+#include "core/line_pens.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/fill_pass.hpp"
 #include "glpasses/line_pass.hpp"
@@ -49,6 +51,8 @@ class SceneBuffers {
         std::unique_ptr<MovingTables> moving{};               ///< of a model that moves; else null
         /// What the kernels of `depth` draw; null until first asked for.
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
+        /// What probes that know surfaces read; null until first asked for.
+        std::unique_ptr<compute::Buffer> numbers{}, patches{};
     };
     const Tables& tables() const { return tables_; }
     /// The same on another device, from the memory of this one.
@@ -58,16 +62,27 @@ class SceneBuffers {
         stages_ = &stages;
         mode_ = mode;
         tables_ = std::move(tables);
-        chunk_ = 0;
+        select(0);
         moved_ = tables_.moving != nullptr;
     }
 
-    compute::SegmentTable table() const {
-        return {tables_.moving ? tables_.moving->vertices() : *tables_.vertices, *tables_.triangles,
-                *chunk().segments, triangle_count_, chunk().range.count};
+    /// As the line set has them; of the current chunk.
+    compute::SegmentTable candidate_table() const {
+        return {.vertices = tables_.moving ? tables_.moving->vertices() : *tables_.vertices,
+                .triangles = *tables_.triangles,
+                .segments = *chunk().segments,
+                .triangle_count = triangle_count_,
+                .segment_count = chunk().range.count,
+                .candidates = chunk().candidates()};
     }
+    /// As the current frame draws them: in the order that was set last since select().
+    compute::SegmentTable table() const { return ordered_ ? *ordered_ : candidate_table(); }
+    void set_order(const compute::SegmentTable& ordered) { ordered_.emplace(ordered); }
     std::size_t chunk_count() const { return tables_.chunks.size(); }
-    void select(std::size_t chunk) { chunk_ = chunk; }
+    void select(std::size_t chunk) {
+        chunk_ = chunk;
+        ordered_.reset();
+    }
     /// In the whole segment table.
     std::uint32_t first_segment() const { return chunk().range.first; }
     /// For drawing: the triangles in an order of their own.
@@ -88,11 +103,24 @@ class SceneBuffers {
     std::span<const Cluster> all_clusters() const { return clusters_; }
     /// all_clusters() as the kernels of `depth` draw them.
     compute::MeshletTables meshlets();
+    /// What is known of triangles as surfaces.
+    struct Surfaces {
+        compute::Buffer& numbers; ///< ProjectClipArgs::numbers
+        compute::Buffer& patches; ///< SurfaceTables::patches
+    };
+    Surfaces surfaces();
+    /// The same for GL: uint32 each.
+    struct GlSurfaces {
+        GLuint numbers, patches;
+    };
+    GlSurfaces gl_surfaces();
     /// clusters() with boxes as of now; waits for the device after a motion.
     std::span<const Cluster> boxes();
     compute::Buffer& cluster_buffer() const {
         return tables_.moving ? tables_.moving->clusters() : *tables_.clusters;
     }
+    /// What rules for pens tell lines apart by.
+    const LineClasses& classes() const { return classes_; }
     const Bounds& bounds() const { return motion_.bounds(); }
     /// Of the model as it was made: a measure that stays.
     float diagonal() const { return diagonal_; }
@@ -125,18 +153,23 @@ class SceneBuffers {
     interop::SharingMode mode_;
     Tables tables_;
     std::size_t chunk_ = 0; ///< the current one
+    std::optional<compute::SegmentTable> ordered_;
     SceneMotion motion_;
+    LineClasses classes_;
     float diagonal_;
     bool moved_ = false; ///< since the last move()
     std::vector<Cluster> clusters_;
     bool boxes_are_old_ = false; ///< in `clusters_`
     std::vector<std::uint32_t> cluster_objects_;
+    std::vector<std::uint32_t> triangle_order_; ///< where each of gl_triangles() stands among the
+                                                ///< line set's
     gl::Buffer gl_vertices_, gl_indices_;
     gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
     gl::TriangleColors colors_;
     // What only the methods besides the atlas need; made when first asked for.
     gl::Buffer gl_segments_, gl_table_triangles_, gl_lines_;
-    LineKindMask line_kinds_ = 0; ///< that `gl_lines_` holds
+    gl::Buffer gl_numbers_, gl_patches_; ///< made when first asked for
+    LineKindMask line_kinds_ = 0;        ///< that `gl_lines_` holds
     std::uint32_t line_count_ = 0;
     std::uint32_t triangle_count_;
     std::uint32_t segment_count_;

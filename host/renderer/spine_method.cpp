@@ -8,7 +8,8 @@ namespace lineatlas {
 FrameStats SpineMethod::draw(Frame& frame) {
     check_depth_size(frame.camera.size * frame.depth_scale());
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
-    const gl::SegmentBuffers segments = frame.scene.gl_segments();
+    gl::SegmentBuffers segments = frame.scene.gl_segments();
+    if (frame.knows_surfaces()) segments.numbers = frame.scene.gl_surfaces().numbers;
     const bool cull_hidden = frame.culls_hidden();
     if (cull_hidden) {
         depth_.draw_for_compute(frame);
@@ -17,6 +18,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
     } else {
         depth_.draw_texture(frame);
     }
+    frame.clock.handover([&] { depth_.surfaces().to_gl(); });
     frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
     frame.clock.gl("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
@@ -28,8 +30,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
                           .step = frame.options.step,
                           .tiles = cull_hidden ? depth_.tiles().gl() : 0,
                           .tile_count = compute::tiles_for(depth_.size())},
-                         frame.probe_params(depth_.texture()),
-                         frame.stroke_params(frame.options.style.pen));
+                         depth_.probed_by_gl(frame), frame.stroke_params(frame.options.style.pen));
     });
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),

@@ -20,15 +20,16 @@ std::span<std::byte> bytes_of(FrameRecord& record) {
 }
 
 /// Whether anything of the style concerns whole strokes, not runs of single segments.
-bool needs_filter(const Style& style) {
+bool needs_filter(const Style& style, const std::vector<Pen>& pens) {
     const StrokeFilter& f = style.filter;
     const bool changes_lengths =
         f.fill > 0 || f.drop > 0 || f.overshoot > 0 || f.undershoot > 0 || f.halo > 0;
     const auto varies = [](const Profile& profile) { return profile.size() > 1; };
-    const Pen& pen = style.pen;
-    const bool has_caps =
-        pen.cap != Cap::butt || pen.path_cap == Cap::taper || pen.path_cap == Cap::texture;
-    return changes_lengths || has_caps || varies(pen.width_profile) || varies(pen.opacity_profile);
+    return changes_lengths || std::ranges::any_of(pens, [&](const Pen& pen) {
+               const bool has_caps = pen.cap != Cap::butt || pen.path_cap == Cap::taper ||
+                                     pen.path_cap == Cap::texture;
+               return has_caps || varies(pen.width_profile) || varies(pen.opacity_profile);
+           });
 }
 
 /// The focus in pixels, of a point in the scene too: for density, which knows no depth.
@@ -51,7 +52,7 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 
 StrokeStage::StrokeStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_),
+      handover_(device_), pens_(device_),
       raw_record_(compute::allocate(device_, sizeof(FrameRecord), purpose::strokes)) {
     make_table(visible_);
 }
@@ -74,7 +75,7 @@ void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_
 void StrokeStage::prepare(const Frame& frame) {
     const Style& style = frame.options.style;
     has_hidden_ = draws_hidden(frame);
-    filters_ = frame.options.draw && needs_filter(style);
+    filters_ = frame.options.draw && needs_filter(style, pens_.pens());
     if (has_hidden_ && !hidden_.runs) {
         make_table(hidden_);
         handover_.to_compute({hidden_.runs.get(), hidden_.record.get()});
@@ -86,6 +87,10 @@ void StrokeStage::prepare(const Frame& frame) {
         make_room(raw_runs_, bytes, purpose::strokes);
         const std::size_t cut_bytes = std::size_t{raw_capacity_} * sizeof(RunCuts);
         if (style.filter.halo > 0) make_room(cuts_, cut_bytes, purpose::halos);
+    }
+    if (pens_.several() && !penned_.runs) {
+        make_table(penned_);
+        handover_.to_compute({penned_.runs.get(), penned_.record.get()});
     }
     limits_density_ = frame.options.draw && style.density.limit > 0;
     if (limits_density_) {
@@ -105,7 +110,7 @@ void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
                           const compute::SpanTable* spans, bool hidden, compute::Buffer& runs,
                           std::uint32_t capacity, compute::Buffer& record) {
     const Style& style = frame.options.style;
-    const float half_width = 0.5F * (hidden ? style.hidden_pen : style.pen).width;
+    const float half_width = 0.5F * (hidden ? style.hidden_pen.width : pens_.widest());
     if (spans != nullptr) {
         return stages_.span_runs({.table = frame.scene.table(),
                                   .clipped = input.clipped,
@@ -128,7 +133,7 @@ void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
 }
 
 void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
-                            const compute::SpanTable* spans) {
+                            const compute::SpanTable* spans, const compute::OutlineTable* outline) {
     prepare(frame);
     by_spans_ = spans != nullptr;
     const char* stage = by_spans_ ? "spans" : "compact";
@@ -151,6 +156,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
         filter(frame, input);
     }
     if (limits_density_) density(frame, input);
+    if (pens_.several()) tell_pens(frame, outline);
     frame.clock(stage,
                 [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
 }
@@ -165,7 +171,7 @@ void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
                       .run_capacity = raw_capacity_,
                       .viewport = frame.viewport(),
                       .halo = style.filter.halo,
-                      .half_width = 0.5F * style.pen.width,
+                      .half_width = 0.5F * pens_.widest(),
                       .tolerance = frame.depth_tolerance(),
                       .cuts = *cuts_});
     });
@@ -177,7 +183,7 @@ void StrokeStage::filter(Frame& frame, const compute::SegmentAtlas& input) {
         stages_.filter({.table = frame.scene.table(),
                         .atlas = input,
                         .viewport = frame.viewport(),
-                        .half_width = 0.5F * frame.options.style.pen.width,
+                        .half_width = 0.5F * pens_.widest(),
                         .filter = lengths,
                         .runs = *raw_runs_,
                         .record = *raw_record_,
@@ -205,6 +211,21 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input) {
     });
 }
 
+void StrokeStage::tell_pens(Frame& frame, const compute::OutlineTable* outline) {
+    frame.clock("pens", [&] {
+        stages_.pens({.table = frame.scene.table(),
+                      .segment_pens = pens_.of_segments(frame),
+                      .outline = outline,
+                      .runs = visible_.runs->compute(),
+                      .record = visible_.record->compute(),
+                      .run_capacity = visible_.capacity,
+                      .drawn = penned_.runs->compute(),
+                      .drawn_capacity = penned_.capacity,
+                      .drawn_record = penned_.record->compute()});
+        device_.download(penned_.record->compute(), bytes_of(penned_.totals));
+    });
+}
+
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.reset(); // it may not fit beside another
@@ -218,6 +239,7 @@ bool StrokeStage::grow(RunTable& table) {
 bool StrokeStage::grow() {
     bool grown = grow(visible_);
     if (has_hidden_ && grow(hidden_)) grown = true;
+    if (pens_.several() && grow(penned_)) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
         raw_capacity_ = compute::capacity_for<Run>(device_, raw_total);
@@ -226,9 +248,15 @@ bool StrokeStage::grow() {
     return grown;
 }
 
-std::array<interop::Shared*, 5> StrokeStage::tables() const {
-    return {visible_.runs.get(), visible_.record.get(), hidden_.runs.get(), hidden_.record.get(),
-            weights_.get()};
+StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> others) const {
+    Tables shared{};
+    auto* next = std::ranges::copy(others, shared.begin()).out;
+    for (const RunTable* table : {&visible_, &hidden_, &penned_}) {
+        *next++ = table->runs.get();
+        *next++ = table->record.get();
+    }
+    *next = weights_.get();
+    return shared;
 }
 
 void StrokeStage::note_written() {
@@ -238,6 +266,7 @@ void StrokeStage::note_written() {
     };
     note(visible_);
     if (has_hidden_) note(hidden_);
+    if (pens_.several()) note(penned_);
     if (limits_density_) weights_->wrote(weights_->size());
 }
 
@@ -275,7 +304,8 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
     return style;
 }
 
-void StrokeStage::begin_frame() {
+void StrokeStage::begin_frame(const Frame& frame) {
+    pens_.prepare(frame);
     kept_.clear();
     chunks_kept_ = false;
     kept_samples_ = kept_runs_ = 0;
@@ -292,8 +322,8 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
         return runs;
     };
     Kept& kept = kept_.emplace_back();
-    kept.visible = read_back(visible_);
-    kept.visible_record = visible_.totals;
+    kept.visible = read_back(drawn());
+    kept.visible_record = drawn().totals;
     if (has_hidden_) {
         kept.hidden = read_back(hidden_);
         kept.hidden_record = hidden_.totals;
@@ -303,7 +333,7 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
 }
 
 void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha) {
-    RunTable& table = hidden ? hidden_ : visible_;
+    RunTable& table = hidden ? hidden_ : drawn();
     const std::span<const Run> runs{hidden ? kept.hidden : kept.visible};
     handover_.to_compute({table.runs.get(), table.record.get(), &alpha});
     table.totals = hidden ? kept.hidden_record : kept.visible_record;
@@ -342,8 +372,14 @@ void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         const gl::DensityWeights density =
             limits_density_ ? gl::DensityWeights{weights_->gl(), cells_} : gl::DensityWeights{};
-        pass_.draw({.runs = visible_.runs->gl(), .record = visible_.record->gl(), .alpha = alpha},
-                   frame.stroke_params(style.pen), stroke_style(frame, style.pen, false), density);
+        const gl::RunBuffers runs{
+            .runs = drawn().runs->gl(), .record = drawn().record->gl(), .alpha = alpha};
+        const std::vector<Pen>& pens = pens_.pens();
+        for (std::uint32_t i = 0; i < pens.size(); ++i) {
+            gl::StrokeStyle of_pen = stroke_style(frame, pens[i], false);
+            if (pens.size() > 1) of_pen.only_pen = i;
+            pass_.draw(runs, frame.stroke_params(pens[i]), of_pen, density);
+        }
     });
 }
 
@@ -351,8 +387,8 @@ std::uint64_t StrokeStage::bytes() const {
     const auto size_of = [](const auto& buffer) -> std::uint64_t {
         return buffer ? buffer->size() : 0;
     };
-    return size_of(visible_.runs) + size_of(hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) +
-           size_of(weights_);
+    return size_of(visible_.runs) + size_of(hidden_.runs) + size_of(penned_.runs) +
+           size_of(raw_runs_) + size_of(cuts_) + size_of(weights_);
 }
 
 std::vector<Run> StrokeStage::read_runs() {

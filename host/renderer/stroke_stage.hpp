@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
 #include "glpasses/stroke_pass.hpp"
+#include "run_pens.hpp"
 
 namespace lineatlas {
 
@@ -22,14 +24,23 @@ class StrokeStage {
         return frame.options.draw && frame.options.style.hidden;
     }
 
-    /// What it shares with GL; null where there is none yet.
-    std::array<interop::Shared*, 5> tables() const;
+    /// What it shares with GL, after `others`, of which there are at most three; null where there
+    /// is none yet.
+    using Tables = std::array<interop::Shared*, 10>;
+    Tables tables(std::initializer_list<interop::Shared*> others) const;
+    /// Other lines have come.
+    void forget_lines() { pens_.forget(); }
     /// Before the first make_runs() of a frame.
-    void begin_frame();
+    void begin_frame(const Frame& frame);
+    /// Whether make_runs() has to know what is outline.
+    static bool wants_outlines(const Frame& frame) {
+        return frame.options.draw && tells_outlines(frame.options.style);
+    }
     /// Makes the runs, and waits for their totals. May change the visibility of samples (`filter`).
-    /// `spans`: what is visible, in place of samples; the atlas has none then.
+    /// `spans`: what is visible, in place of samples; the atlas has none then. `outline`: what
+    /// wants_outlines() asks for, else null.
     void make_runs(Frame& frame, const compute::SegmentAtlas& input,
-                   const compute::SpanTable* spans = nullptr);
+                   const compute::SpanTable* spans, const compute::OutlineTable* outline);
     /// Whether make_runs() changed the visibility of samples.
     bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
@@ -82,6 +93,10 @@ class StrokeStage {
     void halo(Frame& frame, const compute::SegmentAtlas& input);
     void filter(Frame& frame, const compute::SegmentAtlas& input);
     void density(Frame& frame, const compute::SegmentAtlas& input);
+    void tell_pens(Frame& frame, const compute::OutlineTable* outline);
+    /// The visible runs that are drawn.
+    RunTable& drawn() { return pens_.several() ? penned_ : visible_; }
+    const RunTable& drawn() const { return pens_.several() ? penned_ : visible_; }
     gl::StrokeStyle stroke_style(Frame& frame, const Pen& pen, bool hidden) const;
 
     compute::Stages& stages_;
@@ -89,6 +104,8 @@ class StrokeStage {
     interop::SharingMode mode_;
     interop::Handover handover_;
     RunTable visible_, hidden_;
+    RunTable penned_; ///< the visible runs by their pens, where there are several
+    RunPens pens_;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, limits_density_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.

@@ -186,6 +186,10 @@ std::vector<Setting> make_settings() {
         "paper-grain", [](auto& s) -> auto& { return s.paper.grain; }, share, "",
         "Strength of the paper's texture"));
 
+    t.push_back(number(
+        "made-for", [](auto& s) -> auto& { return s.made_for; }, {0, 65536}, "pixels",
+        "Shorter side of the picture that lengths are for; they grow with it; 0: they do not"));
+
     const Range extent{0, 1000};
     constexpr const char* of_window = "shares of the window's height or the model's diagonal";
     t.push_back(focus());

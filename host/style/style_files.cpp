@@ -13,6 +13,7 @@
 
 #include "core/pens.hpp"
 #include "lineatlas/error.hpp"
+#include "pen_rules.hpp"
 #include "settings.hpp"
 #include "sources/sources.hpp"
 
@@ -55,20 +56,23 @@ StyleText read_file(const fs::path& path) {
             .text = std::move(text)};
 }
 
+std::vector<StyleText> built_in_styles() {
+    std::vector<StyleText> styles;
+    for (const EmbeddedSource& source : embedded_styles()) {
+        const std::string name = fs::path{source.name}.stem().string();
+        styles.push_back({.name = name,
+                          .place = fmt::format("built-in style \"{}\"", name),
+                          .path = {},
+                          .text = std::string{source.text}});
+    }
+    return styles;
+}
+
 /// The styles that go by a name.
 std::vector<StyleText> shipped_styles() {
-    std::vector<StyleText> styles;
     const char* folder = std::getenv("LINEATLAS_STYLE_DIR");
-    if (folder == nullptr) {
-        for (const EmbeddedSource& source : embedded_styles()) {
-            const std::string name = fs::path{source.name}.stem().string();
-            styles.push_back({.name = name,
-                              .place = fmt::format("built-in style \"{}\"", name),
-                              .path = {},
-                              .text = std::string{source.text}});
-        }
-        return styles;
-    }
+    if (folder == nullptr) return built_in_styles();
+    std::vector<StyleText> styles;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator{folder, error}) {
         if (entry.path().extension() == ".toml") styles.push_back(read_file(entry.path()));
@@ -147,6 +151,13 @@ std::optional<SettingValue> value_of(const toml::node& node) {
 
 class StyleLoader {
   public:
+    /// One that is built in, wherever styles go by names.
+    Style load_embedded(std::string_view name) {
+        const std::vector<StyleText> styles = built_in_styles();
+        apply(*std::ranges::find(styles, name, &StyleText::name));
+        return style_;
+    }
+
     Style load(const std::string& name) {
         apply(find_style(name, {}));
         return style_;
@@ -210,6 +221,7 @@ class StyleLoader {
     void apply_key(const StyleText& file, const toml::key& key, const toml::node& node) {
         if (key == "include") return;
         try {
+            if (key == "pens") return apply_pens(file, node);
             if (key == "description") {
                 if (!node.is_string()) throw UsageError("description must be a text");
                 return;
@@ -226,6 +238,60 @@ class StyleLoader {
         }
     }
 
+    /// Rules of a file come after those of what it includes; an empty list takes these away.
+    void apply_pens(const StyleText& file, const toml::node& node) {
+        const toml::array* rules = node.as_array();
+        if (rules == nullptr) throw UsageError("pens must be tables: [[pens]]");
+        if (rules->empty()) style_.pens.clear();
+        for (const toml::node& rule : *rules) {
+            const toml::table* table = rule.as_table();
+            if (table == nullptr) throw UsageError("pens must be tables: [[pens]]");
+            if (style_.pens.size() == most_rules)
+                throw UsageError(fmt::format("pens: there are more than {} rules", most_rules));
+            style_.pens.push_back(read_rule(file, *table));
+        }
+    }
+
+    static PenRule read_rule(const StyleText& file, const toml::table& table) {
+        PenRule rule;
+        for (const auto& [key, node] : table) {
+            try {
+                if (key == "match") {
+                    read_match(node, rule.match);
+                    continue;
+                }
+                const std::optional<SettingValue> value = value_of(node);
+                if (!value) throw UsageError(fmt::format("pens: {} has no such value", key.str()));
+                const bool is_mark = key == "pen";
+                set_pen_key(rule, key.str(),
+                            is_mark ? beside(file, pen_setting(key.str()), *value) : *value);
+            } catch (const UsageError& error) {
+                throw FileError(fmt::format("{} line {}: {}", file.place, key.source().begin.line,
+                                            error.what()));
+            }
+        }
+        return rule;
+    }
+
+    static void read_match(const toml::node& node, PenMatch& match) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr)
+            throw UsageError("pens: match must be a table: { kind = \"crease\" }");
+        for (const auto& [key, value] : *table) {
+            std::vector<std::string> texts;
+            const auto add = [&](const toml::node& one) {
+                const auto text = one.value_exact<std::string>();
+                if (!text) throw UsageError(fmt::format("pens: {} must be a text", key.str()));
+                texts.push_back(*text);
+            };
+            if (const toml::array* list = value.as_array())
+                for (const toml::node& one : *list) add(one);
+            else
+                add(value);
+            set_match_key(match, key.str(), texts);
+        }
+    }
+
     /// Image files stand beside the style that names them.
     static SettingValue beside(const StyleText& file, const Setting& setting,
                                const SettingValue& value) {
@@ -236,6 +302,7 @@ class StyleLoader {
     }
 
     static constexpr std::size_t most_levels = 16;
+    static constexpr std::size_t most_rules = 1000;
     static constexpr std::size_t most_included = 100;
 
     Style style_;
@@ -247,6 +314,10 @@ class StyleLoader {
 
 Style load_style(const std::string& name_or_path) {
     return StyleLoader{}.load(name_or_path);
+}
+
+Style default_style() {
+    return StyleLoader{}.load_embedded("plain");
 }
 
 void apply_setting(Style& style, std::string_view key_is_value) {
@@ -264,6 +335,10 @@ std::string write_style(const Style& style, std::string_view description) {
     for (const Setting& setting : settings()) {
         text += fmt::format("\n# {}: {}.\n{} = {}\n", setting.help, setting.values, setting.key,
                             value_to_toml(setting.get(style)));
+    }
+    if (!style.pens.empty()) {
+        text += "\n# Pens of lines that match; each rule changes what it names.\n";
+        text += pens_to_toml(style.pens);
     }
     return text;
 }

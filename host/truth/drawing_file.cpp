@@ -1,6 +1,5 @@
 #include "drawing_file.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <unordered_map>
 
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include "core/pair_key.hpp"
 #include "io/extension.hpp"
 #include "io/source_file.hpp"
 #include "svg_path.hpp"
@@ -100,10 +100,6 @@ DrawingFile of_json(const SourceFile& file) {
     }
 }
 
-std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
-    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
-}
-
 } // namespace
 
 DrawingFile read_drawing(const std::filesystem::path& path) {
@@ -132,13 +128,13 @@ DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines) {
     std::unordered_map<std::uint64_t, std::uint32_t> segments;
     for (std::uint32_t i = 0; i < lines.sources.size(); ++i) {
         const auto [known, is_new] =
-            segments.emplace(edge_key(lines.sources[i].from, lines.sources[i].to), i);
+            segments.emplace(pair_key(lines.sources[i].from, lines.sources[i].to), i);
         // Parts of one edge, or intersections, which have none.
         if (!is_new) known->second = DrawnPiece::unknown;
     }
     DrawnLines drawn{.legs = drawing.legs, .pieces = {}};
     for (const TaggedPiece& tag : drawing.tags) {
-        const auto found = segments.find(edge_key(tag.p, tag.q));
+        const auto found = segments.find(pair_key(tag.p, tag.q));
         drawn.pieces.push_back(
             {tag.from, tag.to, found != segments.end() ? found->second : DrawnPiece::unknown});
     }

@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/patches.hpp"
 #include "io/module_file.hpp"
 #include "lineatlas/error.hpp"
-#include "patches.hpp"
 
 namespace lineatlas {
 namespace {

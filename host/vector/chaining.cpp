@@ -29,8 +29,94 @@ std::vector<Stroke> across_seam(const Strip& strip) {
 
 class PathMaker {
   public:
-    PathMaker(const LineSet& lines, const Pieces& pieces, const Strip& strip)
-        : lines_(lines), pieces_(pieces), strip_(strip) {}
+    PathMaker(const LineSet& lines, const Pieces& pieces, const Strip& strip, const PathPens* pens)
+        : lines_(lines), pieces_(pieces), strip_(strip), pens_(pens) {}
+
+    /// The polylines of a stroke, of which each has a pen of its own.
+    void add(const Stroke& stroke, std::vector<VectorPath>& paths) const {
+        const std::vector<Stretch> parts =
+            pens_ != nullptr && stroke.visible ? parts_by_pen(stroke) : std::vector<Stretch>{};
+        if (parts.size() < 2) {
+            add_whole(stroke, 0.5 * (stroke.from + stroke.to), paths);
+            return;
+        }
+        for (const Stretch part : parts) {
+            Stroke own = stroke;
+            own.from = part.from;
+            own.to = part.to;
+            add_whole(own, 0.5 * (part.from + part.to), paths);
+        }
+    }
+
+  private:
+    /// How lines are drawn at a place of the strip.
+    struct Look {
+        std::uint32_t pen = 0;
+        bool outline = false;
+        bool operator==(const Look&) const = default;
+    };
+
+    /// A place of the strip in the first lap of a closed one.
+    double in_first_lap(double place) const {
+        return strip_.closed ? place - std::floor(place / strip_.length) * strip_.length : place;
+    }
+
+    Look look_at(double place) const {
+        if (pens_ == nullptr) return {};
+        const double at = in_first_lap(place);
+        const auto after = std::ranges::upper_bound(strip_.steps, at, {}, &StripStep::start);
+        const StripStep& step = after == strip_.steps.begin() ? *after : *std::prev(after);
+        const bool beside = std::ranges::any_of(
+            strip_.outlines, [&](Stretch one) { return one.from <= at && at <= one.to; });
+        const LinePens::OfClass pens =
+            pens_->pens.of_class[pens_->classes.of_segment[step.segment]];
+        const bool outline = beside && pens_->pens.tell_outlines() && can_be_outline(strip_.kind);
+        return {.pen = outline ? pens.outline : pens.inner, .outline = outline};
+    }
+
+    /// A stroke where its look changes.
+    std::vector<Stretch> parts_by_pen(const Stroke& stroke) const {
+        std::vector<double> places{stroke.from, stroke.to};
+        const auto add = [&](double place) {
+            const auto inside = [&](double at) { return at > stroke.from && at < stroke.to; };
+            if (inside(place)) places.push_back(place);
+            if (strip_.closed && inside(place - strip_.length))
+                places.push_back(place - strip_.length);
+        };
+        for (const StripStep& step : strip_.steps) add(step.start);
+        for (const Stretch& stretch : strip_.outlines) {
+            add(stretch.from);
+            add(stretch.to);
+        }
+        std::ranges::sort(places);
+        std::vector<Stretch> parts;
+        Look before;
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+            if (places[i + 1] - places[i] <= rounding) continue;
+            const Look look = look_at(0.5 * (places[i] + places[i + 1]));
+            if (parts.empty() || !(look == before))
+                parts.push_back({places[i], places[i + 1]});
+            else
+                parts.back().to = places[i + 1];
+            before = look;
+        }
+        if (!parts.empty()) {
+            parts.front().from = stroke.from;
+            parts.back().to = stroke.to;
+        }
+        return parts;
+    }
+
+    void add_whole(const Stroke& stroke, double middle, std::vector<VectorPath>& paths) const {
+        VectorPath path = make(stroke);
+        if (path.points.size() < 2) return;
+        if (stroke.visible) {
+            const Look look = look_at(middle);
+            path.pen = look.pen;
+            path.outline = look.outline;
+        }
+        paths.push_back(std::move(path));
+    }
 
     VectorPath make(const Stroke& stroke) const {
         VectorPath path{.kind = strip_.kind,
@@ -55,7 +141,6 @@ class PathMaker {
         return path;
     }
 
-  private:
     /// Adds what lies between two places of one lap; beyond the strip's ends straight on.
     void add_part(VectorPath& path, double from, double to, double passed) const {
         if (to - from <= rounding) return;
@@ -97,19 +182,17 @@ class PathMaker {
     const LineSet& lines_;
     const Pieces& pieces_;
     const Strip& strip_;
+    const PathPens* pens_;
 };
 
 } // namespace
 
 std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
-                                     const std::vector<Strip>& strips) {
+                                     const std::vector<Strip>& strips, const PathPens* pens) {
     std::vector<VectorPath> paths;
     for (const Strip& strip : strips) {
-        const PathMaker maker{lines, pieces, strip};
-        for (const Stroke& stroke : across_seam(strip)) {
-            VectorPath path = maker.make(stroke);
-            if (path.points.size() > 1) paths.push_back(std::move(path));
-        }
+        const PathMaker maker{lines, pieces, strip, pens};
+        for (const Stroke& stroke : across_seam(strip)) maker.add(stroke, paths);
     }
     return paths;
 }

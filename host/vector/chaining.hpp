@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/line_pens.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
 #include "pieces.hpp"
@@ -9,9 +10,15 @@
 
 namespace lineatlas {
 
+/// Which pens draw what; null: one draws all.
+struct PathPens {
+    const LineClasses& classes;
+    const LinePens& pens;
+};
+
 /// A polyline for every stroke of every strip; one that goes on across the seam of a closed strip
-/// is one polyline, closed if it goes all around.
+/// is one polyline, closed if it goes all around. Where another pen goes on, another polyline does.
 std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
-                                     const std::vector<Strip>& strips);
+                                     const std::vector<Strip>& strips, const PathPens* pens);
 
 } // namespace lineatlas

@@ -103,7 +103,7 @@ void add_comment(DxfText& text, std::string_view comment) {
 std::string to_dxf(const VectorDrawing& drawing, const DxfOptions& options) {
     const Sheet sheet = lay_out(drawing.size, options.page, options.margin, Unit::mm);
     const std::vector<LineGroup> groups = line_groups(drawing);
-    const DxfLayers layers = dxf_layers(groups, drawing.style, sheet);
+    const DxfLayers layers = dxf_layers(groups, sheet);
 
     DxfText body;
     EntityWriter writer{body, write_tables(body, layers, sheet.size), sheet.size.y};

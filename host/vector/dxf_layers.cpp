@@ -71,10 +71,10 @@ const std::string& linetype_of(const PenStroke::Dashes& dashes, std::vector<DxfL
 
 } // namespace
 
-DxfLayers dxf_layers(std::span<const LineGroup> groups, const Style& style, const Sheet& sheet) {
+DxfLayers dxf_layers(std::span<const LineGroup> groups, const Sheet& sheet) {
     DxfLayers found;
     for (const LineGroup& group : groups) {
-        const PenStroke stroke = pen_stroke(group.pen(style), sheet);
+        const PenStroke stroke = pen_stroke(group.pen, sheet);
         found.layers.push_back({.name = group.name(),
                                 .linetype = stroke.dashes
                                                 ? linetype_of(*stroke.dashes, found.linetypes)

@@ -28,6 +28,6 @@ struct DxfLayers {
     std::vector<DxfLayer> layers; ///< one per group
 };
 
-DxfLayers dxf_layers(std::span<const LineGroup> groups, const Style& style, const Sheet& sheet);
+DxfLayers dxf_layers(std::span<const LineGroup> groups, const Sheet& sheet);
 
 } // namespace lineatlas

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lineatlas/vector.hpp"
+#include "svg_groups.hpp"
 
 namespace lineatlas {
 namespace {
@@ -46,11 +47,13 @@ Json piece_json(const VectorPiece& piece) {
     return json;
 }
 
-Json path_json(const VectorPath& path, const JsonOptions& options) {
+Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonOptions& options) {
     Json json{{"kind", line_kind_names[static_cast<std::size_t>(path.kind)]},
               {"visible", path.visible},
               {"closed", path.closed},
+              {"outline", path.outline},
               {"alpha", rounded(static_cast<double>(path.alpha), 1000)}};
+    if (drawing.pens.size() > 1 && path.visible) json["pen"] = path.pen;
     Json points = Json::array();
     Json depths = Json::array();
     Json world = Json::array();
@@ -74,6 +77,18 @@ Json path_json(const VectorPath& path, const JsonOptions& options) {
     return json;
 }
 
+/// Of drawings with several: what paths name by number.
+Json pens_json(const std::vector<Pen>& pens) {
+    Json json = Json::array();
+    for (const Pen& pen : pens) {
+        json.push_back({{"mark", pen.mark},
+                        {"width", pixels(static_cast<double>(pen.width))},
+                        {"color", color_text(pen.color)},
+                        {"opacity", rounded(static_cast<double>(pen.opacity), 1000)}});
+    }
+    return json;
+}
+
 Json head_json(const VectorDrawing& drawing, const JsonOptions& options) {
     Json json{{"format", "lineatlas-drawing"},
               {"version", version},
@@ -85,6 +100,7 @@ Json head_json(const VectorDrawing& drawing, const JsonOptions& options) {
         json["pen_travel"] = {{"before", pixels(drawing.travel->before)},
                               {"after", pixels(drawing.travel->after)}};
     }
+    if (drawing.pens.size() > 1) json["pens"] = pens_json(drawing.pens);
     if (!options.tags) return json;
     json["groups"] = Json::array();
     for (const MeshGroup& group : drawing.groups) {
@@ -106,7 +122,7 @@ std::string to_json(const VectorDrawing& drawing, const JsonOptions& options) {
     text += ",\n\"paths\":[";
     const char* before = "\n";
     for (const VectorPath& path : drawing.paths) {
-        text += before + text_of(path_json(path, options));
+        text += before + text_of(path_json(path, drawing, options));
         before = ",\n";
     }
     return text + "\n]}\n";

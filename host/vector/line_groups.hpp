@@ -2,21 +2,27 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lineatlas/vector.hpp"
 
 namespace lineatlas {
 
-/// Paths of one kind, all visible or all hidden: a layer of the drawing.
+/// Paths of one kind or of the outline, with one pen, all visible or all hidden: a layer of the
+/// drawing.
 struct LineGroup {
-    LineKind kind;
+    LineKind kind; ///< of an outline that of its first path
     bool visible;
+    bool outline;
+    unsigned number; ///< among those of its kind that differ in their pens, from 1
+    const Pen& pen;  ///< the drawing's
     std::span<const VectorPath> paths;
 
-    /// "crease", "crease-hidden".
+    /// "crease", "outline".
+    std::string_view kind_name() const;
+    /// "crease", "crease-hidden", "outline", "crease-2" of another pen.
     std::string name() const;
-    const Pen& pen(const Style& style) const { return visible ? style.pen : style.hidden_pen; }
 };
 
 /// In the order in which they are drawn; paths of one group stand together in a drawing.

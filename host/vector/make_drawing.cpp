@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <tuple>
 
 #include "chaining.hpp"
 #include "core/depth_tolerance.hpp"
+#include "core/line_pens.hpp"
 #include "halos.hpp"
 #include "junctions.hpp"
 #include "lengths.hpp"
@@ -23,7 +26,8 @@ constexpr std::array<int, LA_KIND_COUNT> drawn_rank{2, 4, 1, 5, 6, 3, 7, 0};
 void sort_for_drawing(std::vector<VectorPath>& paths) {
     std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {
         const int rank = drawn_rank[static_cast<std::size_t>(path.kind)];
-        return path.visible ? static_cast<int>(drawn_rank.size()) + rank : rank;
+        // Outlines lie over all else, and paths of one pen stand together.
+        return std::tuple{path.visible, path.outline, path.outline ? 0 : rank, path.pen};
     });
 }
 
@@ -33,13 +37,13 @@ void drop_hidden(std::vector<Strip>& strips) {
     }
 }
 
-void apply_filter(const LineSet& lines, const Camera& camera, const Style& style,
+void apply_filter(const LineSet& lines, const Camera& camera, const Style& style, float widest,
                   const Pieces& pieces, std::vector<Strip>& strips) {
     const StrokeFilter& filter = style.filter;
     std::vector<std::vector<Cut>> cuts(strips.size());
     if (filter.halo > 0) {
         cuts = find_halos(lines, pieces, strips, glm::dvec2{camera.size},
-                          {.width = static_cast<double>(filter.halo + 0.5F * style.pen.width),
+                          {.width = static_cast<double>(filter.halo + 0.5F * widest),
                            .tolerance = static_cast<double>(depth_tolerance(camera))});
     }
     const double crumb = pieces.exact ? 0 : crumb_of_samples;
@@ -62,18 +66,29 @@ void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
 } // namespace
 
 VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
-                                  std::span<const Interval> intervals, const Style& style,
+                                  std::span<const Interval> intervals, const Style& given,
                                   const VectorOptions& options) {
+    Style style = given;
+    scale_lengths(style, camera.size);
+    LineClasses classes;
+    LinePens pens{.pens = {style.pen}, .of_class = {}};
+    if (!style.pens.empty()) {
+        classes = line_classes(lines);
+        pens = line_pens(classes, style);
+    }
+    const PathPens by_rule{classes, pens};
     const glm::dvec2 picture{camera.size};
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
     if (!pieces.exact) meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
+    if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture.y);
     if (!style.hidden) drop_hidden(strips);
-    apply_filter(lines, camera, style, pieces, strips);
+    apply_filter(lines, camera, style, pens.widest(), pieces, strips);
 
     VectorDrawing drawing{.size = camera.size, .style = style, .groups = {}, .paths = {}};
-    drawing.paths = chain_strips(lines, pieces, strips);
+    drawing.pens = pens.pens;
+    drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
     simplify(drawing.paths, options.tolerance);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture);
     sort_for_drawing(drawing.paths);

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/line_pens.hpp"
 #include "paths.hpp"
 #include "segment_grid.hpp"
 
@@ -102,6 +103,7 @@ double mean_depth(const VectorPath& path) {
 std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
     struct Claim {
         bool hidden;
+        bool inside; ///< of the outline
         int kind;
         double depth;
         std::size_t path;
@@ -112,6 +114,7 @@ std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const VectorPath& path = paths[i];
         claims.push_back({.hidden = !path.visible,
+                          .inside = !path.outline && can_be_outline(path.kind),
                           .kind = kind_rank[static_cast<std::size_t>(path.kind)],
                           .depth = mean_depth(path),
                           .path = i});

@@ -19,6 +19,8 @@ VectorPath part_of(const VectorPath& path, double from, double to) {
     VectorPath part{.kind = path.kind,
                     .visible = path.visible,
                     .closed = false,
+                    .outline = path.outline,
+                    .pen = path.pen,
                     .alpha = path.alpha,
                     .points = {},
                     .pieces = {}};

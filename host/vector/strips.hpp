@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lineatlas/lines.hpp"
@@ -28,6 +29,11 @@ struct Stroke {
     double length() const { return to - from; }
 };
 
+/// From one place of a strip to another, pixels from its start.
+struct Stretch {
+    double from = 0, to = 0;
+};
+
 /// Segments that are connected on the screen: a path of the line set, or a chain of silhouettes,
 /// which are a path each there.
 struct Strip {
@@ -38,10 +44,15 @@ struct Strip {
     double length = 0;
     double start_arc = 0; ///< arc length at its start
     std::vector<StripStep> steps;
-    std::vector<Stroke> strokes; ///< ascending
+    std::vector<Stretch> outlines{}; ///< beside the background; ascending
+    std::vector<Stroke> strokes;     ///< ascending
 };
 
 /// Silhouettes are chained at the mesh's vertices, the straightest first.
 std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
+
+/// Says of every strip where it has the background on one side.
+void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
+                   std::span<const OutlinePart> outlines, double picture_height);
 
 } // namespace lineatlas

@@ -73,7 +73,7 @@ class PathWriter {
 
     void write_all() {
         for (const LineGroup& group : line_groups(drawing_)) {
-            group_ = add_group(svg_, drawing_.style, group, sheet_, options_.layers);
+            group_ = add_group(svg_, group, sheet_, options_.layers);
             for (const VectorPath& path : group.paths) write(path);
         }
     }

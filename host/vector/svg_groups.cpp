@@ -58,17 +58,17 @@ std::string color_text(glm::vec3 color) {
     return fmt::format("#{:02x}{:02x}{:02x}", channel(color.x), channel(color.y), channel(color.z));
 }
 
-pugi::xml_node add_group(pugi::xml_node& svg, const Style& style, const LineGroup& lines,
-                         const Sheet& sheet, bool layers) {
-    const std::string kind{line_kind_names[static_cast<std::size_t>(lines.kind)]};
+pugi::xml_node add_group(pugi::xml_node& svg, const LineGroup& lines, const Sheet& sheet,
+                         bool layers) {
+    const std::string kind{lines.kind_name()};
     pugi::xml_node group = svg.append_child("g");
     set(group, "id", lines.name());
     set(group, "class", kind + (lines.visible ? " visible" : " hidden"));
     if (layers) {
         set(group, "inkscape:groupmode", "layer");
-        set(group, "inkscape:label", lines.visible ? kind : kind + " (hidden)");
+        set(group, "inkscape:label", lines.visible ? lines.name() : kind + " (hidden)");
     }
-    set_stroke(group, lines.pen(style), sheet);
+    set_stroke(group, lines.pen, sheet);
     return group;
 }
 

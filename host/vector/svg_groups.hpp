@@ -11,8 +11,8 @@
 namespace lineatlas {
 
 /// An element for paths of one group, with how the style draws them.
-pugi::xml_node add_group(pugi::xml_node& svg, const Style& style, const LineGroup& lines,
-                         const Sheet& sheet, bool layers);
+pugi::xml_node add_group(pugi::xml_node& svg, const LineGroup& lines, const Sheet& sheet,
+                         bool layers);
 
 /// "#rrggbb".
 std::string color_text(glm::vec3 color);

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/far_part.hpp"
 #include "core/up_axis.hpp"
 #include "io/extension.hpp"
 #include "io/isolated.hpp"
@@ -22,6 +23,8 @@ std::atomic<int> threads{0};
 struct Loader::Job {
     ModelSource source;
     Reader reader;
+    std::shared_ptr<const Model> shown{}; ///< of which others parts are to be hidden; or null
+    HiddenParts hidden{};
     std::atomic<const char*> stage{""};
     std::atomic<bool> cancelled{false};
     std::mutex mutex; ///< of what follows
@@ -38,33 +41,67 @@ struct Loader::Job {
     }
 };
 
-std::shared_ptr<Model> Loader::read(const ModelSource& source) {
+namespace {
+
+std::shared_ptr<Model> model_of(const ModelSource& source, LoadedMesh loaded) {
     auto model = std::make_shared<Model>();
     model->source = source;
-    if (source.file.empty()) {
-        Scene scene = make_scene(source.scene);
-        model->mesh = std::move(scene.mesh);
-        model->view = scene.view(0);
-        return model;
-    }
-    LoadedMesh loaded = load_mesh_isolated(source.file, source.read);
-    model->mesh = std::move(loaded.mesh);
+    model->parts = Parts{loaded};
     model->origin = loaded.origin;
     model->notes = std::move(loaded.notes);
     if (!source.up)
-        model->source.up = loaded.up.value_or(guess_up(model->mesh, usual_up(source.file)));
+        model->source.up = loaded.up.value_or(guess_up(loaded.mesh, usual_up(source.file)));
+    model->mesh = model->whole = std::make_shared<const Mesh>(std::move(loaded.mesh));
+    return model;
+}
+
+std::shared_ptr<Model> with_hidden(const Model& model, const HiddenParts& hidden) {
+    auto result = std::make_shared<Model>();
+    result->source = model.source;
+    result->whole = model.whole;
+    result->parts = model.parts;
+    result->hidden = hidden;
+    result->mesh = hidden.empty()
+                       ? model.whole
+                       : std::make_shared<const Mesh>(model.parts.shown(*model.whole, hidden));
+    result->origin = model.origin;
+    result->view = model.view;
+    return result;
+}
+
+void find_lines(Model& model) {
+    model.lines = extract_lines(*model.mesh, model.source.lines);
+    const std::optional<FarPart> far = find_far_part(model.lines);
+    if (far) model.notes.push_back(note_of(*far));
+    model.framed = points_to_frame(model.lines, far);
+}
+
+} // namespace
+
+std::shared_ptr<Model> Loader::read(const ModelSource& source) {
+    if (!source.file.empty()) return model_of(source, load_mesh_isolated(source.file, source.read));
+    Scene scene = make_scene(source.scene);
+    const View view = scene.view(0);
+    std::shared_ptr<Model> model = model_of(source, {.mesh = std::move(scene.mesh), .notes = {}});
+    model->view = view;
     return model;
 }
 
 void Loader::run(const std::shared_ptr<Job>& job) {
     Result result;
     try {
-        job->say(job->source.file.empty() ? "Building the scene" : "Reading the file");
-        const std::shared_ptr<Model> model = job->reader(job->source);
+        std::shared_ptr<Model> model;
+        if (job->shown) {
+            job->say("Finding the lines of what is shown");
+            model = with_hidden(*job->shown, job->hidden);
+        } else {
+            job->say(job->source.file.empty() ? "Building the scene" : "Reading the file");
+            model = job->reader(job->source);
+            if (!job->cancelled) job->say("Finding its lines");
+        }
         if (!job->cancelled) {
-            job->say("Finding its lines");
-            model->lines = extract_lines(model->mesh, job->source.lines);
-            if (!job->source.file.empty()) add_notes(model->lines.odd, model->notes);
+            find_lines(*model);
+            if (!job->shown && !job->source.file.empty()) add_notes(model->lines.odd, model->notes);
         }
         result = model;
     } catch (const std::bad_alloc&) {
@@ -78,9 +115,22 @@ void Loader::run(const std::shared_ptr<Job>& job) {
 }
 
 void Loader::start(ModelSource source) {
+    auto job = std::make_shared<Job>();
+    job->source = std::move(source);
+    start(std::move(job));
+}
+
+void Loader::start(std::shared_ptr<const Model> model, HiddenParts hidden) {
+    auto job = std::make_shared<Job>();
+    job->source = model->source;
+    job->shown = std::move(model);
+    job->hidden = std::move(hidden);
+    start(std::move(job));
+}
+
+void Loader::start(std::shared_ptr<Job> job) {
     cancel();
-    job_ = std::make_shared<Job>();
-    job_->source = std::move(source);
+    job_ = std::move(job);
     job_->reader = reader_;
     job_->wake = wake_;
     ++threads;

@@ -11,6 +11,7 @@
 #include "io/reader_process.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
+#include "parts.hpp"
 
 namespace lineatlas::viewer {
 
@@ -28,11 +29,15 @@ struct ModelSource {
 
 struct Model {
     ModelSource source;
-    Mesh mesh;
-    LineSet lines;
-    glm::dvec3 origin{0};           ///< of `mesh`, in the file's coordinates
-    std::vector<std::string> notes; ///< what was repaired in the file
-    std::optional<View> view;       ///< a scene's own
+    std::shared_ptr<const Mesh> whole; ///< as in the file
+    Parts parts;                       ///< of it
+    HiddenParts hidden;                ///< of them
+    std::shared_ptr<const Mesh> mesh;  ///< the others: what is shown
+    LineSet lines;                     ///< of what is shown
+    std::vector<glm::vec3> framed;     ///< points that a camera of all of it shows
+    glm::dvec3 origin{0};              ///< of meshes, in the file's coordinates
+    std::vector<std::string> notes;    ///< what was repaired in the file
+    std::optional<View> view;          ///< a scene's own
 };
 
 /// Reads models on a thread of its own, one at a time.
@@ -50,6 +55,8 @@ class Loader {
 
     /// In place of what is being read.
     void start(ModelSource source);
+    /// The same model with other parts hidden, which must leave something to show.
+    void start(std::shared_ptr<const Model> model, HiddenParts hidden);
     /// Forgets the model that is being read. Its thread can't be stopped: it reads to the end, and
     /// the result is thrown away.
     void cancel();
@@ -67,6 +74,7 @@ class Loader {
 
   private:
     struct Job;
+    void start(std::shared_ptr<Job> job);
     static void run(const std::shared_ptr<Job>& job);
 
     static std::shared_ptr<Model> read(const ModelSource& source);

@@ -36,23 +36,6 @@ double half_height(const View& view, double depth) {
            (view.projection == Projection::orthographic ? parallel : depth);
 }
 
-/// Distance along the ray to the triangle, if it meets it.
-double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
-    constexpr double missed = std::numeric_limits<double>::infinity();
-    const glm::dvec3 ab = b - a, ac = c - a;
-    const glm::dvec3 p = glm::cross(ray.direction, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0) return missed;
-    const glm::dvec3 offset = ray.origin - a;
-    const double u = glm::dot(offset, p) / determinant;
-    if (!(u >= 0 && u <= 1)) return missed;
-    const glm::dvec3 q = glm::cross(offset, ab);
-    const double v = glm::dot(ray.direction, q) / determinant;
-    if (!(v >= 0 && u + v <= 1)) return missed;
-    const double distance = glm::dot(ac, q) / determinant;
-    return distance > 0 ? distance : missed;
-}
-
 /// A direction as angles: about the vertical and above the horizon.
 struct Angles {
     double about, above;
@@ -121,6 +104,22 @@ std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2
     const double scale = size.y / (2 * half_height(view, depth));
     return 0.5 * size +
            scale * glm::dvec2{glm::dot(offset, axes.right), -glm::dot(offset, axes.above)};
+}
+
+double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    constexpr double missed = std::numeric_limits<double>::infinity();
+    const glm::dvec3 ab = b - a, ac = c - a;
+    const glm::dvec3 p = glm::cross(ray.direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0) return missed;
+    const glm::dvec3 offset = ray.origin - a;
+    const double u = glm::dot(offset, p) / determinant;
+    if (!(u >= 0 && u <= 1)) return missed;
+    const glm::dvec3 q = glm::cross(offset, ab);
+    const double v = glm::dot(ray.direction, q) / determinant;
+    if (!(v >= 0 && u + v <= 1)) return missed;
+    const double distance = glm::dot(ac, q) / determinant;
+    return distance > 0 ? distance : missed;
 }
 
 std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray) {

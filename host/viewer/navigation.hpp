@@ -23,6 +23,9 @@ Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size);
 /// Where a point of the model is seen; nothing for one behind a perspective view's eye.
 std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2 size);
 
+/// How far along the ray it meets a triangle, from either side; infinity if it doesn't.
+double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
+
 /// The nearest triangle's point that the ray meets.
 std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray);
 

@@ -1,6 +1,7 @@
 #include "saving.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,12 +16,23 @@ namespace lineatlas::viewer {
 namespace {
 
 std::string word(const std::string& text) {
-    return text.find_first_of(" \t\"'[],#") == std::string::npos ? text : "'" + text + "'";
+    return text.find_first_of(" \t\"'[],#*?\\()&;<>|$") == std::string::npos ? text
+                                                                             : "'" + text + "'";
+}
+
+/// That means these letters alone.
+std::string pattern_of(const std::string& name) {
+    std::string pattern;
+    for (const char letter : name) {
+        if (std::string_view{"*?[\\"}.find(letter) != std::string_view::npos) pattern += '\\';
+        pattern += letter;
+    }
+    return pattern;
 }
 
 /// Every setting that is not what it is without any option.
 std::string style_arguments(const Style& style) {
-    const Style plain;
+    const Style plain = default_style();
     std::string text;
     for (const Setting& setting : lineatlas::settings()) {
         const SettingValue value = setting.get(style);
@@ -34,13 +46,14 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
                 const std::filesystem::path& path, Renderer& renderer) {
     VectorFrame frame;
     frame.style = picture.options.style;
-    frame.paths.mesh = &picture.model.mesh;
+    frame.paths.mesh = picture.model.mesh.get();
     frame.svg.title = std::filesystem::path{picture.model.source.name()}.stem().string();
     frame.json.origin = picture.model.origin;
     frame.description = command_of(picture);
-    VectorOutput output{std::move(frame), picture.model.lines, [&](const Camera& seen) {
+    VectorOutput output{std::move(frame), picture.model.lines,
+                        [&](const Camera& seen) -> SeenLines {
                             renderer.draw(seen, picture.options, 0);
-                            return renderer.read_intervals();
+                            return {renderer.read_intervals(), renderer.read_outlines()};
                         }};
     output.draw(camera, path);
     output.finish();
@@ -67,6 +80,11 @@ std::string command_of(const SavedPicture& picture) {
     text += fmt::format(" --method {} --probes {} --depth-scale {} --step {:g} --size {}x{}",
                         name_of(options.method), options.probes, options.depth_scale, options.step,
                         picture.size.x, picture.size.y);
+    for (const std::uint32_t part : picture.model.hidden) {
+        const Parts& parts = picture.model.parts;
+        const char* within = parts.all()[part].holds_others ? "/*" : "";
+        text += " --hide " + word(pattern_of(parts.path_of(part)) + within);
+    }
     if (options.lines != all_line_kinds) text += " --lines " + line_kinds_to_text(options.lines);
     return text + style_arguments(options.style);
 }

@@ -16,14 +16,11 @@
 #include "style/member_names.hpp"
 
 namespace lineatlas::viewer {
-namespace {
 
 bool same(const View& a, const View& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y &&
            a.projection == b.projection;
 }
-
-} // namespace
 
 Session::Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake)
     : loader(std::move(wake)), writer_(writer), device_(device) {
@@ -49,10 +46,29 @@ void Session::open(const std::filesystem::path& file) {
     const std::string extension = lower_extension(file);
     if (extension == ".toml") return use_style(file.string());
     if (extension == ".json") return open_camera(file);
+    keeps_view_ = false;
     loader.start({.file = file, .scene = {}, .up = up, .lines = line_options, .read = read_limits});
 }
 
+void Session::reload() {
+    if (model_ == nullptr) return;
+    keeps_view_ = true;
+    loader.start(model_->source);
+}
+
+void Session::look_at_file() {
+    if (model_ == nullptr || model_->source.file.empty() || loader.busy()) return;
+    std::error_code failure;
+    const auto time = std::filesystem::last_write_time(model_->source.file, failure);
+    if (failure) return; // it may come back
+    const bool at_rest = std::exchange(looked_time_, time) == time;
+    if (time == read_time_ || !at_rest) return;
+    read_time_ = time;
+    reload();
+}
+
 void Session::open_scene(const std::string& name) {
+    keeps_view_ = false;
     loader.start({.file = {}, .scene = name, .up = glm::vec3{0, 1, 0}, .lines = line_options});
 }
 
@@ -95,7 +111,7 @@ void Session::load_pens(const Style& style) {
 
 void Session::use_style(const std::string& name) {
     attempt([&] {
-        const Style style = name.empty() ? Style{} : load_style(name);
+        const Style style = name.empty() ? default_style() : load_style(name);
         load_pens(style);
         settings.style = style;
         settings.style_name = name;
@@ -119,18 +135,33 @@ std::string Session::device_description() const {
 }
 
 void Session::show(std::shared_ptr<Model> model) {
+    const std::shared_ptr<Model> before = model_;
     const bool done = attempt([&] {
         renderer_->set_lines(model->lines);
         model_ = model;
     });
     if (!done) return;
-    const glm::ivec2 size = glm::max(size_, 1);
-    const auto framed = [&] {
-        return frame_points(model_->lines.vertices, size, *model_->source.up);
-    };
+    const bool new_parts = before == nullptr || before->whole != model_->whole;
+    if (new_parts) {
+        if (!model_->source.file.empty()) {
+            recent.add(model_->source.file);
+            std::error_code failure;
+            read_time_ = std::filesystem::last_write_time(model_->source.file, failure);
+        }
+        selected.reset();
+        settings.hidden_parts = model_->hidden;
+        steps_.clear();
+    }
     std::optional<View> first = take_first_camera();
-    if (!first) first = model_->view ? *model_->view : framed();
-    navigation.set_view(*first);
+    if (!first && !keeps_view_) {
+        const glm::vec3 up_axis = *model_->source.up;
+        first = model_->view ? *model_->view
+                             : frame_points(model_->framed, glm::max(size_, 1), up_axis);
+    }
+    if (first) {
+        navigation.set_view(*first);
+        views_.clear();
+    }
     for (const std::string& note : model_->notes) messages.notice(note);
     timings.clear();
     changed();
@@ -140,9 +171,8 @@ void Session::glide_to(StandardView view) {
     if (model_ == nullptr) return;
     const glm::vec3 up_axis = *model_->source.up;
     const View& now = navigation.view();
-    navigation.glide_to(frame_points_from({direction_to(view, up_axis), up_axis},
-                                          model_->lines.vertices, glm::max(size_, 1), now.fov_y,
-                                          now.projection));
+    navigation.glide_to(frame_points_from({direction_to(view, up_axis), up_axis}, model_->framed,
+                                          glm::max(size_, 1), now.fov_y, now.projection));
 }
 
 void Session::toggle_projection() {
@@ -155,8 +185,70 @@ void Session::fit() {
     if (model_ == nullptr) return;
     const View& view = navigation.goal();
     navigation.glide_to(frame_points_from({glm::normalize(view.eye - view.target), view.up},
-                                          model_->lines.vertices, glm::max(size_, 1), view.fov_y,
+                                          model_->framed, glm::max(size_, 1), view.fov_y,
                                           view.projection));
+}
+
+void Session::hide_parts(HiddenParts hidden) {
+    if (model_ == nullptr || hidden == settings.hidden_parts) return;
+    if (model_->parts.shown(*model_->whole, hidden).empty())
+        return messages.notice("Nothing would be left to see");
+    settings.hidden_parts = std::move(hidden);
+    changed();
+}
+
+std::optional<std::uint32_t> Session::part_at(glm::dvec2 point) const {
+    if (model_ == nullptr) return {};
+    return model_->parts.pick(*model_->whole, ray_at(navigation.view(), point, size_),
+                              model_->hidden);
+}
+
+void Session::frame_part(std::uint32_t part) {
+    const Bounds& bounds = model_->parts.all().at(part).bounds;
+    if (!(bounds.min.x <= bounds.max.x)) return; // it has lines alone
+    std::array<glm::vec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners.at(i) = {(i & 1U) != 0 ? bounds.max.x : bounds.min.x,
+                         (i & 2U) != 0 ? bounds.max.y : bounds.min.y,
+                         (i & 4U) != 0 ? bounds.max.z : bounds.min.z};
+    }
+    const View& view = navigation.goal();
+    navigation.glide_to(frame_points_from({glm::normalize(view.eye - view.target), view.up},
+                                          corners, glm::max(size_, 1), view.fov_y,
+                                          view.projection));
+}
+
+void Session::note_step() {
+    if (std::exchange(step_due_, false)) steps_.note(settings);
+    if (model_ != nullptr && !navigation.gliding()) views_.note(navigation.view());
+}
+
+void Session::take(const Settings* step) {
+    if (step == nullptr) return messages.notice("There is no other step");
+    attempt([&] { load_pens(step->style); });
+    settings = *step;
+    stale_ = true;
+}
+
+void Session::glide_to(const View* step) {
+    if (step != nullptr) navigation.glide_to(*step);
+}
+
+void Session::undo() {
+    note_step();
+    take(steps_.back());
+}
+
+void Session::redo() {
+    take(steps_.forward());
+}
+
+void Session::camera_back() {
+    glide_to(views_.back());
+}
+
+void Session::camera_forward() {
+    glide_to(views_.forward());
 }
 
 glm::dvec3 Session::point_at(glm::dvec2 point) const {
@@ -207,17 +299,26 @@ void Session::advance(double seconds) {
     messages.advance(seconds);
     navigation.advance(seconds);
     std::optional<Loader::Result> result = loader.take();
-    if (!result) return;
-    if (auto* model = std::get_if<std::shared_ptr<Model>>(&*result))
+    if (!result) return show_parts();
+    if (auto* model = std::get_if<std::shared_ptr<Model>>(&*result)) {
         show(std::move(*model));
-    else
+    } else {
         messages.error(std::get<std::string>(*result));
+        if (model_ != nullptr) settings.hidden_parts = model_->hidden;
+    }
+}
+
+/// Finds the lines of what is to be shown, where that is something else than what is.
+void Session::show_parts() {
+    if (model_ == nullptr || loader.busy() || settings.hidden_parts == model_->hidden) return;
+    keeps_view_ = true;
+    loader.start(model_, settings.hidden_parts);
 }
 
 bool Session::stale() const {
     if (model_ == nullptr || size_.x <= 0 || size_.y <= 0) return false;
-    return stale_ || (moving_ && settings.steady) || !drawn_view_ ||
-           !same(*drawn_view_, navigation.view());
+    const bool provisional = moving_ && (settings.steady || economy_ != Economy::none);
+    return stale_ || provisional || !drawn_view_ || !same(*drawn_view_, navigation.view());
 }
 
 void Session::draw_side(std::size_t side, const Camera& camera) {
@@ -225,6 +326,7 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     if (canvas == nullptr || canvas->size() != size_) canvas = std::make_unique<gl::Canvas>(size_);
     canvas->clear({settings.style.paper.color, 1});
     FrameOptions options = frame_options(settings, side);
+    save_time(options, economy());
     options.steady = options.steady && moving_; // at rest nothing of the frames before is left
     options.profile = profile && side == 0;     // two methods in one graph would be none
     const FrameStats stats = renderer_->draw(camera, options, canvas->framebuffer());
@@ -243,6 +345,13 @@ void Session::draw() {
     });
     if (!settings.split) canvases_[1].reset();
     ++frames_drawn_;
+}
+
+void Session::note_duration(double seconds) {
+    constexpr double longest = 1.0 / 30;
+    if (!moving_ && seconds < longest) economy_ = Economy::none;
+    if (moving_ && seconds > longest && economy_ != Economy::marks)
+        economy_ = static_cast<Economy>(static_cast<int>(economy_) + 1);
 }
 
 bool Session::take_timings() {

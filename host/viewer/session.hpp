@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "files.hpp"
 #include "glpasses/canvas.hpp"
+#include "history.hpp"
 #include "io/image_writer.hpp"
 #include "lineatlas/renderer.hpp"
 #include "loader.hpp"
@@ -18,6 +20,9 @@
 #include "timings.hpp"
 
 namespace lineatlas::viewer {
+
+/// Whether two views show the same.
+bool same(const View& a, const View& b);
 
 /// All that a viewer shows and lets one change, without its window: model, camera, settings,
 /// device, and the pictures of the last frame. Nothing a person does here throws: what fails is
@@ -33,6 +38,7 @@ class Session {
     Messages messages;
     Timings timings;
     Loader loader;
+    RecentFiles recent{{}};        ///< models; nothing is kept unless that is asked for
     bool profile = false;          ///< keep timings
     std::optional<glm::vec3> up{}; ///< of files to be opened; none: as each stands
     LineOptions line_options{};    ///< the same
@@ -41,9 +47,29 @@ class Session {
     /// A model, a style (.toml) or a camera (.json), by extension.
     void open(const std::filesystem::path& file);
     void open_scene(const std::string& name);
+    /// The file of the model once more, seen as now.
+    void reload();
+    /// Reads the file again where it is another one than at the last two looks: while it is still
+    /// being written it changes from one look to the next.
+    void look_at_file();
     /// The view from which the next model is seen first.
     void open_first_camera(const std::filesystem::path& file);
     const Model* model() const { return model_.get(); }
+
+    /// What is hidden from now on; refused where nothing would be left.
+    void hide_parts(HiddenParts hidden);
+    /// The part that is seen at a point of the canvas.
+    std::optional<std::uint32_t> part_at(glm::dvec2 point) const;
+    void frame_part(std::uint32_t part);
+    std::optional<std::uint32_t> selected{}; ///< part
+
+    /// Takes `settings` as a step of their own, and a camera at rest as one of its. Cheap where
+    /// nothing has changed.
+    void note_step();
+    void undo();
+    void redo();
+    void camera_back();
+    void camera_forward();
 
     /// The name or path of one; empty: plain lines.
     void use_style(const std::string& name);
@@ -66,12 +92,16 @@ class Session {
     void resize(glm::ivec2 pixels);
     glm::ivec2 size() const { return size_; }
     /// Something but the camera has changed.
-    void changed() { stale_ = true; }
+    void changed() { stale_ = step_due_ = true; }
     /// Shows a model that has been loaded, and moves glides and notices on by `seconds`.
     void advance(double seconds);
     /// Whether draw() has something to do.
     bool stale() const;
     void draw();
+    /// How long the last picture took until it was shown: what the next ones of a movement leave
+    /// out.
+    void note_duration(double seconds);
+    Economy economy() const { return moving_ ? economy_ : Economy::none; }
     /// Adds the timings that have arrived to `timings`. Returns whether there were any.
     bool take_timings();
     /// Whether timings of frames that were drawn have not arrived yet.
@@ -83,6 +113,9 @@ class Session {
 
   private:
     void show(std::shared_ptr<Model> model);
+    void show_parts();
+    void take(const Settings* step);
+    void glide_to(const View* step);
     void open_camera(const std::filesystem::path& file);
     std::optional<View> take_first_camera();
     glm::dvec3 origin() const;
@@ -98,9 +131,14 @@ class Session {
     std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
     FrameStats stats_;
     std::filesystem::path first_camera_;
+    std::filesystem::file_time_type read_time_{}, looked_time_{}; ///< of the model's file
     std::optional<View> drawn_view_;
-    bool stale_ = true;
+    bool stale_ = true, step_due_ = true;
+    bool keeps_view_ = false; ///< of what is being loaded
+    History<Settings, same> steps_;
+    History<View, same> views_;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
+    Economy economy_ = Economy::none; ///< of movements
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

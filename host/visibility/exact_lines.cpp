@@ -5,6 +5,7 @@
 namespace lineatlas {
 
 void ExactLines::release() {
+    chains_.release();
     visibility_.release();
     front_.reset();
     clipped_.reset();

@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "compute/stages/exact_visibility.hpp"
+#include "compute/stages/silhouette_chains.hpp"
 #include "line_tables.hpp"
+#include "table_order.hpp"
 
 namespace lineatlas {
 
@@ -25,7 +27,7 @@ struct LineView {
 class ExactLines {
   public:
     explicit ExactLines(compute::Stages& stages)
-        : stages_(stages), device_(stages.device()), visibility_(stages) {}
+        : stages_(stages), device_(stages.device()), chains_(stages), visibility_(stages) {}
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release();
@@ -33,16 +35,19 @@ class ExactLines {
     void make_tables(std::uint32_t triangle_count, std::uint32_t most_segments);
 
     /// Finds what is visible, chunk by chunk. `table(chunk)`: what kernels read; `clock(name,
-    /// action)` runs a stage; `use(chunk, spans)` takes what is visible of that chunk, as spans()
-    /// of its clipped().
+    /// action)` runs a stage; `use(chunk, segments, spans)` takes what is visible of that chunk:
+    /// spans of its clipped() segments, in their order() of this frame.
     template <class Table, class Clock, class Use>
     void find(const LineView& view, std::size_t chunk_count, const Table& table, Clock&& clock,
               Use&& use) {
         for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
-            const compute::SegmentTable segments = table(chunk);
+            const compute::SegmentTable candidates = table(chunk);
+            const bool wants_silhouettes = (view.lines & mask_of(LineKind::silhouette)) != 0;
+            if (wants_silhouettes) clock("facing", [&] { facing(view, candidates); });
+            const compute::SegmentTable segments =
+                wants_silhouettes ? chains_.find(candidates, *front_, view.camera.eye(), clock)
+                                  : chains_.without(candidates);
             begin(view, segments, chunk);
-            if ((view.lines & mask_of(LineKind::silhouette)) != 0)
-                clock("facing", [&] { facing(view, segments); });
             clock("project_clip", [&] { project_clip(view, segments); });
             clock("scan",
                   [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
@@ -56,15 +61,20 @@ class ExactLines {
                     again = visibility_.grow();
                 });
             }
-            use(chunk, visibility_.spans());
+            use(chunk, segments, visibility_.spans());
         }
     }
 
+    /// In which the segments of the current chunk stand; waits.
+    TableOrder order() const { return {chains_.first(), chains_.read_origins()}; }
+    /// Of the chunk in use, while use() runs: which parts have the background on one side.
+    compute::OutlineTable outline() { return visibility_.outline(clipped()); }
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
     std::uint64_t mesh_bytes() const { return front_->size(); }
     std::uint64_t segment_bytes() const {
-        return clipped_->size() + arcs_->size() + no_offsets_->size() + visibility_.bytes();
+        return clipped_->size() + arcs_->size() + no_offsets_->size() + visibility_.bytes() +
+               chains_.bytes();
     }
 
   private:
@@ -74,6 +84,7 @@ class ExactLines {
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
+    compute::SilhouetteChains chains_;
     compute::ExactVisibility visibility_;
     std::unique_ptr<compute::Buffer> front_, clipped_, arcs_;
     std::unique_ptr<compute::Buffer> no_offsets_; ///< all 0: no segment has samples

@@ -35,17 +35,24 @@ bool IntervalTable::grow() {
     return true;
 }
 
-void IntervalTable::keep(std::uint32_t first_segment) {
+void IntervalTable::keep(std::uint32_t first_segment, const TableOrder& order,
+                         std::span<const std::uint32_t> offsets) {
     in_chunks_ = true;
     if (!kept_) return;
-    for (Interval& interval : read_table()) {
+    std::vector<Interval> found = read_table();
+    order.restore(found, offsets);
+    for (Interval& interval : found) {
         interval.segment += first_segment;
         of_chunks_.push_back(interval);
     }
 }
 
-std::vector<Interval> IntervalTable::read() {
-    return in_chunks_ ? of_chunks_ : read_table();
+std::vector<Interval> IntervalTable::read(const TableOrder& order,
+                                          std::span<const std::uint32_t> offsets) {
+    if (in_chunks_) return of_chunks_;
+    std::vector<Interval> found = read_table();
+    order.restore(found, offsets);
+    return found;
 }
 
 std::vector<Interval> IntervalTable::read_table() {

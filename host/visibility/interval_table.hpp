@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compute/stages/stages.hpp"
+#include "table_order.hpp"
 
 namespace lineatlas {
 
@@ -29,15 +30,17 @@ class IntervalTable {
     /// Enlarges the table if they exceed it; true if they must be found again.
     bool grow();
     /// Where segments come in chunks: the intervals of the current one, whose first segment that is
-    /// in the whole table, go to the host.
-    void keep(std::uint32_t first_segment);
-    /// Of the last frame.
-    std::vector<Interval> read();
+    /// in the whole table, go to the host. `order`: of that chunk, whose samples begin at
+    /// `offsets`.
+    void keep(std::uint32_t first_segment, const TableOrder& order,
+              std::span<const std::uint32_t> offsets);
+    /// Of the last frame; `order` and `offsets`: of the last chunk.
+    std::vector<Interval> read(const TableOrder& order, std::span<const std::uint32_t> offsets);
 
-  private:
-    /// Of the last read_total().
+    /// Of the current chunk alone, after the last read_total().
     std::vector<Interval> read_table();
 
+  private:
     compute::Device& device_;
     std::unique_ptr<compute::Buffer> table_, total_buffer_;
     std::uint32_t capacity_;

@@ -18,6 +18,14 @@ struct LineTables {
     struct Chunk {
         SegmentRange range;
         std::unique_ptr<compute::Buffer> segments;
+        /// Those that are silhouettes in some frames, at the end of `segments`.
+        std::uint32_t candidate_count = 0;
+        std::unique_ptr<compute::Buffer> end_offsets{}, ends{}; ///< where there are any
+
+        compute::SilhouetteCandidates candidates() const {
+            return {range.count - candidate_count, candidate_count, end_offsets.get(), ends.get()};
+        }
+        std::uint64_t bytes() const;
     };
     std::unique_ptr<compute::Buffer> vertices, triangles;
     std::vector<Chunk> chunks; ///< at least one

@@ -13,6 +13,7 @@
 #include "exact_lines.hpp"
 #include "interval_table.hpp"
 #include "lineatlas/error.hpp"
+#include "outline_parts.hpp"
 
 namespace lineatlas {
 namespace {
@@ -51,6 +52,8 @@ class LineVisibility::State {
         }
     }
 
+    const std::vector<OutlinePart>& outlines() const { return outlines_; }
+
   private:
     State(const compute::FoundDevice& found, const DeviceOptions& options)
         : device_(compute::make_device(found, options)), stages_(*device_) {}
@@ -76,16 +79,25 @@ class LineVisibility::State {
         const std::size_t chunks = tables_->chunks.size();
         IntervalTable& intervals = work_->intervals;
         intervals.begin_frame(true);
+        outlines_.clear();
         const auto at_once = [](const char*, const auto& action) { action(); };
         work_->lines.find(
             view, chunks, [&](std::size_t chunk) { return table(chunk); }, at_once,
-            [&](std::size_t chunk, const compute::SpanTable& spans) {
+            [&](std::size_t chunk, const compute::SegmentTable& segments,
+                const compute::SpanTable& spans) {
                 do {
-                    find_intervals(view, table(chunk), spans, options.hidden);
+                    find_intervals(view, segments, spans, options.hidden);
                 } while (intervals.grow());
-                if (chunks > 1) intervals.keep(tables_->chunks[chunk].range.first);
+                const SegmentRange range = tables_->chunks[chunk].range;
+                if (options.outlines) {
+                    add_outline_parts(*device_, work_->lines.outline(), intervals.read_table(),
+                                      work_->lines.order(), range.first, segments.segment_count,
+                                      outlines_);
+                }
+                if (chunks == 1) return;
+                intervals.keep(range.first, work_->lines.order(), {});
             });
-        return intervals.read();
+        return intervals.read(work_->lines.order(), {});
     }
 
     void find_intervals(const LineView& view, const compute::SegmentTable& segments,
@@ -104,8 +116,8 @@ class LineVisibility::State {
 
     compute::SegmentTable table(std::size_t chunk) const {
         const LineTables::Chunk& part = tables_->chunks[chunk];
-        return {*tables_->vertices, *tables_->triangles, *part.segments, triangle_count_,
-                part.range.count};
+        return {*tables_->vertices, *tables_->triangles, *part.segments,
+                triangle_count_,    part.range.count,    part.candidates()};
     }
 
     std::unique_ptr<compute::Device> device_;
@@ -113,7 +125,8 @@ class LineVisibility::State {
     std::optional<LineTables> tables_;
     std::uint32_t triangle_count_ = 0;
     Bounds bounds_;
-    std::optional<Work> work_; ///< for the lines; made when they are first looked at
+    std::vector<OutlinePart> outlines_; ///< of the last find()
+    std::optional<Work> work_;          ///< for the lines; made when they are first looked at
 };
 
 LineVisibility::LineVisibility(const LineSet& lines, const DeviceOptions& options)
@@ -131,6 +144,10 @@ std::string LineVisibility::description() const {
 
 void LineVisibility::set_lines(const LineSet& lines) {
     state_->set_lines(lines);
+}
+
+const std::vector<OutlinePart>& LineVisibility::outlines() const {
+    return state_->outlines();
 }
 
 std::vector<Interval> LineVisibility::find(const Camera& camera, const VisibilityOptions& options) {

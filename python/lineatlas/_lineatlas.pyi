@@ -1,7 +1,7 @@
 # Types of the compiled module; what its parts do is said by their docstrings.
 import os
 from types import TracebackType
-from typing import Any, Iterable, Optional, Sequence, Tuple, Union
+from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -45,6 +45,7 @@ class Mesh:
         triangle_group: Optional[ArrayLike] = None,
         groups: Optional[Sequence[Union[Group, str]]] = None,
         polylines: Iterable[ArrayLike] = (),
+        known_edges: Optional[Mapping[str, ArrayLike]] = None,
     ) -> None: ...
     @property
     def positions(self) -> NDArray[np.float32]: ...
@@ -56,6 +57,8 @@ class Mesh:
     def groups(self) -> list[Group]: ...
     @property
     def polylines(self) -> list[NDArray[np.uint32]]: ...
+    @property
+    def known_edges(self) -> dict[str, NDArray[np.uint32]]: ...
     @property
     def notes(self) -> list[str]: ...
     @property

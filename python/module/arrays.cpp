@@ -31,10 +31,11 @@ py::array number_array(py::handle object, const std::string& name, const std::st
     return array;
 }
 
-void check_rows_of_three(const py::array& array, const std::string& name) {
+void check_rows(const py::array& array, py::ssize_t length, const std::string& name) {
     const bool empty_list = array.ndim() == 1 && array.size() == 0;
-    if (empty_list || (array.ndim() == 2 && array.shape(1) == 3)) return;
-    throw UsageError(name + " must have the shape (n, 3), not " + shape_of(array));
+    if (empty_list || (array.ndim() == 2 && array.shape(1) == length)) return;
+    throw UsageError(name + " must have the shape (n, " + std::to_string(length) + "), not " +
+                     shape_of(array));
 }
 
 std::uint32_t checked_index(std::int64_t index, std::size_t limit, std::size_t place,
@@ -71,7 +72,7 @@ whole_numbers(const py::array& array) {
 
 std::vector<glm::vec3> points_from(py::handle object, const char* name) {
     const py::array given = number_array(object, name, "fiu");
-    check_rows_of_three(given, name);
+    check_rows(given, 3, name);
     // By way of double what is too large for a float becomes infinite without a word.
     return given.dtype().is(py::dtype::of<float>()) ? finite_rows<float>(given, name)
                                                     : finite_rows<double>(given, name);
@@ -79,7 +80,7 @@ std::vector<glm::vec3> points_from(py::handle object, const char* name) {
 
 std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit) {
     const py::array given = number_array(object, name, "iu");
-    check_rows_of_three(given, name);
+    check_rows(given, 3, name);
     const auto rows = whole_numbers(given);
     const auto count = static_cast<std::size_t>(rows.size()) / 3;
     std::vector<glm::uvec3> triangles(count);
@@ -89,6 +90,20 @@ std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std:
             triangles[i][corner] = checked_index(value[corner], limit, i, name);
     }
     return triangles;
+}
+
+std::vector<std::array<std::uint32_t, 2>> pairs_from(py::handle object, const char* name,
+                                                     std::size_t limit) {
+    const py::array given = number_array(object, name, "iu");
+    check_rows(given, 2, name);
+    const auto rows = whole_numbers(given);
+    std::vector<std::array<std::uint32_t, 2>> pairs(static_cast<std::size_t>(rows.size()) / 2);
+    const std::int64_t* value = rows.data();
+    for (std::size_t i = 0; i < pairs.size(); ++i, value += 2) {
+        for (std::size_t end = 0; end < 2; ++end)
+            pairs[i][end] = checked_index(value[end], limit, i, name);
+    }
+    return pairs;
 }
 
 std::vector<std::uint32_t> indices_from(py::handle object, const char* name, std::size_t limit) {

@@ -31,6 +31,10 @@ std::vector<glm::vec3> points_from(py::handle object, const char* name);
 /// Rows of three indices, each below `limit`.
 std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit);
 
+/// Rows of two indices, each below `limit`.
+std::vector<std::array<std::uint32_t, 2>> pairs_from(py::handle object, const char* name,
+                                                     std::size_t limit);
+
 /// A list of indices, each below `limit`.
 std::vector<std::uint32_t> indices_from(py::handle object, const char* name, std::size_t limit);
 

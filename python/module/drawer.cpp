@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "compute/choose_device.hpp"
+#include "core/line_pens.hpp"
 #include "images/pixels.hpp"
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
@@ -175,9 +176,13 @@ FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, boo
     if (options.method == Method::exact) {
         const InUse use{*this};
         if (!state_->pictures) {
-            const VisibilityOptions wanted{
-                .lines = options.lines, .hidden = hidden, .step = options.step};
-            return {subject_, make_visibility().find(camera, wanted)};
+            const VisibilityOptions wanted{.lines = options.lines,
+                                           .hidden = hidden,
+                                           .step = options.step,
+                                           .outlines = tells_outlines(options.style)};
+            LineVisibility& visibility = make_visibility();
+            std::vector<Interval> found = visibility.find(camera, wanted);
+            return {subject_, std::move(found), visibility.outlines()};
         }
     }
     Pictures* pictures = nullptr;
@@ -185,7 +190,7 @@ FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, boo
     options.intervals = hidden ? KeptIntervals::all : KeptIntervals::visible;
     options.draw = false;
     pictures->renderer.draw(camera, options, 0);
-    return {subject_, pictures->renderer.read_intervals()};
+    return {subject_, pictures->renderer.read_intervals(), pictures->renderer.read_outlines()};
 }
 
 } // namespace lineatlas::python

@@ -28,6 +28,7 @@ ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& opt
 struct FoundIntervals {
     std::shared_ptr<const ModelLines> subject;
     std::vector<Interval> intervals;
+    std::vector<OutlinePart> outlines; ///< of a style with pens for them
 };
 
 /// Pixels from the top left, 4 values each, colour not multiplied by alpha.

@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -20,6 +24,9 @@ using Groups = std::optional<std::vector<GroupOrName>>;
 
 using ColorArgument = Argument<std::optional<Triple>, "color", "three numbers">;
 using GroupsArgument = Argument<Groups, "groups", "a list of Group and names of materials">;
+using EdgesByKind = std::optional<std::map<std::string, py::object>>;
+using EdgesArgument =
+    Argument<EdgesByKind, "known_edges", "a dictionary of kinds of edges and arrays of pairs">;
 using LinesArgument = Argument<py::iterable, "polylines", "a list of lines">;
 
 MeshGroup make_group(std::string object, std::string material, const std::optional<Triple>& color) {
@@ -70,6 +77,42 @@ void add_polyline(Mesh& mesh, py::handle line) {
         lineatlas::add_polyline(mesh, points_from(line, "polylines"));
 }
 
+/// The names of KnownEdge::Kind, in its order.
+constexpr std::array known_edge_kinds{"sharp", "smooth", "seam", "free", "marked"};
+
+void add_known_edges(Mesh& mesh, const EdgesByKind& edges) {
+    if (!edges) return;
+    for (const auto& [name, pairs] : *edges) {
+        const auto found = std::ranges::find(known_edge_kinds, name);
+        if (found == known_edge_kinds.end()) {
+            throw UsageError(fmt::format("known_edges: there is no kind \"{}\"; there is {}", name,
+                                         fmt::join(known_edge_kinds, ", ")));
+        }
+        const auto kind = static_cast<KnownEdge::Kind>(found - known_edge_kinds.begin());
+        for (const auto& [from, to] : pairs_from(pairs, "known_edges", mesh.positions.size())) {
+            mesh.known_edges.push_back(
+                {.from = from,
+                 .to = to,
+                 .kind = kind,
+                 .edge = static_cast<std::uint32_t>(mesh.known_edges.size())});
+        }
+    }
+}
+
+/// The other way: the kinds that there are.
+py::dict known_edges(const Model& model) {
+    std::map<KnownEdge::Kind, std::vector<std::uint32_t>> ends;
+    for (const KnownEdge& edge : model.mesh.known_edges)
+        ends[edge.kind].insert(ends[edge.kind].end(), {edge.from, edge.to});
+    py::dict kinds;
+    for (auto& [kind, numbers] : ends) {
+        const auto count = static_cast<py::ssize_t>(numbers.size()) / 2;
+        kinds[known_edge_kinds[static_cast<std::size_t>(kind)]] =
+            array_of(std::move(numbers), {count, 2});
+    }
+    return kinds;
+}
+
 std::vector<glm::uvec3> triangles_in_order(std::size_t corners) {
     if (corners % 3 != 0) {
         throw UsageError(
@@ -86,7 +129,7 @@ std::vector<glm::uvec3> triangles_in_order(std::size_t corners) {
 
 std::shared_ptr<Model> make_model(const py::object& positions, const py::object& triangles,
                                   const py::object& triangle_group, const GroupsArgument& groups,
-                                  const LinesArgument& polylines) {
+                                  const LinesArgument& polylines, const EdgesArgument& known) {
     auto model = std::make_shared<Model>();
     Mesh& mesh = model->mesh;
     mesh.positions = points_from(positions, "positions");
@@ -97,6 +140,7 @@ std::shared_ptr<Model> make_model(const py::object& positions, const py::object&
     else if (mesh.polylines.empty())
         mesh.triangles = triangles_in_order(corners);
     add_groups(mesh, triangle_group, *groups);
+    add_known_edges(mesh, *known);
     return model;
 }
 
@@ -213,13 +257,17 @@ void bind_mesh(py::module_& module) {
         "positions: (n, 3) real numbers. triangles: (m, 3) indices; without them, and without\n"
         "polylines, each three positions are a triangle. triangle_group: (m,) indices into\n"
         "groups, or any numbers where groups are not named; groups: Group or names of materials.\n"
-        "polylines: lines to be drawn as they are, each (k,) indices or (k, 3) points.\n\n"
+        "polylines: lines to be drawn as they are, each (k,) indices or (k, 3) points.\n"
+        "known_edges: what is known of edges, as {kind: (k, 2) indices}. \"marked\": creases\n"
+        "whatever the angle. With any of \"sharp\" (creases), \"smooth\" (where two faces go over\n"
+        "into each other), \"free\" (boundaries) and \"seam\" (no line), edges that are not named\n"
+        "are within a face, and angles say nothing.\n\n"
         "Arrays of any real type and memory order do; they are copied. Equal positions are welded\n"
         "when lines are found. Raises UsageError for wrong shapes, indices out of range and\n"
         "numbers that are not finite, TypeError for what is no array of numbers.");
     mesh.def(py::init(&make_model), py::arg("positions"), py::arg("triangles") = py::none(),
              py::kw_only(), py::arg("triangle_group") = py::none(), py::arg("groups") = py::none(),
-             py::arg("polylines") = py::tuple())
+             py::arg("polylines") = py::tuple(), py::arg("known_edges") = py::none())
         .def_property_readonly("positions", &positions, "(n, 3) float32, read-only, not copied.")
         .def_property_readonly("triangles", &triangles, "(m, 3) uint32, read-only, not copied.")
         .def_property_readonly("triangle_group", &triangle_group,
@@ -229,6 +277,8 @@ void bind_mesh(py::module_& module) {
             "What triangle_group refers to.")
         .def_property_readonly("polylines", &polylines,
                                "(k,) uint32 indices of positions for each; read-only, not copied.")
+        .def_property_readonly("known_edges", &known_edges,
+                               "(k, 2) uint32 indices of positions for each kind that there is.")
         .def_property_readonly("notes", &notes,
                                "What was repaired or left out when the file was read.")
         .def_readonly("origin", &Model::origin,

@@ -128,9 +128,9 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         const FoundIntervals found = drawer.intervals(camera, frame, true);
         const LineSet& lines = found.subject->lines;
         const Mesh* mesh = arguments.tags ? &found.subject->model->mesh : nullptr;
-        const VectorDrawing drawing =
-            make_vector_drawing(lines, camera, found.intervals, frame.style,
-                                {.mesh = mesh, .plotter = arguments.plotter});
+        const VectorDrawing drawing = make_vector_drawing(
+            lines, camera, found.intervals, frame.style,
+            {.mesh = mesh, .outlines = found.outlines, .plotter = arguments.plotter});
         if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->kinds, camera);
         text = written(drawing);
     }
@@ -282,8 +282,9 @@ void bind_renderer(py::module_& module) {
         "as it is; intervals and paths need none. Any thread may call it; calls wait for each\n"
         "other, and several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
-        "crease: edges bent by more degrees are creases; \"auto\": by more than 30, but for noise\n"
-        "of scanned or sculpted surfaces. compute, device, interop: as in `lineatlas draw "
+        "crease: all edges bent by more degrees are creases; \"auto\": by more than 30, but for\n"
+        "noise of scanned or sculpted surfaces and for seams. compute, device, interop: as in "
+        "`lineatlas draw "
         "--help`.");
     renderer
         .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease,

@@ -1,11 +1,13 @@
 #include <map>
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include "bindings.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/style_files.hpp"
+#include "style/pen_rules.hpp"
 #include "style/settings.hpp"
 #include "style_values.hpp"
 
@@ -21,7 +23,69 @@ std::string key_of(std::string name) {
     return name;
 }
 
+/// One text or several.
+std::vector<std::string> texts_of(const std::string& key, const py::handle& value) {
+    if (py::isinstance<py::str>(value)) return {value.cast<std::string>()};
+    try {
+        return value.cast<std::vector<std::string>>();
+    } catch (const py::cast_error&) {
+        throw wrong_argument("pens: " + key, "a text, or a list of them",
+                             py::reinterpret_borrow<py::object>(value));
+    }
+}
+
+py::dict table_of(const char* called, const py::handle& value) {
+    if (py::isinstance<py::dict>(value)) return py::reinterpret_borrow<py::dict>(value);
+    throw wrong_argument(called, "a dict", py::reinterpret_borrow<py::object>(value));
+}
+
+PenRule rule_of(const py::handle& given) {
+    PenRule rule;
+    for (const auto& [name, value] : table_of("a rule of pens", given)) {
+        const std::string key = key_of(py::str(name));
+        if (key == "match") {
+            for (const auto& [asked, names] : table_of("match", value))
+                set_match_key(rule.match, std::string{py::str(asked)},
+                              texts_of(py::str(asked), names));
+            continue;
+        }
+        const auto object = py::reinterpret_borrow<py::object>(value);
+        const std::optional<SettingValue> own = setting_value(object);
+        if (!own) throw wrong_argument("pens: " + key, "a value as in style files", object);
+        set_pen_key(rule, key, *own);
+    }
+    return rule;
+}
+
+std::vector<PenRule> rules_of(const py::object& value) {
+    if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value))
+        throw wrong_argument("pens", "a list of dicts, one per rule", value);
+    std::vector<PenRule> rules;
+    for (const py::handle rule : value) rules.push_back(rule_of(rule));
+    return rules;
+}
+
+py::list list_of(const std::vector<PenRule>& rules) {
+    py::list list;
+    for (const PenRule& rule : rules) {
+        py::dict match, own;
+        if (!rule.match.kinds.empty()) match["kind"] = rule.match.kinds;
+        if (!rule.match.object.empty()) match["object"] = rule.match.object;
+        if (!rule.match.material.empty()) match["material"] = rule.match.material;
+        own["match"] = match;
+        for (const auto& [key, value] : pen_values(rule)) own[py::str(key)] = python_value(value);
+        list.append(own);
+    }
+    return list;
+}
+
+constexpr const char* pens_key = "pens";
+
 void set(Style& style, const std::string& name, const py::object& value) {
+    if (name == pens_key) {
+        style.pens = rules_of(value);
+        return;
+    }
     const Setting& setting = find_setting(key_of(name));
     const std::optional<SettingValue> given = setting_value(value);
     if (!given) throw wrong_argument(setting.key, setting.values, value);
@@ -29,6 +93,7 @@ void set(Style& style, const std::string& name, const py::object& value) {
 }
 
 py::object get(const Style& style, const std::string& name) {
+    if (name == pens_key) return list_of(style.pens);
     return python_value(find_setting(key_of(name)).get(style));
 }
 
@@ -43,6 +108,7 @@ py::dict all_settings(const Style& style) {
     py::dict values;
     for (const Setting& setting : settings())
         values[py::str(setting.key)] = python_value(setting.get(style));
+    values[pens_key] = list_of(style.pens);
     return values;
 }
 
@@ -53,13 +119,14 @@ std::string describe(const Style& style) {
         const std::string value = value_to_toml(setting.get(style));
         if (value != value_to_toml(setting.get(defaults))) text += " " + setting.key + "=" + value;
     }
+    if (!style.pens.empty()) text += fmt::format(" pens={} rules", style.pens.size());
     return text + ">";
 }
 
 } // namespace
 
 Style style_of(const std::optional<StyleOrName>& given) {
-    if (!given) return {};
+    if (!given) return default_style();
     if (const auto* name = std::get_if<std::filesystem::path>(&*given))
         return load_style(name->string());
     return std::get<Style>(*given);
@@ -86,7 +153,9 @@ void bind_style(py::module_& module) {
         "How a drawing looks: pens, colours, hidden lines, effects, paper.\n\n"
         "base: name of a style that ships, or path of a style file; none: plain black lines.\n"
         "Settings are those of style files, with \"_\" for \"-\": Style(\"pencil\", width=3,\n"
-        "fill_color=\"navy\"). They are read and changed as items: style[\"width\"] = 4.")
+        "fill_color=\"navy\"). They are read and changed as items: style[\"width\"] = 4.\n"
+        "\"pens\" is a list of rules, each a dict as in style files:\n"
+        "style[\"pens\"] = [{\"match\": {\"kind\": \"outline\"}, \"width\": 3}].")
         .def(py::init(&make_style), py::arg("base") = py::none())
         .def("__getitem__", &get, py::arg("key"), "The value of a setting.")
         .def("__setitem__", &set, py::arg("key"), py::arg("value"), "Changes a setting.")

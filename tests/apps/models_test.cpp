@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gltf_files.hpp"
+#include "threemf_files.hpp"
 #include "tool.hpp"
 
 namespace lineatlas::test {
@@ -113,6 +114,32 @@ TEST_F(Models, PartsAreChosenByName) {
 TEST_F(Models, GroupsOfObjFilesAreParts) {
     EXPECT_NE(drawn("groups.obj", "")["paths"], drawn("groups.obj", "--only second")["paths"]);
 }
+
+#ifdef LINEATLAS_HAS_3MF
+
+TEST_F(Models, ComponentsOf3mfAreParts) {
+    write("pair.3mf", to_3mf(threemf_model(
+                          cube_object(1, "bolt") + cube_object(2, "nut") +
+                              R"(<object id="3" name="pair"><components><component objectid="1"/>)"
+                              R"(<component objectid="2" transform="1 0 0 0 1 0 0 0 1 3 0 0"/>)"
+                              R"(</components></object>)",
+                          R"(<item objectid="3"/>)", R"(unit="inch")")));
+    EXPECT_EQ(said("info " + path("pair.3mf")), path("pair.3mf") +
+                                                    ": 3MF, 24 triangles, unit 25.4 mm, up 0,0,1\n"
+                                                    "box 0,0,0 to 4,1,1\n"
+                                                    "segments: 24 crease\n"
+                                                    "  pair\n"
+                                                    "    bolt: 12 triangles\n"
+                                                    "    nut: 12 triangles\n");
+    EXPECT_EQ(drawn("pair.3mf", "--only pair/nut")["paths"],
+              drawn("pair.3mf", "--hide bolt")["paths"]);
+    EXPECT_NE(drawn("pair.3mf", "--only nut")["paths"], drawn("pair.3mf", "")["paths"]);
+    write("bad.3mf", "PK\3\4");
+    const std::string message = said("draw " + path("bad.3mf") + " -o " + path("a.svg"), 1);
+    EXPECT_EQ(std::ranges::count(message, '\n'), 1) << message;
+}
+
+#endif
 
 struct Piece {
     glm::dvec2 from, to;

@@ -137,10 +137,11 @@ TEST_F(Sheets, EzdxfFindsNothingWrong) {
     if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
     drawn("cube.obj", "cube.dxf", "--scale 1:2 --hidden");
     const Result cube = read_by_ezdxf("cube.dxf");
-    EXPECT_EQ(cube.output, "units 4 size 297.0 210.0\nLINE crease 50.0000\nLINE crease 50.0000\n"
-                           "LINE crease 50.0000\nLINE crease 50.0000\n");
+    EXPECT_EQ(cube.output, "units 4 size 297.0 210.0\nLINE outline 50.0000\nLINE outline 50.0000\n"
+                           "LINE outline 50.0000\nLINE outline 50.0000\n");
     drawn("cylinder.obj", "cylinder.dxf", "--scale 1:1 --fit-arcs");
-    EXPECT_NE(read_by_ezdxf("cylinder.dxf").output.find("CIRCLE crease 50.000"), std::string::npos);
+    EXPECT_NE(read_by_ezdxf("cylinder.dxf").output.find("CIRCLE outline 50.000"),
+              std::string::npos);
     for (const char* options : {"", " --hidden", " --hidden --plotter --fit-arcs"}) {
         SCOPED_TRACE(options);
         for (const char* scene : {"clevis", "house"}) {

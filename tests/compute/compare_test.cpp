@@ -1,6 +1,9 @@
 // The comparers must see what they are there to see: each gets a planted error.
 
 #include "compare.hpp"
+#include "compute/compare/layouts.hpp"
+#include "compute/kernels.hpp"
+#include "lineatlas/error.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -135,6 +138,18 @@ TEST(Compare, IntervalsDifferInAnyField) {
                 : words[field] + 1;
         EXPECT_FALSE(close(a, std::bit_cast<Interval>(words))) << "field " << field;
     }
+}
+
+/// A device that is compared with another sees what every kernel writes.
+TEST(Compare, EveryTableThatAKernelWritesHasALayout) {
+    for (const compute::Kernel& kernel : compute::all_kernels()) {
+        for (const compute::KernelTable& table : kernel.tables) {
+            if (table.access == compute::Access::in) continue;
+            EXPECT_EQ(compute::layout_of(table.type).size(), table.element_size)
+                << kernel.name << ": " << table.name;
+        }
+    }
+    EXPECT_THROW(compute::layout_of("Nothing"), Error);
 }
 
 TEST(Compare, BytesCountWhatLiesBeyondTheStep) {

@@ -223,5 +223,43 @@ TEST_P(DepthStage, WithoutTrianglesAllIsFar) {
     EXPECT_TRUE(equal(drawn.tiles, std::vector(6, 1.0F)));
 }
 
+/// As many triangles as texels: whose number stands in a texel is whose depth does.
+TEST_P(DepthStage, NumbersAreThoseOfTheTrianglesThatTexelsShow) {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> triangles;
+    // Sheets of two triangles over each other, of which later ones lie farther to the upper right;
+    // the last goes through the near plane.
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        const float low = -1.2F + 0.04F * static_cast<float>(i);
+        const float z = 0.9F - 0.04F * static_cast<float>(i % 13);
+        for (const glm::vec2 corner :
+             {glm::vec2{0, 0}, glm::vec2{0.5F, 0}, glm::vec2{0.5F, 0.6F}, glm::vec2{0, 0.6F}}) {
+            vertices.emplace_back(corner + low, i == 39 && corner.x > 0 ? -2.0F : z);
+        }
+        triangles.emplace_back(4 * i, 4 * i + 1, 4 * i + 2);
+        triangles.emplace_back(4 * i, 4 * i + 2, 4 * i + 3);
+    }
+    for (const std::uint32_t cluster_size : {1U, 7U, 64U}) {
+        const DrawnDepth all =
+            model(vertices, triangles, {glm::mat4{1}, hand_size, {{0, 0}, hand_size}, true},
+                  cluster_size);
+        std::size_t shown = 0;
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            const DrawnDepth one =
+                model(vertices, {triangles[i]}, {glm::mat4{1}, hand_size, {{0, 0}, hand_size}});
+            for (std::size_t t = 0; t < all.texels.size(); ++t) {
+                if (all.numbers[t] != i) continue;
+                ++shown;
+                EXPECT_NEAR(one.texels[t], all.texels[t], 1e-6) << "texel " << t;
+            }
+        }
+        for (std::size_t t = 0; t < all.texels.size(); ++t) {
+            EXPECT_EQ(all.numbers[t] == LA_NO_FACE, all.texels[t] == 1) << "texel " << t;
+            if (all.numbers[t] == LA_NO_FACE) ++shown;
+        }
+        EXPECT_EQ(shown, all.texels.size());
+    }
+}
+
 } // namespace
 } // namespace lineatlas::test

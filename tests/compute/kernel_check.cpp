@@ -7,15 +7,22 @@
 #include <cstring>
 #include <iostream>
 
+#include "compare.hpp"
 #include "compute/opencl/opencl_backend.hpp"
+#include "compute/stages/silhouette_chains.hpp"
 #include "core/clusters.hpp"
+#include "core/meshlets.hpp"
+#include "core/surface_view.hpp"
 #include "depth_model.hpp"
+#include "devices.hpp"
 #include "exact_support.hpp"
 #include "lineatlas/error.hpp"
 #include "moved_tables.hpp"
 #include "poison.hpp"
 #include "stages.hpp"
 #include "test_meshes.hpp"
+#include "visibility/exact_lines.hpp"
+#include "visibility/line_tables.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -45,6 +52,72 @@ template <class T>
 void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
     const auto more = std::as_bytes(std::span{values});
     bytes.insert(bytes.end(), more.begin(), more.end());
+}
+
+/// The silhouettes that a camera sees, in chains; `result` gets the segments and where they came
+/// from.
+void append_chains(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
+                   const Camera& camera) {
+    const LineTables tables = upload_lines(stages.device(), lines);
+    const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
+    const auto front = stages.device().allocate(triangles);
+    const LineTables::Chunk& chunk = tables.chunks[0];
+    const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
+                                      triangles,        chunk.range.count, chunk.candidates()};
+    stages.facing({.table = table, .eye = camera.eye(), .front = *front});
+    compute::SilhouetteChains chains{stages};
+    const compute::SegmentTable found =
+        chains.find(table, *front, camera.eye(), [](const char*, const auto& run) { run(); });
+    const std::vector<std::uint32_t> origins = chains.read_origins();
+    if (origins.empty()) throw Error("there are no silhouettes: the check would prove nothing");
+    append(result, origins);
+    append(result, read_back<Segment>(stages.device(), found.segments, found.segment_count));
+}
+
+/// What of the lines the exact method finds to be outline.
+void append_outline(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
+                    const Camera& camera) {
+    const LineTables tables = upload_lines(stages.device(), lines);
+    const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
+    const LineTables::Chunk& chunk = tables.chunks[0];
+    const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
+                                      triangles,        chunk.range.count, chunk.candidates()};
+    ExactLines exact{stages};
+    exact.make_tables(triangles, chunk.range.count);
+    const LineView view{.camera = camera,
+                        .bounds = lines.bounds,
+                        .diagonal = glm::distance(lines.bounds.min, lines.bounds.max),
+                        .lines = all_line_kinds,
+                        .step = 2};
+    exact.find(
+        view, 1, [&](std::size_t) { return table; }, [](const char*, const auto& run) { run(); },
+        [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
+            const compute::OutlineTable outline = exact.outline();
+            append(result, read_back<la_uint>(stages.device(), outline.offsets,
+                                              outline.sides * found.segment_count + 1));
+        });
+}
+
+/// How near the planes of all triangles are.
+void append_planes(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
+                   const Camera& camera) {
+    compute::Device& device = stages.device();
+    const TriangleClusters parts = build_clusters(lines.vertices, lines.triangles, 4);
+    const Meshlets built = build_meshlets(parts.triangles, parts.clusters, lines.vertices.size());
+    const auto clusters = to_device(device, parts.clusters);
+    const auto meshlets = to_device(device, built.meshlets);
+    const auto vertex_list = to_device(device, built.vertices);
+    const auto corners = to_device(device, built.corners);
+    const auto vertices = to_device(device, lines.vertices);
+    const auto planes = device.allocate(lines.triangles.size() * sizeof(glm::vec4));
+    stages.planes({.model = {*clusters, *meshlets, *vertex_list, *corners,
+                             static_cast<std::uint32_t>(parts.clusters.size())},
+                   .vertices = *vertices,
+                   .view = surface_view(camera),
+                   .contact = 0.001F,
+                   .seen = nullptr,
+                   .planes = *planes});
+    append(result, read_back<glm::vec4>(device, *planes, lines.triangles.size()));
 }
 
 /// Of a frame whose atlas has to grow.
@@ -94,6 +167,12 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines) {
     stages.density(camera, layout, state);
 
     const ExactResult exact = find_exactly(stages.device(), lines, camera, all_line_kinds);
+    const LineSet round =
+        extract_lines(sphere(1), {.kinds = mask_of(LineKind::silhouette), .crease_angle = 3});
+    append(result, stages.pens(camera, depth, sampled));
+    append_planes(result, on_device, lines, camera);
+    append_outline(result, on_device, lines, camera);
+    append_chains(result, on_device, round, look_at_it(0, round.bounds));
     append(result, drawn.texels);
     append(result, drawn.tiles);
     append(result, drawn.seen);

@@ -47,6 +47,32 @@ TEST(KnownEdges, SharpOnesAreCreasesHoweverFlat) {
     EXPECT_EQ(counts(mesh, {.kinds = mask_of(LineKind::silhouette)})[LA_KIND_SILHOUETTE], 1U);
 }
 
+/// A square in the plane as a fan of four triangles, and a third corner of one lifted by 45
+/// degrees.
+Mesh fan(float height) {
+    return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, height}},
+            .triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}},
+            .triangle_group = {},
+            .groups = {},
+            .polylines = {}};
+}
+
+TEST(KnownEdges, MarkedOnesAreCreasesAndLeaveOthersToAngles) {
+    Mesh mesh = fan(0);
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
+    mesh.known_edges = {{2, 0, Kind::marked}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_BOUNDARY], 4U);
+    mesh = fan(2);
+    const std::uint32_t bent = counts(mesh)[LA_KIND_CREASE];
+    EXPECT_GE(bent, 2U);
+    mesh.known_edges = {{2, 0, Kind::marked}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], bent + 1);
+    EXPECT_EQ(counts(mesh, {.crease_angle = 0.5F})[LA_KIND_CREASE], bent + 1);
+    mesh.known_edges.push_back({0, 1, Kind::seam}); // now the file speaks of all
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+}
+
 TEST(KnownEdges, BetweenGroupsTheyAreMaterialLines) {
     Mesh mesh = roof();
     mesh.triangle_group = {0, 1};

@@ -75,6 +75,18 @@ TEST(NoisyCreases, AreNoneOfShapesThatRepeatThemselves) {
     }
 }
 
+/// A box that somebody pulled at: none of its twelve triangles lies in the plane of another.
+TEST(NoisyCreases, AreNoneOfACoarsePart) {
+    Mesh mesh = test::cube();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const auto k = static_cast<float>(i);
+        mesh.positions[i] +=
+            0.2F * glm::vec3{std::sin(3 * k), std::sin(5 * k + 1), std::sin(7 * k + 2)};
+    }
+    EXPECT_EQ(extract_lines(mesh).left_out.noisy_creases, 0U);
+    EXPECT_GE(extract_lines(mesh).kind_counts[LA_KIND_CREASE], 12U);
+}
+
 TEST(NoisyCreases, AreAllOfARoughSphere) {
     test::Random random{83};
     const Creases creases{test::with_random_radii(test::sphere(5), random, 0.95F)};

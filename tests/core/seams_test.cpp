@@ -63,6 +63,15 @@ TEST(Seams, OfTwoSquaresSideBySideAreTheirCommonEdge) {
     EXPECT_TRUE(lines.cut_vertices.empty());
 }
 
+TEST(Seams, StayWhereAnAngleIsGiven) {
+    Mesh mesh;
+    add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    add_rectangle(mesh, {1.00001F, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const LineSet lines = extract_lines(mesh, {.crease_angle = 0.5F});
+    EXPECT_EQ(lines.left_out.seams, 0U);
+    EXPECT_NEAR(length_of(lines, LineKind::boundary), 8, 1e-4);
+}
+
 TEST(Seams, AreNoneBetweenMaterials) {
     Mesh mesh;
     add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});

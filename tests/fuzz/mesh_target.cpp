@@ -1,52 +1,9 @@
 // One mesh format: LINEATLAS_FUZZ_EXTENSION, e.g. ".obj".
-#include <algorithm>
-#include <cmath>
-
 #include "fuzz.hpp"
-#include "lineatlas/io.hpp"
-#include "lineatlas/lines.hpp"
-
-namespace {
-
-using namespace lineatlas;
-
-bool is_finite(glm::vec3 point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-/// What load_mesh() promises of a mesh.
-void check(const Mesh& mesh) {
-    fuzz::expect(!mesh.empty(), "an empty mesh is no success");
-    const std::size_t n = mesh.positions.size();
-    for (const glm::uvec3& triangle : mesh.triangles) {
-        for (int corner = 0; corner < 3; ++corner) {
-            fuzz::expect(triangle[corner] < n, "a corner beyond the positions");
-            fuzz::expect(is_finite(mesh.positions[triangle[corner]]),
-                         "a corner that is not finite");
-        }
-    }
-    for (const auto& polyline : mesh.polylines) {
-        for (const std::uint32_t point : polyline) {
-            fuzz::expect(point < n, "a polyline beyond the positions");
-        }
-    }
-    fuzz::expect(mesh.triangle_group.empty() || mesh.triangle_group.size() == mesh.triangles.size(),
-                 "groups for some of the triangles only");
-    for (const std::uint32_t group : mesh.triangle_group) {
-        fuzz::expect(group < mesh.groups.size(), "a triangle in a group that is not there");
-    }
-}
-
-} // namespace
+#include "mesh_check.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::filesystem::path path = fuzz::put_file(LINEATLAS_FUZZ_EXTENSION, {data, size});
-    try {
-        const LoadedMesh loaded = load_mesh(path);
-        check(loaded.mesh);
-        extract_lines(loaded.mesh);
-    } catch (const FileError& error) {
-        fuzz::expect_good_refusal(error, path);
-    }
+    using namespace lineatlas;
+    fuzz::try_mesh(fuzz::put_file(LINEATLAS_FUZZ_EXTENSION, {data, size}));
     return 0;
 }

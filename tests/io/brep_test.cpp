@@ -1,15 +1,8 @@
 // STEP and BREP files of shapes whose edges are known, and files that are none.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <set>
 #include <string>
-#include <string_view>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -20,70 +13,11 @@
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 
-#include <glm/geometric.hpp>
-
 #include "brep_files.hpp"
-#include "io/isolated.hpp"
-#include "lineatlas/error.hpp"
-#include "lineatlas/io.hpp"
-#include "lineatlas/lines.hpp"
-
-namespace fs = std::filesystem;
+#include "brep_fixture.hpp"
 
 namespace lineatlas::test {
 namespace {
-
-class Brep : public testing::Test {
-  protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("lineatlas_brep_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    LoadedMesh load(const std::string& name, std::string_view content) const {
-        const fs::path path = folder_ / name;
-        std::ofstream(path, std::ios::binary) << content;
-        return load_mesh_isolated(path);
-    }
-
-    /// Whether it is read; what is refused is refused in one line.
-    bool is_read(const std::string& name, std::string_view content) const {
-        try {
-            const LoadedMesh loaded = load(name, content);
-            extract_lines(loaded.mesh);
-            return true;
-        } catch (const FileError& error) {
-            const std::string message = error.what();
-            EXPECT_EQ(message.find('\n'), message.npos) << message;
-            EXPECT_EQ(message.find("cannot read \"" + (folder_ / name).string() + "\": "), 0U)
-                << message;
-            return false;
-        }
-    }
-
-    fs::path folder_;
-};
-
-/// Edges of the file by KnownEdge::Kind: sharp, smooth, seam, free.
-using EdgeCounts = std::array<std::size_t, 4>;
-
-EdgeCounts edges_of(const Mesh& mesh) {
-    std::array<std::set<std::uint32_t>, 4> edges;
-    for (const KnownEdge& edge : mesh.known_edges)
-        edges[static_cast<std::size_t>(edge.kind)].insert(edge.edge);
-    return {edges[0].size(), edges[1].size(), edges[2].size(), edges[3].size()};
-}
-
-double volume(const Mesh& mesh) {
-    double sum = 0;
-    for (const glm::uvec3 t : mesh.triangles)
-        sum +=
-            glm::dot(glm::dvec3{mesh.positions[t.x]},
-                     glm::cross(glm::dvec3{mesh.positions[t.y]}, glm::dvec3{mesh.positions[t.z]})) /
-            6;
-    return sum;
-}
 
 /// A box whose edges along z are rounded.
 TopoDS_Shape rounded_box() {

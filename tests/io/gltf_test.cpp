@@ -18,6 +18,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
+#include "mesh_volume.hpp"
 
 namespace fs = std::filesystem;
 
@@ -63,17 +64,6 @@ class Gltf : public testing::Test {
 
     fs::path folder_;
 };
-
-/// The volume that triangles enclose; negative where they are inside out.
-double volume(const Mesh& mesh) {
-    double sum = 0;
-    for (const glm::uvec3 t : mesh.triangles)
-        sum +=
-            glm::dot(glm::dvec3{mesh.positions[t.x]},
-                     glm::cross(glm::dvec3{mesh.positions[t.y]}, glm::dvec3{mesh.positions[t.z]})) /
-            6;
-    return sum;
-}
 
 TEST_F(Gltf, ACubeIsACube) {
     const LoadedMesh loaded = load_cube(R"([{"mesh":0,"name":"cube"}])");

@@ -120,7 +120,33 @@ TEST_F(SharedModels, OtherScenesAreRefusedByName) {
     }
 }
 
+#ifdef LINEATLAS_HAS_3MF
+
+TEST_F(SharedModels, CubeGears) {
+    const LoadedMesh loaded = load("cube_gears.3mf");
+    EXPECT_EQ(loaded.unit, 1);
+    EXPECT_EQ(loaded.up, (glm::vec3{0, 0, 1}));
+    EXPECT_EQ(loaded.mesh.triangles.size(), 25692U);
+    EXPECT_EQ(shape_count(loaded), 17U);
+    const std::map<std::string, int> parts = occurrences(loaded);
+    EXPECT_EQ(parts.size(), 17U);
+    EXPECT_TRUE(parts.contains("gear 1"));
+    EXPECT_TRUE(parts.contains("cube 7"));
+}
+
+#endif
+
 #ifdef LINEATLAS_HAS_BREP
+
+TEST_F(SharedModels, FlangeJointOfSurfaces) {
+    const LoadedMesh loaded = load("flange_joint.iges");
+    EXPECT_EQ(loaded.format, "IGES 5.3");
+    // As in the STEP file, though here no two faces share an edge.
+    EXPECT_EQ(placed_edges(loaded.mesh), (EdgeCounts{428, 8, 76, 0}));
+    EXPECT_EQ(loaded.parts.size(), 36U);
+    expect_box(loaded.mesh, {-60, -60, -46}, {60, 60, 76}, 0.2);
+    EXPECT_EQ(extract_lines(loaded.mesh).kind_counts[LA_KIND_BOUNDARY], 0U);
+}
 
 TEST_F(SharedModels, RobotFoot) {
     const LoadedMesh loaded = load("odri_foot_structure.step");

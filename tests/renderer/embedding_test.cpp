@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <iostream>
 #include <optional>
 #include <thread>
 #include <type_traits>
@@ -122,8 +123,10 @@ class AppDepth : public testing::TestWithParam<DepthCase> {
     gl::HeadlessContext context_;
 };
 
-/// The same lines are visible by a program's depth as by the renderer's own.
-TEST_P(AppDepth, HidesWhatOwnDepthHides) {
+/// The same lines are visible by a program's depth of any kind as by one of the frame's own camera
+/// in floats. (By the renderer's own, of which it is known what it shows, more of them are hidden:
+/// see ItHidesLessThanTheRenderersOwn.)
+TEST_P(AppDepth, HidesWhatPlainDepthHides) {
     const DepthSetup& setup = GetParam().setup;
     const LineSet& lines = scene_lines("house");
     Renderer renderer;
@@ -132,7 +135,10 @@ TEST_P(AppDepth, HidesWhatOwnDepthHides) {
     const gl::Canvas canvas{size};
     for (const auto& [name, camera] : scene_cameras("house", size)) {
         const FrameOptions own{.depth_scale = setup.scale, .cull_hidden = false, .steady = false};
-        renderer.draw(camera, own, canvas.framebuffer());
+        app.draw_depth(camera, {.name = "plain", .scale = setup.scale});
+        FrameOptions plain = own;
+        plain.depth = DepthTexture{.texture = app.depth(), .scale = setup.scale};
+        renderer.draw(camera, plain, canvas.framebuffer());
         const Renderer::Samples expected = renderer.read_samples();
         // Programs choose planes with room to spare; inside a model the nearest one must stay.
         const glm::vec2 planes = planes_of(camera);
@@ -154,6 +160,33 @@ TEST_P(AppDepth, HidesWhatOwnDepthHides) {
 
 INSTANTIATE_TEST_SUITE_P(, AppDepth, testing::ValuesIn(depth_cases()),
                          [](const auto& info) { return info.param.setup.name; });
+
+/// What a depth buffer alone cannot tell: whether what is just before a line is its own surface.
+TEST(AppDepthAlone, ItHidesLessThanTheRenderersOwn) {
+    const gl::HeadlessContext context;
+    const LineSet& lines = scene_lines("house");
+    Renderer renderer;
+    renderer.set_lines(lines);
+    AppScene app{lines};
+    const gl::Canvas canvas{size};
+    for (const auto& [name, camera] : scene_cameras("house", size)) {
+        const FrameOptions own{.depth_scale = 2, .cull_hidden = false, .steady = false};
+        renderer.draw(camera, own, canvas.framebuffer());
+        const Renderer::Samples expected = renderer.read_samples();
+        app.draw_depth(camera, {.name = "plain", .scale = 2});
+        FrameOptions theirs = own;
+        theirs.depth = DepthTexture{.texture = app.depth(), .scale = 2};
+        renderer.draw(camera, theirs, canvas.framebuffer());
+        const Compared result = compare(expected, renderer.read_samples(), 29);
+        RecordProperty("differ_" + name, std::to_string(result.share()));
+        std::cout << name << ": " << 100 * result.share() << " % of the samples differ\n";
+        // From within, little stands so near before anything.
+        if (name != "inside") {
+            EXPECT_GT(result.share(), 0.05) << name;
+        }
+        EXPECT_LT(result.share(), 0.2) << name;
+    }
+}
 
 class Embedding : public testing::Test {
   protected:
@@ -212,7 +245,8 @@ TEST_F(Embedding, TheSpineMethodTakesTheProgramsDepthToo) {
     theirs.depth = DepthTexture{.texture = app.depth()};
     const ByteDifference difference =
         compare_bytes(picture(renderer_, of_app, own), picture(renderer_, of_app, theirs), 32);
-    EXPECT_LT(difference.share(), 1e-3);
+    // Not all: what of it is its own surface, and what a thin plate, depth alone can't tell.
+    EXPECT_LT(difference.share(), 2e-3);
 }
 
 TEST_F(Embedding, OwnDepthFollowsTheProgramsProjection) {

@@ -245,6 +245,15 @@ std::size_t expect_close(const std::vector<Interval>& a, const std::vector<Inter
     return a.size();
 }
 
+/// Of two pictures of four bytes a pixel.
+std::size_t differing_pixels(const std::vector<std::uint8_t>& a,
+                             const std::vector<std::uint8_t>& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); i += 4)
+        count += std::equal(&a[i], &a[i] + 4, &b[i]) ? 0U : 1U;
+    return count + (a.size() == b.size() ? 0U : a.size());
+}
+
 TEST_P(Moving, ObjectsAreWhereAModelWouldBeThatIsMadeThere) {
     const LineSet& lines = office();
     FrameOptions options = frame();
@@ -257,8 +266,20 @@ TEST_P(Moving, ObjectsAreWhereAModelWouldBeThatIsMadeThere) {
         still.set_lines(made_there(lines, transforms));
         for (const int view : {0, 1}) {
             const Camera camera = office_camera(view);
-            EXPECT_TRUE(equal(picture(moving, camera, options), picture(still, camera, options)));
-            EXPECT_GT(expect_close(moving.read_intervals(), still.read_intervals(), 1e-3F), 1000U);
+            const auto drawn = picture(moving, camera, options);
+            const auto wanted = picture(still, camera, options);
+            if (options.method == Method::exact) {
+                EXPECT_TRUE(equal(drawn, wanted));
+                EXPECT_GT(expect_close(moving.read_intervals(), still.read_intervals(), 1e-3F),
+                          1000U);
+                continue;
+            }
+            // Where faces of two boxes coincide, a texel may show either: their order in the depth
+            // pass is that of clusters, which are other ones where the model is made elsewhere.
+            EXPECT_LE(differing_pixels(drawn, wanted), wanted.size() / 4 / 10000);
+            EXPECT_NEAR(static_cast<double>(moving.read_intervals().size()) /
+                            static_cast<double>(still.read_intervals().size()),
+                        1, 2e-4);
         }
     }
 }
@@ -318,7 +339,7 @@ TEST_P(Moving, AShapeMayChange) {
         if (GetParam().method == Method::exact)
             EXPECT_EQ(compare_bytes(a, b).beyond, 0U);
         else
-            EXPECT_TRUE(equal(a, b));
+            EXPECT_LE(differing_pixels(a, b), a.size() / 4 / 2000); // where faces coincide
     };
     expect_same(after, picture(still, camera, options));
     const std::vector<glm::mat4> transforms = scattered(lines, 0.3F);

@@ -36,6 +36,7 @@ const std::map<std::string, std::string>& samples() {
     static const std::map<std::string, std::string> values{
         {"pen", "charcoal"},
         {"width", "3.25"},
+        {"made-for", "600"},
         {"color", "#204060"},
         {"opacity", "0.75"},
         {"join", "bevel"},
@@ -404,6 +405,48 @@ TEST_F(StyleFiles, PicturesOfPensStandBesideTheFile) {
     EXPECT_EQ(style.hidden_pen.mark, "/abs/a.png");
 }
 
+TEST_F(StyleFiles, PensByRule) {
+    const Style style = load_style(file("mine.toml", "include = \"plain\"\n"
+                                                     "width = 3\n"
+                                                     "[[pens]]\n"
+                                                     "match = { kind = \"outline\" }\n"
+                                                     "width = 4\n"
+                                                     "pen = \"chalk.png\"\n"
+                                                     "[[pens]]\n"
+                                                     "match = { object = \"Bolt*\", "
+                                                     "material = \"steel\" }\n"
+                                                     "color = \"navy\"\n"));
+    const std::size_t plain = default_style().pens.size();
+    EXPECT_GT(plain, 0U);
+    ASSERT_EQ(style.pens.size(), plain + 2);
+    const PenRule& outline = style.pens[plain];
+    EXPECT_EQ(outline.match.kinds, std::vector<std::string>{"outline"});
+    EXPECT_EQ(outline.width, 4.0F);
+    EXPECT_EQ(outline.mark, path("chalk.png"));
+    EXPECT_FALSE(outline.color);
+    EXPECT_EQ(style.pens[plain + 1].match.object, "Bolt*");
+    EXPECT_EQ(style.pens[plain + 1].match.material, "steel");
+    const std::string text = write_style(style);
+    EXPECT_EQ(write_style(load_style(file("again.toml", text))), text);
+    // An empty list takes away what is included.
+    EXPECT_TRUE(load_style(file("none.toml", "include = \"plain\"\npens = []\n")).pens.empty());
+}
+
+TEST_F(StyleFiles, RulesThatAreRefused) {
+    expect_refused("[[pens]]\nmatch = { kind = \"outlin\" }\n", {"line 2", "\"outline\"?"});
+    expect_refused("[[pens]]\nmatch = { kind = \"xyzxyz\" }\n", {"line 2", "there is crease"});
+    expect_refused("[[pens]]\nmatch = { part = \"a\" }\n", {"line 2", "kind, object and material"});
+    expect_refused("[[pens]]\nmatch = { object = \"\" }\n", {"line 2", "object must be a name"});
+    expect_refused("[[pens]]\nmatch = \"outline\"\n", {"line 2", "match must be a table"});
+    expect_refused("[[pens]]\nmatch = { kind = 3 }\n", {"line 2", "kind must be a text"});
+    expect_refused("[[pens]]\nwidht = 3\n", {"line 2", "\"widht\"", "\"width\"?"});
+    expect_refused("[[pens]]\nhalo = 3\n", {"line 2", "\"halo\"", "width-factor"});
+    expect_refused("[[pens]]\nwidth = 0\n", {"line 2", "above 0"});
+    expect_refused("[[pens]]\nwidth-factor = 1000\n", {"line 2", "from 0.01 to 100"});
+    expect_refused("pens = 3\n", {"line 1", "[[pens]]"});
+    expect_refused("pens = [3]\n", {"line 1", "[[pens]]"});
+}
+
 TEST_F(StyleFiles, TheStylesThatShip) {
     std::vector<std::string> names;
     for (const StyleInfo& style : list_styles()) {
@@ -412,7 +455,7 @@ TEST_F(StyleFiles, TheStylesThatShip) {
         EXPECT_NE(all_values(load_style(style.name)), all_values(Style{})) << style.name;
     }
     EXPECT_EQ(names, (std::vector<std::string>{"blueprint", "charcoal", "haloed", "ink", "pencil",
-                                               "technical"}));
+                                               "plain", "technical"}));
     // The same from their files.
     const fs::path folder = fs::path{LINEATLAS_SOURCE_DIR} / "styles";
     for (const std::string& name : names) {

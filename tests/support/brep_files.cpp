@@ -6,6 +6,8 @@
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
@@ -31,11 +33,7 @@ void name(const TDF_Label& label, const std::string& text) {
     TDataStd_Name::Set(label, TCollection_ExtendedString(text.c_str(), true));
 }
 
-} // namespace
-
-std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
-    STEPCAFControl_Controller::Init();
-    Interface_Static::SetCVal("write.step.unit", unit);
+Handle(TDocStd_Document) document_of(const std::vector<NamedShape>& shapes) {
     const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
     const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
     const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
@@ -47,9 +45,18 @@ std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
         colors->SetColor(shape, Quantity_Color(each.red, each.green, each.blue, Quantity_TOC_sRGB),
                          XCAFDoc_ColorSurf);
         for (const gp_Trsf& place : each.places)
-            tool->AddComponent(assembly, shape, TopLoc_Location(place));
+            name(tool->AddComponent(assembly, shape, TopLoc_Location(place)), each.name);
     }
     tool->UpdateAssemblies();
+    return document;
+}
+
+} // namespace
+
+std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
+    STEPCAFControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit);
+    const Handle(TDocStd_Document) document = document_of(shapes);
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
@@ -62,6 +69,21 @@ std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
     StepData_StepWriter step(model);
     step.SendModel(StepAP214::Protocol());
     step.Print(text);
+    return text.str();
+}
+
+std::string to_iges(const std::vector<NamedShape>& shapes, bool solids, const char* unit) {
+    IGESControl_Controller::Init();
+    Interface_Static::SetCVal("write.iges.unit", unit);
+    Interface_Static::SetIVal("write.iges.brep.mode", solids ? 1 : 0);
+    IGESCAFControl_Writer writer;
+    writer.SetColorMode(true);
+    writer.SetNameMode(true);
+    if (!writer.Transfer(document_of(shapes)))
+        throw std::runtime_error("Open CASCADE does not write the shapes");
+    writer.ComputeModel();
+    std::ostringstream text;
+    if (!writer.Write(text)) throw std::runtime_error("Open CASCADE does not write IGES");
     return text.str();
 }
 

@@ -19,6 +19,9 @@ struct NamedShape {
 /// An assembly as a STEP file, written by Open CASCADE in `unit` ("MM", "INCH") from millimetres.
 std::string to_step(const std::vector<NamedShape>& shapes, const char* unit = "MM");
 
+/// The same as an IGES file, of surfaces that share no edges (`solids` false) or of solids.
+std::string to_iges(const std::vector<NamedShape>& shapes, bool solids, const char* unit = "MM");
+
 std::string to_brep(const TopoDS_Shape& shape);
 
 } // namespace lineatlas::test

@@ -3,19 +3,21 @@
 #include "core/clusters.hpp"
 #include "core/meshlets.hpp"
 #include "devices.hpp"
+#include "segment_table.h"
 
 namespace lineatlas::test {
 
 DepthModel::DepthModel(compute::Device& device, const std::vector<glm::vec3>& vertices,
                        const std::vector<glm::uvec3>& triangles, std::uint32_t cluster_size)
     : device_(device), vertices_(to_device(device, vertices)) {
-    const TriangleClusters parts = build_clusters(vertices, triangles, cluster_size);
+    TriangleClusters parts = build_clusters(vertices, triangles, cluster_size);
     const Meshlets built = build_meshlets(parts.triangles, parts.clusters, vertices.size());
     count_ = static_cast<std::uint32_t>(parts.clusters.size());
     clusters_ = to_device(device, parts.clusters);
     meshlets_ = to_device(device, built.meshlets);
     vertex_list_ = to_device(device, built.vertices);
     corners_ = to_device(device, built.corners);
+    order_ = std::move(parts.order);
 }
 
 DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) {
@@ -26,6 +28,7 @@ DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) 
     const auto depth = to_device(device_, std::vector(texel_count, 0.125F));
     const auto pyramid = to_device(device_, std::vector(tile_count, 0.125F));
     const auto seen = to_device(device_, std::vector<std::uint8_t>(count_, 7));
+    const auto numbers = to_device(device_, std::vector(texel_count, 7U));
     stages.depth({.model = {*clusters_, *meshlets_, *vertex_list_, *corners_, count_},
                   .vertices = *vertices_,
                   .clip_from_world = wanted.clip_from_world,
@@ -35,10 +38,16 @@ DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) 
                   .covered = {{0, 0}, size},
                   .depth = *depth,
                   .tiles = *pyramid,
-                  .seen = *seen});
+                  .seen = *seen,
+                  .numbers = wanted.numbered ? numbers.get() : nullptr});
+    std::vector<std::uint32_t> triangles;
+    if (wanted.numbered) triangles = read_back<std::uint32_t>(device_, *numbers, texel_count);
+    for (std::uint32_t& number : triangles)
+        if (number != LA_NO_FACE) number = order_[number];
     return {.texels = read_back<float>(device_, *depth, texel_count),
             .tiles = read_back<float>(device_, *pyramid, tile_count),
-            .seen = read_back<std::uint8_t>(device_, *seen, count_)};
+            .seen = read_back<std::uint8_t>(device_, *seen, count_),
+            .numbers = std::move(triangles)};
 }
 
 } // namespace lineatlas::test

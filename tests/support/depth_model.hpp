@@ -12,12 +12,14 @@ struct DepthWanted {
     glm::mat4 clip_from_world{1};
     glm::ivec2 whole_size{0, 0}; ///< texels
     TexelRectangle part;         ///< of these
+    bool numbered = false;       ///< with the triangle that each texel shows
 };
 
 /// What `depth` leaves.
 struct DrawnDepth {
     std::vector<float> texels, tiles;
-    std::vector<std::uint8_t> seen; ///< per cluster
+    std::vector<std::uint8_t> seen;     ///< per cluster
+    std::vector<std::uint32_t> numbers; ///< per texel, of the line set's triangles; if wanted
 };
 
 /// Triangles on a device as `depth` draws them.
@@ -38,6 +40,7 @@ class DepthModel {
   private:
     compute::Device& device_;
     std::uint32_t count_;
+    std::vector<std::uint32_t> order_; ///< of the triangles that `depth` numbers
     std::unique_ptr<compute::Buffer> vertices_, clusters_, meshlets_, vertex_list_, corners_;
 };
 

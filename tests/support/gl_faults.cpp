@@ -40,6 +40,8 @@ long bytes_per_texel(GLenum format) {
     case GL_RGB32F:
     case GL_RGB32UI:
         return 12;
+    case GL_RGBA32F:
+        return 16;
     default:
         return 4;
     }

@@ -301,4 +301,42 @@ void FrameStages::density(const Camera& camera, const AtlasLayout& layout, Frame
     }
 }
 
+std::vector<Run> FrameStages::pens(const Camera& camera, const std::vector<float>& depth,
+                                   const FrameState& state) {
+    set(*device_, clipped_, state.clipped);
+    set(*device_, offsets_, state.offsets);
+    set(*device_, arcs_, state.arcs);
+    const auto depth_buffer = to_device(*device_, depth);
+    const auto part_offsets = device_->allocate((std::size_t{n_} + 1) * sizeof(la_uint));
+    const std::uint32_t parts_at_most = 2 * state.offsets.back() + 1;
+    const auto parts = device_->allocate(parts_at_most * sizeof(glm::vec2));
+    stages_.outline_samples(
+        {.table = table(),
+         .clipped = {*clipped_, *offsets_, *arcs_},
+         .sample_capacity = state.offsets.back(),
+         .depth = depth_of(*depth_buffer, camera.size * settings_.depth_scale, camera),
+         .viewport = glm::vec2{camera.size},
+         .offsets = *part_offsets,
+         .parts = *parts,
+         .part_capacity = parts_at_most});
+    const compute::OutlineTable outline{*part_offsets, *parts, 1};
+    const auto segment_pens = to_device(*device_, std::vector<la_uint>(n_, 1U << 16U));
+    const auto runs = to_device(*device_, state.runs);
+    const auto record = to_device(*device_, std::vector{state.record});
+    const auto count = static_cast<std::uint32_t>(state.runs.size());
+    const auto drawn = device_->allocate(8 * state.runs.size() * sizeof(Run));
+    const auto drawn_record = device_->allocate(sizeof(FrameRecord));
+    stages_.pens({.table = table(),
+                  .segment_pens = *segment_pens,
+                  .outline = &outline,
+                  .runs = *runs,
+                  .record = *record,
+                  .run_capacity = count,
+                  .drawn = *drawn,
+                  .drawn_capacity = 8 * count,
+                  .drawn_record = *drawn_record});
+    const std::uint32_t pieces = read_back<FrameRecord>(*device_, *drawn_record, 1)[0].points[0];
+    return read_back<Run>(*device_, *drawn, pieces);
+}
+
 } // namespace lineatlas::test

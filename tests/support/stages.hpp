@@ -98,6 +98,10 @@ class FrameStages {
     /// Of the runs in `state`, with a limit that hides some.
     void density(const Camera& camera, const AtlasLayout& layout, FrameState& state);
 
+    /// The runs in `state` with two pens: the second draws what depth says is outline.
+    std::vector<Run> pens(const Camera& camera, const std::vector<float>& depth,
+                          const FrameState& state);
+
   private:
     compute::SegmentTable table() {
         return {*vertices_, *triangles_, *segments_, triangle_count_, n_};

@@ -6,8 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "core/patches.hpp"
 #include "truth/edge_truth.hpp"
-#include "truth/patches.hpp"
 #include "truth_views.hpp"
 
 namespace lineatlas {

@@ -29,7 +29,7 @@ void expect_at(glm::dvec2 at, glm::dvec2 expected) {
 std::vector<VectorPath> chained(const Lines& lines, const Cuts& cuts) {
     Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
     drop_flickers(pieces);
-    return chain_strips(lines.set, pieces, make_strips(lines.set, pieces));
+    return chain_strips(lines.set, pieces, make_strips(lines.set, pieces), nullptr);
 }
 
 TEST(VectorChains, APathIsOnePolyline) {

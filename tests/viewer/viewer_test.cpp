@@ -179,5 +179,50 @@ TEST_F(Viewer, SplitsTheScreenAtASlider) {
     for (int x = 510; x < 960; x += 7) EXPECT_TRUE(same(x, right)) << x;
 }
 
+TEST_F(Viewer, SlowMovementsLeaveOutMoreAndMoreUntilTheCameraRests) {
+    hand_.choose("style", "charcoal");
+    const auto turn = [&] {
+        session().navigation.orbit({0, 0, 0}, {0.02, 0});
+        hand_.panel_frames(1);
+        session().note_duration(1);
+    };
+    turn();
+    EXPECT_NE(session().economy(), viewer::Economy::none);
+    for (int i = 0; i < 4; ++i) turn();
+    EXPECT_EQ(session().economy(), viewer::Economy::marks);
+    hand_.rest();
+    EXPECT_EQ(session().economy(), viewer::Economy::none);
+    const auto whole = picture();
+    hand_.frames(1);
+    EXPECT_EQ(picture(), whole);
+    turn();
+    EXPECT_NE(session().economy(), viewer::Economy::none);
+    session().navigation.orbit({0, 0, 0}, {-0.02, 0});
+    hand_.rest();
+    EXPECT_EQ(picture(), whole) << "back where it was";
+}
+
+TEST_F(Viewer, PanelsAreLightOrDarkAndFold) {
+    const auto sample = [&](const char* name) {
+        const Image image = hand_.screenshot(name);
+        return image.pixels[static_cast<std::size_t>(3 * (image.size.x - 3))]; // of the sidebar
+    };
+    const auto drawing = picture();
+    EXPECT_GT(sample("light"), 200);
+    hand_.key(GLFW_KEY_L);
+    EXPECT_LT(sample("dark"), 60);
+    EXPECT_EQ(picture(), drawing);
+    hand_.key(GLFW_KEY_T);
+    hand_.frames(4);
+    hand_.screenshot("dark_timings");
+    hand_.key(GLFW_KEY_L);
+    EXPECT_GT(sample("light_again"), 200);
+    EXPECT_TRUE(hand_.has("width"));
+    hand_.click("section:style");
+    EXPECT_FALSE(hand_.has("width"));
+    hand_.click("section:style");
+    EXPECT_TRUE(hand_.has("width"));
+}
+
 } // namespace
 } // namespace lineatlas::test

@@ -77,7 +77,8 @@ class HeldReader {
             while (!*go) std::this_thread::sleep_for(std::chrono::milliseconds{2});
             auto model = std::make_shared<viewer::Model>();
             model->source = source;
-            model->mesh = make_scene("house").mesh;
+            model->mesh = std::make_shared<const Mesh>(make_scene("house").mesh);
+            model->whole = model->mesh;
             return model;
         };
     }

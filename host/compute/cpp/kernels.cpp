@@ -20,7 +20,10 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #include "clipping.h"
 #include "exact.h"
 #include "float_pair.h"
+#include "own_face.h"
 #include "run.h"
+#include "screen_box.h"
+#include "silhouette.h"
 
 // The form of a CPU: several probes, or lines, at once.
 #define HALO_LANES 16
@@ -50,6 +53,18 @@ namespace in_depth {
 #undef LANES_IN_USE
 #include "depth.cl"
 } // namespace in_depth
+#define NUMBERED
+namespace in_numbered_depth {
+#undef LANES
+#undef LANES_IN_USE
+#include "depth.cl"
+} // namespace in_numbered_depth
+#undef NUMBERED
+namespace in_planes {
+#undef LANES
+#undef LANES_IN_USE
+#include "planes.cl"
+} // namespace in_planes
 namespace in_pyramid {
 #undef LANES
 #undef LANES_IN_USE
@@ -60,6 +75,12 @@ namespace in_cull {
 }
 namespace in_facing {
 #include "facing.cl"
+}
+namespace in_silhouette {
+#include "silhouette.cl"
+}
+namespace in_chain {
+#include "chain.cl"
 }
 namespace in_project_clip {
 #include "project_clip.cl"
@@ -94,6 +115,12 @@ namespace in_filter {
 }
 namespace in_density {
 #include "density.cl"
+}
+namespace in_outline {
+#include "outline.cl"
+}
+namespace in_pens {
+#include "pens.cl"
 }
 
 #define SCAN_SATURATE 0
@@ -158,9 +185,12 @@ struct Form<kernel> {
         {#name, "-DPROBES_PER_AXIS=2 -DTILED", Form<in_tiled_atlas_2::name>::run},                 \
         {#name, "-DPROBES_PER_AXIS=3 -DTILED", Form<in_tiled_atlas_3::name>::run},                 \
         {#name, "-DPROBES_PER_AXIS=4 -DTILED", Form<in_tiled_atlas_4::name>::run},
+#define NUMBER_FORMS(stage, name, Parameters)                                                      \
+    {#name, "", Form<in_##stage::name>::run},                                                      \
+        {#name, "-DNUMBERED", Form<in_numbered_##stage::name>::run},
 #define NO_FORM(stage, name, Parameters) // needs barriers
 
-constexpr HostKernel forms[] = {LA_KERNELS(FORM, SUM_FORMS, NO_FORM, PROBE_FORMS)};
+constexpr HostKernel forms[] = {LA_KERNELS(FORM, SUM_FORMS, NO_FORM, NUMBER_FORMS, PROBE_FORMS)};
 
 } // namespace
 

@@ -431,10 +431,16 @@ float largest_of_lanes(const LanesOf<float, n>& a) {
     for (int i = 1; i < n; ++i) largest = fmax(largest, a.all[i]);
     return largest;
 }
-template <int in_use, int n>
-LanesOf<float, n> gather_lanes(const float* from, const LanesOf<int, n>& at) {
+template <int in_use, class T, class From, int n>
+LanesOf<T, n> gather_lanes(const From* from, const LanesOf<int, n>& at) {
+    LanesOf<T, n> result{T{}};
+    for (int i = 0; i < in_use; ++i) result.all[i] = static_cast<T>(from[at.all[i]]);
+    return result;
+}
+template <int n>
+LanesOf<float, n> square_root(const LanesOf<float, n>& a) {
     LanesOf<float, n> result{0.0F};
-    for (int i = 0; i < in_use; ++i) result.all[i] = from[at.all[i]];
+    for (int i = 0; i < n; ++i) result.all[i] = __builtin_sqrtf(a.all[i]);
     return result;
 }
 template <class Lanes, class T>

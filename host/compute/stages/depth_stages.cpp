@@ -56,6 +56,8 @@ void Stages::depth(const DepthArgs& args) {
     launch<kernels::depth_order>(
         1, 1, parameters,
         {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
+    Buffer& numbers = args.numbers != nullptr ? *args.numbers : scratch(depth_no_numbers_, 1);
+    const Kernel& kernel = kernel_of<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0);
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
     do {
@@ -68,15 +70,34 @@ void Stages::depth(const DepthArgs& args) {
                                       .nearest = nearest,
                                       .order = order,
                                       .total = total,
+                                      .clusters = model.clusters,
                                       .meshlets = model.meshlets,
                                       .vertex_list = model.vertex_list,
                                       .corners = model.corners,
                                       .vertices = args.vertices,
                                       .next = next,
                                       .depth = args.depth,
+                                      .numbers = numbers,
                                       .pyramid = args.tiles,
-                                      .seen = args.seen});
+                                      .seen = args.seen},
+                                     kernel);
     } while (parameters.end < model.count);
+}
+
+void Stages::planes(const PlanesArgs& args) {
+    launch<kernels::planes>(args.model.count, tuning_.local_size,
+                            {.count = args.model.count,
+                             .world_from_screen = args.view.world_from_screen,
+                             .contact = args.contact,
+                             .only_seen = args.seen != nullptr ? 1U : 0U},
+                            {.clusters = args.model.clusters,
+                             .meshlets = args.model.meshlets,
+                             .vertex_list = args.model.vertex_list,
+                             .corners = args.model.corners,
+                             .vertices = args.vertices,
+                             // Any of bytes where it isn't read:
+                             .seen = args.seen != nullptr ? *args.seen : args.model.corners,
+                             .planes = args.planes});
 }
 
 } // namespace lineatlas::compute

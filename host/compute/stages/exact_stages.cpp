@@ -108,6 +108,21 @@ void Stages::visible(const ExactArgs& args) {
                                     .spans = args.spans});
 }
 
+void Stages::outline_push(const OutlinePushArgs& args) {
+    constexpr float beside = 0.5F; // pixels
+    const std::uint32_t n = args.table.segment_count;
+    launch<kernels::outline_push>(n, tuning_.local_size,
+                                  {.count = n,
+                                   .viewport = args.viewport,
+                                   .reach = beside,
+                                   .parallel = args.parallel ? 1U : 0U},
+                                  {.segments = args.table.segments,
+                                   .clipped = args.clipped.clipped,
+                                   .arcs = args.clipped.arcs,
+                                   .span_offsets = args.spans.offsets,
+                                   .pushed = args.pushed});
+}
+
 Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,
                             const SpanTable& spans, const SpansParameters& parameters) {
     Buffer& counts = scratch(block_counts_, parameters.blocks + 1);

@@ -9,14 +9,12 @@
 #include <glm/geometric.hpp>
 
 #include "core/screen_bounds.hpp"
+#include "core/surface_view.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::compute {
 namespace {
 
-/// What is nearer to a face than this share of the model's diagonal touches it: coordinates of
-/// files, and floats, are not more exact.
-constexpr float contact_share = 2e-6F;
 /// Rounding of a sum of four products of floats, with some to spare.
 constexpr float sum_rounding = 2.5e-7F;
 /// Rounding of a position on the screen, as a share of the picture's longer side.
@@ -76,7 +74,8 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .chunks = 0,
             .entry_capacity = 0,
             .group_capacity = 0,
-            .span_capacity = 0};
+            .span_capacity = 0,
+            .beside = 0};
 }
 
 std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t element) {
@@ -94,9 +93,11 @@ void ExactVisibility::release() {
     table_.reset();
     for (std::unique_ptr<Buffer>* buffer :
          {&screen_, &faces_, &planes_, &kept_, &span_offsets_, &occluders_, &ends_, &groups_,
-          &entries_, &blocks_, &boxes_, &spans_}) {
+          &entries_, &blocks_, &boxes_, &spans_, &pushed_, &beside_kept_, &beside_offsets_,
+          &beside_spans_}) {
         buffer->reset();
     }
+    beside_capacity_ = 0;
     parameters_ = {};
 }
 
@@ -149,9 +150,14 @@ void ExactVisibility::make_lists() {
 }
 
 ExactArgs ExactVisibility::args(const ClippedTable& clipped) const {
+    return args(clipped, parameters_, *kept_, *span_offsets_, *spans_);
+}
+
+ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParameters& parameters,
+                                Buffer& kept, Buffer& span_offsets, Buffer& spans) const {
     return {.table = *table_,
             .clipped = clipped,
-            .parameters = parameters_,
+            .parameters = parameters,
             .screen = *screen_,
             .faces = *faces_,
             .planes = *planes_,
@@ -161,9 +167,9 @@ ExactArgs ExactVisibility::args(const ClippedTable& clipped) const {
             .entries = *entries_,
             .blocks = *blocks_,
             .boxes = *boxes_,
-            .kept = *kept_,
-            .span_offsets = *span_offsets_,
-            .spans = *spans_};
+            .kept = kept,
+            .span_offsets = span_offsets,
+            .spans = spans};
 }
 
 void ExactVisibility::surfaces(const ClippedTable& clipped) {
@@ -182,6 +188,38 @@ std::uint32_t ExactVisibility::read(Buffer& buffer, std::size_t index) const {
     std::uint32_t value = 0;
     device_.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(value));
     return value;
+}
+
+OutlineTable ExactVisibility::outline(const ClippedTable& clipped) {
+    const std::uint64_t sides = 2 * std::uint64_t{parameters_.count};
+    if (sides >= std::numeric_limits<std::uint32_t>::max()) {
+        throw DeviceError(beyond_limit(purpose::exact, "over 2 billion lines with outlines",
+                                       "kernels count to 4 billion"));
+    }
+    beside_capacity_ = std::max(beside_capacity_,
+                                first_capacity<std::array<float, 2>>(device_, first_span_capacity));
+    make_room(pushed_, sides * sizeof(ClippedSegment));
+    make_room(beside_kept_, sides * 4 * sizeof(float));
+    make_room(beside_offsets_, (sides + 1) * sizeof(la_uint));
+    stages_.outline_push({.table = *table_,
+                          .clipped = clipped,
+                          .spans = spans(),
+                          .viewport = parameters_.viewport,
+                          .parallel = parameters_.depth_rate > 0,
+                          .pushed = *pushed_});
+    ExactParameters beside = parameters_;
+    beside.count = static_cast<std::uint32_t>(sides);
+    beside.beside = 1;
+    for (bool again = true; again;) {
+        make_room(beside_spans_, std::uint64_t{beside_capacity_} * 2 * sizeof(float));
+        beside.span_capacity = beside_capacity_;
+        stages_.visible(args({*pushed_, clipped.offsets, clipped.arcs}, beside, *beside_kept_,
+                             *beside_offsets_, *beside_spans_));
+        const std::uint32_t found = read(*beside_offsets_, sides);
+        again = found > beside_capacity_;
+        if (again) beside_capacity_ = grown(device_, found, 2 * sizeof(float));
+    }
+    return {*beside_offsets_, *beside_spans_, 2};
 }
 
 bool ExactVisibility::grow() {
@@ -214,7 +252,8 @@ std::uint64_t ExactVisibility::bytes() const {
     std::uint64_t sum = 0;
     for (const std::unique_ptr<Buffer>* buffer :
          {&screen_, &faces_, &planes_, &kept_, &span_offsets_, &occluders_, &ends_, &groups_,
-          &entries_, &blocks_, &boxes_, &spans_}) {
+          &entries_, &blocks_, &boxes_, &spans_, &pushed_, &beside_kept_, &beside_offsets_,
+          &beside_spans_}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;

@@ -28,6 +28,9 @@ class ExactVisibility {
     void surfaces(const ClippedTable& clipped);
     void tile_lists(const ClippedTable& clipped);
     void visible(const ClippedTable& clipped);
+    /// After the last visible(): which parts of what it found have the background on one side.
+    /// Waits.
+    OutlineTable outline(const ClippedTable& clipped);
     /// Enlarges the tables that were too small, and waits for that; true if tile_lists() and
     /// visible() must be done again.
     bool grow();
@@ -41,6 +44,8 @@ class ExactVisibility {
 
   private:
     ExactArgs args(const ClippedTable& clipped) const;
+    ExactArgs args(const ClippedTable& clipped, const ExactParameters& parameters, Buffer& kept,
+                   Buffer& span_offsets, Buffer& spans) const;
     void make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes);
     void make_lists();
     void make_room_for_segments();
@@ -56,6 +61,9 @@ class ExactVisibility {
     std::unique_ptr<Buffer> screen_, faces_, planes_, kept_, span_offsets_; // per model
     std::unique_ptr<Buffer> occluders_, ends_, groups_;                     // per picture
     std::unique_ptr<Buffer> entries_, blocks_, boxes_, spans_;              // that grow
+    // Of outlines, while they are asked for.
+    std::unique_ptr<Buffer> pushed_, beside_kept_, beside_offsets_, beside_spans_;
+    std::uint32_t beside_capacity_ = 0; ///< of beside_spans_
 };
 
 } // namespace lineatlas::compute

@@ -129,6 +129,67 @@ void Stages::filter(const FilterArgs& args) {
                                        .alpha = args.atlas.alpha});
 }
 
+void Stages::outline_samples(const OutlineSamplesArgs& args) {
+    // Texels beside the line, not those that its own faces reach into.
+    constexpr float clearance = 0.75F; // texels, half a diagonal
+    const std::uint32_t n = args.table.segment_count;
+    const OutlineSamplesParameters parameters{.count = n,
+                                              .viewport = args.viewport,
+                                              .reach = 0.25F + clearance / args.depth.scale,
+                                              .depth_size = args.depth.size,
+                                              .depth_scale = args.depth.scale,
+                                              .sample_capacity = args.sample_capacity,
+                                              .part_capacity = args.part_capacity};
+    launch<kernels::outline_samples_count>(n, tuning_.local_size, parameters,
+                                           {.segments = args.table.segments,
+                                            .clipped = args.clipped.clipped,
+                                            .offsets = args.clipped.offsets,
+                                            .depth = args.depth.texels,
+                                            .counts = args.offsets});
+    scan(args.offsets, n, ScanKind::saturate);
+    launch<kernels::outline_samples_write>(n, tuning_.local_size, parameters,
+                                           {.segments = args.table.segments,
+                                            .clipped = args.clipped.clipped,
+                                            .offsets = args.clipped.offsets,
+                                            .depth = args.depth.texels,
+                                            .part_offsets = args.offsets,
+                                            .parts = args.parts});
+}
+
+void Stages::pens(const PensArgs& args) {
+    const std::uint32_t n = args.run_capacity;
+    const bool tells = args.outline != nullptr;
+    Buffer& offsets = tells ? args.outline->offsets : args.record; // any: it isn't read
+    Buffer& parts = tells ? args.outline->parts : args.record;
+    const bool ordered = args.table.origins != nullptr;
+    Buffer& origins = ordered ? *args.table.origins : args.segment_pens; // any
+    const PensParameters parameters{.sides = tells ? args.outline->sides : 0U,
+                                    .first = ordered ? args.table.candidates.first
+                                                     : args.table.segment_count,
+                                    .run_capacity = n,
+                                    .drawn_capacity = args.drawn_capacity};
+    Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
+    launch<kernels::pens_count>(n, tuning_.local_size, parameters,
+                                {.runs = args.runs,
+                                 .record = args.record,
+                                 .segment_pens = args.segment_pens,
+                                 .origins = origins,
+                                 .part_offsets = offsets,
+                                 .parts = parts,
+                                 .counts = counts});
+    scan(counts, n, ScanKind::saturate);
+    launch<kernels::pens_write>(std::max(n, 1U), tuning_.local_size, parameters,
+                                {.runs = args.runs,
+                                 .record = args.record,
+                                 .segment_pens = args.segment_pens,
+                                 .origins = origins,
+                                 .part_offsets = offsets,
+                                 .parts = parts,
+                                 .run_offsets = counts,
+                                 .drawn = args.drawn,
+                                 .drawn_record = args.drawn_record});
+}
+
 void Stages::density(const DensityArgs& args) {
     const glm::ivec2 cells = density_cells(args.viewport);
     const auto plane = static_cast<std::uint32_t>(cells.x * cells.y);

@@ -76,7 +76,8 @@ void Stages::project_clip(const ProjectClipArgs& args) {
                                      .hidden = LA_HIDDEN_SAMPLED,
                                      .tile_count = {1, 1},
                                      .depth_scale = 1,
-                                     .tolerance = 0};
+                                     .tolerance = 0,
+                                     .numbered = args.numbers != nullptr ? 1U : 0U};
     if (const OcclusionTest* test = args.occlusion) {
         parameters.hidden = test->keep_clipped ? LA_HIDDEN_CLIPPED : LA_HIDDEN_DROPPED;
         parameters.tile_count = test->tile_count;
@@ -91,6 +92,7 @@ void Stages::project_clip(const ProjectClipArgs& args) {
          .front = args.front,
          // Any table will do where there is no pyramid.
          .tiles = args.occlusion != nullptr ? args.occlusion->tiles : args.table.vertices,
+         .numbers = args.numbers != nullptr ? *args.numbers : args.table.triangles,
          .clipped = args.out.clipped,
          .counts = args.out.offsets,
          .arcs = args.out.arcs});

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -13,9 +14,19 @@
 #include "core/atlas_layout.hpp"
 #include "core/limits.hpp"
 #include "core/screen_bounds.hpp"
+#include "core/surface_view.hpp"
 #include "segment_table.h"
 
 namespace lineatlas::compute {
+
+/// Segments that are drawn where they are silhouettes: the last ones of a table.
+struct SilhouetteCandidates {
+    std::uint32_t first = 0; ///< in the segment table
+    std::uint32_t count = 0;
+    /// Per vertex a uint32: where its part of `ends` begins, and one more; null if there are none.
+    Buffer* end_offsets = nullptr;
+    Buffer* ends = nullptr; ///< 2 uint32 per candidate: 2 i + end, by the vertex there
+};
 
 /// The constant input of the pipeline, as `LineSet` holds it.
 struct SegmentTable {
@@ -24,6 +35,10 @@ struct SegmentTable {
     Buffer& segments;  ///< `Segment` each
     std::uint32_t triangle_count;
     std::uint32_t segment_count;
+    SilhouetteCandidates candidates{};
+    /// Of the silhouettes of a frame's own table, as chain_write has them; null: it has them where
+    /// the line set has its candidates.
+    Buffer* origins = nullptr;
 };
 
 /// `project_clip`'s and `scan`'s results: the clipped segment table.
@@ -43,12 +58,29 @@ struct SegmentAtlas {
     AtlasRows rows() const { return {layout.width, layout.pitch, capacity}; }
 };
 
+/// What a depth buffer shows, for probes that know surfaces.
+struct SurfaceTables {
+    Buffer& numbers; ///< a uint32 per texel: of a triangle in the order of its clusters, or
+                     ///< LA_NO_FACE
+    Buffer& planes;  ///< of `planes`
+    Buffer& patches; ///< a uint32 per triangle, in the same order: its smooth patch
+    bool parallel;   ///< the view
+    float bend;      ///< of SurfaceView
+};
+
 /// A depth buffer, and how much of it may stand before a line.
 struct DepthBuffer {
-    Buffer& texels;  ///< floats in [0, 1], rows from the lower left
-    glm::ivec2 size; ///< that it holds: viewport times scale, or a tile's
-    float scale;     ///< texels per pixel
-    float tolerance; ///< window depth that may stand before a line, times w
+    Buffer& texels;                          ///< floats in [0, 1], rows from the lower left
+    glm::ivec2 size;                         ///< that it holds: viewport times scale, or a tile's
+    float scale;                             ///< texels per pixel
+    float tolerance;                         ///< window depth that may stand before a line, times w
+    std::optional<SurfaceTables> surfaces{}; ///< then own faces are numbers in ClippedTable
+
+    /// As kernels take it.
+    SurfaceParameters surface_parameters() const {
+        if (!surfaces) return {.known = 0, .parallel = 0, .bend = 0};
+        return {.known = 1, .parallel = surfaces->parallel ? 1U : 0U, .bend = surfaces->bend};
+    }
 };
 
 /// Where the objects of a model stand (§4.1).
@@ -96,13 +128,24 @@ struct DepthArgs {
     MeshletTables model;
     Buffer& vertices; ///< as in SegmentTable
     glm::mat4 clip_from_world;
-    glm::ivec2 whole_size;  ///< texels of the whole picture
-    glm::ivec2 origin;      ///< the first texel of `depth` in it
-    glm::ivec2 size;        ///< texels of `depth`
-    TexelRectangle covered; ///< of these what is wanted; what lies beside may stay as it is
-    Buffer& depth;          ///< out: as in DepthBuffer
-    Buffer& tiles;          ///< out: as of `pyramid`, where something is wanted
-    Buffer& seen;           ///< out: a byte per cluster, 1 if any of it may be seen
+    glm::ivec2 whole_size;     ///< texels of the whole picture
+    glm::ivec2 origin;         ///< the first texel of `depth` in it
+    glm::ivec2 size;           ///< texels of `depth`
+    TexelRectangle covered;    ///< of these what is wanted; what lies beside may stay as it is
+    Buffer& depth;             ///< out: as in DepthBuffer
+    Buffer& tiles;             ///< out: as of `pyramid`, where something is wanted
+    Buffer& seen;              ///< out: a byte per cluster, 1 if any of it may be seen
+    Buffer* numbers = nullptr; ///< out: as of SurfaceTables; null: nobody asks
+};
+
+/// The planes of a model's triangles on the screen.
+struct PlanesArgs {
+    MeshletTables model;
+    Buffer& vertices; ///< as in SegmentTable
+    SurfaceView view;
+    float contact;  ///< what is nearer to a plane than this touches it; world units
+    Buffer* seen;   ///< of `depth`: clusters that matter; null: all
+    Buffer& planes; ///< out: 4 floats per triangle, in the order of the clusters
 };
 
 /// Tiles of the depth pyramid per axis.
@@ -131,6 +174,32 @@ struct FacingArgs {
     Buffer& front; ///< out: a byte per triangle
 };
 
+/// Which candidates of the table are silhouettes.
+struct SilhouetteArgs {
+    SegmentTable table;
+    Buffer& front;   ///< of `facing`
+    Buffer& numbers; ///< out: per candidate the number of silhouettes before it, then of all
+};
+
+/// The silhouettes of a frame as paths: see kernels/chain.cl for what each table holds.
+struct ChainArgs {
+    SegmentTable table;
+    glm::vec4 eye;       ///< Camera::eye()
+    Buffer& numbers;     ///< of `silhouette`
+    std::uint32_t count; ///< silhouettes, above 0
+    Buffer& chosen;      ///< scratch: a uint32 per silhouette
+    Buffer& ways;        ///< scratch: two `ChainWay` per silhouette
+    Buffer& longer;      ///< scratch: the same
+    Buffer& going;       ///< scratch: a uint32 for each of most_chain_steps
+    Buffer& places;      ///< scratch: `ChainPlace` per silhouette
+    Buffer& starts;      ///< scratch: a uint32 per silhouette and one more
+    Buffer& ordered;     ///< out: `Segment` each, from candidates.first on
+    Buffer& origins;     ///< out: a uint32 per silhouette, in their new order
+    Buffer& positions;   ///< out: a uint32 per candidate
+};
+/// Steps in which the ways of any number of silhouettes get to their ends.
+inline constexpr std::uint32_t most_chain_steps = 34;
+
 /// What `project_clip` needs to drop segments that are hidden whole.
 struct OcclusionTest {
     Buffer& tiles; ///< of `pyramid`
@@ -150,6 +219,9 @@ struct ProjectClipArgs {
     std::uint32_t kind_mask;        ///< kinds to draw, bit 1 << kind
     const OcclusionTest* occlusion; ///< null: segments that are hidden whole get samples too
     ClippedTable out;
+    /// A uint32 per triangle: its number in the order of the clusters. Not null: own faces become
+    /// those, for probes that know surfaces.
+    Buffer* numbers = nullptr;
 };
 
 enum class ScanKind {
@@ -181,11 +253,21 @@ struct History {
     Buffer& ranges;  ///< a uint32 per segment
 };
 
+/// Which segments of a frame are silhouettes in chains, and where they came from.
+struct ChainOrder {
+    std::uint32_t first; ///< of them
+    Buffer& origins;     ///< ChainArgs::origins
+    Buffer& positions;   ///< ChainArgs::positions, of `candidates`
+    std::uint32_t candidates;
+    Buffer& positions_before; ///< in: of the frame before, 0 if it had none; out: of this one
+};
+
 struct TemporalArgs {
     std::uint32_t segment_count;
-    SegmentAtlas atlas; ///< alpha: in and out, averaged with the frame before
-    History history;    ///< in: of the frame before; out: of this one
-    std::uint32_t use;  ///< LA_HISTORY_*: what the history is good for
+    SegmentAtlas atlas;                 ///< alpha: in and out, averaged with the frame before
+    History history;                    ///< in: of the frame before; out: of this one
+    std::uint32_t use;                  ///< LA_HISTORY_*: what the history is good for
+    const ChainOrder* chains = nullptr; ///< null: all segments stand where they did
 };
 
 struct CompactArgs {
@@ -288,6 +370,49 @@ struct SpanTable {
     std::uint32_t capacity; ///< spans that there is room for
 };
 
+/// What lies beside every segment that is seen, for `visible` to look at.
+struct OutlinePushArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    SpanTable spans;    ///< what is seen of the segments
+    glm::vec2 viewport; ///< pixels
+    bool parallel;      ///< a parallel view
+    Buffer& pushed;     ///< out: two `ClippedSegment` per segment
+};
+
+/// Parts of segments that have the background on one side. They may overlap.
+struct OutlineTable {
+    Buffer& offsets;
+    Buffer& parts;       ///< two floats each, from and to, in the units of runs
+    std::uint32_t sides; ///< those of segment i are offsets[sides * i] to offsets[sides * (i + 1)]
+};
+
+/// The same of samples, by the depth buffer.
+struct OutlineSamplesArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    std::uint32_t sample_capacity; ///< as in SegmentAtlas
+    DepthBuffer depth;
+    glm::vec2 viewport; ///< pixels
+    Buffer& offsets;    ///< out: segment_count + 1 uint32
+    Buffer& parts;      ///< out: 2 floats each; none if `part_capacity` is too small
+    std::uint32_t part_capacity;
+};
+
+/// Which pen draws which run.
+struct PensArgs {
+    SegmentTable table;
+    /// Per segment of the line set a uint32: pen, and from bit 16 that of its outline.
+    Buffer& segment_pens;
+    const OutlineTable* outline; ///< null: nothing is one
+    Buffer& runs;                ///< in: `Run` each
+    Buffer& record;              ///< in: their `FrameRecord`
+    std::uint32_t run_capacity;
+    Buffer& drawn; ///< out: `Run` each
+    std::uint32_t drawn_capacity;
+    Buffer& drawn_record; ///< out: one `FrameRecord`
+};
+
 /// Runs of spans, as CompactArgs of samples.
 struct SpanRunsArgs {
     SegmentTable table;
@@ -327,9 +452,12 @@ class Stages {
     void transform_forget(const ForgetArgs& args);
     /// Throws DeviceError for more clusters than the device can sort.
     void depth(const DepthArgs& args);
+    void planes(const PlanesArgs& args);
     void pyramid(const PyramidArgs& args);
     void cull(const CullArgs& args);
     void facing(const FacingArgs& args);
+    void silhouette(const SilhouetteArgs& args);
+    void chain(const ChainArgs& args);
     void project_clip(const ProjectClipArgs& args);
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
     void scan(Buffer& values, std::uint32_t n, ScanKind kind);
@@ -341,6 +469,9 @@ class Stages {
     void visible(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
+    void outline_push(const OutlinePushArgs& args);
+    void outline_samples(const OutlineSamplesArgs& args);
+    void pens(const PensArgs& args);
     void compact(const CompactArgs& args);
     void halo(const HaloArgs& args); ///< waits: the host sizes a table of its own
     void filter(const FilterArgs& args);
@@ -366,7 +497,7 @@ class Stages {
     const Tuning& tuning_; ///< of device_
     std::unique_ptr<Buffer> scan_sums_, block_counts_, run_counts_, halo_ends_, halo_lists_;
     std::unique_ptr<Buffer> depth_places_, depth_boxes_, depth_nearest_, depth_order_;
-    std::unique_ptr<Buffer> depth_total_, depth_next_;
+    std::unique_ptr<Buffer> depth_total_, depth_next_, depth_no_numbers_;
     std::unique_ptr<Buffer> density_grid_, density_rows_, density_drawn_, density_excesses_;
 };
 

@@ -5,6 +5,20 @@
 #include "stages.hpp"
 
 namespace lineatlas::compute {
+namespace {
+
+// Any tables of their type where surfaces are not known: they are not read.
+Buffer& numbers_or(const DepthBuffer& depth, Buffer& other) {
+    return depth.surfaces ? depth.surfaces->numbers : other;
+}
+Buffer& patches_or(const DepthBuffer& depth, Buffer& other) {
+    return depth.surfaces ? depth.surfaces->patches : other;
+}
+Buffer& planes_of(const DepthBuffer& depth) {
+    return depth.surfaces ? depth.surfaces->planes : depth.texels;
+}
+
+} // namespace
 
 void Stages::atlas(const AtlasArgs& args) {
     constexpr std::uint32_t variants = 4; // of probes per axis, whole and then tiled
@@ -17,6 +31,7 @@ void Stages::atlas(const AtlasArgs& args) {
                             .viewport = args.viewport,
                             .depth_scale = args.depth.scale,
                             .tolerance = args.depth.tolerance,
+                            .surfaces = args.depth.surface_parameters(),
                             .rows = args.atlas.rows(),
                             .block = tuning_.atlas_block,
                             .origin = tile.origin,
@@ -24,6 +39,9 @@ void Stages::atlas(const AtlasArgs& args) {
                            {.clipped = args.atlas.clipped.clipped,
                             .offsets = args.atlas.clipped.offsets,
                             .depth = args.depth.texels,
+                            .numbers = numbers_or(args.depth, args.atlas.clipped.offsets),
+                            .planes = planes_of(args.depth),
+                            .patches = patches_or(args.depth, args.atlas.clipped.offsets),
                             .alpha = args.atlas.alpha},
                            kernel_of<kernels::atlas>(variant));
 }
@@ -31,15 +49,27 @@ void Stages::atlas(const AtlasArgs& args) {
 void Stages::temporal(const TemporalArgs& args) {
     const std::uint32_t n = args.segment_count;
     const SegmentAtlas& atlas = args.atlas;
+    const ChainOrder* chains = args.chains;
     launch<kernels::temporal>(
         divide_up(n, tuning_.segment_block), tuning_.block_local_size,
-        {.count = n, .rows = atlas.rows(), .block = tuning_.segment_block, .history = args.use},
+        {.count = n,
+         .rows = atlas.rows(),
+         .block = tuning_.segment_block,
+         .history = args.use,
+         .first = chains != nullptr ? chains->first : n},
         {.clipped = atlas.clipped.clipped,
          .offsets = atlas.clipped.offsets,
          .offsets_before = args.history.offsets,
          .before = args.history.alpha,
+         // Any table will do where there are no chains.
+         .origins = chains != nullptr ? chains->origins : atlas.clipped.offsets,
+         .positions_before = chains != nullptr ? chains->positions_before : atlas.clipped.offsets,
          .ranges = args.history.ranges,
          .alpha = atlas.alpha});
+    if (chains != nullptr) {
+        device_.copy(chains->positions, chains->positions_before,
+                     std::size_t{chains->candidates} * sizeof(la_uint));
+    }
     device_.copy(atlas.clipped.offsets, args.history.offsets,
                  (std::size_t{n} + 1) * sizeof(la_uint));
     device_.copy(atlas.alpha, args.history.alpha,
@@ -59,7 +89,8 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .interval_capacity = args.interval_capacity,
                                          .depth_size = args.depth.size,
                                          .depth_scale = args.depth.scale,
-                                         .tolerance = args.depth.tolerance};
+                                         .tolerance = args.depth.tolerance,
+                                         .surfaces = args.depth.surface_parameters()};
     const std::uint32_t items = std::max(blocks, 1U); // the first writes the total
     Buffer& counts = scratch(block_counts_, blocks + 1);
     launch<kernels::intervals_count>(items, tuning_.block_local_size, parameters,
@@ -86,6 +117,9 @@ void Stages::intervals(const IntervalsArgs& args) {
                                        .arcs = clipped.arcs,
                                        .vertices = args.table.vertices,
                                        .depth = args.depth.texels,
+                                       .numbers = numbers_or(args.depth, clipped.offsets),
+                                       .planes = planes_of(args.depth),
+                                       .patches = patches_or(args.depth, clipped.offsets),
                                        .intervals = args.intervals,
                                        .interval_total = args.total});
 }

@@ -42,14 +42,14 @@ struct LoadedMesh {
 
 /// How models are read.
 struct LoadOptions {
-    /// Of STEP and BREP: how far a triangle's side may be off a curved face, in millimetres or the
-    /// file's unit if it says none; 0: a thousandth of the model's diagonal.
+    /// Of STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres
+    /// or the file's unit if it says none; 0: a thousandth of the model's diagonal.
     double deflection = 0;
 };
 
 /// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, and by modules
-/// that are loaded when they are needed glTF and GLB, STEP and BREP; chosen by extension in any
-/// case. Throws FileError, one line that names the file and the cause, when the
+/// that are loaded when they are needed glTF and GLB, 3MF, STEP, IGES and BREP; chosen by extension
+/// in any case. Throws FileError, one line that names the file and the cause, when the
 /// file is missing, empty, truncated, of another type than its name says, refers to vertices it
 /// does not have, or holds no triangle and no polyline. May be called from several threads.
 ///

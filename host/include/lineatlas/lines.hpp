@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lineatlas/export.hpp"
@@ -47,8 +48,8 @@ constexpr LineKindMask mask_of(LineKind kind) {
 /// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
     LineKindMask kinds = all_line_kinds; ///< others are not extracted
-    /// Radians, 0 to pi: edges bent by more are creases. Nothing: those bent by more than 30
-    /// degrees are, but for noise of surfaces that were scanned or sculpted (docs/lines.md).
+    /// Radians, 0 to pi: every edge bent by more is a crease. Nothing: those bent by more than 30
+    /// degrees are, but for noise of scans and for seams (docs/lines.md); a number leaves out none.
     std::optional<float> crease_angle{};
     /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
@@ -123,6 +124,8 @@ struct LineSet {
     /// Per triangle an index into `colors`, or `no_color`; empty where no triangle has a colour.
     std::vector<std::uint16_t> triangle_color;
     static constexpr std::uint16_t no_color = 0xFFFF; ///< of triangles without a colour
+    std::vector<MeshGroup> groups{};                  ///< of the mesh
+    std::vector<std::uint32_t> triangle_group{};      ///< per triangle, into `groups`; or empty
     /// Per vertex a position of the mesh that it was welded of; of a cut vertex the nearer end of
     /// its edge.
     std::vector<std::uint32_t> vertex_sources{};
@@ -133,6 +136,13 @@ struct LineSet {
     LineTimes times{};  ///< for people who wonder
     /// Behind the other vertices of their object.
     std::vector<CutVertex> cut_vertices{};
+};
+
+/// A part of a visible line that has the background on one side: of the model's outline.
+struct OutlinePart {
+    std::uint32_t segment = 0; ///< index into LineSet::segments
+    glm::vec2 start{0, 0};     ///< window position, pixels from the lower left, as of an Interval
+    glm::vec2 end{0, 0};       ///< the same of its end
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.

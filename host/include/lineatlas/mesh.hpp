@@ -32,6 +32,7 @@ struct KnownEdge {
         smooth, ///< between two faces that go over into each other
         seam,   ///< where a face that goes round, as a cylinder's, meets itself: never a line
         free,   ///< of one face only: a boundary
+        marked, ///< a crease by hand, however small its angle; says nothing of other edges
     };
     std::uint32_t from = 0;  ///< index into Mesh::positions
     std::uint32_t to = 0;    ///< index into Mesh::positions
@@ -62,7 +63,8 @@ struct Mesh {
     /// The same per polyline. Empty: polylines are one object, the last.
     std::vector<std::uint32_t> polyline_object{};
     /// Where there are any, they say which edges are creases and boundaries, and angles between
-    /// triangles do not: those within a curved face are the tessellation's own.
+    /// triangles do not: those within a curved face are the tessellation's own. Where all of them
+    /// are KnownEdge::Kind::marked, angles decide of all others.
     std::vector<KnownEdge> known_edges{};
     /// What each polyline is. Empty: all are PolylineKind::file.
     std::vector<PolylineKind> polyline_kind{};

@@ -124,7 +124,8 @@ struct TileTarget {
 
 /// How long a stage of a frame took, from one wait for the device to the next.
 struct StageTime {
-    std::string name; ///< depth, pyramid, facing, project_clip, scan, atlas, compact, strokes, ...
+    std::string name;    ///< depth, pyramid, facing, silhouette, chain, project_clip, scan, atlas,
+                         ///< compact, strokes, ...
     double milliseconds; ///< with its share of waiting
 };
 
@@ -239,6 +240,10 @@ class LINEATLAS_API Renderer {
     /// samples where the depth buffer has them. The same on every device up to rounding. Only these
     /// come out of the device; waits for it. Throws UsageError if the last frame kept none.
     std::vector<Interval> read_intervals();
+
+    /// What of these intervals has the background on one side; only for a style whose pens have a
+    /// rule for outlines.
+    std::vector<OutlinePart> read_outlines();
 
     /// The profiles of frames drawn with `FrameOptions::profile` that were not taken yet, in order.
     /// GL and the device tell the times of a frame while later ones are drawn; with `wait` this

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,32 @@ struct Focus {
     std::string mark{};       ///< the pen's mark far away; empty: the same
 };
 
+/// Which lines a PenRule is for: those that are all it names. What is empty asks for nothing.
+struct PenMatch {
+    /// Any of these: names of `line_kind_names`, or "outline": what of a visible line has the model
+    /// on one side and the background on the other; lines of files and of cuts are none.
+    std::vector<std::string> kinds{};
+    std::string object{};   ///< MeshGroup::object of a face beside the line; * and ? as in files
+    std::string material{}; ///< MeshGroup::material of the same face, likewise
+};
+
+/// A pen for some of the visible lines: what it names is so, the rest is as without it.
+struct PenRule {
+    PenMatch match{};                         ///< which lines it is for
+    std::optional<std::string> mark{};        ///< Pen::mark
+    std::optional<float> width{};             ///< Pen::width
+    std::optional<float> width_factor{};      ///< of the width of Style::pen, in place of `width`
+    std::optional<glm::vec3> color{};         ///< Pen::color
+    std::optional<float> opacity{};           ///< Pen::opacity
+    std::optional<Join> join{};               ///< Pen::join
+    std::optional<float> mitre_limit{};       ///< Pen::mitre_limit
+    std::optional<Cap> cap{};                 ///< Pen::cap
+    std::optional<Cap> path_cap{};            ///< Pen::path_cap
+    std::optional<float> cap_length{};        ///< Pen::cap_length
+    std::optional<Profile> width_profile{};   ///< Pen::width_profile
+    std::optional<Profile> opacity_profile{}; ///< Pen::opacity_profile
+};
+
 /// How a drawing looks. The keys of style files and the options of the tool have the names of these
 /// members (docs/styles.md).
 struct Style {
@@ -98,6 +125,11 @@ struct Style {
     Fill fill{};           ///< under the lines
     Paper paper{};         ///< what is drawn on
     Focus focus{};         ///< what stands out
+    /// Of visible lines: every rule that is for a line changes its pen, in this order.
+    std::vector<PenRule> pens{};
+    /// Shorter side, in pixels, of the picture that the lengths are for: in a larger one they are
+    /// longer in proportion, in a smaller one as they are. 0: they are pixels of every picture.
+    float made_for = 0;
 };
 
 } // namespace lineatlas

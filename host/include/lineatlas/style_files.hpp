@@ -15,6 +15,10 @@ namespace lineatlas {
 /// setting.
 LINEATLAS_API Style load_style(const std::string& name_or_path);
 
+/// What the tool draws with when no style is named: black lines, creases lighter and the outline
+/// heavier, that grow with the picture. It ships by the name of "plain".
+LINEATLAS_API Style default_style();
+
 /// Changes one setting, as in "width=3" or "color=#204060". Throws UsageError.
 LINEATLAS_API void apply_setting(Style& style, std::string_view key_is_value);
 

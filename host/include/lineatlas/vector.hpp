@@ -44,6 +44,8 @@ struct VectorPath {
     LineKind kind = LineKind::crease; ///< all along
     bool visible = true;              ///< else it is hidden, all along
     bool closed = false;              ///< the last point is where the first one is
+    bool outline = false;             ///< beside the background all along
+    std::uint32_t pen = 0;            ///< index into VectorDrawing::pens, of a visible path
     float alpha = 1;                  ///< mean visibility
     std::vector<VectorPoint> points;  ///< two at least
     /// In order; several of one point where segments in a row lie on one straight line.
@@ -62,7 +64,8 @@ struct PenTravel {
 /// within both by kind.
 struct VectorDrawing {
     glm::ivec2 size{1, 1};             ///< of the picture in pixels
-    Style style{};                     ///< pens of the paths, colour of the paper
+    Style style{};                     ///< pen of hidden paths, colour of the paper
+    std::vector<Pen> pens{Pen{}};      ///< of visible paths; the first is the style's own
     std::vector<MeshGroup> groups;     ///< what pieces belong to; empty where none are known
     std::vector<VectorPath> paths;     ///< in the order in which they are drawn
     std::optional<PenTravel> travel{}; ///< of a drawing for a plotter
@@ -72,6 +75,9 @@ struct VectorDrawing {
 struct VectorOptions {
     /// The mesh that the lines were extracted from: pieces then know their object and material.
     const Mesh* mesh = nullptr;
+    /// What LineVisibility::outlines() or Renderer::read_outlines() found with the intervals; only
+    /// a style with pens for outlines needs them.
+    std::span<const OutlinePart> outlines{};
     double tolerance = 0.05; ///< pixels by which simplified paths may be off
     bool plotter = false;    ///< order, turn and join paths for the least travel of the pen
 };

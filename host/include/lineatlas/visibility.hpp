@@ -19,6 +19,7 @@ struct VisibilityOptions {
     /// Pixels, above 0: a line of one segment that is shorter is left out, as
     /// FrameOptions::step has it.
     float step = 2;
+    bool outlines = false; ///< for LineVisibility::outlines()
 };
 
 /// What is visible of lines, by the exact method (Method::exact): the intervals that a Renderer
@@ -51,6 +52,11 @@ class LINEATLAS_API LineVisibility {
     /// UsageError for a camera whose picture is empty or too large, DeviceError where memory does
     /// not suffice.
     std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options = {});
+
+    /// Which parts of the visible pieces of the last find() have the background on one side: half a
+    /// pixel beside them no face is before what is infinitely far. In the order of the pieces. None
+    /// unless VisibilityOptions::outlines asked for them.
+    const std::vector<OutlinePart>& outlines() const;
 
   private:
     class LINEATLAS_LOCAL State;

@@ -1,12 +1,16 @@
-// The module lineatlas-brep: STEP and BREP, by Open CASCADE.
+// The module lineatlas-brep: STEP, IGES and BREP, by Open CASCADE.
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string>
 
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 
 #include "brep_file.hpp"
+#include "iges.hpp"
 #include "models/model_module.hpp"
 #include "placement.hpp"
 #include "step.hpp"
@@ -15,12 +19,40 @@ namespace {
 
 using namespace lineatlas;
 
+/// Open CASCADE's readers say on stdout what they think of a file.
+class Silence {
+  public:
+    Silence() : printers_(Message::DefaultMessenger()->Printers()) {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+    }
+    ~Silence() { Message::DefaultMessenger()->ChangePrinters() = printers_; }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+  private:
+    Message_SequenceOfPrinters printers_;
+};
+
+brep::Assembly read_assembly(const models::Request& request) {
+    if (request.extension == ".step" || request.extension == ".stp")
+        return brep::read_step(request.bytes);
+    if (request.extension == ".iges" || request.extension == ".igs")
+        return brep::read_iges(request.bytes);
+    return brep::read_brep(request.bytes);
+}
+
+void prepare() {
+    brep::prepare_step();
+    brep::prepare_iges();
+}
+
 Soup read(const models::Request& request) {
+    // Open CASCADE's readers have tables of the whole process, and that of IGES takes its stdin.
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock{one_at_a_time};
+    const Silence silence;
     try {
-        const bool step = request.extension == ".step" || request.extension == ".stp";
-        brep::Assembly assembly =
-            step ? brep::read_step(request.bytes) : brep::read_brep(request.bytes);
-        return brep::place(std::move(assembly), request.deflection);
+        return brep::place(read_assembly(request), request.deflection);
     } catch (const Standard_OutOfMemory&) {
         throw std::bad_alloc();
     } catch (const Standard_Failure& failure) {
@@ -33,4 +65,4 @@ Soup read(const models::Request& request) {
 
 } // namespace
 
-const models::Module lineatlas_brep_1{.prepare = brep::prepare_step, .read = read};
+const models::Module lineatlas_brep_1{.prepare = prepare, .read = read};

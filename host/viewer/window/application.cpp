@@ -33,6 +33,7 @@ Application::Gui::~Gui() {
 Application::Application(const ApplicationOptions& options, ImageWriter& writer)
     : options_(options), window_(options.size, "lineatlas"), gui_(window_.handle()),
       session_(options.device, writer, Window::wake), ui_{session_}, mouse_(session_) {
+    ui_.theme = options.theme.value_or(theme_of_desktop());
     window_.listen(this);
     show_soon();
 }
@@ -54,10 +55,12 @@ double Application::seconds_to_wait() const {
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
                          mouse_.flying() || ui_.later;
     if (at_work) return 0;
-    constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4;
+    constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
     if (session_.loader.busy()) return smooth;
     if (session_.messages.passing() || session_.timings_due()) return soon;
-    return ImGui::GetIO().WantTextInput ? blinking : -1;
+    if (ImGui::GetIO().WantTextInput) return blinking;
+    const Model* model = session_.model();
+    return model != nullptr && !model->source.file.empty() ? looking : -1;
 }
 
 void Application::step(double longest_wait) {
@@ -65,6 +68,7 @@ void Application::step(double longest_wait) {
     if (longest_wait >= 0) wait = wait < 0 ? longest_wait : std::min(wait, longest_wait);
     const bool timed = wait > 0;
     window_.wait(wait);
+    if (timed) session_.look_at_file();
     if (timed &&
         (session_.loader.busy() || session_.messages.passing() || ImGui::GetIO().WantTextInput)) {
         frames_due_ = std::max(frames_due_, 1);
@@ -91,6 +95,7 @@ void Application::advance() {
     const Model* model = session_.model();
     mouse_.advance(seconds, shift_);
     session_.advance(seconds);
+    if (!ImGui::IsAnyItemActive() && !mouse_.dragging() && !mouse_.flying()) session_.note_step();
     if (model != session_.model())
         window_.set_title(session_.model()->source.name() + " - lineatlas");
     if (messages != session_.messages.all().size() || model != session_.model()) show_soon();
@@ -101,10 +106,11 @@ void Application::advance() {
 void Application::fit_scale() {
     const float scale = options_.scale > 0 ? options_.scale : window_.content_scale();
     const float ratio = window_.pixels_per_point();
-    if (scale == scale_ && ratio == pixels_per_point_) return;
+    if (scale == scale_ && ratio == pixels_per_point_ && ui_.theme == theme_) return;
+    theme_ = ui_.theme;
     scale_ = ui_.scale = scale;
     pixels_per_point_ = ratio;
-    ui_.bold = apply_theme(scale, ratio);
+    ui_.bold = apply_theme(ui_.theme, scale, ratio);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -134,6 +140,7 @@ void Application::make_frame() {
     draw_timings(ui_, canvas);
     draw_messages(ui_, canvas);
     draw_help(ui_, canvas);
+    draw_open_panel(ui_, canvas);
     session_.profile = ui_.timings;
     if (mouse_.over_slider(mouse_place_) && !io.WantCaptureMouse) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -143,12 +150,16 @@ void Application::make_frame() {
 
 void Application::show_frame() {
     session_.resize(glm::ivec2{glm::round(canvas_area().size * pixels_per_point_)});
-    if (session_.stale()) {
+    const auto start = std::chrono::steady_clock::now();
+    const bool drawn = session_.stale();
+    if (drawn) {
         session_.draw();
         if (session_.timings_due()) session_.take_timings();
     }
     paint();
     window_.show_frame();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    if (drawn) session_.note_duration(taken.count());
     ++frames_shown_;
 }
 

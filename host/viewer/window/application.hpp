@@ -5,6 +5,7 @@
 #include <string>
 
 #include "canvas_mouse.hpp"
+#include "theme.hpp"
 #include "ui.hpp"
 #include "window.hpp"
 
@@ -13,7 +14,8 @@ namespace lineatlas::viewer {
 struct ApplicationOptions {
     glm::ivec2 size{1280, 800}; ///< of the window, in points
     DeviceOptions device{};
-    float scale = 0; ///< of letters; 0: as the system wants it
+    float scale = 0;              ///< of letters; 0: as the system wants it
+    std::optional<Theme> theme{}; ///< none: as the desktop wants it
     /// No mouse is asked for its buttons: they are as on_mouse_button() said. For tests.
     bool scripted = false;
 };
@@ -67,6 +69,8 @@ class Application final : public InputListener {
     void blit_pictures() const;
     void press_key(int key, int mods);
     void press_escape();
+    void hide_selected();
+    void isolate_selected();
     void next_method();
     void next_style();
     void show_soon();
@@ -84,6 +88,7 @@ class Application final : public InputListener {
     int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event
     std::uint64_t frames_shown_ = 0;
     float scale_ = 0, pixels_per_point_ = 0;
+    Theme theme_ = Theme::light; ///< applied
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

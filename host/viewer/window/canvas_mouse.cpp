@@ -15,6 +15,8 @@ constexpr double dolly_per_click = 0.88;
 constexpr double dolly_per_height = 0.05;  ///< factor of the distance for a drag over the canvas
 constexpr double flight_per_second = 0.35; ///< of the model's diagonal
 constexpr double fast_factor = 4;
+constexpr double click_reach = 3; // points
+constexpr double double_click_seconds = 0.4;
 
 /// The way of each key: to the right, upwards, ahead.
 const std::map<int, glm::dvec3>& ways() {
@@ -48,19 +50,33 @@ bool CanvasMouse::over_slider(glm::dvec2 place) const {
 
 void CanvasMouse::press(int button, int mods, glm::dvec2 place) {
     if (dragging() || !area_.holds(place)) return;
-    last_ = place;
+    last_ = pressed_ = place;
+    moved_ = false;
     button_ = button;
     drag_ = over_slider(place) ? Drag::slider : drag_of(button, mods);
     if (session_.model() == nullptr) drag_ = Drag::none;
     if (drag_ != Drag::slider) held_ = session_.point_at(on_canvas(place));
 }
 
-void CanvasMouse::release(int button) {
-    if (button == button_) drag_ = Drag::none;
+void CanvasMouse::release(int button, double now) {
+    if (button != button_) return;
+    const bool clicked = drag_ == Drag::orbit && !moved_;
+    drag_ = Drag::none;
+    if (clicked) click(now);
+}
+
+void CanvasMouse::click(double now) {
+    const bool twice =
+        now - clicked_at_ < double_click_seconds && glm::distance(pressed_, clicked_) < click_reach;
+    clicked_ = pressed_;
+    clicked_at_ = now;
+    session_.selected = session_.part_at(on_canvas(pressed_));
+    if (twice && session_.selected) session_.frame_part(*session_.selected);
 }
 
 void CanvasMouse::move(glm::dvec2 place) {
     if (!dragging()) return;
+    moved_ = moved_ || glm::distance(place, pressed_) > click_reach;
     Navigation& navigation = session_.navigation;
     const glm::dvec2 way = (place - last_) / static_cast<double>(std::max(area_.size.y, 1.0F));
     switch (drag_) {

@@ -17,7 +17,8 @@ class CanvasMouse {
 
     void set_area(Area area) { area_ = area; }
     void press(int button, int mods, glm::dvec2 place);
-    void release(int button);
+    /// A click, not a drag, selects the part under the mouse; a second one soon after frames it.
+    void release(int button, double now);
     void move(glm::dvec2 place);
     void scroll(double clicks, glm::dvec2 place);
     bool dragging() const { return drag_ != Drag::none; }
@@ -33,12 +34,15 @@ class CanvasMouse {
     enum class Drag { none, orbit, pan, dolly, look, slider };
     static Drag drag_of(int button, int mods);
     glm::dvec2 on_canvas(glm::dvec2 place) const; ///< in pixels of the picture
+    void click(double now);
 
     Session& session_;
     Area area_{};
     Drag drag_ = Drag::none;
     int button_ = 0;
-    glm::dvec2 last_{0};
+    glm::dvec2 pressed_{0}, last_{0}, clicked_{-1e6};
+    bool moved_ = false; ///< too far for a click
+    double clicked_at_ = -1e6;
     glm::dvec3 held_{0}; ///< the point of the model where a drag began
     std::set<int> keys_;
 };

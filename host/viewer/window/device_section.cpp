@@ -33,7 +33,7 @@ void use(Ui& ui, const DeviceOptions& device) {
 
 void draw_device_section(Ui& ui) {
     if (ui.devices.empty()) ui.devices = find_devices();
-    heading(ui, "Device");
+    if (!section(ui, "device", "Device")) return;
     const DeviceOptions& device = ui.session.device();
     const auto chosen = std::ranges::find_if(
         ui.devices, [&](const DeviceChoice& choice) { return same(choice.options, device); });

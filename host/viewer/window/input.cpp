@@ -26,6 +26,17 @@ void Application::press_key(int key, int mods) {
     if ((mods & GLFW_MOD_CONTROL) != 0) {
         if (key == GLFW_KEY_S) save_as(ui_, shift_ ? SavedKind::svg : SavedKind::png);
         if (key == GLFW_KEY_Q) window_.close();
+        if (key == GLFW_KEY_R) session_.reload();
+        if (key == GLFW_KEY_O) show_open_panel(ui_);
+        if (key == GLFW_KEY_Y || (key == GLFW_KEY_Z && shift_))
+            session_.redo();
+        else if (key == GLFW_KEY_Z)
+            session_.undo();
+        return;
+    }
+    if ((mods & GLFW_MOD_ALT) != 0) {
+        if (key == GLFW_KEY_LEFT) session_.camera_back();
+        if (key == GLFW_KEY_RIGHT) session_.camera_forward();
         return;
     }
     if (mouse_.key(key, true)) return;
@@ -69,11 +80,23 @@ void Application::press_key(int key, int mods) {
         settings.split = !settings.split;
         session_.changed();
         break;
+    case GLFW_KEY_DELETE:
+        hide_selected();
+        break;
+    case GLFW_KEY_I:
+        isolate_selected();
+        break;
+    case GLFW_KEY_U:
+        session_.hide_parts({});
+        break;
     case GLFW_KEY_P:
         session_.toggle_projection();
         break;
     case GLFW_KEY_T:
         ui_.timings = !ui_.timings;
+        break;
+    case GLFW_KEY_L:
+        ui_.theme = ui_.theme == Theme::light ? Theme::dark : Theme::light;
         break;
     case GLFW_KEY_TAB:
         ui_.sidebar = !ui_.sidebar;
@@ -94,12 +117,25 @@ void Application::press_key(int key, int mods) {
 void Application::press_escape() {
     if (session_.loader.busy())
         session_.loader.cancel();
+    else if (ui_.opening)
+        ui_.opening = false;
     else if (ui_.help)
         ui_.help = false;
     else if (!session_.messages.all().empty())
         session_.messages.dismiss(session_.messages.all().size() - 1);
     else
         ui_.timings = false;
+}
+
+void Application::hide_selected() {
+    if (!session_.selected) return;
+    HiddenParts hidden = session_.settings.hidden_parts;
+    hidden.insert(*session_.selected);
+    session_.hide_parts(std::move(hidden));
+}
+
+void Application::isolate_selected() {
+    if (session_.selected) session_.hide_parts(session_.model()->parts.all_but(*session_.selected));
 }
 
 void Application::next_method() {
@@ -128,7 +164,7 @@ void Application::on_mouse_button(int button, int action, int mods) {
         buttons_.at(static_cast<std::size_t>(button)) = action == GLFW_PRESS;
     }
     if (action == GLFW_RELEASE)
-        mouse_.release(button);
+        mouse_.release(button, glfwGetTime());
     else if (!ImGui::GetIO().WantCaptureMouse)
         mouse_.press(button, mods, mouse_place_);
 }

@@ -19,7 +19,7 @@ namespace {
 using namespace lineatlas;
 
 struct Arguments {
-    std::string model, scene, style, camera, up = "auto";
+    std::string model, scene, style, camera, up = "auto", theme = "auto";
     std::string size = "1280x800";
     viewer::ApplicationOptions options;
     ReadOptions read;
@@ -38,6 +38,9 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--ui-scale", a.options.scale,
                    "Size of letters and panels, 1 to 4; default as the display wants it")
         ->check(CLI::Range(0.5, 4.0));
+    app.add_option("--theme", a.theme,
+                   "Colours of panels: light, dark, or auto as the desktop says")
+        ->check(CLI::IsMember({"auto", "light", "dark"}));
     a.read.declare(app);
     app.footer("F1 shows the keys. Models, styles and cameras can be dropped onto the window.");
 }
@@ -45,8 +48,13 @@ void declare(CLI::App& app, Arguments& a) {
 void view(Arguments& arguments, ImageWriter& writer) {
     arguments.read.check();
     arguments.options.size = parse_size("--size", arguments.size);
+    if (arguments.theme != "auto") {
+        arguments.options.theme =
+            arguments.theme == "dark" ? viewer::Theme::dark : viewer::Theme::light;
+    }
     viewer::Application application{arguments.options, writer};
     viewer::Session& session = application.session();
+    session.recent = viewer::RecentFiles{viewer::recent_files_store()};
     session.read_limits = arguments.read.limits();
     if (arguments.up != "auto") session.up = parse_up("--up", arguments.up);
     if (!arguments.style.empty()) session.use_style(arguments.style);

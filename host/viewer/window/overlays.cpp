@@ -25,6 +25,14 @@ void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot
 void toolbar(Ui& ui, Area canvas) {
     begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
+    if (toggle(ui, "open.panel", "Open", ui.opening)) {
+        if (ui.opening)
+            ui.opening = false;
+        else
+            show_open_panel(ui);
+    }
+    tip("Files of a folder, and recent ones (Ctrl+O)");
+    ImGui::SameLine(0, ui.points(14));
     if (button(ui, "fit", "Fit")) ui.session.fit();
     tip("All of the model (F)");
     for (const auto& [id, text, view] : {std::tuple{"corner", "Corner", StandardView::corner},
@@ -56,15 +64,15 @@ void side_name(const Ui& ui, const Area& canvas, const Side& side, float x, floa
     }
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float left = x + direction * ui.points(20) - (direction < 0 ? size.x : 0);
-    const bool beside = left > canvas.low.x + ui.points(500);
+    const bool beside = left > canvas.low.x + ui.points(570);
     const ImVec2 low{left, canvas.low.y + ui.points(beside ? 21 : 66)};
     const ImVec2 padding{ui.points(8), ui.points(4)};
     const ImVec2 box_low{low.x - padding.x, low.y - padding.y};
     const ImVec2 box_high{low.x + size.x + padding.x, low.y + size.y + padding.y};
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled(box_low, box_high, theme::panel, ui.points(4));
-    list.AddRect(box_low, box_high, theme::line, ui.points(4));
-    list.AddText(low, theme::ink, text.c_str());
+    list.AddRectFilled(box_low, box_high, theme::colors().panel, ui.points(4));
+    list.AddRect(box_low, box_high, theme::colors().line, ui.points(4));
+    list.AddText(low, theme::colors().ink, text.c_str());
 }
 
 void split_handle(const Ui& ui, Area canvas) {
@@ -73,8 +81,8 @@ void split_handle(const Ui& ui, Area canvas) {
     const float middle = canvas.low.y + 0.5F * canvas.size.y;
     const float bottom = canvas.low.y + canvas.size.y;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddLine({x, canvas.low.y}, {x, bottom}, theme::accent, ui.points(1.5F));
-    list.AddCircleFilled({x, middle}, ui.points(13), theme::accent);
+    list.AddLine({x, canvas.low.y}, {x, bottom}, theme::colors().accent, ui.points(1.5F));
+    list.AddCircleFilled({x, middle}, ui.points(13), theme::colors().accent);
     for (const float side : {-1.0F, 1.0F}) {
         const float tip = x + side * ui.points(8), base = x + side * ui.points(3.5F);
         const float half = ui.points(4);
@@ -96,14 +104,50 @@ void loading(Ui& ui, Area canvas) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, height});
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {low.x + width, low.y + height}, theme::line, height);
+    list.AddRectFilled(low, {low.x + width, low.y + height}, theme::colors().line, height);
     // How much is left to do nobody knows, so something moves.
     const auto phase = static_cast<float>(std::fmod(ImGui::GetTime(), 1.6) / 1.6);
     const float from = std::max(0.0F, 1.3F * phase - 0.3F), to = std::min(1.0F, 1.3F * phase);
     list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
-                       theme::accent, height);
+                       theme::colors().accent, height);
     if (button(ui, "cancel", "Cancel")) loader.cancel();
     ImGui::End();
+}
+
+/// The box around the selected part, and its name.
+void selection(const Ui& ui, Area canvas) {
+    const Session& session = ui.session;
+    if (!session.selected) return;
+    const Parts::Part& part = session.model()->parts.all().at(*session.selected);
+    const glm::vec2 scale = canvas.size / glm::vec2{glm::max(session.size(), 1)};
+    const auto corner = [&](unsigned i) -> std::optional<ImVec2> {
+        const glm::dvec3 at{(i & 1U) != 0 ? part.bounds.max.x : part.bounds.min.x,
+                            (i & 2U) != 0 ? part.bounds.max.y : part.bounds.min.y,
+                            (i & 4U) != 0 ? part.bounds.max.z : part.bounds.min.z};
+        const auto seen = seen_at(session.navigation.view(), at, session.size());
+        if (!seen) return {};
+        const glm::vec2 place = canvas.low + glm::vec2{*seen} * scale;
+        return ImVec2{place.x, place.y};
+    };
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({canvas.low.x, canvas.low.y},
+                      {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
+    for (unsigned i = 0; i < 8; ++i) {
+        for (const unsigned axis : {1U, 2U, 4U}) {
+            const std::optional<ImVec2> from = corner(i), to = corner(i | axis);
+            if ((i & axis) == 0 && from && to) list.AddLine(*from, *to, theme::colors().accent, 1);
+        }
+    }
+    list.PopClipRect();
+    const std::string name = session.model()->parts.path_of(*session.selected);
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+    const ImVec2 low{canvas.low.x + ui.points(20),
+                     canvas.low.y + canvas.size.y - size.y - ui.points(18)};
+    const float pad = ui.points(8);
+    list.AddRectFilled({low.x - pad, low.y - pad / 2},
+                       {low.x + size.x + pad, low.y + size.y + pad / 2}, theme::colors().panel,
+                       ui.points(4));
+    list.AddText(low, theme::colors().ink, name.c_str());
 }
 
 void invitation(const Ui& ui, Area canvas) {
@@ -112,7 +156,7 @@ void invitation(const Ui& ui, Area canvas) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     list.AddText({canvas.low.x + 0.5F * (canvas.size.x - size.x),
                   canvas.low.y + 0.5F * canvas.size.y - ui.points(8)},
-                 theme::quiet, text);
+                 theme::colors().quiet, text);
 }
 
 void at_work(const Ui& ui, Area canvas) {
@@ -125,6 +169,7 @@ void at_work(const Ui& ui, Area canvas) {
 
 void draw_canvas_overlays(Ui& ui, Area canvas) {
     if (ui.session.settings.split && ui.session.picture(1) != nullptr) split_handle(ui, canvas);
+    if (ui.session.model() != nullptr) selection(ui, canvas);
     toolbar(ui, canvas);
     if (ui.session.loader.busy())
         loading(ui, canvas);
@@ -143,7 +188,7 @@ void draw_messages(Ui& ui, Area canvas) {
         begin_overlay(ui, name.c_str(), {canvas.low.x + ui.points(12), y}, {0, 0});
         const float width = std::min(canvas.size.x - ui.points(80), ui.points(560));
         if (message.error) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::alarm);
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::colors().alarm);
             ImGui::TextUnformatted(
                 message.count > 1
                     ? fmt::format("That did not work ({} times)", message.count).c_str()
@@ -166,7 +211,7 @@ void draw_help(Ui& ui, Area canvas) {
         const char* key;
         const char* what;
     };
-    static constexpr std::array<Row, 22> rows{{{"Left drag", "Orbit the point under the mouse"},
+    static constexpr std::array<Row, 29> rows{{{"Left drag", "Orbit the point under the mouse"},
                                                {"Middle or Shift + left drag", "Pan"},
                                                {"Wheel or Ctrl + left drag", "Go nearer, go away"},
                                                {"Right drag", "Look around"},
@@ -175,6 +220,12 @@ void draw_help(Ui& ui, Area canvas) {
                                                {"1 2 3", "Front, right, top"},
                                                {"4 5 6", "Back, left, bottom"},
                                                {"0", "Corner"},
+                                               {"Alt + left, right", "The camera before, after"},
+                                               {"", ""},
+                                               {"Click, double click", "Select a part, frame it"},
+                                               {"Delete, I, U", "Hide it, isolate it, show all"},
+                                               {"Ctrl + Z, Ctrl + Y", "Undo, redo"},
+                                               {"Ctrl + O, Ctrl + R", "Open a file, read it again"},
                                                {"", ""},
                                                {"M", "Next method"},
                                                {"N", "Next style"},
@@ -183,6 +234,7 @@ void draw_help(Ui& ui, Area canvas) {
                                                {"P", "Parallel lines of sight"},
                                                {"T", "Timings"},
                                                {"Tab", "Sidebar"},
+                                               {"L", "Light or dark"},
                                                {"", ""},
                                                {"Ctrl + S", "Save a PNG"},
                                                {"Ctrl + Shift + S", "Save an SVG"},

@@ -97,7 +97,7 @@ bool fine_quality(Ui& ui, Side& side) {
 
 void method_section(Ui& ui) {
     Settings& settings = ui.session.settings;
-    heading(ui, "Visibility");
+    if (!section(ui, "visibility", "Visibility")) return;
     bool changed = method(ui, settings.sides[0], "method", "Method");
     if (ImGui::TreeNodeEx("Finer settings", ImGuiTreeNodeFlags_SpanAvailWidth |
                                                 ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
@@ -113,7 +113,7 @@ void lines_section(Ui& ui) {
     LineKindMask& lines = ui.session.settings.lines;
     static constexpr std::array labels{"Creases",     "Boundaries",        "Materials",
                                        "Silhouettes", "Lines of the file", "Intersections"};
-    heading(ui, "Lines");
+    if (!section(ui, "lines", "Lines")) return;
     for (std::size_t kind = 0; kind < labels.size(); ++kind) {
         bool on = (lines >> kind & 1U) != 0;
         if (kind % 2 == 1) column(ui, 130);
@@ -192,6 +192,7 @@ void draw_sidebar(Ui& ui, Area area) {
     const float footer = 4 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
     ImGui::BeginChild("settings", {0, -footer});
     model_section(ui);
+    draw_parts_section(ui);
     method_section(ui);
     draw_style_section(ui);
     lines_section(ui);
@@ -201,7 +202,7 @@ void draw_sidebar(Ui& ui, Area area) {
     const float border = area.low.x + 0.5F;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRectFullScreen();
-    list.AddLine({border, area.low.y}, {border, area.low.y + area.size.y}, theme::line);
+    list.AddLine({border, area.low.y}, {border, area.low.y + area.size.y}, theme::colors().line);
     list.PopClipRect();
     ImGui::End();
 }

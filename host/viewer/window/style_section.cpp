@@ -109,7 +109,7 @@ bool effect_rows(Ui& ui, Style& style) {
 } // namespace
 
 void draw_style_section(Ui& ui) {
-    heading(ui, "Style");
+    if (!section(ui, "style", "Style")) return;
     style_list(ui);
     Style& style = ui.session.settings.style;
     const bool pen_changed = pen_rows(ui, style);

@@ -1,7 +1,10 @@
 #include "theme.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace lineatlas::viewer {
 namespace {
@@ -38,45 +41,76 @@ ImFont* load_fonts(float pixels_per_letter) {
     return fonts.AddFontDefault(&config);
 }
 
+constexpr theme::Colors light_colors{.ink = IM_COL32(38, 40, 44, 255),
+                                     .quiet = IM_COL32(108, 110, 116, 255),
+                                     .accent = IM_COL32(44, 98, 158, 255),
+                                     .line = IM_COL32(222, 220, 214, 255),
+                                     .panel = IM_COL32(248, 247, 244, 255),
+                                     .alarm = IM_COL32(176, 48, 40, 255)};
+constexpr theme::Colors dark_colors{.ink = IM_COL32(226, 226, 222, 255),
+                                    .quiet = IM_COL32(152, 154, 158, 255),
+                                    .accent = IM_COL32(72, 134, 204, 255),
+                                    .line = IM_COL32(64, 66, 70, 255),
+                                    .panel = IM_COL32(36, 38, 41, 255),
+                                    .alarm = IM_COL32(240, 120, 108, 255)};
+
+Theme& applied() {
+    static Theme theme = Theme::light;
+    return theme;
+}
+
+ImVec4 with_alpha(ImU32 color, float alpha) {
+    ImVec4 value = ImGui::ColorConvertU32ToFloat4(color);
+    value.w = alpha;
+    return value;
+}
+
 void set_colors(ImGuiStyle& style) {
-    const auto color = [](int r, int g, int b, float a = 1) {
-        constexpr float full = 255;
-        return ImVec4{static_cast<float>(r) / full, static_cast<float>(g) / full,
-                      static_cast<float>(b) / full, a};
-    };
-    const auto ink = [&](float a) { return color(38, 40, 44, a); };
-    const auto blue = [&](float a) { return color(44, 98, 158, a); };
-    ImGui::StyleColorsLight(&style);
+    const theme::Colors& now = theme::colors();
+    const auto ink = [&](float alpha) { return with_alpha(now.ink, alpha); };
+    const auto accent = [&](float alpha) { return with_alpha(now.accent, alpha); };
+    if (applied() == Theme::dark)
+        ImGui::StyleColorsDark(&style);
+    else
+        ImGui::StyleColorsLight(&style);
     ImVec4* c = style.Colors;
     c[ImGuiCol_Text] = ink(1);
-    c[ImGuiCol_TextDisabled] = color(120, 122, 128);
-    c[ImGuiCol_WindowBg] = color(248, 247, 244);
-    c[ImGuiCol_PopupBg] = color(255, 255, 254);
-    c[ImGuiCol_Border] = color(222, 220, 214);
-    c[ImGuiCol_FrameBg] = color(236, 234, 229);
-    c[ImGuiCol_FrameBgHovered] = color(228, 226, 220);
-    c[ImGuiCol_FrameBgActive] = color(220, 217, 210);
-    c[ImGuiCol_Button] = color(236, 234, 229);
-    c[ImGuiCol_ButtonHovered] = color(225, 222, 215);
-    c[ImGuiCol_ButtonActive] = color(212, 209, 201);
-    c[ImGuiCol_Header] = blue(0.12F);
-    c[ImGuiCol_HeaderHovered] = blue(0.18F);
-    c[ImGuiCol_HeaderActive] = blue(0.26F);
-    c[ImGuiCol_CheckMark] = blue(1);
-    c[ImGuiCol_SliderGrab] = blue(0.75F);
-    c[ImGuiCol_SliderGrabActive] = blue(1);
-    c[ImGuiCol_TextSelectedBg] = blue(0.25F);
-    c[ImGuiCol_ScrollbarBg] = color(0, 0, 0, 0);
-    c[ImGuiCol_ScrollbarGrab] = ink(0.16F);
-    c[ImGuiCol_ScrollbarGrabHovered] = ink(0.28F);
-    c[ImGuiCol_ScrollbarGrabActive] = ink(0.4F);
-    c[ImGuiCol_Separator] = color(222, 220, 214);
-    c[ImGuiCol_NavHighlight] = blue(0.8F);
+    c[ImGuiCol_TextDisabled] = with_alpha(now.quiet, 1);
+    c[ImGuiCol_WindowBg] = with_alpha(now.panel, 1);
+    c[ImGuiCol_PopupBg] = with_alpha(now.panel, 1);
+    c[ImGuiCol_Border] = c[ImGuiCol_Separator] = with_alpha(now.line, 1);
+    c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = ink(0.07F);
+    c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = ink(0.12F);
+    c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = ink(0.18F);
+    c[ImGuiCol_Header] = accent(0.16F);
+    c[ImGuiCol_HeaderHovered] = accent(0.24F);
+    c[ImGuiCol_HeaderActive] = accent(0.32F);
+    c[ImGuiCol_CheckMark] = accent(1);
+    // A grip lies over the number: it must be read through it.
+    c[ImGuiCol_SliderGrab] = accent(0.4F);
+    c[ImGuiCol_SliderGrabActive] = accent(0.6F);
+    c[ImGuiCol_TextSelectedBg] = accent(0.3F);
+    c[ImGuiCol_ScrollbarBg] = ink(0.04F);
+    c[ImGuiCol_ScrollbarGrab] = ink(0.28F);
+    c[ImGuiCol_ScrollbarGrabHovered] = ink(0.42F);
+    c[ImGuiCol_ScrollbarGrabActive] = ink(0.55F);
+    c[ImGuiCol_NavHighlight] = accent(0.8F);
 }
 
 } // namespace
 
-ImFont* apply_theme(float scale, float pixels_per_point) {
+const theme::Colors& theme::colors() {
+    return applied() == Theme::dark ? dark_colors : light_colors;
+}
+
+Theme theme_of_desktop() {
+    const char* name = std::getenv("GTK_THEME");
+    const bool dark = name != nullptr && std::string_view{name}.find("dark") != std::string::npos;
+    return dark ? Theme::dark : Theme::light;
+}
+
+ImFont* apply_theme(Theme theme, float scale, float pixels_per_point) {
+    applied() = theme;
     ImGuiIO& io = ImGui::GetIO();
     ImFont* bold = load_fonts(scale * pixels_per_point);
     io.FontGlobalScale = 1 / pixels_per_point;
@@ -86,11 +120,11 @@ ImFont* apply_theme(float scale, float pixels_per_point) {
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 5};
     style.ItemInnerSpacing = {8, 4};
-    style.ScrollbarSize = 8;
+    style.ScrollbarSize = 10;
     style.GrabMinSize = 12;
     style.WindowRounding = 0;
     style.PopupRounding = style.FrameRounding = style.GrabRounding = 4;
-    style.ScrollbarRounding = 4;
+    style.ScrollbarRounding = 5;
     style.WindowBorderSize = style.FrameBorderSize = style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.ScaleAllSizes(scale);

@@ -43,7 +43,7 @@ void graph(const Ui& ui, const Timings& timings) {
     ImGui::Dummy(size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 high{low.x + size.x, low.y + size.y};
-    list.AddRectFilled(low, high, IM_COL32_WHITE, ui.points(3));
+    list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), ui.points(3));
     const double ceiling = ceiling_of(timings);
     const float column = size.x / static_cast<float>(Timings::kept);
     const auto height = [&](double ms) { return static_cast<float>(ms / ceiling) * size.y; };
@@ -58,11 +58,13 @@ void graph(const Ui& ui, const Timings& timings) {
         x += column;
     }
     const float middle = 0.5F * (low.y + high.y);
-    list.AddLine({low.x, middle}, {high.x, middle}, IM_COL32(0, 0, 0, 28));
-    list.AddRect(low, high, theme::line, ui.points(3));
+    list.AddLine({low.x, middle}, {high.x, middle}, theme::colors().line);
+    list.AddRect(low, high, theme::colors().line, ui.points(3));
     const float inset = ui.points(4);
-    list.AddText({low.x + inset, low.y}, theme::quiet, fmt::format("{:g} ms", ceiling).c_str());
-    list.AddText({low.x + inset, middle}, theme::quiet, fmt::format("{:g}", ceiling / 2).c_str());
+    list.AddText({low.x + inset, low.y}, theme::colors().quiet,
+                 fmt::format("{:g} ms", ceiling).c_str());
+    list.AddText({low.x + inset, middle}, theme::colors().quiet,
+                 fmt::format("{:g}", ceiling / 2).c_str());
 }
 
 void legend(const Ui& ui, const Timings& timings) {

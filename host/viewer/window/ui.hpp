@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
+#include "theme.hpp"
 #include "viewer/session.hpp"
 
 namespace lineatlas::viewer {
@@ -54,9 +56,16 @@ struct Ui {
     Spots spots{};
     ImFont* bold = nullptr;
     float scale = 1; ///< of letters and spacing
+    Theme theme = Theme::light;
+    std::set<std::string> folded{}; ///< sections of the sidebar
     bool sidebar = true, help = false, timings = false;
     std::vector<DeviceChoice> devices{};
-    std::string open_path{}; ///< what is being typed
+    bool opening = false; ///< the panel of files is there
+    std::filesystem::path open_folder{};
+    std::vector<FileEntry> open_entries{};  ///< of it
+    std::string open_path{};                ///< what is being typed
+    std::string part_search{};              ///< the same
+    std::set<std::uint32_t> folded_parts{}; ///< those in them are not listed
     int save_scale = 1;
     std::string folder = "."; ///< where files are saved
     /// Work during which the window can't answer: it is done after a frame that says so.
@@ -76,11 +85,15 @@ float sidebar_width(const Ui& ui);
 
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);
+void draw_parts_section(Ui& ui);
 void draw_style_section(Ui& ui);
 void draw_device_section(Ui& ui);
 void draw_canvas_overlays(Ui& ui, Area canvas);
 void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
 void draw_help(Ui& ui, Area canvas);
+void draw_open_panel(Ui& ui, Area canvas);
+/// Lists the folder of the model, or the one that was listed last.
+void show_open_panel(Ui& ui);
 
 } // namespace lineatlas::viewer

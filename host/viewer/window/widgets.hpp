@@ -17,6 +17,29 @@ inline void heading(const Ui& ui, const char* text) {
     ImGui::PopFont();
 }
 
+/// A heading that folds what is below it by a click. Returns whether it is open.
+inline bool section(Ui& ui, const char* id, const char* text) {
+    ImGui::Dummy({0, ui.points(2)});
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+    if (ImGui::InvisibleButton(id, {width, height})) {
+        if (ui.folded.erase(id) == 0) ui.folded.insert(id);
+    }
+    ui.spots.note(std::string{"section:"} + id);
+    const bool open = !ui.folded.contains(id);
+    const ImU32 color = ImGui::IsItemHovered() ? theme::colors().accent : theme::colors().ink;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText(ui.bold, ImGui::GetFontSize(), low, color, text);
+    const float half = ui.points(4), x = low.x + width - 2 * half, y = low.y + 0.5F * height;
+    if (open)
+        list.AddTriangleFilled({x - half, y - half / 2}, {x + half, y - half / 2},
+                               {x, y + half / 2}, theme::colors().quiet);
+    else
+        list.AddTriangleFilled({x - half / 2, y - half}, {x + half / 2, y},
+                               {x - half / 2, y + half}, theme::colors().quiet);
+    return open;
+}
+
 /// Goes on in the same row, so far from its start.
 inline void column(const Ui& ui, float points) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + ui.points(points));
@@ -57,9 +80,9 @@ inline bool button(Ui& ui, const char* id, const char* text, float width = 0) {
 /// A button that stays pressed while `on`.
 inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float width = 0) {
     if (on) {
-        ImGui::PushStyleColor(ImGuiCol_Button, theme::accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::accent);
+        ImGui::PushStyleColor(ImGuiCol_Button, theme::colors().accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::colors().accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::colors().accent);
         ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
     }
     const bool pressed = button(ui, id, text, width);

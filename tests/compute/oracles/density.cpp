@@ -49,14 +49,10 @@ float chance(std::uint32_t x) {
 std::uint32_t priority_of(const DensityInput& in, std::uint32_t i) {
     const Segment& segment = in.segments[i];
     const std::uint32_t kind = segment.tag & LA_TAG_KIND_MASK;
-    float length = 1, tie = 0.5F;
-    if (kind != LA_KIND_SILHOUETTE) { // whose edges are parts of long lines
-        const std::uint32_t units =
-            in.arcs[i + segment.to_end + 1] - in.arcs[i - segment.from_start];
-        const float pixels = static_cast<float>(units) / LA_ARC_UNITS_PER_PIXEL;
-        length = std::min(rough_log2(1 + pixels / 16) * (1.0F / 6), 1.0F);
-        tie = chance(segment.path);
-    }
+    const std::uint32_t units = in.arcs[i + segment.to_end + 1] - in.arcs[i - segment.from_start];
+    const float pixels = static_cast<float>(units) / LA_ARC_UNITS_PER_PIXEL;
+    const float length = std::min(rough_log2(1 + pixels / 16) * (1.0F / 6), 1.0F);
+    const float tie = kind == LA_KIND_SILHOUETTE ? 0.5F : chance(segment.path); // chains change
     constexpr std::uint32_t most = (LA_DENSITY_BINS - 1) * LA_BIN_STEPS;
     const float priority = LA_PRIORITY_KIND * std::clamp(in.density.priority[kind], 0.0F, 1.0F) +
                            LA_PRIORITY_LENGTH * length + LA_PRIORITY_CHANCE * tie;

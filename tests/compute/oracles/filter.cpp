@@ -52,8 +52,6 @@ class PathFilter {
         last_ = segment + frame.segments[segment].to_end;
         half_length_ = static_cast<float>(frame.arcs[last_ + 1] - frame.arcs[first_]) *
                        (1.0F / LA_ARC_UNITS_PER_PIXEL) * 0.5F;
-        const std::uint32_t tag = frame.segments[first_].tag;
-        is_outline_ = (tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE && (tag & LA_TAG_LONE) == 0;
         seam_ = (frame.segments[first_].tag & LA_TAG_CLOSED) != 0 && frame.clipped[last_].t1 >= 1 &&
                 frame.clipped[first_].t0 <= 0 && frame.is_drawn(last_) && frame.is_drawn(first_);
         overshoot_ = in.filter.overshoot *
@@ -148,9 +146,8 @@ class PathFilter {
     }
 
     /// Whether a stroke may go on beyond an end, so that nobody knows how long it is.
-    bool is_cut_off(std::uint32_t kind) const {
-        return kind == LA_END_CLIPPED || kind == LA_END_JOIN ||
-               (kind == LA_END_PATH && is_outline_);
+    static bool is_cut_off(std::uint32_t kind) {
+        return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
     }
 
     /// Length of stroke that a run draws in a stretch, times its opacity.
@@ -393,7 +390,6 @@ class PathFilter {
     std::vector<Run>& out_;
     std::uint32_t first_, last_; ///< segments of the path
     float half_length_;
-    bool is_outline_; ///< an edge of a silhouette, which is a part of a longer line
     bool seam_;
     bool joined_ = false; ///< visible at its seam
     float overshoot_, seam_room_ = 0;

@@ -2,26 +2,23 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_set>
+
+#include "core/pair_key.hpp"
 
 namespace lineatlas {
 namespace {
-
-std::uint64_t edge_key(std::uint32_t p, std::uint32_t q) {
-    return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
-}
 
 struct TriangleEdge {
     std::uint64_t key;
     std::uint32_t triangle;
 };
 
-std::vector<TriangleEdge> sorted_edges(const std::vector<glm::uvec3>& triangles) {
+std::vector<TriangleEdge> sorted_edges(std::span<const glm::uvec3> triangles) {
     std::vector<TriangleEdge> edges;
     edges.reserve(3 * triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
-            edges.push_back({edge_key(triangles[i][k], triangles[i][(k + 1) % 3]), i});
+            edges.push_back({pair_key(triangles[i][k], triangles[i][(k + 1) % 3]), i});
         }
     }
     std::ranges::sort(edges, {}, [](const TriangleEdge& edge) {
@@ -53,28 +50,32 @@ class Sets {
 
 } // namespace
 
-std::vector<std::uint32_t> smooth_patches(const LineSet& lines) {
-    std::unordered_set<std::uint64_t> borders; // edges
-    std::unordered_set<std::uint64_t> parted;  // pairs of triangles
-    for (const Segment& segment : lines.segments) {
+std::vector<std::uint32_t> smooth_patches(std::span<const glm::uvec3> triangles,
+                                          std::span<const Segment> segments) {
+    std::vector<std::uint64_t> borders; // edges
+    std::vector<std::uint64_t> parted;  // pairs of triangles
+    for (const Segment& segment : segments) {
         const std::uint32_t kind = segment.tag & LA_TAG_KIND_MASK;
         if (kind == LA_KIND_SILHOUETTE || kind == LA_KIND_INTERSECTION) continue;
-        borders.insert(edge_key(segment.p, segment.q));
+        borders.push_back(pair_key(segment.p, segment.q));
         // A part of an edge has other ends than the edge.
         if (segment.face_b != LA_NO_FACE)
-            parted.insert(edge_key(segment.face_a, segment.face_b & LA_FACE_INDEX));
+            parted.push_back(pair_key(segment.face_a, segment.face_b & LA_FACE_INDEX));
     }
-    const std::vector<TriangleEdge> edges = sorted_edges(lines.triangles);
-    Sets patches{lines.triangles.size()};
+    std::ranges::sort(borders);
+    std::ranges::sort(parted);
+    const std::vector<TriangleEdge> edges = sorted_edges(triangles);
+    Sets patches{triangles.size()};
     for (std::size_t first = 0; first < edges.size();) {
         std::size_t end = first;
         while (end < edges.size() && edges[end].key == edges[first].key) ++end;
-        if (end - first == 2 && !borders.contains(edges[first].key) &&
-            !parted.contains(edge_key(edges[first].triangle, edges[first + 1].triangle)))
+        if (end - first == 2 && !std::ranges::binary_search(borders, edges[first].key) &&
+            !std::ranges::binary_search(parted,
+                                        pair_key(edges[first].triangle, edges[first + 1].triangle)))
             patches.unite(edges[first].triangle, edges[first + 1].triangle);
         first = end;
     }
-    std::vector<std::uint32_t> result(lines.triangles.size());
+    std::vector<std::uint32_t> result(triangles.size());
     for (std::uint32_t i = 0; i < result.size(); ++i) result[i] = patches.find(i);
     return result;
 }

@@ -1,19 +1,21 @@
-#include "framing_note.hpp"
+#include "far_part.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <vector>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
-namespace lineatlas::apps {
+namespace lineatlas {
 namespace {
 
 /// A part is small with at most this share of all triangles and lines,
 constexpr double small_share = 0.02;
+/// so small that nobody wants to see it from so far with at most this one,
+constexpr double tiny_share = 0.001;
 /// and far away where the frame would be at most this large without it.
 constexpr float far_ratio = 0.5F;
 /// The model in slices along an axis: gaps narrower than one are not seen.
@@ -67,7 +69,7 @@ struct Slices {
 
 } // namespace
 
-std::string framing_note(const LineSet& lines, glm::dvec3 origin) {
+std::optional<FarPart> find_far_part(const LineSet& lines) {
     const Bounds& all = lines.bounds;
     const glm::vec3 size = glm::max(all.max - all.min, glm::vec3{1e-30F});
     const auto slice_of = [&](float value, int axis) {
@@ -101,12 +103,34 @@ std::string framing_note(const LineSet& lines, glm::dvec3 origin) {
         else
             ++stray;
     });
-    if (stray == 0 || stray > most || extent(main) > far_ratio * extent(all)) return {};
-    const glm::dvec3 middle = 0.5 * (glm::dvec3{main.min} + glm::dvec3{main.max}) + origin;
-    return fmt::format("{} of {} triangles and lines lie far from all others, and the picture is "
-                       "{:.3g} times as wide for their sake; --eye and --target show the others, "
-                       "about {:.7g},{:.7g},{:.7g}",
-                       stray, total, extent(all) / extent(main), middle.x, middle.y, middle.z);
+    const float ratio = extent(all) / extent(main);
+    if (stray == 0 || stray > most || !(ratio * far_ratio >= 1)) return std::nullopt;
+    return FarPart{.count = stray, .total = total, .rest = main, .ratio = ratio};
 }
 
-} // namespace lineatlas::apps
+bool is_left_out(const FarPart& far) {
+    return static_cast<double>(far.count) <= tiny_share * static_cast<double>(far.total);
+}
+
+std::vector<glm::vec3> points_to_frame(const LineSet& lines, const std::optional<FarPart>& far) {
+    if (!far || !is_left_out(*far)) return lines.vertices;
+    std::vector<glm::vec3> points;
+    std::ranges::copy_if(lines.vertices, std::back_inserter(points), [&](const glm::vec3& p) {
+        return glm::all(glm::greaterThanEqual(p, far->rest.min)) &&
+               glm::all(glm::lessThanEqual(p, far->rest.max));
+    });
+    return points;
+}
+
+std::string note_of(const FarPart& far) {
+    const std::string parts =
+        fmt::format("{} of {} triangles and lines lie far from all others", far.count, far.total);
+    if (is_left_out(far))
+        return fmt::format("{}; they are not framed, which would make the picture {:.3g} times as "
+                           "wide",
+                           parts, far.ratio);
+    return fmt::format("{}, and the picture is {:.3g} times as wide for their sake", parts,
+                       far.ratio);
+}
+
+} // namespace lineatlas

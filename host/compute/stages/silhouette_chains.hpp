@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+
+/// The silhouettes of a frame as paths: they take the place of the candidates in the table of
+/// segments that later stages work on. Keeps the tables of the stages `silhouette` and `chain`,
+/// which grow when a frame needs more.
+class SilhouetteChains {
+  public:
+    /// `stages` must outlive it.
+    explicit SilhouetteChains(Stages& stages) : stages_(stages), device_(stages.device()) {}
+
+    /// Gives up its tables: those of a large model may not fit beside another's.
+    void release();
+
+    /// The table of a frame in which no candidate is drawn.
+    SegmentTable without(const SegmentTable& table);
+    /// The table of a frame whose triangles face the eye as `front` says; waits for the number of
+    /// silhouettes. `clock(name, action)` runs a stage.
+    template <class Clock>
+    SegmentTable find(const SegmentTable& table, Buffer& front, const glm::vec4& eye,
+                      Clock&& clock) {
+        if (table.candidates.count == 0) return without(table);
+        clock("silhouette", [&] { count(table, front); });
+        if (count_ == 0) return with_none(table);
+        clock("chain", [&] { chain(table, eye); });
+        return with_chains(table);
+    }
+
+    /// Where the silhouettes of the last frame came from, as chain_write has it; waits. Empty if
+    /// there were none.
+    std::vector<std::uint32_t> read_origins() const;
+    std::uint32_t first() const { return first_; } ///< segment of them
+    /// For `temporal`; `positions_before` holds as many as `table.candidates`. Not where the last
+    /// frame was without().
+    ChainOrder order(const SegmentTable& table, Buffer& positions_before) const;
+    bool has_order() const { return has_order_; }
+    std::uint64_t bytes() const; ///< of all its tables
+
+  private:
+    void count(const SegmentTable& table, Buffer& front);
+    void chain(const SegmentTable& table, const glm::vec4& eye);
+    SegmentTable with_none(const SegmentTable& table);
+    SegmentTable with_chains(const SegmentTable& table) const;
+    /// True if the buffer is new.
+    bool make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes);
+    void copy_fixed(const SegmentTable& table);
+
+    template <class Self>
+    static auto tables(Self& self) {
+        return std::array{&self.numbers_, &self.positions_, &self.ordered_, &self.chosen_,
+                          &self.ways_,    &self.longer_,    &self.going_,   &self.places_,
+                          &self.starts_,  &self.origins_};
+    }
+
+    Stages& stages_;
+    Device& device_; ///< of stages_
+    std::uint32_t first_ = 0;
+    std::uint32_t count_ = 0; ///< silhouettes of the last frame
+    bool has_order_ = false;
+    const Buffer* fixed_of_ = nullptr;            ///< whose fixed lines stand in `ordered_`
+    std::unique_ptr<Buffer> numbers_, positions_; // per candidate
+    std::unique_ptr<Buffer> ordered_, chosen_, ways_, longer_, going_, places_; // that grow
+    std::unique_ptr<Buffer> starts_, origins_;
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,220 @@
+#include "line_pens.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "flags.h"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+bool operator==(const Pen& a, const Pen& b) {
+    return a.mark == b.mark && a.width == b.width && a.color == b.color && a.opacity == b.opacity &&
+           a.join == b.join && a.mitre_limit == b.mitre_limit && a.cap == b.cap &&
+           a.path_cap == b.path_cap && a.cap_length == b.cap_length &&
+           a.width_profile == b.width_profile && a.opacity_profile == b.opacity_profile;
+}
+
+/// Whether a name is what a pattern stands for: `*` for any letters, `?` for one.
+bool matches(std::string_view pattern, std::string_view name) {
+    std::size_t p = 0, n = 0;
+    std::optional<std::size_t> star; // where to go on after letters more for the last `*`
+    std::size_t from = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = ++p;
+            from = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++p;
+            ++n;
+        } else if (star) {
+            p = *star;
+            n = ++from;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+bool fits(const PenMatch& match, const MeshGroup& group) {
+    return (match.object.empty() || matches(match.object, group.object)) &&
+           (match.material.empty() || matches(match.material, group.material));
+}
+
+bool names_group(const PenMatch& match) {
+    return !match.object.empty() || !match.material.empty();
+}
+
+bool has_kind(const PenMatch& match, std::string_view kind) {
+    return std::ranges::find(match.kinds, kind) != match.kinds.end();
+}
+
+bool fits(const PenMatch& match, const LineClasses& classes, const LineClasses::Class& line,
+          bool outline) {
+    const std::string_view kind = line_kind_names[static_cast<std::size_t>(line.kind)];
+    if (!match.kinds.empty() && !has_kind(match, kind) &&
+        !(outline && has_kind(match, outline_name)))
+        return false;
+    if (!names_group(match)) return true;
+    const auto fits_group = [&](std::uint32_t group) {
+        return group != LineClasses::no_group && fits(match, classes.groups[group]);
+    };
+    return fits_group(line.group_a) || fits_group(line.group_b);
+}
+
+std::string quoted_names(const std::set<std::string>& names) {
+    constexpr std::size_t most = 8;
+    std::string text;
+    std::size_t count = 0;
+    for (const std::string& name : names) {
+        if (count++ == most) return text + " and " + std::to_string(names.size() - most) + " more";
+        text += (text.empty() ? "\"" : ", \"") + name + "\"";
+    }
+    return text;
+}
+
+} // namespace
+
+bool can_be_outline(LineKind kind) {
+    return kind != LineKind::file && kind != LineKind::section && kind != LineKind::hatching;
+}
+
+LineClasses line_classes(const LineSet& lines) {
+    LineClasses result;
+    result.groups = lines.groups;
+    result.of_segment.reserve(lines.segments.size());
+    const auto group_of = [&](std::uint32_t face) {
+        const std::uint32_t triangle = face & LA_FACE_INDEX;
+        return face == LA_NO_FACE || triangle >= lines.triangle_group.size()
+                   ? LineClasses::no_group
+                   : lines.triangle_group[triangle];
+    };
+    std::map<LineClasses::Class, std::uint32_t> known;
+    for (const Segment& segment : lines.segments) {
+        std::uint32_t a = group_of(segment.face_a), b = group_of(segment.face_b);
+        if (a > b) std::swap(a, b);
+        const LineClasses::Class own{static_cast<LineKind>(segment.tag & LA_TAG_KIND_MASK), a, b};
+        const bool as_before =
+            !result.of_segment.empty() && result.classes[result.of_segment.back()] == own;
+        if (as_before) {
+            result.of_segment.push_back(result.of_segment.back());
+            continue;
+        }
+        const auto [found, is_new] =
+            known.emplace(own, static_cast<std::uint32_t>(result.classes.size()));
+        if (is_new) result.classes.push_back(own);
+        result.of_segment.push_back(found->second);
+    }
+    return result;
+}
+
+Pen with_rule(Pen pen, const PenRule& rule, const Pen& own) {
+    const auto take = [](const auto& given, auto& member) {
+        if (given) member = *given;
+    };
+    take(rule.mark, pen.mark);
+    take(rule.width, pen.width);
+    if (rule.width_factor) pen.width = own.width * *rule.width_factor;
+    take(rule.color, pen.color);
+    take(rule.opacity, pen.opacity);
+    take(rule.join, pen.join);
+    take(rule.mitre_limit, pen.mitre_limit);
+    take(rule.cap, pen.cap);
+    take(rule.path_cap, pen.path_cap);
+    take(rule.cap_length, pen.cap_length);
+    take(rule.width_profile, pen.width_profile);
+    take(rule.opacity_profile, pen.opacity_profile);
+    return pen;
+}
+
+bool LinePens::tell_outlines() const {
+    return std::ranges::any_of(of_class,
+                               [](const OfClass& own) { return own.inner != own.outline; });
+}
+
+float LinePens::widest() const {
+    return std::ranges::max_element(pens, {}, &Pen::width)->width;
+}
+
+LinePens line_pens(const LineClasses& classes, const Style& style) {
+    LinePens result;
+    result.pens.push_back(style.pen);
+    result.of_class.resize(classes.classes.size());
+    const auto pen_of = [&](const LineClasses::Class& line, bool outline) {
+        Pen pen = style.pen;
+        for (const PenRule& rule : style.pens)
+            if (fits(rule.match, classes, line, outline))
+                pen = with_rule(std::move(pen), rule, style.pen);
+        const auto known =
+            std::ranges::find_if(result.pens, [&](const Pen& other) { return other == pen; });
+        if (known != result.pens.end())
+            return static_cast<std::uint32_t>(known - result.pens.begin());
+        result.pens.push_back(pen);
+        return static_cast<std::uint32_t>(result.pens.size() - 1);
+    };
+    for (std::size_t i = 0; i < classes.classes.size(); ++i)
+        result.of_class[i].inner = pen_of(classes.classes[i], false);
+    for (std::size_t i = 0; i < classes.classes.size(); ++i) {
+        const LineClasses::Class& line = classes.classes[i];
+        result.of_class[i].outline =
+            can_be_outline(line.kind) ? pen_of(line, true) : result.of_class[i].inner;
+    }
+    if (result.pens.size() > LA_RUN_PEN_MASK + 1) {
+        throw UsageError("the style's rules make " + std::to_string(result.pens.size()) +
+                         " different pens for these lines; there may be " +
+                         std::to_string(LA_RUN_PEN_MASK + 1));
+    }
+    return result;
+}
+
+bool tells_outlines(const Style& style) {
+    return std::ranges::any_of(
+        style.pens, [](const PenRule& rule) { return has_kind(rule.match, outline_name); });
+}
+
+std::vector<std::string> idle_rules(const LineClasses& classes, const Style& style) {
+    std::set<std::string> objects, materials;
+    for (const MeshGroup& group : classes.groups) {
+        if (!group.object.empty()) objects.insert(group.object);
+        if (!group.material.empty()) materials.insert(group.material);
+    }
+    std::vector<std::string> lines;
+    for (const PenRule& rule : style.pens) {
+        const PenMatch& match = rule.match;
+        const auto fits_one = [&](const MeshGroup& group) { return fits(match, group); };
+        if (!names_group(match) || std::ranges::any_of(classes.groups, fits_one)) continue;
+        std::string text = "pens: nothing";
+        if (!match.object.empty()) text += " is called \"" + match.object + "\"";
+        if (!match.object.empty() && !match.material.empty()) text += " and";
+        if (!match.material.empty()) text += " has the material \"" + match.material + "\"";
+        const std::set<std::string>& known = match.object.empty() ? materials : objects;
+        lines.push_back(text + (known.empty() ? "; the model names none"
+                                              : "; there is " + quoted_names(known)));
+    }
+    return lines;
+}
+
+void scale_lengths(Style& scaled, glm::ivec2 size) {
+    const auto shorter = static_cast<float>(std::min(size.x, size.y));
+    if (!(scaled.made_for > 0) || !(shorter > 0)) return;
+    const float scale = std::max(shorter / scaled.made_for, 1.0F); // thinner ones would fade
+    const auto grow = [&](auto&... lengths) { ((lengths *= scale), ...); };
+    grow(scaled.pen.width, scaled.pen.cap_length, scaled.hidden_pen.width,
+         scaled.hidden_pen.cap_length, scaled.filter.fill, scaled.filter.drop,
+         scaled.filter.overshoot, scaled.filter.undershoot, scaled.filter.halo);
+    scaled.density.limit /= scale; // as many lines in fewer pixels
+    for (PenRule& rule : scaled.pens) {
+        if (rule.width) *rule.width *= scale;
+        if (rule.cap_length) *rule.cap_length *= scale;
+    }
+    scaled.made_for = 0;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace lineatlas::threemf {
+
+/// Refuses, by name, the first extension that the first tag of a model requires and that is not
+/// read: lib3mf only warns of it, and does not say which. `head` is the begin of the model's XML.
+void check_required_extensions(std::string_view head);
+
+} // namespace lineatlas::threemf

@@ -1,0 +1,261 @@
+#include "bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <NCollection_DataMap.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+
+namespace lineatlas::brep {
+
+namespace {
+
+/// The colours of faces that have been sewn, which are others than those of the file.
+class SewnColors : public FaceColors {
+  public:
+    explicit SewnColors(std::unique_ptr<FaceColors> file) : file_(std::move(file)) {}
+
+    std::optional<glm::vec3> color(const TopoDS_Shape& face) const override {
+        if (const glm::vec3* known = sewn_.Seek(face)) return *known;
+        return file_ ? file_->color(face) : std::nullopt;
+    }
+    void add(const TopoDS_Shape& face, const glm::vec3& color) { sewn_.Bind(face, color); }
+
+  private:
+    std::unique_ptr<FaceColors> file_;
+    NCollection_DataMap<TopoDS_Shape, glm::vec3, TopTools_ShapeMapHasher> sewn_;
+};
+
+bool is_curve(const TopoDS_Shape& shape) {
+    return shape.ShapeType() == TopAbs_EDGE || shape.ShapeType() == TopAbs_WIRE;
+}
+
+double size_of(const TopoDS_Shape& shape) {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, false);
+    if (box.IsVoid() || box.IsOpen()) return 0;
+    return std::sqrt(box.SquareExtent());
+}
+
+/// A shell without an end is what a solid is bounded by; its faces then look outwards.
+TopoDS_Shape as_solid(const TopoDS_Shape& shape) {
+    if (shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) return shape;
+    BRepBuilderAPI_MakeSolid made(TopoDS::Shell(shape));
+    if (!made.IsDone()) return shape;
+    TopoDS_Solid solid = made.Solid();
+    BRepLib::OrientClosedSolid(solid);
+    return solid;
+}
+
+TopoDS_Shape with_solids(const TopoDS_Shape& sewn) {
+    if (sewn.ShapeType() != TopAbs_COMPOUND) return as_solid(sewn);
+    TopoDS_Compound result;
+    BRep_Builder builder;
+    builder.MakeCompound(result);
+    for (TopoDS_Iterator each(sewn); each.More(); each.Next())
+        builder.Add(result, as_solid(each.Value()));
+    return result;
+}
+
+class Bodies {
+  public:
+    Bodies(Assembly& assembly, const ShapeNames& names, double tolerance)
+        : assembly_(assembly), names_(names), tolerance_(tolerance),
+          colors_(std::make_unique<SewnColors>(std::move(assembly.colors))) {}
+
+    void sew() {
+        collect_loose();
+        // Parts of bodies stand right behind the part that they are in.
+        std::vector<std::uint32_t> moved(old_parts_.size());
+        std::vector<std::vector<const Instance*>> instances(old_parts_.size());
+        for (const Instance& instance : old_instances_)
+            instances[instance.part].push_back(&instance);
+        for (std::size_t i = 0; i < old_parts_.size(); ++i) {
+            ModelPart part = old_parts_[i];
+            if (part.parent != ModelPart::none) part.parent = moved[part.parent];
+            moved[i] = static_cast<std::uint32_t>(assembly_.parts.size());
+            assembly_.parts.push_back(std::move(part));
+            for (const Instance* instance : instances[i]) place(*instance, moved[i]);
+        }
+        assembly_.colors = std::move(colors_);
+    }
+
+  private:
+    /// Faces and curves at the top, which are many and belong together: a part of each kind.
+    void collect_loose() {
+        BRep_Builder builder;
+        TopoDS_Compound faces, curves;
+        builder.MakeCompound(faces);
+        builder.MakeCompound(curves);
+        std::vector<bool> loose(assembly_.parts.size(), false);
+        bool has_faces = false, has_curves = false;
+        for (const Instance& instance : assembly_.instances) {
+            if (assembly_.parts[instance.part].parent != ModelPart::none) continue;
+            const bool face = instance.shape.ShapeType() == TopAbs_FACE;
+            if (!face && !is_curve(instance.shape)) continue;
+            const TopoDS_Shape shape = instance.shape.Located(instance.location);
+            builder.Add(face ? faces : curves, shape);
+            (face ? has_faces : has_curves) = true;
+            loose[instance.part] = true;
+            const std::optional<glm::vec3> own = colors_->color(instance.shape);
+            const std::optional<glm::vec3> color = own ? own : instance.color;
+            if (face && color) colors_->add(shape, *color);
+        }
+        std::vector<std::uint32_t> moved(assembly_.parts.size());
+        for (std::size_t i = 0; i < assembly_.parts.size(); ++i) {
+            if (loose[i]) continue;
+            ModelPart& part = assembly_.parts[i];
+            if (part.parent != ModelPart::none) part.parent = moved[part.parent];
+            moved[i] = static_cast<std::uint32_t>(old_parts_.size());
+            old_parts_.push_back(std::move(part));
+        }
+        for (Instance& instance : assembly_.instances) {
+            if (loose[instance.part]) continue;
+            instance.part = moved[instance.part];
+            old_instances_.push_back(std::move(instance));
+        }
+        const auto add = [&](bool there, const char* name, const TopoDS_Shape& shape) {
+            if (!there) return;
+            old_instances_.push_back({.part = static_cast<std::uint32_t>(old_parts_.size()),
+                                      .shape = shape,
+                                      .location = TopLoc_Location(),
+                                      .color = std::nullopt});
+            old_parts_.push_back({.name = name});
+        };
+        add(has_faces, "surfaces", faces);
+        add(has_curves, "curves", curves);
+        assembly_.parts.clear();
+        assembly_.instances.clear();
+    }
+
+    void place(const Instance& instance, std::uint32_t part) {
+        std::vector<TopoDS_Shape> bodies;
+        find_bodies(instance.shape, 0, bodies);
+        int number = 0;
+        for (const TopoDS_Shape& body : bodies) {
+            const TopoDS_Shape here = body.Located(TopLoc_Location());
+            Instance placed{.part = part,
+                            .shape = sewn(here),
+                            .location = instance.location * body.Location(),
+                            .color = instance.color};
+            if (bodies.size() > 1) {
+                placed.part = static_cast<std::uint32_t>(assembly_.parts.size());
+                const std::string* name = names_.Seek(here);
+                ++number;
+                assembly_.parts.push_back(
+                    {.name = name != nullptr ? *name : "body " + std::to_string(number),
+                     .parent = part});
+            }
+            assembly_.instances.push_back(std::move(placed));
+        }
+    }
+
+    /// A group that holds no group is one body.
+    static void find_bodies(const TopoDS_Shape& shape, int level,
+                            std::vector<TopoDS_Shape>& bodies) {
+        constexpr int most_levels = 200;
+        if (level > most_levels) throw std::runtime_error("its groups are too deep");
+        bool has_groups = false;
+        if (shape.ShapeType() == TopAbs_COMPOUND)
+            for (TopoDS_Iterator each(shape); each.More(); each.Next())
+                has_groups = has_groups || each.Value().ShapeType() < TopAbs_FACE;
+        if (!has_groups) {
+            bodies.push_back(shape);
+            return;
+        }
+        TopoDS_Compound rest;
+        BRep_Builder builder;
+        builder.MakeCompound(rest);
+        bool has_rest = false;
+        for (TopoDS_Iterator each(shape); each.More(); each.Next()) {
+            if (each.Value().ShapeType() < TopAbs_FACE) {
+                find_bodies(each.Value(), level + 1, bodies);
+            } else {
+                builder.Add(rest, each.Value());
+                has_rest = true;
+            }
+        }
+        if (has_rest) bodies.push_back(rest);
+    }
+
+    /// Of several instances the same. Solids and shells are sewn already.
+    const TopoDS_Shape& sewn(const TopoDS_Shape& body) {
+        if (const TopoDS_Shape* known = sewn_.Seek(body)) return *known;
+        sewn_.Bind(body, body.ShapeType() == TopAbs_COMPOUND ? sew_faces(body) : body);
+        return sewn_.Find(body);
+    }
+
+    /// The colour of all faces that have one. Open CASCADE loses those of faces that it had to
+    /// mend.
+    std::optional<glm::vec3> common_color(const TopoDS_Shape& group) const {
+        std::optional<glm::vec3> common;
+        for (TopExp_Explorer faces(group, TopAbs_FACE); faces.More(); faces.Next()) {
+            const std::optional<glm::vec3> color = colors_->color(faces.Current());
+            if (common && color && *common != *color) return std::nullopt;
+            if (color) common = color;
+        }
+        return common;
+    }
+
+    TopoDS_Shape sew_faces(const TopoDS_Shape& group) {
+        constexpr double share = 1e-5;
+        BRepBuilderAPI_Sewing sewing(std::max(tolerance_, share * size_of(group)));
+        TopoDS_Compound curves;
+        BRep_Builder builder;
+        builder.MakeCompound(curves);
+        bool has_curves = false, has_faces = false;
+        for (TopoDS_Iterator each(group); each.More(); each.Next()) {
+            if (each.Value().ShapeType() == TopAbs_FACE) {
+                sewing.Add(each.Value());
+                has_faces = true;
+            } else {
+                builder.Add(curves, each.Value());
+                has_curves = true;
+            }
+        }
+        if (!has_faces) return group;
+        sewing.Perform();
+        if (sewing.SewedShape().IsNull()) return group; // faces without a common edge, then
+        const std::optional<glm::vec3> common = common_color(group);
+        for (TopExp_Explorer faces(group, TopAbs_FACE); faces.More(); faces.Next()) {
+            const std::optional<glm::vec3> own = colors_->color(faces.Current());
+            const std::optional<glm::vec3> color = own ? own : common;
+            if (color) colors_->add(sewing.ModifiedSubShape(faces.Current()), *color);
+        }
+        const TopoDS_Shape result = with_solids(sewing.SewedShape());
+        if (!has_curves) return result;
+        builder.Add(curves, result);
+        return curves;
+    }
+
+    Assembly& assembly_;
+    const ShapeNames& names_;
+    double tolerance_;
+    std::unique_ptr<SewnColors> colors_;
+    std::vector<ModelPart> old_parts_;
+    std::vector<Instance> old_instances_;
+    NCollection_DataMap<TopoDS_Shape, TopoDS_Shape, TopTools_ShapeMapHasher> sewn_;
+};
+
+} // namespace
+
+void sew_bodies(Assembly& assembly, const ShapeNames& names, double tolerance) {
+    Bodies{assembly, names, tolerance}.sew();
+}
+
+} // namespace lineatlas::brep

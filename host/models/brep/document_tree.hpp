@@ -1,0 +1,13 @@
+#pragma once
+
+#include <TDocStd_Document.hxx>
+
+#include "assembly.hpp"
+
+namespace lineatlas::brep {
+
+/// Parts, instances and colours of a document that Open CASCADE made of a file. Throws
+/// std::runtime_error where the tree is too deep or has too many parts.
+void read_document(const Handle(TDocStd_Document) & document, Assembly& assembly);
+
+} // namespace lineatlas::brep

@@ -1,0 +1,134 @@
+#include "pen_rules.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/line_pens.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/lines.hpp"
+#include "settings.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr std::string_view factor_key = "width-factor";
+
+/// Calls `each(key, member of PenRule, member of Pen)` for all that a rule can say of a pen.
+template <class Each>
+void for_each_member(Each each) {
+    each("pen", &PenRule::mark, &Pen::mark);
+    each("width", &PenRule::width, &Pen::width);
+    each("color", &PenRule::color, &Pen::color);
+    each("opacity", &PenRule::opacity, &Pen::opacity);
+    each("join", &PenRule::join, &Pen::join);
+    each("mitre-limit", &PenRule::mitre_limit, &Pen::mitre_limit);
+    each("cap", &PenRule::cap, &Pen::cap);
+    each("path-cap", &PenRule::path_cap, &Pen::path_cap);
+    each("cap-length", &PenRule::cap_length, &Pen::cap_length);
+    each("width-profile", &PenRule::width_profile, &Pen::width_profile);
+    each("opacity-profile", &PenRule::opacity_profile, &Pen::opacity_profile);
+}
+
+std::vector<std::string> known_keys() {
+    std::vector<std::string> keys{"match"};
+    for_each_member([&](const char* key, auto, auto) { keys.emplace_back(key); });
+    keys.emplace_back(factor_key);
+    return keys;
+}
+
+UsageError unknown_key(std::string_view key) {
+    std::string advice = suggestion(key, known_keys());
+    if (advice.empty()) advice = fmt::format("; there is {}", fmt::join(known_keys(), ", "));
+    return UsageError{fmt::format("pens: a rule has no \"{}\"{}", key, advice)};
+}
+
+std::vector<std::string> known_kinds() {
+    std::vector<std::string> kinds{line_kind_names.begin(), line_kind_names.end()};
+    kinds.emplace_back(outline_name);
+    return kinds;
+}
+
+void set_factor(PenRule& rule, const SettingValue& value) {
+    const double* given = std::get_if<double>(&value);
+    if (given == nullptr || !(*given >= 0.01) || !(*given <= 100))
+        throw wrong_value(factor_key, "a number from 0.01 to 100", {}, value);
+    rule.width_factor = static_cast<float>(*given);
+}
+
+std::string match_to_toml(const PenMatch& match) {
+    std::vector<std::string> parts;
+    const auto text = [](const std::string& value) { return value_to_toml(SettingValue{value}); };
+    if (!match.kinds.empty()) {
+        std::vector<std::string> kinds;
+        for (const std::string& kind : match.kinds) kinds.push_back(text(kind));
+        parts.push_back(kinds.size() == 1 ? "kind = " + kinds.front()
+                                          : fmt::format("kind = [{}]", fmt::join(kinds, ", ")));
+    }
+    if (!match.object.empty()) parts.push_back("object = " + text(match.object));
+    if (!match.material.empty()) parts.push_back("material = " + text(match.material));
+    return parts.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(parts, ", "));
+}
+
+} // namespace
+
+const Setting& pen_setting(std::string_view key) {
+    bool known = false;
+    for_each_member([&](std::string_view own, auto, auto) { known = known || own == key; });
+    if (!known) throw unknown_key(key);
+    return find_setting(key);
+}
+
+void set_pen_key(PenRule& rule, std::string_view key, const SettingValue& value) {
+    if (key == factor_key) return set_factor(rule, value);
+    Style style;
+    set_value(style, pen_setting(key), value, key);
+    for_each_member([&](std::string_view own, auto of_rule, auto of_pen) {
+        if (own == key) rule.*of_rule = style.pen.*of_pen;
+    });
+}
+
+void set_match_key(PenMatch& match, std::string_view key, const std::vector<std::string>& values) {
+    if (key == "kind") {
+        const std::vector<std::string> kinds = known_kinds();
+        for (const std::string& kind : values) {
+            if (std::ranges::find(kinds, kind) != kinds.end()) continue;
+            std::string advice = suggestion(kind, kinds);
+            if (advice.empty()) advice = fmt::format("; there is {}", fmt::join(kinds, ", "));
+            throw UsageError(fmt::format("pens: there is no kind \"{}\"{}", kind, advice));
+        }
+        match.kinds = values;
+        return;
+    }
+    if (key != "object" && key != "material") {
+        throw UsageError(
+            fmt::format("pens: match knows no \"{}\"; there is kind, object and material", key));
+    }
+    if (values.size() != 1 || values.front().empty())
+        throw UsageError(fmt::format("pens: {} must be a name, with * and ? if need be", key));
+    (key == "object" ? match.object : match.material) = values.front();
+}
+
+std::vector<std::pair<std::string, SettingValue>> pen_values(const PenRule& rule) {
+    std::vector<std::pair<std::string, SettingValue>> values;
+    for_each_member([&](const char* key, auto of_rule, auto of_pen) {
+        if (!(rule.*of_rule)) return;
+        Style style;
+        style.pen.*of_pen = *(rule.*of_rule);
+        values.emplace_back(key, find_setting(key).get(style));
+    });
+    if (rule.width_factor) values.emplace_back(factor_key, double{*rule.width_factor});
+    return values;
+}
+
+std::string pens_to_toml(const std::vector<PenRule>& rules) {
+    std::string text;
+    for (const PenRule& rule : rules) {
+        text += "\n[[pens]]\nmatch = " + match_to_toml(rule.match) + "\n";
+        for (const auto& [key, value] : pen_values(rule))
+            text += fmt::format("{} = {}\n", key, value_to_toml(value));
+    }
+    return text;
+}
+
+} // namespace lineatlas

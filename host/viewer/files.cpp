@@ -1,0 +1,84 @@
+#include "files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "io/extension.hpp"
+#include "io/model_loader.hpp"
+#include "lineatlas/error.hpp"
+#include "saving.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_recent = 12;
+
+bool can_open(const fs::path& file) {
+    static constexpr std::array<std::string_view, 7> known{".obj", ".ply",  ".stl", ".off",
+                                                           ".om",  ".toml", ".json"};
+    const std::string extension = lower_extension(file);
+    return std::ranges::find(known, extension) != known.end() || is_read_by_module(extension);
+}
+
+} // namespace
+
+std::vector<FileEntry> list_folder(const fs::path& folder) {
+    std::vector<FileEntry> entries;
+    std::error_code failure;
+    for (fs::directory_iterator at{folder, failure}, end; !failure && at != end;
+         at.increment(failure)) {
+        if (at->path().filename().string().starts_with('.')) continue;
+        std::error_code unknown;
+        const bool is_folder = at->is_directory(unknown);
+        if (is_folder || (at->is_regular_file(unknown) && can_open(at->path())))
+            entries.push_back({at->path(), is_folder});
+    }
+    std::ranges::sort(entries, [](const FileEntry& a, const FileEntry& b) {
+        return a.is_folder != b.is_folder ? a.is_folder : a.path < b.path;
+    });
+    return entries;
+}
+
+RecentFiles::RecentFiles(fs::path store) : store_(std::move(store)) {
+    std::ifstream file{store_};
+    for (std::string line; all_.size() < most_recent && std::getline(file, line);)
+        if (!line.empty()) all_.emplace_back(line);
+}
+
+void RecentFiles::add(const fs::path& file) {
+    std::error_code failure;
+    fs::path whole = fs::absolute(file, failure);
+    if (failure || whole.string().find('\n') != std::string::npos) return;
+    std::erase(all_, whole);
+    all_.insert(all_.begin(), std::move(whole));
+    if (all_.size() > most_recent) all_.resize(most_recent);
+    if (store_.empty()) return;
+    std::string text;
+    for (const fs::path& path : all_) text += path.string() + '\n';
+    fs::create_directories(store_.parent_path(), failure);
+    try {
+        save_text(text, store_);
+    } catch (const FileError&) { // said so in the header
+    }
+}
+
+fs::path recent_files_store() {
+    const auto folder = [](const char* name) {
+        const char* value = std::getenv(name);
+        const fs::path path = value != nullptr ? value : "";
+        return path.is_absolute() ? path : fs::path{};
+    };
+    if (const fs::path state = folder("XDG_STATE_HOME"); !state.empty())
+        return state / "lineatlas" / "recent";
+    if (const fs::path home = folder("HOME"); !home.empty())
+        return home / ".local" / "state" / "lineatlas" / "recent";
+    return {};
+}
+
+} // namespace lineatlas::viewer

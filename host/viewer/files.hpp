@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace lineatlas::viewer {
+
+struct FileEntry {
+    std::filesystem::path path;
+    bool is_folder = false;
+};
+
+/// What Session::open() takes of a folder, and the folders in it, by name; folders first. What is
+/// hidden by a dot is left out. Empty for a folder that can't be read.
+std::vector<FileEntry> list_folder(const std::filesystem::path& folder);
+
+/// The files that were opened last, the latest first, kept from one run to the next.
+class RecentFiles {
+  public:
+    /// `store`: a text file with a path a line; its folder is made. Empty: nothing is kept.
+    explicit RecentFiles(std::filesystem::path store);
+
+    const std::vector<std::filesystem::path>& all() const { return all_; }
+    /// A store that can't be written is no failure: the file was opened all the same.
+    void add(const std::filesystem::path& file);
+
+  private:
+    std::filesystem::path store_;
+    std::vector<std::filesystem::path> all_;
+};
+
+/// Where RecentFiles are kept: below XDG_STATE_HOME, or ~/.local/state. Empty without either.
+std::filesystem::path recent_files_store();
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace lineatlas::viewer {
+
+/// What was, to go back to and forward again. `same(a, b)` says which states are one.
+template <class State, bool (*same)(const State&, const State&)>
+class History {
+  public:
+    void clear() { states_.clear(); }
+
+    /// Takes what is now; a way forward that was not gone is forgotten.
+    void note(const State& now) {
+        if (!states_.empty() && same(states_[at_], now)) return;
+        if (!states_.empty()) states_.resize(at_ + 1);
+        if (states_.size() == most) states_.erase(states_.begin());
+        states_.push_back(now);
+        at_ = states_.size() - 1;
+    }
+
+    bool can_go_back() const { return !states_.empty() && at_ > 0; }
+    bool can_go_forward() const { return at_ + 1 < states_.size(); }
+    /// One step, if there is one: the state to be taken.
+    const State* back() { return can_go_back() ? &states_[--at_] : nullptr; }
+    const State* forward() { return can_go_forward() ? &states_[++at_] : nullptr; }
+
+  private:
+    static constexpr std::size_t most = 200;
+    std::vector<State> states_;
+    std::size_t at_ = 0;
+};
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,126 @@
+#include "parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <glm/common.hpp>
+
+namespace lineatlas::viewer {
+namespace {
+
+/// What is shown of a part that the file gives no name.
+constexpr const char* unnamed = "(no name)";
+
+/// Each part followed by those in it.
+std::vector<std::uint32_t> order_of_tree(const std::vector<ModelPart>& parts) {
+    std::vector<std::vector<std::uint32_t>> held(parts.size());
+    std::vector<std::uint32_t> order, left;
+    for (auto i = static_cast<std::uint32_t>(parts.size()); i-- > 0;)
+        (parts[i].parent == ModelPart::none ? left : held[parts[i].parent]).push_back(i);
+    while (!left.empty()) {
+        order.push_back(left.back());
+        left.pop_back();
+        std::ranges::copy(held[order.back()], std::back_inserter(left));
+    }
+    return order;
+}
+
+} // namespace
+
+Parts::Parts(const LoadedMesh& loaded) : paths_(part_paths(loaded)) {
+    if (paths_.paths.size() < 2) return;
+    part_of_path_.assign(paths_.paths.size(), none);
+    if (loaded.parts.empty()) {
+        for (std::uint32_t i = 0; i < paths_.paths.size(); ++i) {
+            part_of_path_[i] = i;
+            all_.push_back({.name = paths_.paths[i].whole(), .bounds = {}});
+        }
+    } else {
+        std::vector<std::uint32_t> place(loaded.parts.size(), none);
+        for (const std::uint32_t i : order_of_tree(loaded.parts)) {
+            const ModelPart& part = loaded.parts[i];
+            place[i] = static_cast<std::uint32_t>(all_.size());
+            all_.push_back({.name = part.name, .bounds = {}});
+            if (part.object < part_of_path_.size()) part_of_path_[part.object] = place[i];
+            if (part.parent == ModelPart::none) continue;
+            Part& whole = all_[place[part.parent]];
+            whole.holds_others = true;
+            all_.back().parent = place[part.parent];
+            all_.back().depth = whole.depth + 1;
+        }
+    }
+    for (Part& part : all_)
+        if (part.name.empty()) part.name = unnamed;
+    const Mesh& mesh = loaded.mesh;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (std::uint32_t part = part_of_path_[paths_.of_triangle[i]]; part != none;
+             part = all_[part].parent) {
+            Bounds& bounds = all_[part].bounds;
+            for (int corner = 0; corner < 3; ++corner) {
+                const glm::vec3 at = mesh.positions[mesh.triangles[i][corner]];
+                bounds = {glm::min(bounds.min, at), glm::max(bounds.max, at)};
+            }
+        }
+    }
+}
+
+std::string Parts::path_of(std::uint32_t part) const {
+    const std::uint32_t parent = all_[part].parent;
+    return (parent == none ? "" : path_of(parent) + "/") + all_[part].name;
+}
+
+bool Parts::is_in(std::uint32_t part, std::uint32_t whole) const {
+    while (part != none && part != whole) part = all_[part].parent;
+    return part == whole;
+}
+
+bool Parts::is_hidden(std::uint32_t part, const HiddenParts& hidden) const {
+    for (; part != none; part = all_[part].parent)
+        if (hidden.contains(part)) return true;
+    return false;
+}
+
+HiddenParts Parts::all_but(std::uint32_t part) const {
+    HiddenParts hidden;
+    for (std::uint32_t other = 0; other < all_.size(); ++other) {
+        const bool apart = !is_in(other, part) && !is_in(part, other);
+        if (apart && !is_hidden(other, hidden)) hidden.insert(other);
+    }
+    return hidden;
+}
+
+std::vector<bool> Parts::shown_paths(const HiddenParts& hidden) const {
+    std::vector<bool> shown;
+    for (const std::uint32_t part : part_of_path_)
+        shown.push_back(part == none || !is_hidden(part, hidden));
+    return shown;
+}
+
+Mesh Parts::shown(const Mesh& mesh, const HiddenParts& hidden) const {
+    Mesh result = mesh;
+    if (!all_.empty() && !hidden.empty()) keep_parts(result, paths_, shown_paths(hidden), true);
+    return result;
+}
+
+std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray,
+                                         const HiddenParts& hidden) const {
+    if (all_.empty()) return {};
+    const std::vector<bool> shown = shown_paths(hidden);
+    double nearest = std::numeric_limits<double>::infinity();
+    std::uint32_t path = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (!shown[paths_.of_triangle[i]]) continue;
+        const glm::uvec3 t = mesh.triangles[i];
+        const double distance =
+            meet(ray, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        path = paths_.of_triangle[i];
+    }
+    if (!std::isfinite(nearest) || part_of_path_[path] == none) return {};
+    return part_of_path_[path];
+}
+
+} // namespace lineatlas::viewer

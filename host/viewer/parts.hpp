@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "io/part_paths.hpp"
+#include "navigation.hpp"
+
+namespace lineatlas::viewer {
+
+/// Numbers of parts that are not shown; what is in them isn't either.
+using HiddenParts = std::set<std::uint32_t>;
+
+/// The parts of a model: a tree with triangles at its leaves.
+class Parts {
+  public:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    struct Part {
+        std::string name;
+        std::uint32_t parent = none; ///< stands before its parts
+        std::uint32_t depth = 0;     ///< number of parts that it is in
+        bool holds_others = false;
+        Bounds bounds; ///< of its triangles, and of those in it
+    };
+
+    Parts() = default;
+    explicit Parts(const LoadedMesh& loaded);
+
+    /// In the order of a tree that is written down. Empty for a model that is one part.
+    const std::vector<Part>& all() const { return all_; }
+    /// The names of a part and of what it is in, as in `lineatlas draw --hide`.
+    std::string path_of(std::uint32_t part) const;
+    bool is_hidden(std::uint32_t part, const HiddenParts& hidden) const;
+    /// What hides all but the part.
+    HiddenParts all_but(std::uint32_t part) const;
+    /// The mesh without hidden parts, its positions as they are.
+    Mesh shown(const Mesh& mesh, const HiddenParts& hidden) const;
+    /// The part whose triangle the ray meets first, of those that are not hidden.
+    std::optional<std::uint32_t> pick(const Mesh& mesh, const Ray& ray,
+                                      const HiddenParts& hidden) const;
+
+  private:
+    bool is_in(std::uint32_t part, std::uint32_t whole) const;
+    std::vector<bool> shown_paths(const HiddenParts& hidden) const;
+
+    std::vector<Part> all_;
+    PartPaths paths_;
+    std::vector<std::uint32_t> part_of_path_;
+};
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,13 @@
+#include "settings.hpp"
+
+#include "lineatlas/style_files.hpp"
+
+namespace lineatlas::viewer {
+
+bool same(const Settings& a, const Settings& b) {
+    return a.sides == b.sides && a.split == b.split && a.split_at == b.split_at &&
+           a.lines == b.lines && a.style_name == b.style_name && a.hidden_parts == b.hidden_parts &&
+           a.steady == b.steady && write_style(a.style) == write_style(b.style);
+}
+
+} // namespace lineatlas::viewer

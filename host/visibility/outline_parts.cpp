@@ -1,0 +1,71 @@
+#include "outline_parts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace lineatlas {
+namespace {
+
+/// From one place of a segment to another, in the units of intervals.
+struct Part {
+    float from, to;
+};
+
+/// The parts of one segment, ascending and joined where they overlap.
+std::vector<Part> joined(std::span<const Part> parts) {
+    std::vector<Part> sorted{parts.begin(), parts.end()};
+    std::ranges::sort(sorted, {}, &Part::from);
+    std::vector<Part> result;
+    for (const Part part : sorted) {
+        if (!result.empty() && part.from <= result.back().to)
+            result.back().to = std::max(result.back().to, part.to);
+        else
+            result.push_back(part);
+    }
+    return result;
+}
+
+glm::vec2 place(const Interval& interval, float sample) {
+    const glm::vec2 start{interval.start[0], interval.start[1]};
+    const glm::vec2 end{interval.end[0], interval.end[1]};
+    if (sample == interval.start_sample) return start;
+    if (sample == interval.end_sample) return end;
+    const float share =
+        (sample - interval.start_sample) / (interval.end_sample - interval.start_sample);
+    return start + (end - start) * share;
+}
+
+} // namespace
+
+void add_outline_parts(compute::Device& device, const compute::OutlineTable& table,
+                       std::span<const Interval> intervals, const TableOrder& order,
+                       std::uint32_t first_segment, std::uint32_t segment_count,
+                       std::vector<OutlinePart>& result) {
+    std::vector<la_uint> offsets(std::size_t{table.sides} * segment_count + 1);
+    device.download(table.offsets, std::as_writable_bytes(std::span{offsets}));
+    std::vector<Part> parts(offsets.back());
+    if (parts.empty()) return;
+    device.download(table.parts, std::as_writable_bytes(std::span{parts}));
+    std::vector<OutlinePart> found;
+    for (const Interval& interval : intervals) {
+        if ((interval.flags & LA_INTERVAL_VISIBLE) == 0) continue;
+        const std::size_t own = std::size_t{table.sides} * interval.segment;
+        const std::span<const Part> of_segment{parts.begin() + offsets[own],
+                                               parts.begin() + offsets[own + table.sides]};
+        for (const Part part : joined(of_segment)) {
+            const float from = std::max(part.from, interval.start_sample);
+            const float to = std::min(part.to, interval.end_sample);
+            if (!(from < to)) continue;
+            found.push_back({.segment = interval.segment,
+                             .start = place(interval, from),
+                             .end = place(interval, to)});
+        }
+    }
+    order.restore(found);
+    for (OutlinePart& part : found) {
+        part.segment += first_segment;
+        result.push_back(part);
+    }
+}
+
+} // namespace lineatlas

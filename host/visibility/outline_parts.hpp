@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compute/stages/stages.hpp"
+#include "lineatlas/lines.hpp"
+#include "segment_table.h"
+#include "table_order.hpp"
+
+namespace lineatlas {
+
+/// Reads the parts of a chunk's segments that have the background on one side, and appends what of
+/// the visible intervals they are. `intervals`: of the same segments, as the frame has them, in
+/// their `order`; those of the line set are numbered from `first_segment` on.
+void add_outline_parts(compute::Device& device, const compute::OutlineTable& table,
+                       std::span<const Interval> intervals, const TableOrder& order,
+                       std::uint32_t first_segment, std::uint32_t segment_count,
+                       std::vector<OutlinePart>& result);
+
+} // namespace lineatlas

@@ -1,0 +1,188 @@
+/* chain: the silhouettes of a frame as paths, in the order in which they follow each other.
+ *
+ * chain_link finds which silhouette goes on in which other at their common vertices, chain_jump how
+ * far it is from each to the ends of its chain (list ranking by pointer jumping: Wyllie 1979), for
+ * open chains and loops alike, chain_place its place in the chain, chain_write the segments. All of
+ * it is in whole numbers but for what the straightest pair is, and comes out the same whatever the
+ * order in which work-items run. A chain is named after its least silhouette, begins there if it is
+ * a loop, and runs the way this one does: from frame to frame it stays what it is as long as that
+ * edge is a silhouette. */
+
+#include "clipping.h"
+#include "kernels.h"
+
+/* Silhouettes that are paired at a vertex; where more meet the others end there. */
+#define MOST_MEETING 8
+
+static float dot_of(const float3 a, const float3 b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+/* The direction in which a line leaves a vertex, as the eye sees it: without its part along the
+ * view. Zero where nothing else is left. */
+static float3 seen_direction(const float3 from, const float3 to, const float4 eye) {
+    const float3 to_eye = xyz(eye) - from * eye.w;
+    const float3 way = to - from;
+    const float reach = dot_of(to_eye, to_eye);
+    const float3 across =
+        reach > 0.0f ? way - to_eye * (dot_of(way, to_eye) / reach) : float3(0.0f, 0.0f, 0.0f);
+    const float length = sqrt(dot_of(across, across));
+    return length > 0.0f ? across / length : float3(0.0f, 0.0f, 0.0f);
+}
+
+/* Of more than two ends that meet at a vertex the one that end `own` goes on in, or itself: the
+ * straightest pair is joined first, then the straightest of what is left. */
+static int straightest_partner(const int own, const float3* directions, const int count) {
+    uint left = (1u << count) - 1u;
+    for (int joined = 0; joined < count / 2; ++joined) {
+        int first = 0, second = 0;
+        float straightest = -2.0f;
+        for (int i = 0; i < count; ++i) {
+            if ((left >> i & 1u) == 0) continue;
+            for (int j = i + 1; j < count; ++j) {
+                if ((left >> j & 1u) == 0) continue;
+                const float straight = -dot_of(directions[i], directions[j]);
+                if (!(straight > straightest)) continue;
+                straightest = straight;
+                first = i;
+                second = j;
+            }
+        }
+        if (first == own) return second;
+        if (second == own) return first;
+        left &= ~(1u << first | 1u << second);
+    }
+    return own;
+}
+
+/* The way that goes on behind end `end` (0: p, 1: q) of candidate `c`. */
+static uint way_on(const ChainParameters* args, const uint c, const uint end,
+                   __global const Segment* segments, __global const float* vertices,
+                   __global const uint* end_offsets, __global const uint* ends,
+                   __global const uint* numbers) {
+    __global const Segment* candidates = segments + args->first;
+    const uint vertex = end != 0 ? candidates[c].q : candidates[c].p;
+    uint meeting[MOST_MEETING];
+    int count = 0, own = -1;
+    for (uint k = end_offsets[vertex]; k < end_offsets[vertex + 1]; ++k) {
+        const uint other = ends[k] >> 1;
+        if (numbers[other + 1] == numbers[other]) continue;
+        if (count == MOST_MEETING) break;
+        if (ends[k] == (c << 1 | end)) own = count;
+        meeting[count++] = ends[k];
+    }
+    if (count < 2 || own < 0) return LA_WAY_ENDS;
+    int partner = 1 - own;
+    if (count > 2) {
+        float3 directions[MOST_MEETING];
+        const float3 from = vload3(vertex, vertices);
+        for (int k = 0; k < count; ++k) {
+            __global const Segment* other = candidates + (meeting[k] >> 1);
+            const uint far = (meeting[k] & 1u) != 0 ? other->p : other->q;
+            directions[k] = seen_direction(from, vload3(far, vertices), to_float4(args->eye));
+        }
+        partner = straightest_partner(own, directions, count);
+    }
+    if (partner == own) return LA_WAY_ENDS;
+    /* What is entered at its p is taken from p to q. */
+    return numbers[meeting[partner] >> 1] << 1 | (meeting[partner] & 1u);
+}
+
+/* One work-item per candidate. numbers: of `silhouette`, scanned. end_offsets, ends: of every
+ * vertex the ends of candidates there, as 2 i + end. chosen[n]: the candidate that silhouette n is.
+ * ways: of all silhouettes, each a stretch of one. positions: emptied. */
+KERNEL(chain_link, ChainParameters) {
+    const uint c = (uint)get_global_id(0);
+    if (c >= args.count) return;
+    positions[c] = 0;
+    const uint n = numbers[c];
+    if (numbers[c + 1] == n) return;
+    chosen[n] = c;
+    for (uint d = 0; d < 2; ++d) {
+        __global ChainWay* way = ways + (n << 1 | d);
+        way->next = way_on(&args, c, 1u - d, segments, vertices, end_offsets, ends, numbers);
+        way->hops = 1;
+        way->least = n << 1 | d;
+        way->at = 0;
+    }
+}
+
+/* One work-item per way, which takes over what the way behind its stretch knows. going[step]: 1 if
+ * any still has to go on. If none has, the next step copies all, and later ones have nothing to do:
+ * both tables hold the result.
+ *
+ * A stretch that holds the same least way as the one behind it has gone round a loop. */
+KERNEL(chain_jump, ChainParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count || (args.step > 1 && going[args.step - 2] == 0)) return;
+    ChainWay way = ways[i];
+    if (way.next < LA_WAY_CLOSES) {
+        const ChainWay behind = ways[way.next];
+        if (behind.next == LA_WAY_CLOSES) {
+            way.at = way.least == behind.least ? way.at : (way.hops + behind.at) % behind.hops;
+            way.hops = behind.hops;
+            way.next = LA_WAY_CLOSES;
+        } else if (behind.least == way.least) {
+            way.hops += behind.at - way.at;
+            way.next = LA_WAY_CLOSES;
+        } else {
+            if (behind.least < way.least) way.at = way.hops + behind.at;
+            way.hops += behind.hops;
+            way.next = behind.next;
+            if (way.next < LA_WAY_CLOSES) atomic_max(going + args.step, 1u);
+        }
+        way.least = min(way.least, behind.least);
+    }
+    longer[i] = way;
+}
+
+/* One work-item per silhouette. lengths: of every chain, at its leader; 0 elsewhere. */
+KERNEL(chain_place, ChainParameters) {
+    const uint n = (uint)get_global_id(0);
+    if (n >= args.count) return;
+    const ChainWay on = ways[n << 1], back = ways[n << 1 | 1u];
+    uint least = on.least, length, before;
+    bool reversed;
+    if (on.next == LA_WAY_CLOSES) {
+        length = on.hops;
+        reversed = (least & 1u) != 0;
+        before = reversed ? on.at : (length - on.at) % length;
+    } else {
+        length = on.hops + back.hops - 1u;
+        if (back.least >> 1 < on.least >> 1) least = back.least ^ 1u;
+        reversed = (least & 1u) != 0;
+        before = (reversed ? on.hops : back.hops) - 1u;
+    }
+    const uint leader = least >> 1;
+    places[n].leader = leader;
+    places[n].before = before;
+    places[n].after = length - 1u - before;
+    places[n].flags =
+        (reversed ? LA_PLACE_REVERSED : 0u) | (on.next == LA_WAY_CLOSES ? LA_PLACE_CLOSED : 0u);
+    lengths[n] = leader == n ? length : 0;
+}
+
+/* One work-item per silhouette. starts: the scanned lengths. ordered: the segments of the frame,
+ * those of chains from `first` on. origins: of each of these 2 i + 1 for candidate i, 2 i + 2 if it
+ * is reversed; positions: of each candidate in the same way where it stands, 0 if it doesn't. */
+KERNEL(chain_write, ChainParameters) {
+    const uint n = (uint)get_global_id(0);
+    if (n >= args.count) return;
+    const ChainPlace place = places[n];
+    const uint c = chosen[n];
+    const uint position = starts[place.leader] + place.before;
+    const uint turned = (place.flags & LA_PLACE_REVERSED) != 0 ? 1u : 0u;
+    Segment segment = segments[args.first + c];
+    if (turned != 0) {
+        const uint p = segment.p;
+        segment.p = segment.q;
+        segment.q = p;
+    }
+    segment.from_start = place.before;
+    segment.to_end = place.after;
+    segment.path = segments[args.first + chosen[place.leader]].path;
+    if ((place.flags & LA_PLACE_CLOSED) != 0) segment.tag |= LA_TAG_CLOSED;
+    ordered[args.first + position] = segment;
+    origins[position] = (c << 1 | turned) + 1u;
+    positions[c] = (position << 1 | turned) + 1u;
+}

@@ -1,0 +1,13 @@
+/* silhouette: which candidates are silhouettes in this frame (§3.1, §4.1).
+ *
+ * One work-item per candidate. */
+
+#include "silhouette.h"
+
+/* numbers[i]: 1 if candidate i is one, else 0. Scanned, they number the silhouettes. */
+KERNEL(silhouette, SilhouetteParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    __global const Segment* candidate = segments + args.first + i;
+    numbers[i] = is_silhouette(candidate->face_a, candidate->face_b, front) ? 1 : 0;
+}

@@ -1,0 +1,131 @@
+"""Where Python has what C++ has, and what it has not, with reasons. A name that ends in .* is a type with all of its
+members. Python's are written as they are used: Class.member, function(parameter), Style[setting], intervals[field]."""
+
+SAME = """
+Camera Camera.projection Camera.view DeviceError Error FileError MismatchError UsageError
+LineKind LineKind.boundary LineKind.crease LineKind.file LineKind.hatching LineKind.intersection LineKind.material
+LineKind.section LineKind.silhouette Mesh Mesh.groups Mesh.known_edges Mesh.polylines Mesh.positions Mesh.triangle_group
+Mesh.triangles Renderer Scene Scene.mesh Scene.name Scene.view Style View View.eye View.far View.near View.projection
+View.target View.up
+"""
+
+ELSEWHERE = {
+    # cameras
+    "Camera.size": "Renderer.draw(size)", "Camera.clip": "Camera(zero_to_one)", "ClipControl": "Camera(zero_to_one)",
+    "ClipControl.zero_to_one": "Camera(zero_to_one)", "Projection": "View(projection)",
+    "Projection.orthographic": "View(projection)", "Projection.perspective": "View(projection)", "View.fov_y": "View.fov",
+    "frame_points()": "frame()", "frame_points_from()": "frame(view)", "ViewDirection": "frame(view)",
+    "ViewDirection.toward_eye": "frame(view)", "ViewDirection.up": "frame(up)", "view_direction()": "frame(view)",
+    "make_camera()": "Renderer.draw(view)", "parse_projection()": "View(projection)", "shown_height()": "View.shown_height",
+    "name_of()": "View.projection",
+    # devices
+    "DeviceOptions": "Renderer(device)", "DeviceOptions.compute": "Renderer(compute)",
+    "DeviceOptions.device": "Renderer(device)", "DeviceOptions.interop": "Renderer(interop)",
+    # files
+    "ImageSettings": "save()", "ImageSettings.description": "save(description)", "ImageSettings.dpi": "save(dpi)",
+    "LoadedMesh": "Mesh", "LoadedMesh.mesh": "Mesh", "LoadedMesh.notes": "Mesh.notes", "LoadedMesh.origin": "Mesh.origin",
+    "load_mesh()": "load()", "write_image()": "save()", "check_image_path()": "save(path)",
+    "check_image_settings()": "save(dpi)",
+    # lines
+    "LineOptions": "Renderer(crease)", "LineOptions.crease_angle": "Renderer(crease)", "LineOptions.kinds": "Renderer(lines)",
+    "LineSource": "intervals[edge]", "LineSource.from": "intervals[edge]", "LineSource.to": "intervals[edge]",
+    "LineSource.triangle": "intervals[triangle]", "LineSource.crossing": "intervals[crossing]",
+    "extract_lines()": "Renderer()",
+    # meshes
+    "KnownEdge": "Mesh(known_edges)", "KnownEdge.Kind": "Mesh(known_edges)", "KnownEdge.Kind.free": "Mesh(known_edges)",
+    "KnownEdge.Kind.marked": "Mesh(known_edges)", "KnownEdge.Kind.seam": "Mesh(known_edges)",
+    "KnownEdge.Kind.sharp": "Mesh(known_edges)", "KnownEdge.Kind.smooth": "Mesh(known_edges)",
+    "KnownEdge.from": "Mesh(known_edges)", "KnownEdge.to": "Mesh(known_edges)", "KnownEdge.kind": "Mesh(known_edges)",
+    "MeshArrays": "Mesh()", "MeshArrays.indices": "Mesh(triangles)", "MeshArrays.materials": "Mesh(triangle_group)",
+    "MeshArrays.positions": "Mesh(positions)", "MeshGroup": "Group", "MeshGroup.color": "Group.color",
+    "MeshGroup.material": "Group.material", "MeshGroup.object": "Group.object", "make_mesh()": "Mesh()",
+    "add_polyline()": "Mesh(polylines)",
+    # pictures and intervals
+    "FrameOptions": "Options", "FrameOptions.atlas": "Options(atlas)", "FrameOptions.atlas_layout": "Options(atlas_layout)",
+    "FrameOptions.depth_form": "Options(depth)", "FrameOptions.depth_scale": "Options(depth_scale)",
+    "FrameOptions.intervals": "Renderer.intervals()", "FrameOptions.method": "Options(method)",
+    "FrameOptions.probes": "Options(probes)", "FrameOptions.steady": "Options(steady)", "FrameOptions.step": "Options(step)",
+    "FrameOptions.stroke_shader": "Options(stroke_shader)", "FrameOptions.style": "Renderer.draw(style)",
+    "FrameOptions.draw": "Renderer.intervals()", "FrameOptions.lines": "Renderer(lines)",
+    "AtlasForm.*": "Options(atlas)", "AtlasLayoutChoice.*": "Options(atlas_layout)", "DepthForm.*": "Options(depth)",
+    "KeptIntervals.*": "Renderer.intervals(hidden)", "Method.*": "Options(method)", "StrokeShader.*": "Options(stroke_shader)",
+    "Renderer.description()": "Renderer.description", "Renderer.draw()": "Renderer.draw()",
+    "Renderer.read_intervals()": "Renderer.intervals()", "Renderer.set_lines()": "Renderer.set_model()",
+    "LineVisibility": "Renderer", "LineVisibility.description()": "Renderer.description",
+    "LineVisibility.find()": "Renderer.intervals()", "LineVisibility.set_lines()": "Renderer.set_model()",
+    "VisibilityOptions": "Renderer.intervals()", "VisibilityOptions.hidden": "Renderer.intervals(hidden)",
+    "VisibilityOptions.lines": "Renderer(lines)", "VisibilityOptions.step": "Options(step)",
+    # scenes and sections
+    "make_scene()": "scene()", "scene_names()": "SCENES",
+    "Hatching": "Mesh.cut()", "Hatching.angle": "Mesh.cut(angle)", "Hatching.none": "Mesh.cut(hatching)",
+    "Hatching.spacing": "Mesh.cut(spacing)", "Section": "Mesh.cut()", "Section.mesh": "Mesh.cut()", "Section.notes": "Mesh.notes",
+    "SectionPlane.*": "Mesh.cut(planes)", "cut_mesh()": "Mesh.cut()", "parse_section()": "Mesh.cut(planes)",
+    # styles
+    "Style.density": "Style[density]", "Style.fill": "Style[fill]", "Style.filter": "Style[drop-runs]",
+    "Style.focus": "Style[focus]", "Style.hidden": "Style[hidden]", "Style.hidden_pen": "Style[hidden-pen]",
+    "Style.paper": "Style[paper]", "Style.pen": "Style[pen]",
+    "Cap.*": "Style[cap]", "FillMode.*": "Style[fill]", "Join.*": "Style[join]",
+    "Pen": "Style[pen]", "Pen.cap": "Style[cap]", "Pen.cap_length": "Style[cap-length]", "Pen.color": "Style[color]",
+    "Pen.join": "Style[join]", "Pen.mark": "Style[pen]", "Pen.mitre_limit": "Style[mitre-limit]",
+    "Pen.opacity": "Style[opacity]", "Pen.opacity_profile": "Style[opacity-profile]", "Pen.path_cap": "Style[path-cap]",
+    "Pen.width": "Style[width]", "Pen.width_profile": "Style[width-profile]",
+    "Fill": "Style[fill]", "Fill.ambient": "Style[ambient]", "Fill.color": "Style[fill-color]", "Fill.light": "Style[light]",
+    "Fill.mode": "Style[fill]", "Fill.toon_steps": "Style[toon-steps]",
+    "Paper": "Style[paper]", "Paper.color": "Style[paper]", "Paper.grain": "Style[paper-grain]",
+    "Focus": "Style[focus]", "Focus.density": "Style[focus-density]", "Focus.falloff": "Style[focus-falloff]",
+    "Focus.hidden_opacity": "Style[focus-hidden-opacity]", "Focus.in_scene": "Style[focus]", "Focus.mark": "Style[focus-pen]",
+    "Focus.on": "Style[focus]", "Focus.opacity": "Style[focus-opacity]", "Focus.point": "Style[focus]",
+    "Focus.radius": "Style[focus-radius]", "Focus.width": "Style[focus-width]",
+    "Style.pens": "Style[pens]", "PenRule.*": "Style[pens]", "PenMatch.*": "Style[pens]", "Style.made_for": "Style[made-for]",
+    "default_style()": "Renderer.draw(style)",
+    "StyleInfo": "styles()", "StyleInfo.description": "styles()", "StyleInfo.name": "styles()", "list_styles()": "styles()",
+    "apply_setting()": "Style.__setitem__()", "load_style()": "Style()", "write_style()": "Style.to_toml()",
+    # paths
+    "DxfOptions": "Renderer.to_dxf()", "DxfOptions.fit_arcs": "Renderer.to_dxf(fit_arcs)",
+    "DxfOptions.margin": "Renderer.to_dxf(margin)", "DxfOptions.page": "Renderer.to_dxf(page)",
+    "JsonOptions": "Renderer.to_json()", "JsonOptions.tags": "Renderer.to_json(tags)",
+    "SvgOptions": "Renderer.to_svg()", "SvgOptions.background": "Renderer.to_svg(transparent)",
+    "SvgOptions.fit_arcs": "Renderer.to_svg(fit_arcs)", "SvgOptions.margin": "Renderer.to_svg(margin)",
+    "SvgOptions.page": "Renderer.to_svg(page)", "SvgOptions.tags": "Renderer.to_svg(tags)",
+    "SvgOptions.title": "Renderer.to_svg(title)", "SvgOptions.units": "Renderer.to_svg(page)",
+    "OutlinePart.*": "Renderer.to_json()", "LineVisibility.outlines()": "Renderer.to_json()",
+    "Renderer.read_outlines()": "Renderer.to_json()", "VectorOptions.outlines": "Renderer.to_json()",
+    "VisibilityOptions.outlines": "Renderer.to_json()",
+    "VectorOptions": "Renderer.to_svg()", "VectorOptions.mesh": "Renderer.to_svg(tags)",
+    "VectorOptions.plotter": "Renderer.to_svg(plotter)", "Page.*": "Renderer.to_svg(page)", "Unit.*": "Renderer.to_svg(page)",
+    "Length.*": "Renderer.to_svg(margin)", "length_in()": "Renderer.to_svg(margin)", "parse_length()": "Renderer.to_svg(margin)",
+    "parse_page()": "Renderer.to_svg(page)", "parse_unit()": "Renderer.to_svg(margin)",
+    "VectorDrawing.*": "Renderer.to_json()", "VectorPath.*": "Renderer.to_json()", "VectorPiece.*": "Renderer.to_json()",
+    "VectorPoint.*": "Renderer.to_json()", "make_vector_drawing()": "Renderer.to_json()", "to_dxf()": "Renderer.to_dxf()",
+    "to_json()": "Renderer.to_json()", "to_svg()": "Renderer.to_svg()",
+}
+
+# Of each reason the names.
+NOT_IN_PYTHON = {
+    "NumPy does it in a line": """
+        Camera.clip_from_world() Bounds.* bounds_of() Mesh.empty() MeshArrays.stride Pixels.* Image.* read_image()""",
+    "a part of drawing into a program's own framebuffer, which the package does not offer": """
+        Camera.origin ClipControl.upper_left DepthTexture.* FrameOptions.depth HeadlessContext.* Renderer.tile_size()
+        Renderer.draw_tiles() PictureTile.* TileTarget.* Renderer.set_pen_image()""",
+    "for those who look after devices, with tools of their own in C++": """
+        DeviceOptions.compare_until DeviceOptions.compare_with Renderer.comparison() Renderer.Comparison.*
+        Renderer.Samples.* Renderer.read_samples() Renderer.set_device() FrameOptions.cull_hidden""",
+    "said by warnings": "Renderer.note()",
+    "figures of a frame, which `lineatlas draw --stats` and --profile give": """
+        FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.take_profiles() FrameProfile.*
+        ProfileEvent.* ProfileTrack.* StageShare.* profile_csv() profile_table() profile_trace() stage_shares()
+        LineTimes.* LeftOut.* OddTriangles.*""",
+    "not bound yet: objects that move": """
+        LineOptions.separate_objects LineObject.* Mesh.polyline_object Mesh.triangle_object Renderer.set_positions()
+        Renderer.set_transforms() move_objects()""",
+    "not bound yet: what files say beside their mesh, and how they are read": """
+        LoadOptions.* LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
+        LineOptions.smooth_edges ImageSettings.bits""",
+    "a choice that nobody has asked for": """
+        LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
+        DxfOptions.description VectorOptions.tolerance with_shown_height()""",
+    "the table of lines itself stays within: intervals say where each comes from": "LineSet.* CutVertex.*",
+    "kinds of polylines come with Mesh.cut(), a program's own are LineKind.file": "Mesh.polyline_kind PolylineKind.*",
+    "written by `lineatlas draw` alone": """
+        DxfOptions.certificate JsonOptions.certificate SvgOptions.certificate JsonOptions.origin PenTravel.*""",
+}

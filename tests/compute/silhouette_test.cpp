@@ -1,0 +1,37 @@
+// silhouette: candidates of which one face is seen and the other is not, numbered.
+
+#include "stage_test.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+LINEATLAS_STAGE_TEST(SilhouetteStage);
+
+TEST_P(SilhouetteStage, NumbersWhatHasOneFaceInFront) {
+    constexpr std::uint32_t flipped = LA_FACE_FLIPPED;
+    const auto segment = [](std::uint32_t a, std::uint32_t b) {
+        return Segment{.p = 0,
+                       .q = 1,
+                       .face_a = a,
+                       .face_b = b,
+                       .from_start = 0,
+                       .to_end = 0,
+                       .path = 0,
+                       .tag = LA_KIND_SILHOUETTE};
+    };
+    // The first two are no candidates.
+    const auto segments = put(std::vector<Segment>{
+        segment(0, 1), segment(0, 1), segment(0, 2), segment(0, 1), segment(2, 3), segment(1, 0),
+        segment(0, 2 | flipped), segment(0, 1 | flipped), segment(3, 1)});
+    const auto front = put(std::vector<std::uint8_t>{1, 0, 1, 0});
+    const auto numbers = device().allocate(8 * sizeof(std::uint32_t));
+    const auto ends = device().allocate(16);
+    stages().silhouette(
+        {.table = {*segments, *segments, *segments, 4, 9, {2, 7, ends.get(), ends.get()}},
+         .front = *front,
+         .numbers = *numbers});
+    EXPECT_TRUE(equal(get<std::uint32_t>(*numbers, 8), {0, 0, 1, 2, 3, 4, 4, 4}));
+}
+
+} // namespace
+} // namespace lineatlas::test

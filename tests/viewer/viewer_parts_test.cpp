@@ -1,0 +1,192 @@
+// Parts are hidden, found and framed in the viewer, and what one did there is undone.
+
+#include <chrono>
+
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// A cube of two units about `at`, an object of its own.
+std::string box(const std::string& name, glm::vec3 at, int first) {
+    std::ostringstream text;
+    text << "o " << name << '\n';
+    for (int i = 0; i < 8; ++i) {
+        text << "v " << at.x + ((i & 1) != 0 ? 1 : -1) << ' ' << at.y + ((i & 2) != 0 ? 1 : -1)
+             << ' ' << at.z + ((i & 4) != 0 ? 1 : -1) << '\n';
+    }
+    for (const auto& face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"}) {
+        text << 'f';
+        std::istringstream corners{face};
+        for (int corner = 0; corners >> corner;) text << ' ' << first + corner - 1;
+        text << '\n';
+    }
+    return text.str();
+}
+
+/// Two boxes side by side, seen from the front: "Base" is left, "Bolt M8" is right.
+class ViewerParts : public Viewer {
+  protected:
+    ViewerParts() {
+        write(box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9));
+        hand_.drop(path("m.obj"));
+        hand_.key(GLFW_KEY_1);
+        EXPECT_EQ(error(), "");
+    }
+    void write(const std::string& model) const { std::ofstream{path("m.obj")} << model; }
+    std::size_t lines() { return session().model()->lines.segments.size(); }
+    void click_at(double share_of_width, const char* why) {
+        SCOPED_TRACE(why);
+        const glm::dvec2 place{share_of_width * session().size().x, 0.5 * session().size().y};
+        hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place);
+    }
+    std::string selected() {
+        const auto part = session().selected;
+        return part ? session().model()->parts.path_of(*part) : "";
+    }
+};
+
+TEST_F(ViewerParts, AreHiddenAndTheCameraStays) {
+    const std::size_t all = lines();
+    const View before = session().navigation.view();
+    const auto picture_of_all = picture();
+    hand_.click("show:Bolt M8");
+    EXPECT_EQ(lines(), all / 2);
+    EXPECT_EQ(session().navigation.view().eye, before.eye);
+    EXPECT_NE(picture(), picture_of_all);
+    hand_.screenshot("parts");
+    hand_.click("show:Base");
+    EXPECT_EQ(lines(), all / 2) << "nothing would be left";
+    hand_.click("parts.all");
+    EXPECT_EQ(lines(), all);
+    EXPECT_EQ(picture(), picture_of_all);
+}
+
+TEST_F(ViewerParts, AreSelectedByAClickAndNotByADrag) {
+    click_at(0.35, "left");
+    EXPECT_EQ(selected(), "Base");
+    click_at(0.65, "right");
+    EXPECT_EQ(selected(), "Bolt M8");
+    hand_.screenshot("part_selected");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, {300, 400}, {400, 420});
+    EXPECT_EQ(selected(), "Bolt M8");
+    hand_.key(GLFW_KEY_1);
+    hand_.key(GLFW_KEY_I);
+    EXPECT_EQ(session().settings.hidden_parts.size(), 1U);
+    click_at(0.35, "where nothing is any more");
+    EXPECT_EQ(selected(), "");
+    hand_.key(GLFW_KEY_U);
+    click_at(0.65, "right");
+    hand_.key(GLFW_KEY_DELETE);
+    click_at(0.65, "hidden");
+    EXPECT_EQ(selected(), "");
+}
+
+TEST_F(ViewerParts, AreFramed) {
+    hand_.click("part:Bolt M8");
+    EXPECT_EQ(selected(), "Bolt M8");
+    hand_.click("parts.frame");
+    EXPECT_NEAR(session().navigation.view().target.x, 2, 0.01);
+    hand_.key(GLFW_KEY_LEFT, GLFW_MOD_ALT);
+    EXPECT_NEAR(session().navigation.view().target.x, 0, 0.01);
+    hand_.key(GLFW_KEY_RIGHT, GLFW_MOD_ALT);
+    EXPECT_NEAR(session().navigation.view().target.x, 2, 0.01);
+}
+
+TEST_F(ViewerParts, AreSearched) {
+    session();
+    app_.ui().part_search = "bolt";
+    hand_.panel_frames(2);
+    EXPECT_TRUE(hand_.has("part:Bolt M8"));
+    EXPECT_FALSE(hand_.has("part:Base"));
+}
+
+TEST_F(ViewerParts, StepsAreUndoneAndDoneAgain) {
+    const std::size_t all = lines();
+    const auto plain = picture();
+    hand_.click("show:Base");
+    const auto without_base = picture();
+    hand_.choose("style", "technical");
+    const auto technical = picture();
+    EXPECT_NE(technical, without_base);
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(picture(), without_base);
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(lines(), all);
+    EXPECT_EQ(picture(), plain);
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(picture(), plain) << "there is no step before";
+    hand_.key(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    EXPECT_EQ(picture(), technical);
+    EXPECT_EQ(lines(), all / 2);
+}
+
+TEST_F(ViewerParts, OneDragOfASliderIsOneStep) {
+    const float width = session().settings.style.pen.width;
+    const glm::dvec2 middle = hand_.middle_of("width");
+    hand_.reveal("width");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, hand_.middle_of("width"), middle + glm::dvec2{30, 0});
+    EXPECT_NE(session().settings.style.pen.width, width);
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(session().settings.style.pen.width, width);
+}
+
+TEST_F(ViewerParts, AFileIsReadAgain) {
+    const std::size_t all = lines();
+    const View before = session().navigation.view();
+    write(box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9) + box("Nut", {0, 5, 0}, 17));
+    hand_.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
+    EXPECT_EQ(lines(), all * 3 / 2);
+    write(box("Base", {-2, 0, 0}, 1));
+    std::filesystem::last_write_time(path("m.obj"),
+                                     std::filesystem::file_time_type::clock::now() +
+                                         std::chrono::seconds{10}); // whatever the clock's step is
+    for (int looks = 0; looks < 2; ++looks) session().look_at_file();
+    hand_.rest();
+    EXPECT_EQ(lines(), all / 2) << "by itself";
+    EXPECT_EQ(session().navigation.view().eye, before.eye);
+}
+
+TEST_F(ViewerParts, SavedPathsAreThoseOfTheToolThatHidesThem) {
+    hand_.click("show:Bolt M8");
+    for (const char* button : {"save.svg", "save.camera"}) hand_.click(button);
+    EXPECT_EQ(error(), "");
+    const std::string saved = text_of(path("m.svg"));
+    EXPECT_NE(saved.find("--hide 'Bolt M8'"), std::string::npos);
+    const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("m.obj") +
+                                " --hide 'Bolt M8' --size 968x800 --camera-path " + path("m.json") +
+                                " -o " + path("tool.%d.svg");
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const auto paths = [](const std::string& svg) {
+        return svg.substr(std::min(svg.size(), svg.find("<path")));
+    };
+    EXPECT_EQ(paths(saved), paths(text_of(path("tool.0.svg"))));
+}
+
+TEST_F(ViewerParts, FilesAreOpenedFromAPanelAndRemembered) {
+    session().recent = viewer::RecentFiles{path("state/recent")};
+    std::filesystem::create_directory(path("deeper"));
+    std::ofstream{path("deeper/nut.obj")} << box("Nut", {0, 0, 0}, 1);
+    std::ofstream{path("deeper/notes.txt")} << "no model\n";
+    hand_.key(GLFW_KEY_O, GLFW_MOD_CONTROL);
+    hand_.click("entry:deeper/");
+    EXPECT_FALSE(hand_.has("entry:notes.txt"));
+    hand_.click("entry:nut.obj");
+    EXPECT_EQ(session().model()->source.name(), "nut.obj");
+    EXPECT_FALSE(hand_.has("open.close"));
+    hand_.drop(path("m.obj"));
+    EXPECT_EQ(viewer::RecentFiles{path("state/recent")}.all(),
+              (std::vector<std::filesystem::path>{path("m.obj"), path("deeper/nut.obj")}));
+    hand_.click("open.panel");
+    hand_.screenshot("open");
+    hand_.click("recent:nut.obj");
+    EXPECT_EQ(session().model()->source.name(), "nut.obj");
+    hand_.key(GLFW_KEY_O, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(hand_.has("open.close"));
+    EXPECT_EQ(error(), "");
+}
+
+} // namespace
+} // namespace lineatlas::test

@@ -1,0 +1,280 @@
+// Outlines and pens by rule, with known answers: which lines have the background on one side, in
+// paths and in pictures, and which pen draws what.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/vector.hpp"
+#include "lineatlas/visibility.hpp"
+#include "test_meshes.hpp"
+#include "vector/line_groups.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lineatlas::test {
+namespace {
+
+constexpr glm::ivec2 size{400, 300};
+
+Style with_outline(float width = 6) {
+    Style style;
+    style.pens.push_back({.match = {.kinds = {"outline"}}, .width = width});
+    return style;
+}
+
+Camera corner_view(const LineSet& lines, bool parallel = false) {
+    return make_camera(
+        {.eye = {6, 5, 8},
+         .target = {0, 0, 0},
+         .projection = parallel ? Projection::orthographic : Projection::perspective},
+        size, lines.bounds);
+}
+
+VectorDrawing drawing_of(const LineSet& lines, const Camera& camera, const Style& style) {
+    LineVisibility visibility{lines};
+    const std::vector<Interval> seen = visibility.find(camera, {.hidden = true, .outlines = true});
+    return make_vector_drawing(lines, camera, seen, style, {.outlines = visibility.outlines()});
+}
+
+double length_of(const VectorPath& path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        length += glm::distance(path.points[i - 1].at, path.points[i].at);
+    return length;
+}
+
+double length_of(const VectorDrawing& drawing, bool outline) {
+    double length = 0;
+    for (const VectorPath& path : drawing.paths)
+        if (path.outline == outline) length += length_of(path);
+    return length;
+}
+
+double length_of(const std::vector<OutlinePart>& parts) {
+    double length = 0;
+    for (const OutlinePart& part : parts)
+        length += static_cast<double>(glm::distance(part.start, part.end));
+    return length;
+}
+
+glm::dvec2 on_screen(const Camera& camera, glm::vec3 point) {
+    const glm::dvec4 clip =
+        glm::dmat4{camera.projection} * glm::dmat4{camera.view} * glm::dvec4{glm::dvec3{point}, 1};
+    return {(clip.x / clip.w + 1) * 0.5 * size.x, (1 - clip.y / clip.w) * 0.5 * size.y};
+}
+
+/// Ends of paths of the outline that no other end of one is within `gap` of.
+int loose_ends(const VectorDrawing& drawing, double gap) {
+    std::vector<glm::dvec2> ends;
+    for (const VectorPath& path : drawing.paths) {
+        if (!path.outline || path.closed) continue;
+        ends.push_back(path.points.front().at);
+        ends.push_back(path.points.back().at);
+    }
+    int loose = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        bool met = false;
+        for (std::size_t k = 0; k < ends.size(); ++k)
+            met = met || (k != i && glm::distance(ends[i], ends[k]) <= gap);
+        loose += met ? 0 : 1;
+    }
+    return loose;
+}
+
+/// A box from low to high as a group of the mesh.
+void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high, const MeshGroup& group) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const Mesh box = cube();
+    for (const glm::vec3 at : box.positions)
+        mesh.positions.push_back(low + (high - low) * (at * 0.5F + 0.5F));
+    for (const glm::uvec3 triangle : box.triangles) {
+        mesh.triangles.push_back(triangle + first);
+        mesh.triangle_group.push_back(static_cast<std::uint32_t>(mesh.groups.size()));
+    }
+    mesh.groups.push_back(group);
+}
+
+TEST(Outlines, OfACubeAreTheSixEdgesOfItsBorder) {
+    const LineSet lines = extract_lines(cube());
+    for (const bool parallel : {false, true}) {
+        SCOPED_TRACE(parallel);
+        const Camera camera = corner_view(lines, parallel);
+        // The corner towards the eye has the three edges within.
+        double border = 0, within = 0;
+        for (const float a : {-1.0F, 1.0F}) {
+            for (const float b : {-1.0F, 1.0F}) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    glm::vec3 p{0}, q{0};
+                    p[axis] = -1;
+                    q[axis] = 1;
+                    p[(axis + 1) % 3] = q[(axis + 1) % 3] = a;
+                    p[(axis + 2) % 3] = q[(axis + 2) % 3] = b;
+                    const double length = glm::distance(on_screen(camera, p), on_screen(camera, q));
+                    if (a > 0 && b > 0) within += length;
+                    if (a * b < 0) border += length;
+                }
+            }
+        }
+        const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
+        EXPECT_NEAR(length_of(drawing, true), border, 0.1);
+        EXPECT_NEAR(length_of(drawing, false), within, 0.1);
+        EXPECT_EQ(loose_ends(drawing, 0.05), 0);
+        for (const VectorPath& path : drawing.paths)
+            EXPECT_EQ(drawing.pens.at(path.pen).width, path.outline ? 6 : 2);
+    }
+}
+
+TEST(Outlines, WhatStandsBeforeAnotherHasNone) {
+    Mesh mesh;
+    add_box(mesh, {-3, -3, -3}, {3, 3, -2}, {.object = "back", .material = ""});
+    add_box(mesh, {-1, -1, 0}, {1, 1, 1}, {.object = "front", .material = ""});
+    const LineSet lines = extract_lines(mesh);
+    const Camera camera =
+        make_camera({.eye = {0.5F, 0.4F, 20}, .target = {0, 0, 0}}, size, lines.bounds);
+    Style style = with_outline();
+    style.pens.push_back({.match = {.object = "front"}, .color = glm::vec3{1, 0, 0}});
+    const VectorDrawing drawing = drawing_of(lines, camera, style);
+    double front = 0;
+    for (const VectorPath& path : drawing.paths) {
+        const bool red = drawing.pens.at(path.pen).color == glm::vec3{1, 0, 0};
+        EXPECT_FALSE(red && path.outline);
+        front += red ? length_of(path) : 0;
+    }
+    EXPECT_GT(front, 100);
+    EXPECT_EQ(loose_ends(drawing, 0.05), 0);
+    // Half beside it, the one before ends the drawing too.
+    const Camera aside =
+        make_camera({.eye = {14, 0.4F, 14}, .target = {0, 0, 0}}, size, lines.bounds);
+    const VectorDrawing other = drawing_of(lines, aside, style);
+    EXPECT_TRUE(std::ranges::any_of(other.paths, [&](const VectorPath& path) {
+        return path.outline && other.pens.at(path.pen).color == glm::vec3{1, 0, 0};
+    }));
+    EXPECT_EQ(loose_ends(other, 2), 0);
+}
+
+TEST(Outlines, OfASphereAreClosed) {
+    const LineSet lines = extract_lines(sphere(5));
+    const Camera camera = corner_view(lines, true);
+    const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
+    const double radius = glm::distance(
+        on_screen(camera, {0, 0, 0}),
+        on_screen(camera, glm::normalize(glm::cross(glm::vec3{6, 5, 8}, glm::vec3{0, 1, 0}))));
+    const double around = 2 * std::numbers::pi * radius;
+    EXPECT_NEAR(length_of(drawing, true), around, 0.02 * around);
+    EXPECT_LT(length_of(drawing, false), 0.02 * around);
+    EXPECT_EQ(loose_ends(drawing, 2), 0);
+}
+
+TEST(Pens, EveryRuleThatMatchesChangesWhatItNames) {
+    Mesh mesh;
+    add_box(mesh, {-3, -1, -1}, {-1, 1, 1}, {.object = "Bolt 7", .material = "steel"});
+    add_box(mesh, {1, -1, -1}, {3, 1, 1}, {.object = "Nut", .material = "steel"});
+    const LineSet lines = extract_lines(mesh);
+    const Camera camera = corner_view(lines);
+    Style style;
+    style.pens = {{.match = {.kinds = {"crease"}}, .width = 1},
+                  {.match = {.material = "steel"}, .color = glm::vec3{0, 0, 1}},
+                  {.match = {.object = "Bolt*"}, .width_factor = 2},
+                  {.match = {.kinds = {"outline"}, .object = "N?t"}, .width = 5}};
+    const VectorDrawing drawing = drawing_of(lines, camera, style);
+    for (const VectorPath& path : drawing.paths) {
+        const bool bolt = path.points.front().world.x < 0;
+        const Pen& pen = drawing.pens.at(path.pen);
+        EXPECT_EQ(pen.color, (glm::vec3{0, 0, 1}));
+        EXPECT_EQ(pen.width, bolt ? 4 : path.outline ? 5 : 1);
+    }
+    std::vector<std::string> names;
+    for (const LineGroup& group : line_groups(drawing)) names.push_back(group.name());
+    EXPECT_EQ(names, (std::vector<std::string>{"crease", "crease-2", "outline", "outline-2"}));
+}
+
+TEST(Pens, OfPicturesAreThoseOfTheRules) {
+    const gl::HeadlessContext context;
+    Renderer renderer;
+    const LineSet lines = extract_lines(cube());
+    renderer.set_lines(lines);
+    const Camera camera = corner_view(lines);
+    gl::Canvas canvas{size};
+    const auto ink = [&](Method method, const Style& style) {
+        canvas.clear(glm::vec4{1});
+        FrameOptions options;
+        options.method = method;
+        options.style = style;
+        renderer.draw(camera, options, canvas.framebuffer());
+        const std::vector<std::uint8_t> pixels = canvas.read();
+        std::array<double, 3> sum{};
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            if (i % 4 < 3) sum[i % 4] += (255 - pixels[i]) / 255.0;
+        return sum;
+    };
+    const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
+    Style style = with_outline();
+    style.pens.front().color = glm::vec3{1, 0, 0}; // takes green and blue away, not red
+    for (const Method method : {Method::exact, Method::atlas}) {
+        SCOPED_TRACE(static_cast<int>(method));
+        const std::array<double, 3> found = ink(method, style);
+        // The outline lies over three ends of what is within.
+        const double within = 2 * (length_of(drawing, false) - 3 * 3);
+        const double border = 6 * length_of(drawing, true);
+        EXPECT_NEAR(found[0], within, 0.06 * within);
+        EXPECT_NEAR(found[1] - found[0], border, 0.04 * border);
+    }
+    // One rule for all lines is the same as a style of that width.
+    Style ruled, plain;
+    ruled.pens.push_back({.match = {}, .width = 5});
+    plain.pen.width = 5;
+    EXPECT_EQ(ink(Method::exact, ruled), ink(Method::exact, plain));
+}
+
+TEST(Pens, LengthsGrowWithThePicture) {
+    const LineSet lines = extract_lines(cube());
+    Style style = with_outline(6);
+    style.made_for = 150; // the picture is twice as large
+    const VectorDrawing drawing = drawing_of(lines, corner_view(lines), style);
+    EXPECT_EQ(drawing.pens.front().width, 4);
+    EXPECT_EQ(drawing.pens.back().width, 12);
+    style.made_for = 600; // the picture is half as large: thinner lines would fade
+    EXPECT_EQ(drawing_of(lines, corner_view(lines), style).pens.back().width, 6);
+}
+
+TEST(Outlines, OfARendererAreThoseOfLineVisibility) {
+    const gl::HeadlessContext context;
+    Renderer renderer;
+    const LineSet lines = extract_lines(sphere(4));
+    renderer.set_lines(lines);
+    const Camera camera = corner_view(lines);
+    LineVisibility visibility{lines};
+    visibility.find(camera, {.outlines = true});
+    const std::vector<OutlinePart>& ours = visibility.outlines();
+    FrameOptions options;
+    options.style = with_outline();
+    options.intervals = KeptIntervals::visible;
+    options.draw = false;
+    options.method = Method::exact;
+    renderer.draw(camera, options, 0);
+    const std::vector<OutlinePart> exact = renderer.read_outlines();
+    ASSERT_EQ(exact.size(), ours.size());
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        EXPECT_EQ(exact[i].segment, ours[i].segment);
+        EXPECT_LT(glm::distance(exact[i].start, ours[i].start), 1e-3F);
+        EXPECT_LT(glm::distance(exact[i].end, ours[i].end), 1e-3F);
+    }
+    options.method = Method::atlas;
+    renderer.draw(camera, options, 0);
+    EXPECT_NEAR(length_of(renderer.read_outlines()), length_of(ours), 0.03 * length_of(ours));
+    visibility.find(camera);
+    EXPECT_TRUE(visibility.outlines().empty());
+}
+
+} // namespace
+} // namespace lineatlas::test
