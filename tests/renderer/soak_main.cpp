@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -19,7 +18,6 @@
 #include <dlfcn.h>
 #include <malloc.h>
 #include <sys/prctl.h>
-#include <unistd.h>
 
 #include "gl_faults.hpp"
 #include "glpasses/canvas.hpp"
@@ -30,6 +28,7 @@
 #include "lineatlas/scenes.hpp"
 #include "lineatlas/style_files.hpp"
 #include "support/fault_layer/fault_layer.hpp"
+#include "support/held_memory.hpp"
 
 namespace {
 
@@ -68,7 +67,7 @@ std::uint64_t hash(const std::vector<std::uint8_t>& pixels) {
     return value;
 }
 
-/// So that resident memory shows what the program holds, to less than 1 %: by default the allocator
+/// So that the system counts what the program holds, to less than 1 %: by default the allocator
 /// keeps large blocks that were freed wherever something small stands behind them, and the kernel
 /// gives memory in pages of 2 MiB.
 void keep_no_free_memory() {
@@ -76,12 +75,10 @@ void keep_no_free_memory() {
     prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
 }
 
-/// Of this process, in KiB, without what is free but kept for later.
-long resident_memory() {
+/// In KiB, without what is free but kept for later.
+long memory_in_use() {
     malloc_trim(0);
-    long pages = 0, resident = 0;
-    std::ifstream{"/proc/self/statm"} >> pages >> resident;
-    return resident * (sysconf(_SC_PAGESIZE) / 1024);
+    return test::held_memory();
 }
 
 long opencl_objects(const char* layer) {
@@ -149,11 +146,13 @@ struct Sample {
     double frame;            ///< median since the last, milliseconds of all threads' time
 };
 
-int run(int frames, const char* layer) {
+int run(int least_frames, const char* layer) {
     const gl::HeadlessContext context;
     test::hook_gl();
     Soak soak;
     const int period = soak.period(); // every sample is taken in the same state
+    // Two samples in each half: the first of all still has things to load.
+    const int frames = period * std::max(4, (least_frames + period - 1) / period);
     std::vector<Sample> samples;
     std::vector<double> times;
     bool equal = true;
@@ -163,7 +162,7 @@ int run(int frames, const char* layer) {
         equal = soak.draw(frame) && equal;
         times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
         if ((frame + 1) % period != 0) continue;
-        samples.push_back({resident_memory(), test::gl_faults().live, opencl_objects(layer),
+        samples.push_back({memory_in_use(), test::gl_faults().live, opencl_objects(layer),
                            median(std::exchange(times, {}))});
         const Sample& s = samples.back();
         std::cout << frame + 1 << "   " << s.memory / 1024 << "   " << s.gl << "   " << s.opencl
@@ -193,12 +192,14 @@ int run(int frames, const char* layer) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const int frames = argc > 1 ? std::atoi(argv[1]) : 10'000;
-    if (frames < 480) {
-        std::cerr << "Usage: soak [FRAMES], at least 480\n";
+    const int least_frames = argc > 1 ? std::atoi(argv[1]) : 10'000;
+    if (least_frames < 1) {
+        std::cerr
+            << "Usage: soak [FRAMES], which are rounded up to whole rounds of all that changes, "
+               "at least four\n";
         return 2;
     }
     keep_no_free_memory();
     setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1);
-    return run(frames, LINEATLAS_FAULT_LAYER);
+    return run(least_frames, LINEATLAS_FAULT_LAYER);
 }

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 
 #include <dlfcn.h>
 #include <epoxy/gl.h>
-#include <unistd.h>
 
 #include "support/fault_layer/fault_layer.hpp"
+#include "support/held_memory.hpp"
 #include "viewer_driver.hpp"
 
 namespace lineatlas::test {
@@ -45,12 +44,6 @@ int count_gl() {
                  glIsProgram(name) + glIsShader(name) + glIsQuery(name);
     }
     return count;
-}
-
-double resident_megabytes() {
-    long whole = 0, resident = 0;
-    std::ifstream{"/proc/self/statm"} >> whole >> resident;
-    return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
 int frames_wanted() {
@@ -90,7 +83,8 @@ TEST(ViewerSoak, LeavesNothingBehind) {
         if ((frame + 1) % frames_per_period != 0) continue;
         hand.rest();
         for (int i = 0; app.session().timings_due() && i < 500; ++i) app.step(0.01);
-        periods.push_back({count_cl(), count_gl(), resident_megabytes()});
+        periods.push_back(
+            {count_cl(), count_gl(), static_cast<double>(held_memory()) * 1024 / 1e6});
         const Counts& now = periods.back();
         std::printf(
             "frame %4d: %ld CL contexts, %ld queues, %ld buffers, %ld programs, %ld kernels, "

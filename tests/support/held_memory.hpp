@@ -1,0 +1,22 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace lineatlas::test {
+
+/// What this process holds, in KiB. Pages of files, such as the code of libraries, are left out:
+/// the system takes and gives them as it likes.
+inline long held_memory() {
+    std::ifstream status{"/proc/self/status"};
+    long held = 0;
+    for (std::string line; std::getline(status, line);) {
+        for (const std::string_view name : {"RssAnon:", "RssShmem:", "VmSwap:"}) {
+            if (line.starts_with(name)) held += std::stol(line.substr(name.size()));
+        }
+    }
+    return held;
+}
+
+} // namespace lineatlas::test
