@@ -2,14 +2,9 @@
 // machine, which draws all of them into a texture, and copies that into a buffer. Bytes: per
 // triangle three corners (36), per texel the depth (4).
 
-#include <glm/vec3.hpp>
-
-#include "common.hpp"
-#include "core/clusters.hpp"
-#include "core/meshlets.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/headless_context.hpp"
-#include "terrain.hpp"
+#include "terrain_meshlets.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -21,48 +16,19 @@ double bytes_of(std::uint32_t n) {
     return 36.0 * n + 4.0 * static_cast<double>(texels);
 }
 
-struct Mesh {
-    std::vector<glm::vec3> vertices;
-    std::vector<glm::uvec3> triangles;
-    glm::mat4 clip_from_world;
-};
-
-Mesh make_mesh(std::uint32_t n) {
-    const Terrain terrain = make_terrain(n, 0);
-    Mesh mesh{.vertices = {}, .triangles = {}, .clip_from_world = terrain.clip_from_world};
-    for (std::size_t i = 0; i + 2 < terrain.vertices.size(); i += 3) {
-        mesh.vertices.emplace_back(terrain.vertices[i], terrain.vertices[i + 1],
-                                   terrain.vertices[i + 2]);
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        mesh.triangles.emplace_back(terrain.triangles[3 * i], terrain.triangles[3 * i + 1],
-                                    terrain.triangles[3 * i + 2]);
-    }
-    return mesh;
-}
-
 Job prepare(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();
-    const Mesh mesh = make_mesh(n);
-    const TriangleClusters parts =
-        build_clusters(mesh.vertices, mesh.triangles, LA_MESHLET_TRIANGLES);
-    const Meshlets built = build_meshlets(parts.triangles, parts.clusters, mesh.vertices.size());
-    const auto count = static_cast<std::uint32_t>(parts.clusters.size());
-    const SharedBuffer vertices = to_device(device, mesh.vertices);
-    const SharedBuffer clusters = to_device(device, parts.clusters);
-    const SharedBuffer meshlets = to_device(device, built.meshlets);
-    const SharedBuffer vertex_list = to_device(device, built.vertices);
-    const SharedBuffer corners = to_device(device, built.corners);
+    const TerrainMeshlets model{device, make_terrain_mesh(n)};
     const glm::ivec2 tile_count = compute::tiles_for(size);
     const SharedBuffer depth = device.allocate(texels * sizeof(float));
     const SharedBuffer tiles =
         device.allocate(static_cast<std::size_t>(tile_count.x) *
                         static_cast<std::size_t>(tile_count.y) * sizeof(float));
-    const SharedBuffer seen = device.allocate(count);
-    const auto run = [=, &stages, clip_from_world = mesh.clip_from_world] {
-        stages.depth({.model = {*clusters, *meshlets, *vertex_list, *corners, count},
-                      .vertices = *vertices,
-                      .clip_from_world = clip_from_world,
+    const SharedBuffer seen = device.allocate(model.count);
+    const auto run = [=, &stages] {
+        stages.depth({.model = model.tables(),
+                      .vertices = *model.vertices,
+                      .clip_from_world = model.clip_from_world,
                       .whole_size = size,
                       .origin = {0, 0},
                       .size = size,
@@ -87,7 +53,7 @@ struct OnGl {
 };
 
 Job prepare_gl(std::uint32_t n) {
-    const Mesh mesh = make_mesh(n);
+    const TerrainMesh mesh = make_terrain_mesh(n);
     const auto on = std::make_shared<OnGl>();
     const auto fill = [](const gl::Buffer& buffer, const auto& values) {
         const auto bytes = std::as_bytes(std::span{values});

@@ -25,11 +25,6 @@ void add_kernels(const Rows& rows, const std::string& way, compute::Device& devi
     device.end_log();
 }
 
-/// Stages that have no row yet: `draw --profile` has their times.
-bool has_row(std::string_view stage) {
-    return stage != "planes" && stage != "outline" && stage != "pens";
-}
-
 TEST(Rows, EveryKernelIsInOne) {
     compute::OpenClDevice device = compute::find_opencl_devices("opencl").front();
     compute::Tuning tuning = compute::tuning_for(device);
@@ -40,7 +35,6 @@ TEST(Rows, EveryKernelIsInOne) {
     add_kernels(rows, "/ours", *devices.opencl, seen);
     add_kernels(rows, "/cpp", *devices.cpp, seen);
     for (const compute::Kernel& kernel : compute::all_kernels()) {
-        if (!has_row(kernel.stage)) continue;
         EXPECT_TRUE(seen.contains(std::string{kernel.name})) << kernel.name;
     }
 }
@@ -58,7 +52,6 @@ TEST(Rows, TheListHasEveryStageOnBothDevices) {
     EXPECT_EQ(pclose(program), 0);
     for (const compute::Kernel& kernel : compute::all_kernels()) {
         const std::string stage{kernel.stage};
-        if (!has_row(stage)) continue;
         EXPECT_TRUE(listed.contains(stage + "/ours")) << stage;
         EXPECT_TRUE(listed.contains(stage + "/cpp")) << stage;
     }

@@ -28,12 +28,6 @@ std::uint32_t longest_segment(const Frame& frame) {
     return static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
 }
 
-/// rusticl's compute form of `atlas` draws wrong lines of a second line set, where probes know
-/// surfaces (docs/devices.md); the raster form is right there.
-bool draws_wrong_atlas(const compute::Device& device) {
-    return device.description().find("(rusticl)") != std::string::npos;
-}
-
 std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
     return buffer ? buffer->size() : 0;
 }
@@ -42,8 +36,8 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), prefers_raster_(!interop::gl_is_software() || draws_wrong_atlas(device_)),
-      depth_(connection), chains_(stages_), strokes_(connection), intervals_(stages_) {
+      handover_(device_), prefers_raster_(!interop::gl_is_software()), depth_(connection),
+      chains_(stages_), strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }

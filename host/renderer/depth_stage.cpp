@@ -256,9 +256,9 @@ void DepthStage::draw_for_compute(Frame& frame) {
 
 void DepthStage::hand_over_surfaces(Frame& frame, const TexelRectangle& part) {
     if (!surfaces_.known()) return;
-    frame.clock.handover([&] { surfaces_.to_gl(); });
+    frame.clock.handover([&] { surfaces_.numbers_to_gl(); });
     frame.clock.gl("depth", [&] { pass_.copy_numbers_to(surfaces_.numbers()->gl(), part); });
-    frame.clock.handover([&] { surfaces_.to_compute(); });
+    frame.clock.handover([&] { surfaces_.numbers_to_compute(); });
     surfaces_.find_planes(frame, nullptr);
 }
 

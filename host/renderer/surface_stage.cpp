@@ -57,6 +57,16 @@ void SurfaceStage::to_compute() {
     handover_.to_compute({numbers_.get(), planes_.get()});
 }
 
+void SurfaceStage::numbers_to_gl() {
+    if (known_) handover_.to_gl({numbers_.get()});
+}
+
+void SurfaceStage::numbers_to_compute() {
+    if (!known_) return;
+    numbers_->wrote(texels_ * sizeof(la_uint));
+    handover_.to_compute({numbers_.get()});
+}
+
 std::optional<compute::SurfaceTables> SurfaceStage::tables(Frame& frame) const {
     if (!known_) return std::nullopt;
     return compute::SurfaceTables{.numbers = numbers_->compute(),

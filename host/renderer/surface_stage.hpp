@@ -28,9 +28,12 @@ class SurfaceStage {
     /// Computes the planes; seen: DepthArgs::seen, null for all clusters.
     void find_planes(Frame& frame, compute::Buffer* seen);
 
-    /// Hands all that to GL, or back.
+    /// Hands all that kernels wrote to GL, or takes it back.
     void to_gl();
     void to_compute();
+    /// Where GL writes the numbers: takes them, and hands on what is new.
+    void numbers_to_gl();
+    void numbers_to_compute();
 
     /// While compute has it.
     std::optional<compute::SurfaceTables> tables(Frame& frame) const;

@@ -198,12 +198,26 @@ TEST_P(DevicePictures, EqualThoseOfCpp) {
         SCOPED_TRACE(scene);
         renderer.set_lines(scene_lines(scene));
         cpp.set_lines(scene_lines(scene));
-        // In the form that the device has by default: docs/devices.md says why.
-        expect_same(draw(cpp, scene, {}), draw(renderer, scene, {}));
+        expect_same(draw(cpp, scene), draw(renderer, scene));
     }
     renderer.set_device({.compute = "cpp"});
     renderer.set_device({.device = device, .interop = "copy"});
-    expect_same(draw(cpp, "office", {}), draw(renderer, "office", {}));
+    expect_same(draw(cpp, "office"), draw(renderer, "office"));
+}
+
+TEST_F(OnScenes, OfDepthByGlProbesKnowTheSurfacesOfEachFrame) {
+    const FrameOptions options{.atlas = AtlasForm::compute, .depth_form = DepthForm::raster};
+    for (const char* mode : {"copy", "host-pointer"}) {
+        SCOPED_TRACE(mode);
+        Renderer renderer{{.compute = "cpp", .interop = mode}};
+        const auto drawn_after = [&](const char* before) {
+            renderer.set_lines(scene_lines(before));
+            draw(renderer, before, options);
+            renderer.set_lines(scene_lines("house"));
+            return draw(renderer, "house", options);
+        };
+        EXPECT_TRUE(equal(drawn_after("house"), drawn_after("clevis")));
+    }
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(DevicePictures);

@@ -16,14 +16,6 @@ constexpr Quirk quirks[] = {
      .seen_with = "Mesa 22.3.6",
      .link = "https://github.com/ggml-org/llama.cpp/pull/13813"},
     {.platform = rusticl,
-     .what =
-         "The kernel `atlas` with surfaces gives wrong samples of a second line set; the driver "
-         "warns that results may be incorrect (load_kernel_arg in control flow).",
-     .remedy = "AtlasMethod: AtlasForm::automatic takes the raster form",
-     .seen_with = "Mesa 22.3.6",
-     .link = "https://gitlab.freedesktop.org/mesa/mesa/-/blob/22.3/src/gallium/auxiliary/gallivm/"
-             "lp_bld_nir_soa.c"},
-    {.platform = rusticl,
      .what = "clCreateProgramWithBinary panics (\"unknown version\") and ends the process if the "
              "binary is not one of its own.",
      .remedy =

@@ -1,0 +1,145 @@
+// outline, outline_push, pens: n segments in paths (paths.hpp) before stripes of background:
+// outline by samples of the segment atlas, outline_push as the exact method begins.
+// Bytes: of outline per segment twice (it is counted, then written) its segment (32), clipped
+// segment (48) and two offsets (8), per sample twice two texels (16); per part written 8. Of
+// outline_push per segment the same with two arc lengths (96), and two clipped segments (96)
+// written. Of pens per run twice the run (80) and its pens (4), per run that results itself (80).
+
+#include <algorithm>
+
+#include "paths.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+constexpr glm::ivec2 depth_size{2048, 1536};
+constexpr float depth_scale = 2;
+
+/// Stripes of 16 texels, of something and of nothing.
+std::vector<float> striped_depth() {
+    std::vector<float> depth;
+    depth.reserve(static_cast<std::size_t>(depth_size.x) * static_cast<std::size_t>(depth_size.y));
+    for (int y = 0; y < depth_size.y; ++y) {
+        for (int x = 0; x < depth_size.x; ++x) depth.push_back((x + y) / 16 % 2 == 0 ? 0.5F : 1.0F);
+    }
+    return depth;
+}
+
+/// Paths, and which parts of them have the background beside them.
+struct Outlines {
+    Outlines(compute::Stages& stages, const Paths& from)
+        : device(stages.device()), paths(device, from), depth(to_device(device, striped_depth())),
+          capacity(paths.samples),
+          offsets(device.allocate((paths.count + std::size_t{1}) * sizeof(std::uint32_t))),
+          parts(device.allocate(std::size_t{capacity} * 2 * sizeof(float))) {
+        find(stages);
+    }
+
+    void find(compute::Stages& stages) const {
+        stages.outline_samples({.table = paths.table(),
+                                .clipped = paths.atlas().clipped,
+                                .sample_capacity = paths.samples,
+                                .depth = {*depth, depth_size, depth_scale, 1e-4F},
+                                .viewport = Paths::viewport,
+                                .offsets = *offsets,
+                                .parts = *parts,
+                                .part_capacity = capacity});
+    }
+    compute::OutlineTable table() const { return {*offsets, *parts, 1}; }
+    std::uint32_t found() const {
+        return read_back<std::uint32_t>(device, *offsets, paths.count + std::size_t{1}).back();
+    }
+
+    compute::Device& device;
+    PathTables paths;
+    SharedBuffer depth;
+    std::uint32_t capacity;
+    SharedBuffer offsets, parts;
+};
+
+Job prepare_outline(compute::Stages& stages, std::uint32_t n) {
+    const auto on = std::make_shared<Outlines>(stages, make_paths(n));
+    const auto run = [&stages, on] {
+        on->find(stages);
+        stages.device().finish();
+    };
+    run();
+    const std::uint32_t found = on->found();
+    require(found > 0 && found < on->capacity, "outline");
+    return {.run = run,
+            .bytes = 176.0 * n + 32.0 * on->paths.samples + 8.0 * found,
+            .result = [on, found] {
+                return read_back<float>(on->device, *on->parts, 2 * std::size_t{found});
+            }};
+}
+
+Job prepare_push(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    const PathTables on{device, make_paths(n)};
+    const std::size_t count = 2 * std::size_t{n};
+    const SharedBuffer pushed = to_device(device, std::vector<ClippedSegment>(count));
+    const auto run = [=, &stages] {
+        stages.outline_push({.table = on.table(),
+                             .clipped = on.atlas().clipped,
+                             // What has samples is seen.
+                             .spans = {*on.offsets, *on.alpha, on.samples},
+                             .viewport = Paths::viewport,
+                             .parallel = false,
+                             .pushed = *pushed});
+        stages.device().finish();
+    };
+    run();
+    const auto result = [&device, pushed, count] {
+        std::vector<float> places;
+        for (const ClippedSegment& side : read_back<ClippedSegment>(device, *pushed, count)) {
+            const bool looked_for = side.p[3] != 0;
+            places.push_back(looked_for ? side.p[0] / side.p[3] : 0.0F);
+            places.push_back(looked_for ? side.q[1] / side.q[3] : 0.0F);
+        }
+        return places;
+    };
+    require(std::ranges::any_of(result(), [](float place) { return place != 0; }), "outline_push");
+    return {.run = run, .bytes = 192.0 * n, .result = result};
+}
+
+Job prepare_pens(compute::Stages& stages, std::uint32_t n) {
+    const auto on = std::make_shared<Outlines>(stages, make_paths(n));
+    compute::Device& device = on->device;
+    const RunTables from{device, on->paths.runs}, to{device, on->paths.runs + 2 * on->found()};
+    compact(stages, on->paths, from);
+    constexpr std::uint32_t first_inside_second_outside = 1U << 16U;
+    const SharedBuffer pens =
+        to_device(device, std::vector<std::uint32_t>(n, first_inside_second_outside));
+    const auto run = [=, &stages] {
+        const compute::OutlineTable outline = on->table();
+        stages.pens({.table = on->paths.table(),
+                     .segment_pens = *pens,
+                     .outline = &outline,
+                     .runs = *from.runs,
+                     .record = *from.record,
+                     .run_capacity = from.capacity,
+                     .drawn = *to.runs,
+                     .drawn_capacity = to.capacity,
+                     .drawn_record = *to.record});
+        stages.device().finish();
+    };
+    run();
+    const auto result = [&device, to] { return members(to.read(device), &Run::flags); };
+    const auto written = static_cast<double>(to.read(device).size());
+    require(written > from.capacity, "pens");
+    return {.run = run, .bytes = 168.0 * from.capacity + 80.0 * written, .result = result};
+}
+
+} // namespace
+
+Rows outline_rows(const Devices& devices) {
+    Rows rows = own_rows(devices, "outline", prepare_outline);
+    std::ranges::move(own_rows(devices, "outline_push", prepare_push), std::back_inserter(rows));
+    return rows;
+}
+
+Rows pens_rows(const Devices& devices) {
+    return own_rows(devices, "pens", prepare_pens);
+}
+
+} // namespace lineatlas::bench

@@ -1,0 +1,43 @@
+// planes: n triangles of a terrain, all of them.
+// Bytes: per triangle its corners (3) and its plane (16), and every vertex (12) once.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface_view.hpp"
+#include "terrain_meshlets.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    const TerrainMeshlets model{device, make_terrain_mesh(n)};
+    const SharedBuffer planes = device.allocate(n * 4 * sizeof(float));
+    const SurfaceView view = surface_view(
+        {.view = glm::mat4{1}, .projection = model.clip_from_world, .size = {1024, 768}});
+    const auto run = [=, &stages] {
+        stages.planes({.model = model.tables(),
+                       .vertices = *model.vertices,
+                       .view = view,
+                       .contact = 1e-6F,
+                       .seen = nullptr,
+                       .planes = *planes});
+        stages.device().finish();
+    };
+    run();
+    const auto result = [&device, planes, n] {
+        return read_back<float>(device, *planes, 4 * std::size_t{n});
+    };
+    require(std::ranges::all_of(result(), [](float x) { return std::isfinite(x); }), "planes");
+    const double vertices = static_cast<double>(model.vertices->size());
+    return {.run = run, .bytes = 19.0 * n + vertices, .result = result};
+}
+
+} // namespace
+
+Rows planes_rows(const Devices& devices) {
+    return own_rows(devices, "planes", prepare);
+}
+
+} // namespace lineatlas::bench
