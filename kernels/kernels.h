@@ -290,6 +290,9 @@ typedef struct IntervalsParameters {
     kernel(density, density_weights, DensityParameters) \
     kernel(density, density_excess, DensityParameters) \
     kernel(outline, outline_push, OutlineParameters) \
+    kernel(outline, outline_push_in, OutlineParameters) \
+    kernel(outline, outline_parts_count, OutlineParameters) \
+    kernel(outline, outline_parts_write, OutlineParameters) \
     kernel(outline, outline_samples_count, OutlineSamplesParameters) \
     kernel(outline, outline_samples_write, OutlineSamplesParameters) \
     kernel(pens, pens_count, PensParameters) \

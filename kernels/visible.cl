@@ -418,7 +418,7 @@ static Line line_of(const ExactParameters* args, __global const Segment* segment
 
 /* The segment that clipped segment i is of. */
 static uint segment_of(const ExactParameters* args, const uint i) {
-    return args->beside != 0 ? i / 2 : i;
+    return args->beside != 0 ? i / args->beside : i;
 }
 
 /* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */

@@ -409,11 +409,12 @@ void say(const std::string& note) {
 
 void draw_without_gl(const Drawing& drawing) {
     LineVisibility visibility{drawing.subject.lines, drawing.arguments.device};
-    const VisibilityOptions wanted{.lines = drawing.options.lines,
-                                   .hidden = true,
-                                   .step = drawing.options.step,
-                                   .outlines = tells_outlines(drawing.options.style)};
+    VisibilityOptions wanted{.lines = drawing.options.lines,
+                             .hidden = true,
+                             .step = drawing.options.step,
+                             .outlines = tells_outlines(drawing.options.style)};
     const auto find = [&](const Camera& camera) -> SeenLines {
+        wanted.outline_depth = outline_depth(drawing.options.style, camera.size);
         std::vector<Interval> intervals = visibility.find(camera, wanted);
         return {std::move(intervals), visibility.outlines()};
     };

@@ -67,8 +67,9 @@ class ExactLines {
 
     /// In which the segments of the current chunk stand; waits.
     TableOrder order() const { return {chains_.first(), chains_.read_origins()}; }
-    /// Of the chunk in use, while use() runs: which parts have the background on one side.
-    compute::OutlineTable outline() { return visibility_.outline(clipped()); }
+    /// Of the chunk in use, while use() runs: which parts are outline of what is `depth` pixels
+    /// deep.
+    compute::OutlineTable outline(float depth) { return visibility_.outline(clipped(), depth); }
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
     std::uint64_t mesh_bytes() const { return front_->size(); }

@@ -91,6 +91,7 @@ ELSEWHERE = {
     "OutlinePart.*": "Renderer.to_json()", "LineVisibility.outlines()": "Renderer.to_json()",
     "Renderer.read_outlines()": "Renderer.to_json()", "VectorOptions.outlines": "Renderer.to_json()",
     "VisibilityOptions.outlines": "Renderer.to_json()",
+    "VisibilityOptions.outline_depth": "Renderer.to_json()",
     "VectorOptions": "Renderer.to_svg()", "VectorOptions.mesh": "Renderer.to_svg(tags)",
     "VectorOptions.plotter": "Renderer.to_svg(plotter)", "Page.*": "Renderer.to_svg(page)", "Unit.*": "Renderer.to_svg(page)",
     "Length.*": "Renderer.to_svg(margin)", "length_in()": "Renderer.to_svg(margin)", "parse_length()": "Renderer.to_svg(margin)",

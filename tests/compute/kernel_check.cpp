@@ -92,9 +92,9 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
     exact.find(
         view, 1, [&](std::size_t) { return table; }, [](const char*, const auto& run) { run(); },
         [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
-            const compute::OutlineTable outline = exact.outline();
-            append(result, read_back<la_uint>(stages.device(), outline.offsets,
-                                              outline.sides * found.segment_count + 1));
+            const compute::OutlineTable outline = exact.outline(2);
+            append(result,
+                   read_back<la_uint>(stages.device(), outline.offsets, found.segment_count + 1));
         });
 }
 

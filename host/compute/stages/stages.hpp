@@ -371,20 +371,29 @@ struct SpanTable {
 };
 
 /// What lies beside every segment that is seen, for `visible` to look at.
-struct OutlinePushArgs {
+struct OutlineArgs {
     SegmentTable table;
     ClippedTable clipped;
     SpanTable spans;    ///< what is seen of the segments
     glm::vec2 viewport; ///< pixels
+    float depth;        ///< pixels that a body must be deep on the other side
     bool parallel;      ///< a parallel view
-    Buffer& pushed;     ///< out: two `ClippedSegment` per segment
+    Buffer& pushed;     ///< out: `ClippedSegment`, 2 per segment, then LA_OUTLINE_WITHIN
 };
 
 /// Parts of segments that have the background on one side. They may overlap.
 struct OutlineTable {
-    Buffer& offsets;
-    Buffer& parts;       ///< two floats each, from and to, in the units of runs
-    std::uint32_t sides; ///< those of segment i are offsets[sides * i] to offsets[sides * (i + 1)]
+    Buffer& offsets; ///< per segment and one more
+    Buffer& parts;   ///< two floats each, from and to, in the units of runs
+};
+
+/// Of what is seen of the ways beside segments, which parts are outline.
+struct OutlinePartsArgs {
+    std::uint32_t segment_count;
+    SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()
+    Buffer& offsets;          ///< out: segment_count + 1 uint32
+    Buffer& parts;            ///< out: 2 floats each; none if `part_capacity` is too small
+    std::uint32_t part_capacity;
 };
 
 /// The same of samples, by the depth buffer.
@@ -394,6 +403,7 @@ struct OutlineSamplesArgs {
     std::uint32_t sample_capacity; ///< as in SegmentAtlas
     DepthBuffer depth;
     glm::vec2 viewport; ///< pixels
+    float body;         ///< pixels that a body must be deep on the other side
     Buffer& offsets;    ///< out: segment_count + 1 uint32
     Buffer& parts;      ///< out: 2 floats each; none if `part_capacity` is too small
     std::uint32_t part_capacity;
@@ -469,7 +479,10 @@ class Stages {
     void visible(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
-    void outline_push(const OutlinePushArgs& args);
+    void outline_push(const OutlineArgs& args);
+    /// `beside_offsets`: of what is seen of the ways of outline_push().
+    void outline_push_in(const OutlineArgs& args, Buffer& beside_offsets);
+    void outline_parts(const OutlinePartsArgs& args);
     void outline_samples(const OutlineSamplesArgs& args);
     void pens(const PensArgs& args);
     void compact(const CompactArgs& args);
