@@ -55,6 +55,7 @@ typedef struct ExactParameters {
     /* The clipped segments are so many ways beside each segment, see outline_push; all that is over
      * them hides them. 0: they are the segments. */
     la_uint beside;
+    la_uint lift; /* from a contour's vertex to the one that visibility is asked of */
 } ExactParameters;
 
 typedef struct OutlineParameters {
@@ -64,6 +65,8 @@ typedef struct OutlineParameters {
     float depth;      /* pixels that a body must be deep on the other side of its outline */
     la_uint parallel; /* 1: a parallel view */
     la_uint capacity; /* parts that there is room for */
+    la_mat4 clip_from_world;
+    la_uint lift; /* as in ExactParameters */
 } OutlineParameters;
 
 /* Ways beside a segment: one on either side, then for each of these LA_OUTLINE_STEPS on the other
@@ -143,7 +146,7 @@ typedef struct SpansParameters {
     in(uint, block_offsets) out(Interval, intervals) out(uint, interval_total)
 
 #define outline_push_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) in(uint, span_offsets) \
+    in(Segment, segments) in(float, vertices) in(ClippedSegment, clipped) in(uint, arcs) in(uint, span_offsets) \
     inout(ClippedSegment, pushed)
 #define outline_push_in_tables(in, out, inout, unordered) \
     in(ClippedSegment, clipped) in(uint, beside_offsets) inout(ClippedSegment, pushed)

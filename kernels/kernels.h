@@ -248,6 +248,8 @@ typedef struct IntervalsParameters {
     kernel(pyramid, pyramid, PyramidParameters) \
     kernel(cull, cull, CullParameters) \
     kernel(facing, facing, FacingParameters) \
+    kernel(contour, contour_points, ContourParameters) \
+    kernel(contour, contour_ends, ContourParameters) \
     kernel(silhouette, silhouette, SilhouetteParameters) \
     kernel(chain, chain_link, ChainParameters) \
     kernel(chain, chain_jump, ChainParameters) \

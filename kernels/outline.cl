@@ -25,10 +25,9 @@ static bool can_be_outline(const uint tag) {
 
 /* The way beside a segment, so many pixels to its left and infinitely far away; p[3] is 0 where
  * there is none. */
-static void push(const OutlineParameters* args, __global const ClippedSegment* segment,
+static void push(const OutlineParameters* args, const float4 p, const float4 q,
                  const float distance, __global ClippedSegment* out) {
     out->p[3] = 0.0f;
-    const float4 p = vload4(0, segment->p), q = vload4(0, segment->q);
     const float2 at_p = xy(p) / p.w, at_q = xy(q) / q.w;
     const float2 half_size = to_float2(args->viewport) * 0.5f;
     const float2 way = (at_q - at_p) * half_size;
@@ -53,8 +52,10 @@ KERNEL(outline_push, OutlineParameters) {
     out[0].p[3] = out[1].p[3] = 0.0f;
     if (arcs[i + 1] == arcs[i] || span_offsets[i + 1] == span_offsets[i]) return;
     if (!can_be_outline(segments[i].tag)) return;
-    push(&args, clipped + i, -args.reach, out);
-    push(&args, clipped + i, args.reach, out + 1);
+    const ClipEnds ends = lifted_ends(segments + i, clipped + i, args.lift,
+                                      to_matrix(args.clip_from_world), vertices);
+    push(&args, ends.p, ends.q, -args.reach, out);
+    push(&args, ends.p, ends.q, args.reach, out + 1);
 }
 
 /* pushed: where the background is beside segment i, LA_OUTLINE_STEPS ways on its other side, first
@@ -63,6 +64,7 @@ KERNEL(outline_push, OutlineParameters) {
 KERNEL(outline_push_in, OutlineParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
+    const float4 p = vload4(0, clipped[i].p), q = vload4(0, clipped[i].q);
     for (uint side = 0; side < 2; ++side) {
         const uint way = LA_OUTLINE_BESIDE * i + side;
         const bool any = beside_offsets[way + 1] != beside_offsets[way];
@@ -71,7 +73,7 @@ KERNEL(outline_push_in, OutlineParameters) {
                 pushed + (LA_OUTLINE_WITHIN * i + LA_OUTLINE_STEPS * side + k);
             out->p[3] = 0.0f;
             const float inside = args.depth * (float)(k + 1) / (float)LA_OUTLINE_STEPS;
-            if (any) push(&args, clipped + i, side == 0 ? inside : -inside, out);
+            if (any) push(&args, p, q, side == 0 ? inside : -inside, out);
         }
     }
 }

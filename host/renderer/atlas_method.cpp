@@ -43,7 +43,8 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
       handover_(device_), prefers_raster_(!interop::gl_is_software() || draws_wrong_atlas(device_)),
-      depth_(connection), chains_(stages_), strokes_(connection), intervals_(stages_) {
+      depth_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted),
+      strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }

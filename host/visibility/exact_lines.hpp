@@ -27,7 +27,8 @@ struct LineView {
 class ExactLines {
   public:
     explicit ExactLines(compute::Stages& stages)
-        : stages_(stages), device_(stages.device()), chains_(stages), visibility_(stages) {}
+        : stages_(stages), device_(stages.device()),
+          chains_(stages, compute::SilhouetteChains::Contours::on_surface), visibility_(stages) {}
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release();

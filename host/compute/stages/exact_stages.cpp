@@ -117,7 +117,9 @@ OutlineParameters parameters_of(const OutlineArgs& args) {
             .reach = beside,
             .depth = args.depth,
             .parallel = args.parallel ? 1U : 0U,
-            .capacity = 0};
+            .capacity = 0,
+            .clip_from_world = args.clip_from_world,
+            .lift = args.lift};
 }
 
 } // namespace
@@ -125,6 +127,7 @@ OutlineParameters parameters_of(const OutlineArgs& args) {
 void Stages::outline_push(const OutlineArgs& args) {
     launch<kernels::outline_push>(args.table.segment_count, tuning_.local_size, parameters_of(args),
                                   {.segments = args.table.segments,
+                                   .vertices = args.table.vertices,
                                    .clipped = args.clipped.clipped,
                                    .arcs = args.clipped.arcs,
                                    .span_offsets = args.spans.offsets,

@@ -57,8 +57,11 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
     const glm::vec3 farthest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
     const float size = tile_size_for(camera, bounds, table.triangle_count);
     const glm::ivec2 pixels{static_cast<int>(size)};
+    const std::optional<ContourTables>& contours = table.candidates.contours;
     return {.count = table.segment_count,
-            .vertex_count = static_cast<std::uint32_t>(table.vertices.size() / (3 * sizeof(float))),
+            .vertex_count =
+                contours ? contours->vertex_count
+                         : static_cast<std::uint32_t>(table.vertices.size() / (3 * sizeof(float))),
             .triangle_count = table.triangle_count,
             .clip_from_world = clip_from_world,
             .eye = eye,
@@ -75,7 +78,8 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .entry_capacity = 0,
             .group_capacity = 0,
             .span_capacity = 0,
-            .beside = 0};
+            .beside = 0,
+            .lift = contours ? contours->edge_count : 0};
 }
 
 std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t element) {
@@ -219,6 +223,8 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                               .viewport = parameters_.viewport,
                               .depth = depth,
                               .parallel = parameters_.depth_rate > 0,
+                              .clip_from_world = parameters_.clip_from_world,
+                              .lift = parameters_.lift,
                               .pushed = *pushed_};
     stages_.outline_push(outline);
     find_beside(clipped, LA_OUTLINE_BESIDE, beside_);
