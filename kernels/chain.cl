@@ -55,21 +55,36 @@ static int straightest_partner(const int own, const float3* directions, const in
     return own;
 }
 
-/* The way that goes on behind end `end` (0: p, 1: q) of candidate `c`. */
+/* The vertex at end `end` (0: p, 1: q) of candidate `c`. */
+static uint vertex_at(const ChainParameters* args, __global const Segment* segments,
+                      __global const uint* contour_ends, const uint c, const uint end) {
+    if (c >= args->contours) return contour_ends[2 * (c - args->contours) + end];
+    __global const Segment* candidate = segments + args->first + c;
+    return end != 0 ? candidate->q : candidate->p;
+}
+
+/* The way that goes on behind an end of candidate `c`. */
 static uint way_on(const ChainParameters* args, const uint c, const uint end,
-                   __global const Segment* segments, __global const float* vertices,
-                   __global const uint* end_offsets, __global const uint* ends,
-                   __global const uint* numbers) {
-    __global const Segment* candidates = segments + args->first;
-    const uint vertex = end != 0 ? candidates[c].q : candidates[c].p;
+                   __global const Segment* segments, __global const uint* contour_ends,
+                   __global const float* vertices, __global const uint* end_offsets,
+                   __global const uint* ends, __global const uint* numbers) {
+    const uint vertex = vertex_at(args, segments, contour_ends, c, end);
     uint meeting[MOST_MEETING];
     int count = 0, own = -1;
     for (uint k = end_offsets[vertex]; k < end_offsets[vertex + 1]; ++k) {
         const uint other = ends[k] >> 1;
         if (numbers[other + 1] == numbers[other]) continue;
+        uint one = ends[k];
+        if (other >= args->contours) { /* may end there either way, or not at all */
+            one = other << 1;
+            if (vertex_at(args, segments, contour_ends, other, 0) != vertex) {
+                if (vertex_at(args, segments, contour_ends, other, 1) != vertex) continue;
+                one |= 1u;
+            }
+        }
         if (count == MOST_MEETING) break;
-        if (ends[k] == (c << 1 | end)) own = count;
-        meeting[count++] = ends[k];
+        if (one == (c << 1 | end)) own = count;
+        meeting[count++] = one;
     }
     if (count < 2 || own < 0) return LA_WAY_ENDS;
     int partner = 1 - own;
@@ -77,8 +92,8 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
         float3 directions[MOST_MEETING];
         const float3 from = vload3(vertex, vertices);
         for (int k = 0; k < count; ++k) {
-            __global const Segment* other = candidates + (meeting[k] >> 1);
-            const uint far = (meeting[k] & 1u) != 0 ? other->p : other->q;
+            const uint far =
+                vertex_at(args, segments, contour_ends, meeting[k] >> 1, 1u - (meeting[k] & 1u));
             directions[k] = seen_direction(from, vload3(far, vertices), to_float4(args->eye));
         }
         partner = straightest_partner(own, directions, count);
@@ -89,8 +104,9 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
 }
 
 /* One work-item per candidate. numbers: of `silhouette`, scanned. end_offsets, ends: of every
- * vertex the ends of candidates there, as 2 i + end. chosen[n]: the candidate that silhouette n is.
- * ways: of all silhouettes, each a stretch of one. positions: emptied. */
+ * vertex the ends of candidates there, as 2 i + end; of an edge that contours cross, 2 i for each
+ * of its triangles. chosen[n]: the candidate that silhouette n is. ways: of all silhouettes, each a
+ * stretch of one. positions: emptied. */
 KERNEL(chain_link, ChainParameters) {
     const uint c = (uint)get_global_id(0);
     if (c >= args.count) return;
@@ -100,7 +116,8 @@ KERNEL(chain_link, ChainParameters) {
     chosen[n] = c;
     for (uint d = 0; d < 2; ++d) {
         __global ChainWay* way = ways + (n << 1 | d);
-        way->next = way_on(&args, c, 1u - d, segments, vertices, end_offsets, ends, numbers);
+        way->next =
+            way_on(&args, c, 1u - d, segments, contour_ends, vertices, end_offsets, ends, numbers);
         way->hops = 1;
         way->least = n << 1 | d;
         way->at = 0;
@@ -173,6 +190,12 @@ KERNEL(chain_write, ChainParameters) {
     const uint position = starts[place.leader] + place.before;
     const uint turned = (place.flags & LA_PLACE_REVERSED) != 0 ? 1u : 0u;
     Segment segment = segments[args.first + c];
+    if (c >= args.contours) {
+        segment.p = vertex_at(&args, segments, contour_ends, c, 0) + args.lift;
+        segment.q = vertex_at(&args, segments, contour_ends, c, 1) + args.lift;
+        segment.face_b = LA_NO_FACE;
+        segment.tag |= LA_TAG_CONTOUR;
+    }
     if (turned != 0) {
         const uint p = segment.p;
         segment.p = segment.q;

@@ -28,31 +28,58 @@ typedef struct ChainPlace {
 #define LA_PLACE_REVERSED 1u /* runs from its q to its p */
 #define LA_PLACE_CLOSED 2u   /* the chain is a loop */
 
+/* How a contour crosses an edge. */
+#define LA_CONTOUR_NONE 0u
+#define LA_CONTOUR_FALLS 1u /* the edge's start shows its front, its end does not */
+#define LA_CONTOUR_RISES 2u
+
+#define LA_NO_VERTEX 0xFFFFFFFFu
+
+/* Places of contours are lifted off the surface by so much of the edge's length times the angle
+ * between its normals. An eighth is how far an arc rises over its chord. */
+#define LA_CONTOUR_LIFT 0.25f
+
+typedef struct ContourParameters {
+    la_uint count;        /* edges; of contour_ends candidates */
+    la_uint first_vertex; /* of an edge's place in the table of vertices */
+    la_vec4 eye;          /* as in FacingParameters */
+} ContourParameters;
+
+/* Candidates by edges of the mesh come first, then those that contours stand for, then contours. */
 typedef struct SilhouetteParameters {
-    la_uint count; /* candidates */
-    la_uint first; /* of them in the segment table */
+    la_uint count;              /* candidates */
+    la_uint first;              /* of them in the segment table */
+    la_uint replaced, contours; /* the first of either; `count` where there are none */
 } SilhouetteParameters;
-#define silhouette_tables(in, out, inout, unordered)                                               \
-    in(Segment, segments)in(uchar, front)out(uint, numbers)
 
 typedef struct ChainParameters {
-    la_uint count; /* candidates, of chain_link; else silhouettes, of chain_jump their ways */
-    la_uint first; /* candidate in the segment table */
-    la_uint step;  /* of chain_jump, from 0 */
-    la_vec4 eye;   /* as in FacingParameters */
+    la_uint count;    /* candidates, of chain_link; else silhouettes, of chain_jump their ways */
+    la_uint first;    /* candidate in the segment table */
+    la_uint step;     /* of chain_jump, from 0 */
+    la_vec4 eye;      /* as in FacingParameters */
+    la_uint contours; /* as in SilhouetteParameters */
+    la_uint lift;     /* from a contour's vertex to the one that is drawn */
 } ChainParameters;
 
 /* Lists stay lists: */
 /* clang-format off */
+#define contour_points_tables(in, out, inout, unordered) \
+    in(ContourCorner, corners) in(uint, edges) inout(float, vertices) out(uchar, crossed)
+#define contour_ends_tables(in, out, inout, unordered) \
+    in(uint, faces) in(uchar, crossed) out(uint, contour_ends)
+#define silhouette_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(uchar, front) in(uint, contour_ends) out(uint, numbers)
 #define chain_link_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(float, vertices) in(uint, end_offsets) in(uint, ends) \
+    in(Segment, segments) in(uint, contour_ends) in(float, vertices) in(uint, end_offsets) \
+    in(uint, ends) \
     in(uint, numbers) out(uint, chosen) out(ChainWay, ways) out(uint, positions)
 #define chain_jump_tables(in, out, inout, unordered) \
     in(ChainWay, ways) out(ChainWay, longer) inout(uint, going)
 #define chain_place_tables(in, out, inout, unordered) \
     in(ChainWay, ways) out(ChainPlace, places) out(uint, lengths)
 #define chain_write_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(uint, chosen) in(ChainPlace, places) in(uint, starts) \
+    in(Segment, segments) in(uint, contour_ends) in(uint, chosen) in(ChainPlace, places) \
+    in(uint, starts) \
     inout(Segment, ordered) out(uint, origins) inout(uint, positions)
 /* clang-format on */
 

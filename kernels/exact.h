@@ -83,6 +83,27 @@ static Linear plain_side(const float2 b, const float2 c, const float sign) {
     return side;
 }
 
+/* The clipped ends of a segment, of a contour lifted off its surface. */
+typedef struct ClipEnds {
+    float4 p, q;
+} ClipEnds;
+
+static ClipEnds lifted_ends(__global const Segment* segment, __global const ClippedSegment* clipped,
+                            const uint lift, const Matrix clip_from_world,
+                            __global const float* vertices) {
+    ClipEnds ends;
+    ends.p = vload4(0, clipped->p);
+    ends.q = vload4(0, clipped->q);
+    if ((segment->tag & LA_TAG_CONTOUR) == 0) return ends;
+    const float4 p = transform_point(clip_from_world, vload3(segment->p + lift, vertices));
+    const float4 q = transform_point(clip_from_world, vload3(segment->q + lift, vertices));
+    const float4 at_p = p + (q - p) * clipped->t0, at_q = p + (q - p) * clipped->t1;
+    if (!(at_p.w > 0.0f && at_q.w > 0.0f)) return ends;
+    ends.p = at_p;
+    ends.q = at_q;
+    return ends;
+}
+
 /* A corner in homogeneous pixels of a tile. */
 static float3 homogeneous(const float4 clip, const float2 viewport, const float2 origin) {
     const float2 half_size = viewport * 0.5f;

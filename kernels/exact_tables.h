@@ -52,22 +52,33 @@ typedef struct ExactParameters {
     la_uint chunk;    /* triangles per work-item of tile_lists */
     la_uint chunks;
     la_uint entry_capacity, group_capacity, span_capacity;
-    /* 1: the clipped segments are the two ways beside each segment, see outline_push; all that is
-     * over them hides them. 0: they are the segments. */
+    /* The clipped segments are so many ways beside each segment, see outline_push; all that is over
+     * them hides them. 0: they are the segments. */
     la_uint beside;
+    la_uint lift; /* from a contour's vertex to the one that visibility is asked of */
 } ExactParameters;
 
 typedef struct OutlineParameters {
     la_uint count; /* segments */
     la_vec2 viewport;
     float reach;      /* pixels from a line to the place beside it */
+    float depth;      /* pixels that a body must be deep on the other side of its outline */
     la_uint parallel; /* 1: a parallel view */
+    la_uint capacity; /* parts that there is room for */
+    la_mat4 clip_from_world;
+    la_uint lift; /* as in ExactParameters */
 } OutlineParameters;
+
+/* Ways beside a segment: one on either side, then for each of these LA_OUTLINE_STEPS on the other
+ * side of the segment. */
+#define LA_OUTLINE_STEPS 2u
+#define LA_OUTLINE_BESIDE 2u
+#define LA_OUTLINE_WITHIN (2u * LA_OUTLINE_STEPS)
 
 typedef struct OutlineSamplesParameters {
     la_uint count; /* segments */
     la_vec2 viewport;
-    float reach; /* as in OutlineParameters */
+    float reach, depth; /* as in OutlineParameters */
     la_ivec2 depth_size;
     float depth_scale; /* depth texels per pixel */
     la_uint sample_capacity;
@@ -75,8 +86,8 @@ typedef struct OutlineSamplesParameters {
 } OutlineSamplesParameters;
 
 typedef struct PensParameters {
-    la_uint sides; /* lists of parts per segment; 0: nothing is outline, and none are read */
-    la_uint first; /* segment that is a silhouette, of the candidate that `origins` says */
+    la_uint outlines; /* 0: nothing is outline, and no parts are read */
+    la_uint first;    /* segment that is a silhouette, of the candidate that `origins` says */
     la_uint run_capacity, drawn_capacity;
 } PensParameters;
 
@@ -135,8 +146,16 @@ typedef struct SpansParameters {
     in(uint, block_offsets) out(Interval, intervals) out(uint, interval_total)
 
 #define outline_push_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) in(uint, span_offsets) \
+    in(Segment, segments) in(float, vertices) in(ClippedSegment, clipped) in(uint, arcs) in(uint, span_offsets) \
     inout(ClippedSegment, pushed)
+#define outline_push_in_tables(in, out, inout, unordered) \
+    in(ClippedSegment, clipped) in(uint, beside_offsets) inout(ClippedSegment, pushed)
+#define outline_parts_count_tables(in, out, inout, unordered) \
+    in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
+    out(uint, counts)
+#define outline_parts_write_tables(in, out, inout, unordered) \
+    in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
+    in(uint, part_offsets) out(float, parts)
 #define outline_samples_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \
     out(uint, counts)

@@ -16,8 +16,12 @@
 
 /* Segment.tag: the kind in the low bits, then flags. */
 #define LA_TAG_KIND_MASK 0x7u
-#define LA_TAG_CLOSED 0x8u /* the path is a loop: its last segment continues in its first */
-#define LA_TAG_LONE 0x10u  /* touches no other segment: dropped when sub-pixel (§4.1) */
+#define LA_TAG_CLOSED 0x8u   /* the path is a loop: its last segment continues in its first */
+#define LA_TAG_CONTOUR 0x20u /* of a frame: a silhouette of a smooth surface, see contour.cl */
+#define LA_TAG_LONE 0x10u    /* touches no other segment: dropped when sub-pixel (§4.1) */
+
+/* An edge of a triangle that runs against the triangle's winding. */
+#define LA_CONTOUR_TURNED 0x80000000u
 
 /* Segment.face_a, face_b: a triangle index, or LA_NO_FACE. LA_FACE_FLIPPED in face_b says that its
  * winding disagrees with face_a's, so that its facing must be negated before the two are compared.

@@ -248,6 +248,8 @@ typedef struct IntervalsParameters {
     kernel(pyramid, pyramid, PyramidParameters) \
     kernel(cull, cull, CullParameters) \
     kernel(facing, facing, FacingParameters) \
+    kernel(contour, contour_points, ContourParameters) \
+    kernel(contour, contour_ends, ContourParameters) \
     kernel(silhouette, silhouette, SilhouetteParameters) \
     kernel(chain, chain_link, ChainParameters) \
     kernel(chain, chain_jump, ChainParameters) \
@@ -290,6 +292,9 @@ typedef struct IntervalsParameters {
     kernel(density, density_weights, DensityParameters) \
     kernel(density, density_excess, DensityParameters) \
     kernel(outline, outline_push, OutlineParameters) \
+    kernel(outline, outline_push_in, OutlineParameters) \
+    kernel(outline, outline_parts_count, OutlineParameters) \
+    kernel(outline, outline_parts_write, OutlineParameters) \
     kernel(outline, outline_samples_count, OutlineSamplesParameters) \
     kernel(outline, outline_samples_write, OutlineSamplesParameters) \
     kernel(pens, pens_count, PensParameters) \

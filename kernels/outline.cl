@@ -1,9 +1,11 @@
-/* outline: which parts of lines have the background on one side. A place of a line has it where a
- * place beside it, infinitely far away, is hidden by nothing.
+/* outline: which parts of lines have the background on one side, and on the other one a body that
+ * is some pixels deep: a rope is no outline of itself. A place of a line has the background beside
+ * it where a place there, infinitely far away, is hidden by nothing.
  *
- * Of the exact method (exact.h): every segment that is seen is pushed out to either side, and
- * `visible` finds what of that is seen: those parts are cut, with continuous ends. Of the segment
- * atlas: the depth buffer is looked at beside the middle of every sample.
+ * Of the exact method (exact.h): every segment that is seen is pushed out to either side, and what
+ * is beside the background then is pushed to the other one. `visible` finds what of that is seen,
+ * and so parts are cut, with continuous ends. Of the segment atlas: the depth buffer is looked at
+ * beside the middle of every sample.
  *
  * Either way they are parts of segments, in the units of runs: samples of the segment, or 0 to 1.
  * Several of one segment may overlap, and are in no order. */
@@ -21,33 +23,109 @@ static bool can_be_outline(const uint tag) {
     return kind != LA_KIND_FILE && kind != LA_KIND_HATCHING;
 }
 
-/* pushed: of segment i the two ways beside it, to its right and to its left; their p[3] is 0 if
- * nothing is looked for there. */
-KERNEL(outline_push, OutlineParameters) {
-    const uint i = (uint)get_global_id(0);
-    if (i >= args.count) return;
-    pushed[2 * i].p[3] = pushed[2 * i + 1].p[3] = 0.0f;
-    if (arcs[i + 1] == arcs[i] || span_offsets[i + 1] == span_offsets[i]) return;
-    if (!can_be_outline(segments[i].tag)) return;
-    const float4 p = vload4(0, clipped[i].p), q = vload4(0, clipped[i].q);
+/* The way beside a segment, so many pixels to its left and infinitely far away; p[3] is 0 where
+ * there is none. */
+static void push(const OutlineParameters* args, const float4 p, const float4 q,
+                 const float distance, __global ClippedSegment* out) {
+    out->p[3] = 0.0f;
     const float2 at_p = xy(p) / p.w, at_q = xy(q) / q.w;
-    const float2 half_size = to_float2(args.viewport) * 0.5f;
+    const float2 half_size = to_float2(args->viewport) * 0.5f;
     const float2 way = (at_q - at_p) * half_size;
     const float length_px = sqrt(way.x * way.x + way.y * way.y);
     if (!(length_px > 0.0f)) return;
-    const float2 left = float2(-way.y, way.x) * (args.reach / length_px) / half_size;
-    const bool parallel = args.parallel != 0;
-    const float w = parallel ? 1.0f : FAR_W;
+    const float2 off = float2(-way.y, way.x) * (distance / length_px) / half_size;
+    const bool parallel = args->parallel != 0;
+    const float w = parallel ? 1.0f : FAR_W, z = parallel ? FAR_Z : w;
+    const float2 from = (at_p + off) * w, to = (at_q + off) * w;
+    vstore4(float4(from.x, from.y, z, w), 0, out->p);
+    vstore4(float4(to.x, to.y, z, w), 0, out->q);
+    out->t0 = 0.0f;
+    out->t1 = 1.0f;
+    out->own_a = out->own_b = LA_NO_FACE;
+}
+
+/* pushed: of segment i the two ways beside it, to its right and to its left. */
+KERNEL(outline_push, OutlineParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    __global ClippedSegment* out = pushed + LA_OUTLINE_BESIDE * i;
+    out[0].p[3] = out[1].p[3] = 0.0f;
+    if (arcs[i + 1] == arcs[i] || span_offsets[i + 1] == span_offsets[i]) return;
+    if (!can_be_outline(segments[i].tag)) return;
+    const ClipEnds ends = lifted_ends(segments + i, clipped + i, args.lift,
+                                      to_matrix(args.clip_from_world), vertices);
+    push(&args, ends.p, ends.q, -args.reach, out);
+    push(&args, ends.p, ends.q, args.reach, out + 1);
+}
+
+/* pushed: where the background is beside segment i, LA_OUTLINE_STEPS ways on its other side, first
+ * for the background to its right. beside_offsets: of what is seen of the two ways of
+ * outline_push. */
+KERNEL(outline_push_in, OutlineParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    const float4 p = vload4(0, clipped[i].p), q = vload4(0, clipped[i].q);
     for (uint side = 0; side < 2; ++side) {
-        const float2 off = left * (side == 0 ? -1.0f : 1.0f);
-        const float2 from = (at_p + off) * w, to = (at_q + off) * w;
-        __global ClippedSegment* out = pushed + (2 * i + side);
-        vstore4(float4(from.x, from.y, parallel ? FAR_Z : w, w), 0, out->p);
-        vstore4(float4(to.x, to.y, parallel ? FAR_Z : w, w), 0, out->q);
-        out->t0 = 0.0f;
-        out->t1 = 1.0f;
-        out->own_a = out->own_b = LA_NO_FACE;
+        const uint way = LA_OUTLINE_BESIDE * i + side;
+        const bool any = beside_offsets[way + 1] != beside_offsets[way];
+        for (uint k = 0; k < LA_OUTLINE_STEPS; ++k) {
+            __global ClippedSegment* out =
+                pushed + (LA_OUTLINE_WITHIN * i + LA_OUTLINE_STEPS * side + k);
+            out->p[3] = 0.0f;
+            const float inside = args.depth * (float)(k + 1) / (float)LA_OUTLINE_STEPS;
+            if (any) push(&args, p, q, side == 0 ? inside : -inside, out);
+        }
     }
+}
+
+/* The parts of segment i that have the background beside them and a body on the other side that is
+ * deep enough, written if there is a table; how many. */
+static uint find_deep_parts(const uint i, __global const uint* beside_offsets,
+                            __global const float* beside, __global const uint* within_offsets,
+                            __global const float* within, __global float* out) {
+    uint count = 0;
+    for (uint side = 0; side < 2; ++side) {
+        const uint way = LA_OUTLINE_BESIDE * i + side;
+        const uint inner = LA_OUTLINE_WITHIN * i + LA_OUTLINE_STEPS * side;
+        const uint first = within_offsets[inner], last = within_offsets[inner + LA_OUTLINE_STEPS];
+        for (uint k = beside_offsets[way]; k < beside_offsets[way + 1]; ++k) {
+            const float2 part = vload2(k, beside);
+            float at = part.x;
+            while (at < part.y) {
+                float end = part.y;
+                for (uint j = first; j < last; ++j) { /* those of both steps, in no order */
+                    const float2 thin = vload2(j, within);
+                    if (thin.y <= at) continue;
+                    end = fmin(end, fmax(thin.x, at));
+                }
+                if (end > at) {
+                    if (out != 0) vstore2(float2(at, end), count, out);
+                    ++count;
+                }
+                at = end;
+                for (uint j = first; j < last; ++j) {
+                    const float2 thin = vload2(j, within);
+                    if (thin.x <= end) at = fmax(at, thin.y);
+                }
+                if (!(at > end)) break;
+            }
+        }
+    }
+    return count;
+}
+
+KERNEL(outline_parts_count, OutlineParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    counts[i] = find_deep_parts(i, beside_offsets, beside, within_offsets, within, 0);
+}
+
+KERNEL(outline_parts_write, OutlineParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count || part_offsets[args.count] > args.capacity) return;
+    if (part_offsets[i + 1] == part_offsets[i]) return;
+    find_deep_parts(i, beside_offsets, beside, within_offsets, within,
+                    parts + 2 * (size_t)part_offsets[i]);
 }
 
 /* Whether the depth buffer has nothing at a place of the window. */
@@ -58,9 +136,21 @@ static bool is_background(const OutlineSamplesParameters* args, __global const f
     return depth[texel.y * size.x + texel.x] >= 1.0f;
 }
 
-static bool sample_has_background(const OutlineSamplesParameters* args, __global const float* depth,
-                                  const float2 place, const float2 left) {
-    return is_background(args, depth, place + left) || is_background(args, depth, place - left);
+/* Whether there is a body beside a place, as deep as it must be; left: a unit vector. */
+static bool is_deep(const OutlineSamplesParameters* args, __global const float* depth,
+                    const float2 place, const float2 left) {
+    for (uint k = 0; k < LA_OUTLINE_STEPS; ++k) {
+        const float inside = args->depth * (float)(k + 1) / (float)LA_OUTLINE_STEPS;
+        if (is_background(args, depth, place + left * inside)) return false;
+    }
+    return true;
+}
+
+static bool sample_is_outline(const OutlineSamplesParameters* args, __global const float* depth,
+                              const float2 place, const float2 left) {
+    const float2 off = left * args->reach;
+    return (is_background(args, depth, place + off) && is_deep(args, depth, place, left * -1.0f)) ||
+           (is_background(args, depth, place - off) && is_deep(args, depth, place, left));
 }
 
 /* Parts of segment i, written if there is a table; how many. */
@@ -75,12 +165,12 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
     const float2 way = (xy(clip_q) / clip_q.w + 1.0f) * half_size - p;
     const float length_px = sqrt(way.x * way.x + way.y * way.y);
     if (!(length_px > 0.0f)) return 0;
-    const float2 left = float2(-way.y, way.x) * (args->reach / length_px);
+    const float2 left = float2(-way.y, way.x) * (1.0f / length_px);
     uint count = 0;
     bool open = false;
     for (uint k = 0; k < l; ++k) {
         const float2 place = p + way * (((float)k + 0.5f) / (float)l);
-        const bool free = sample_has_background(args, depth, place, left);
+        const bool free = sample_is_outline(args, depth, place, left);
         if (free && !open && out != 0) out[2 * count] = (float)k;
         if (!free && open && out != 0) out[2 * count + 1] = (float)k;
         if (!free && open) ++count;

@@ -68,13 +68,13 @@ static uint pens_of(const uint segment, const uint first, __global const uint* s
 static OutlineParts parts_of(const PensParameters* args, __global const Run* run, const uint pens,
                              __global const uint* part_offsets, __global const float* parts) {
     OutlineParts table = {parts, 0, 0, 0.0f, (float)run->samples};
-    if (args->sides == 0 || (pens & 0xFFFFu) == pens >> 16) return table;
+    if (args->outlines == 0 || (pens & 0xFFFFu) == pens >> 16) return table;
     const float2 way = vload2(0, run->end) - vload2(0, run->start);
     const float length_px = sqrt(way.x * way.x + way.y * way.y);
     if (!(length_px > 0.0f)) return table;
     table.unit = (run->end_sample - run->start_sample) / length_px;
-    table.first = part_offsets[args->sides * run->segment];
-    table.last = part_offsets[args->sides * (run->segment + 1)];
+    table.first = part_offsets[run->segment];
+    table.last = part_offsets[run->segment + 1];
     return table;
 }
 

@@ -8,8 +8,8 @@
 #include "clipping.h"
 #include "silhouette.h"
 
-/* describe_own_face() of a face that may be none. */
-static uint own_face(const uint face, const uint kind, const uint vertex_p, const uint vertex_q,
+/* describe_own_face() of a face that may be none. within: the line runs through it. */
+static uint own_face(const uint face, const bool within, const uint vertex_p, const uint vertex_q,
                      const float4 p, const float4 q, const float2 across, const float length_px,
                      __global const float* vertices, __global const uint* triangles,
                      const Matrix clip_from_world, const Matrix world_from_clip,
@@ -26,7 +26,7 @@ static uint own_face(const uint face, const uint kind, const uint vertex_p, cons
     const float3 corner = third == 0u ? a : third == 1u ? b : c;
     const uint description = describe_own_face(a, b, c, corner, p, q, across, length_px,
                                                clip_from_world, world_from_clip, viewport);
-    return kind == LA_KIND_INTERSECTION ? within_own_face(description) : description;
+    return within ? within_own_face(description) : description;
 }
 
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
@@ -43,7 +43,8 @@ KERNEL(project_clip, ProjectClipParameters) {
     if ((args.kind_mask & (1u << kind)) == 0) return;
     const uint face_a = segments[i].face_a;
     const uint face_b = segments[i].face_b;
-    if (kind == LA_KIND_SILHOUETTE && !is_silhouette(face_a, face_b, front)) return;
+    const bool contour = (tag & LA_TAG_CONTOUR) != 0; /* then it is one in this frame */
+    if (kind == LA_KIND_SILHOUETTE && !contour && !is_silhouette(face_a, face_b, front)) return;
 
     const Matrix clip_from_world = to_matrix(args.clip_from_world);
     const Matrix world_from_clip = to_matrix(args.world_from_clip);
@@ -67,11 +68,12 @@ KERNEL(project_clip, ProjectClipParameters) {
         l = 1; /* a path must not look broken (§4.1) */
     }
     const float2 across = float2(-d.y, d.x) / length_px;
+    const bool within = contour || kind == LA_KIND_INTERSECTION;
     const uint p_index = segments[i].p, q_index = segments[i].q;
-    const uint own_a = own_face(face_a, kind, p_index, q_index, cp, cq, across, length_px, vertices,
-                                triangles, clip_from_world, world_from_clip, viewport);
-    const uint own_b = own_face(face_b, kind, p_index, q_index, cp, cq, across, length_px, vertices,
-                                triangles, clip_from_world, world_from_clip, viewport);
+    const uint own_a = own_face(face_a, within, p_index, q_index, cp, cq, across, length_px,
+                                vertices, triangles, clip_from_world, world_from_clip, viewport);
+    const uint own_b = own_face(face_b, within, p_index, q_index, cp, cq, across, length_px,
+                                vertices, triangles, clip_from_world, world_from_clip, viewport);
     arcs[i] = max((uint)(length_px * LA_ARC_UNITS_PER_PIXEL), 1u);
     if (args.hidden != LA_HIDDEN_SAMPLED &&
         is_hidden(tiles, window_p, d, fmin(cp.w, cq.w), own_a, own_b, args.depth_scale,

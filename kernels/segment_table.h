@@ -28,6 +28,12 @@ typedef struct Segment {
     la_uint tag;        /**< kind and flags, LA_TAG_* */
 } Segment;
 
+/** A corner of triangles of a smooth surface, which have it in common. */
+typedef struct ContourCorner {
+    la_uint vertex;  /**< index into the vertex table */
+    float normal[3]; /**< of length 1 */
+} ContourCorner;
+
 /* A segment after projection and clipping; written only where its sample count is above 0. */
 typedef struct ClippedSegment {
     float p[4], q[4]; /* p', q': clipped end points in homogeneous clip space, w > 0 */

@@ -8,6 +8,10 @@
 KERNEL(silhouette, SilhouetteParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
+    if (i >= args.contours) {
+        numbers[i] = contour_ends[2 * (i - args.contours)] != LA_NO_VERTEX ? 1 : 0;
+        return;
+    }
     __global const Segment* candidate = segments + args.first + i;
-    numbers[i] = is_silhouette(candidate->face_a, candidate->face_b, front) ? 1 : 0;
+    numbers[i] = i < args.replaced && is_silhouette(candidate->face_a, candidate->face_b, front);
 }

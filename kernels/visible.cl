@@ -397,8 +397,15 @@ static void find_visible(const ExactParameters* args, const Lists* lists, const 
 }
 
 static Line line_of(const ExactParameters* args, __global const Segment* segment,
-                    __global const ClippedSegment* clipped) {
-    const float4 p = vload4(0, clipped->p), q = vload4(0, clipped->q);
+                    __global const ClippedSegment* clipped, __global const float* vertices) {
+    const bool contour = args->beside == 0 && (segment->tag & LA_TAG_CONTOUR) != 0;
+    float4 p = vload4(0, clipped->p), q = vload4(0, clipped->q);
+    if (contour) {
+        const ClipEnds ends =
+            lifted_ends(segment, clipped, args->lift, to_matrix(args->clip_from_world), vertices);
+        p = ends.p;
+        q = ends.q;
+    }
     const float2 half_size = to_float2(args->viewport) * 0.5f;
     Line line;
     line.p = (xy(p) / p.w + 1.0f) * half_size;
@@ -410,15 +417,15 @@ static Line line_of(const ExactParameters* args, __global const Segment* segment
     line.w_q = q.w;
     line.t0 = clipped->t0;
     line.t1 = clipped->t1;
-    line.vertex_p = segment->p;
-    line.vertex_q = segment->q;
+    line.vertex_p = segment->p + (contour ? args->lift : 0u);
+    line.vertex_q = segment->q + (contour ? args->lift : 0u);
     line.doubt = fmax(line.nearness_p, nearness_q) * FEW_ULPS;
     return line;
 }
 
 /* The segment that clipped segment i is of. */
 static uint segment_of(const ExactParameters* args, const uint i) {
-    return args->beside != 0 ? i / 2 : i;
+    return args->beside != 0 ? i / args->beside : i;
 }
 
 /* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
@@ -438,7 +445,7 @@ KERNEL(visible_count, ExactParameters) {
     const bool absent = args.beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
     if (absent || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const Lists lists = LISTS;
-    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i);
+    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i, vertices);
     Found found = nothing_found(&line, 0);
     find_visible(&args, &lists, &line, &found);
     counts[i] = found.count;
@@ -459,7 +466,7 @@ KERNEL(visible_write, ExactParameters) {
     if (count == 2) vstore2(zw(two), 1, out);
     if (count <= 2) return;
     const Lists lists = LISTS;
-    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i);
+    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i, vertices);
     Found found = nothing_found(&line, out);
     find_visible(&args, &lists, &line, &found);
 }

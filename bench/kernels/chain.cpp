@@ -64,8 +64,10 @@ struct Rings {
 Job prepare_silhouette(compute::Stages& stages, std::uint32_t n) {
     const auto rings = std::make_shared<Rings>(stages, n);
     const auto run = [&stages, rings] {
-        stages.silhouette(
-            {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
+        stages.silhouette({.table = rings->table(),
+                           .contour_ends = nullptr,
+                           .front = *rings->front,
+                           .numbers = *rings->numbers});
         stages.device().finish();
     };
     run();
@@ -77,8 +79,10 @@ Job prepare_silhouette(compute::Stages& stages, std::uint32_t n) {
 
 Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
     const auto rings = std::make_shared<Rings>(stages, n);
-    stages.silhouette(
-        {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
+    stages.silhouette({.table = rings->table(),
+                       .contour_ends = nullptr,
+                       .front = *rings->front,
+                       .numbers = *rings->numbers});
     const std::size_t count = rings->silhouettes;
     const auto words = [&](std::size_t each) {
         return SharedBuffer{rings->device.allocate(each * sizeof(std::uint32_t))};
@@ -89,6 +93,8 @@ Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
                        origins = words(count), positions = words(n);
     const auto run = [=, &stages] {
         stages.chain({.table = rings->table(),
+                      .contour_ends = nullptr,
+                      .lifted = false,
                       .eye = {0, 0, 1, 0},
                       .numbers = *rings->numbers,
                       .count = rings->silhouettes,

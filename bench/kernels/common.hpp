@@ -55,6 +55,7 @@ Rows planes_rows(const Devices& devices);
 Rows pyramid_rows(const Devices& devices);
 Rows cull_rows(const Devices& devices);
 Rows facing_rows(const Devices& devices);
+Rows contour_rows(const Devices& devices);
 Rows silhouette_rows(const Devices& devices);
 Rows chain_rows(const Devices& devices);
 Rows project_clip_rows(const Devices& devices);

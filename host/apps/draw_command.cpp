@@ -57,6 +57,7 @@ struct DrawArguments {
     ViewOptions view;
     float at = 0;
     std::string crease = "auto";
+    std::string silhouettes{silhouettes_names[0]};
     bool smooth_edges = false;
     double deflection = 0; ///< 0: not given
     SectionOptions sections;
@@ -78,6 +79,10 @@ FrameSettings frame_settings_of(const DrawArguments& arguments) {
     FrameSettings settings;
     arguments.frame.apply(settings);
     return settings;
+}
+
+Silhouettes silhouettes(const DrawArguments& arguments) {
+    return parse_silhouettes("--silhouettes", arguments.silhouettes);
 }
 
 std::optional<float> crease_angle(const DrawArguments& arguments) {
@@ -143,7 +148,8 @@ std::string framing_note(const FarPart& far, glm::dvec3 origin) {
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
     const LineOptions line_options{.kinds = kinds,
                                    .crease_angle = crease_angle(arguments),
-                                   .smooth_edges = arguments.smooth_edges};
+                                   .smooth_edges = arguments.smooth_edges,
+                                   .silhouettes = silhouettes(arguments)};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         std::vector<std::string> notes;
@@ -237,6 +243,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
         throw UsageError("--only and --hide are for the parts of a MODEL file");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     crease_angle(arguments);
+    silhouettes(arguments);
     check_range("--at", arguments.at, 0, 1);
     if (!(arguments.deflection >= 0 && arguments.deflection <= 1e15))
         throw UsageError("--deflection must be a distance above 0");
@@ -409,11 +416,12 @@ void say(const std::string& note) {
 
 void draw_without_gl(const Drawing& drawing) {
     LineVisibility visibility{drawing.subject.lines, drawing.arguments.device};
-    const VisibilityOptions wanted{.lines = drawing.options.lines,
-                                   .hidden = true,
-                                   .step = drawing.options.step,
-                                   .outlines = tells_outlines(drawing.options.style)};
+    VisibilityOptions wanted{.lines = drawing.options.lines,
+                             .hidden = true,
+                             .step = drawing.options.step,
+                             .outlines = tells_outlines(drawing.options.style)};
     const auto find = [&](const Camera& camera) -> SeenLines {
+        wanted.outline_depth = outline_depth(drawing.options.style, camera.size);
         std::vector<Interval> intervals = visibility.find(camera, wanted);
         return {std::move(intervals), visibility.outlines()};
     };
@@ -482,6 +490,12 @@ Command setup_draw(CLI::App& app) {
     app.add_option("--crease", a.crease,
                    "All edges bent by more degrees than this are creases; auto: by more than 30, "
                    "but for noise of scanned or sculpted surfaces, and for seams")
+        ->capture_default_str()
+        ->group(model);
+    app.add_option("--silhouettes", a.silhouettes,
+                   "smooth: through triangles, where normals between their corners are at a right "
+                   "angle to the view, by the methods exact and atlas; mesh: along edges; auto: "
+                   "smooth on scanned and sculpted surfaces")
         ->capture_default_str()
         ->group(model);
     a.sections.declare(app, model);

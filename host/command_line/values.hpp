@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "lineatlas/lines.hpp"
+
 // Values as they stand on the command line. Each parser throws UsageError, naming `option`.
 namespace lineatlas {
 
@@ -24,6 +26,9 @@ std::vector<int> parse_frames(std::string_view option, const std::string& text, 
 
 /// LineOptions::crease_angle, in degrees or "auto".
 std::optional<float> parse_crease(std::string_view option, const std::string& text);
+
+/// LineOptions::silhouettes, by silhouettes_names.
+Silhouettes parse_silhouettes(std::string_view option, const std::string& text);
 
 /// The parts of `text` between separators.
 std::vector<std::string> split(const std::string& text, char separator);

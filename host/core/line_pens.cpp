@@ -80,6 +80,13 @@ std::string quoted_names(const std::set<std::string>& names) {
     return text;
 }
 
+/// Of the style's lengths in a picture of this size.
+float length_scale(const Style& style, glm::ivec2 size) {
+    const auto shorter = static_cast<float>(std::min(size.x, size.y));
+    if (!(style.made_for > 0) || !(shorter > 0)) return 1;
+    return std::max(shorter / style.made_for, 1.0F); // thinner ones would fade
+}
+
 } // namespace
 
 bool can_be_outline(LineKind kind) {
@@ -179,6 +186,16 @@ bool tells_outlines(const Style& style) {
         style.pens, [](const PenRule& rule) { return has_kind(rule.match, outline_name); });
 }
 
+float outline_depth(const Style& style, glm::ivec2 size) {
+    float widest = 0;
+    for (const PenRule& rule : style.pens) {
+        if (!has_kind(rule.match, outline_name)) continue;
+        const float width = rule.width.value_or(style.pen.width);
+        widest = std::max(widest, rule.width_factor ? style.pen.width * *rule.width_factor : width);
+    }
+    return 2 * widest * length_scale(style, size);
+}
+
 std::vector<std::string> idle_rules(const LineClasses& classes, const Style& style) {
     std::set<std::string> objects, materials;
     for (const MeshGroup& group : classes.groups) {
@@ -202,9 +219,7 @@ std::vector<std::string> idle_rules(const LineClasses& classes, const Style& sty
 }
 
 void scale_lengths(Style& scaled, glm::ivec2 size) {
-    const auto shorter = static_cast<float>(std::min(size.x, size.y));
-    if (!(scaled.made_for > 0) || !(shorter > 0)) return;
-    const float scale = std::max(shorter / scaled.made_for, 1.0F); // thinner ones would fade
+    const float scale = length_scale(scaled, size);
     const auto grow = [&](auto&... lengths) { ((lengths *= scale), ...); };
     grow(scaled.pen.width, scaled.pen.cap_length, scaled.hidden_pen.width,
          scaled.hidden_pen.cap_length, scaled.filter.fill, scaled.filter.drop,

@@ -60,6 +60,10 @@ Pen with_rule(Pen pen, const PenRule& rule, const Pen& own);
 /// Whether rules of the style tell outlines from other lines.
 bool tells_outlines(const Style& style);
 
+/// How deep a body must be behind its outline, in pixels of a picture of this size, or the outline
+/// is drawn as an inner line is: twice the widest pen that a rule gives to outlines.
+float outline_depth(const Style& style, glm::ivec2 size);
+
 /// Of every rule that is for no object or material of these lines, what it asks for and what there
 /// is, as a line for people.
 std::vector<std::string> idle_rules(const LineClasses& classes, const Style& style);

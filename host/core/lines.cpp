@@ -15,6 +15,7 @@
 
 #include "added_vertices.hpp"
 #include "box_tree.hpp"
+#include "contours.hpp"
 #include "edges.hpp"
 #include "host_clock.hpp"
 #include "intersections.hpp"
@@ -164,6 +165,7 @@ class Extraction {
         classify_edges();
         find_parts_and_tree();
         leave_out_seams();
+        find_smooth_patches();
         collect_lines();
         add_intersections();
         return assemble();
@@ -174,19 +176,19 @@ class Extraction {
 
     void classify_edges() {
         const std::int64_t start = host_nanoseconds();
-        const std::vector<double> bends = bends_of(edges_, normals_);
+        bends_ = bends_of(edges_, normals_);
         const KnownEdges known{mesh_, welded_};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             kinds_.push_back(known.all() || known.drawn(edges_[i])
-                                 ? known.classify(edges_[i], welded_, bends[i], options_)
-                                 : classify(edges_[i], welded_, bends[i], options_));
+                                 ? known.classify(edges_[i], welded_, bends_[i], options_)
+                                 : classify(edges_[i], welded_, bends_[i], options_));
         }
         if (known.all() || options_.crease_angle || !wanted(LineKind::crease)) return;
-        const std::vector<bool> noisy = noisy_creases(welded_, edges_, bends, kinds_);
+        const std::vector<bool> noisy = noisy_creases(welded_, edges_, bends_, kinds_);
         const LineOptions smooth{.kinds = options_.kinds & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (!noisy[i] || known.drawn(edges_[i])) continue;
-            kinds_[i] = classify(edges_[i], welded_, bends[i], smooth);
+            kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
             ++left_out_.noisy_creases;
         }
         times_.creases = milliseconds_since(start);
@@ -239,6 +241,36 @@ class Extraction {
         times_.seams = milliseconds_since(start);
     }
 
+    void find_smooth_patches() {
+        if (options_.silhouettes == Silhouettes::mesh || options_.separate_objects ||
+            !wanted(LineKind::silhouette))
+            return;
+        // Where creases are not wanted their edges are silhouettes, and part patches all the same.
+        const bool by_kind = wanted(LineKind::crease);
+        const double crease = options_.crease_angle.value_or(least_crease_angle);
+        smooth_ = find_contours({.mesh = welded_,
+                                 .edges = edges_,
+                                 .bends = bends_,
+                                 .kinds = kinds_,
+                                 .most_bend = by_kind ? std::numbers::pi : crease},
+                                options_.silhouettes);
+    }
+
+    /// Triangles through which silhouettes may run, as the last of the candidates.
+    void add_contours() {
+        smooth_.contours.replaced = static_cast<std::uint32_t>(replaced_.size());
+        candidates_.insert(candidates_.end(), replaced_.begin(), replaced_.end());
+        for (const std::uint32_t face : smooth_.faces) {
+            const glm::uvec3 corners = welded_.triangles[face];
+            candidates_.push_back({.p = corners.x,
+                                   .q = corners.y,
+                                   .face_a = face,
+                                   .face_b = face,
+                                   .kind = LineKind::silhouette,
+                                   .source = {.triangle = welded_.triangle_source[face]}});
+        }
+    }
+
     void collect_lines() {
         std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
         fixed_ = lines_of_polylines(welded_, options_.kinds, line_of_edge);
@@ -263,7 +295,11 @@ class Extraction {
                       edge.face_a, edge.face_b,
                       *kinds_[i],  triangle_edge(mesh_, welded_, first_face_[i], edge.p, edge.q)};
             if (!is_cut) {
-                (line.kind == LineKind::silhouette ? candidates_ : fixed_).push_back(line);
+                const bool replaced = !smooth_.replaces.empty() && smooth_.replaces[i];
+                (line.kind != LineKind::silhouette ? fixed_
+                 : replaced                        ? replaced_
+                                                   : candidates_)
+                    .push_back(line);
                 continue;
             }
             for (auto part = parts; part != left; ++part) {
@@ -314,10 +350,13 @@ class Extraction {
             return is_new && line.p != line.q;
         };
         for (Line& line : candidates_) place(line);
+        for (ContourCorner& corner : smooth_.contours.corners)
+            corner.vertex = number[corner.vertex];
         std::erase_if(fixed_, [&](Line& line) { return !place(line); });
     }
 
     LineSet assemble() {
+        add_contours();
         renumber();
         LineSetBuilder builder{welded_.vertices.size()};
         builder.add(welded_.vertices, fixed_, candidates_, options_.chain_angle);
@@ -330,6 +369,7 @@ class Extraction {
         result.triangles = std::move(welded_.triangles);
         result.vertex_sources = std::move(welded_.vertex_sources);
         result.cut_vertices = added_.cuts();
+        result.contours = std::move(smooth_.contours);
         for (std::size_t i = 0; i < objects_.names.size(); ++i) {
             const std::uint32_t first = i > 0 ? welded_.object_ends[i - 1] : 0;
             result.objects.push_back({objects_.names[i], first, welded_.object_ends[i] - first});
@@ -353,6 +393,7 @@ class Extraction {
     std::vector<MeshEdge> edges_;
     std::vector<std::uint32_t> first_face_; ///< of edges, before a neighbour stands for a sliver
     std::vector<glm::dvec3> normals_;
+    std::vector<double> bends_;                  ///< of edges
     std::vector<std::optional<LineKind>> kinds_; ///< nothing: never a line
     MeshParts parts_;
     std::vector<bool> is_open_; ///< parts
@@ -361,7 +402,8 @@ class Extraction {
     std::vector<std::uint32_t> object_of_triangle_;
     Seams seams_;
     AddedVertices added_{welded_};
-    std::vector<Line> fixed_, candidates_;
+    FoundContours smooth_;
+    std::vector<Line> fixed_, candidates_, replaced_; ///< replaced by contours
     LeftOut left_out_;
     LineTimes times_;
 };

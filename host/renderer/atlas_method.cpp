@@ -37,7 +37,8 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
       handover_(device_), prefers_raster_(!interop::gl_is_software()), depth_(connection),
-      chains_(stages_), strokes_(connection), intervals_(stages_) {
+      chains_(stages_, compute::SilhouetteChains::Contours::lifted), strokes_(connection),
+      intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -198,6 +199,7 @@ compute::OutlineTable AtlasMethod::outline(Frame& frame) {
                                  .sample_capacity = sample_capacity_,
                                  .depth = depth_.probed(frame),
                                  .viewport = frame.viewport(),
+                                 .body = outline_depth(frame.options.style, frame.camera.size),
                                  .offsets = *outline_offsets_,
                                  .parts = *outline_parts_,
                                  .part_capacity = outline_capacity_});
@@ -207,7 +209,7 @@ compute::OutlineTable AtlasMethod::outline(Frame& frame) {
         again = found > outline_capacity_;
         if (again) outline_capacity_ = compute::capacity_for<Part>(device_, found);
     }
-    return {*outline_offsets_, *outline_parts_, 1};
+    return {*outline_offsets_, *outline_parts_};
 }
 
 bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
@@ -385,7 +387,7 @@ void AtlasMethod::find(Frame& frame) {
         strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
     if (finds_outlines_ && keeps_intervals_)
-        intervals_.add_outlines(frame, {*outline_offsets_, *outline_parts_, 1}, order());
+        intervals_.add_outlines(frame, {*outline_offsets_, *outline_parts_}, order());
     keep_chunk(frame);
 }
 

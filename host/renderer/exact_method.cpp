@@ -31,13 +31,14 @@ void ExactMethod::find(Frame& frame) {
     };
     const bool of_intervals = IntervalStage::wants_outlines(frame);
     const bool of_strokes = StrokeStage::wants_outlines(frame);
+    const float depth = outline_depth(frame.options.style, frame.camera.size);
     lines_.find(
         view, chunks, table, frame.clock,
         [&](std::size_t, const compute::SegmentTable& segments, const compute::SpanTable& spans) {
             frame.scene.set_order(segments);
             std::optional<compute::OutlineTable> outline;
             if (of_intervals || of_strokes)
-                frame.clock("outline", [&] { outline.emplace(lines_.outline()); });
+                frame.clock("outline", [&] { outline.emplace(lines_.outline(depth)); });
             do {
                 intervals_.find(frame, lines_.clipped(), spans);
                 strokes_.make_runs(frame, no_samples(), &spans, outline ? &*outline : nullptr);

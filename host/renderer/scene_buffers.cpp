@@ -221,12 +221,28 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
         return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
                       purpose::model);
     };
+    const LineSet contours = download_contours();
     return {{.vertices = copy(*tables_.vertices),
              .triangles = copy(*tables_.triangles),
-             .chunks = upload_segments(stages.device(), download_segments())},
+             .chunks = upload_segments(stages.device(), download_segments(), &contours)},
             copy(*tables_.clusters),
             tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
             tables_.moving ? make_moving(stages, mode) : nullptr};
+}
+
+/// A line set that has nothing but these, and as many vertices as there are.
+LineSet SceneBuffers::download_contours() {
+    LineSet result;
+    const std::optional<compute::ContourTables> tables = tables_.chunks.front().contours();
+    if (!tables) return result;
+    result.vertices.resize(tables->vertex_count);
+    Contours& contours = result.contours;
+    contours.corners =
+        download<ContourCorner>(*tables->corners, tables->corners->size() / sizeof(ContourCorner));
+    contours.edges = download<glm::uvec2>(*tables->edges, tables->edge_count);
+    contours.faces = download<glm::uvec3>(*tables->faces, tables->face_count);
+    contours.replaced = tables->replaced;
+    return result;
 }
 
 std::vector<Segment> SceneBuffers::download_segments() {

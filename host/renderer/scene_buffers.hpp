@@ -73,7 +73,7 @@ class SceneBuffers {
                 .segments = *chunk().segments,
                 .triangle_count = triangle_count_,
                 .segment_count = chunk().range.count,
-                .candidates = chunk().candidates()};
+                .candidates = tables_.moving ? chunk().edge_candidates() : chunk().candidates()};
     }
     /// As the current frame draws them: in the order that was set last since select().
     compute::SegmentTable table() const { return ordered_ ? *ordered_ : candidate_table(); }
@@ -137,6 +137,7 @@ class SceneBuffers {
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
+    LineSet download_contours();
     /// Null if they are there already.
     std::unique_ptr<MovingTables> make_moving_once() const;
     void start_moving(std::unique_ptr<MovingTables> made);

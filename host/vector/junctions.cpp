@@ -35,6 +35,7 @@ class Junctions {
             const Piece& piece = before_[i];
             if (!piece.visible) continue;
             grid_.insert(pieces.start(piece).at, pieces.end(piece).at, i);
+            if (is_contour(lines, piece.segment)) continue; // it ends at no vertex
             const Segment& segment = lines.segments[piece.segment];
             if (at_vertex(piece.start.kind)) note_line_at(segment.p, piece.segment);
             if (at_vertex(piece.end.kind)) note_line_at(segment.q, piece.segment);
@@ -87,6 +88,7 @@ class Junctions {
     /// Lines vanish behind their own surface at a vertex of an outline: an end near a vertex where
     /// another visible line ends is there.
     bool meet_vertex(Piece& piece, bool at_end, Range range, Piece* other) {
+        if (is_contour(lines_, piece.segment)) return false;
         PieceEnd& end = end_of(piece, at_end);
         const double t = end.t < 0.5 ? 0 : 1;
         const Segment& segment = lines_.segments[piece.segment];

@@ -1,6 +1,7 @@
 #include "pieces.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -72,6 +73,24 @@ bool is_finite(const Interval& interval) {
            std::isfinite(interval.start_arc) && std::isfinite(interval.end_arc);
 }
 
+/// Neighbours have bit by bit the same.
+std::uint64_t name_of_end(const float* window) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(window[0])} << 32U |
+           std::bit_cast<std::uint32_t>(window[1]);
+}
+
+/// A contour, as far as its intervals go.
+std::optional<ScreenSegment> contour_segment(const Projector& projector, const Interval& first,
+                                             const Interval& last) {
+    const auto point = [](const float* at) { return glm::vec3{at[0], at[1], at[2]}; };
+    std::optional<ScreenSegment> screen =
+        projector.project(point(first.start_world), point(last.end_world));
+    if (!screen) return {};
+    screen->end_p = name_of_end(first.start);
+    screen->end_q = name_of_end(last.end);
+    return screen;
+}
+
 /// Where along a segment a window position (y up) lies.
 double share_along(const ScreenSegment& segment, const float* window, double height) {
     if (!(segment.length > 0)) return 0;
@@ -107,6 +126,10 @@ bool at_vertex(std::uint32_t kind) {
     return kind == LA_END_PATH || kind == LA_END_JOIN || kind == LA_END_ROUND;
 }
 
+bool is_contour(const LineSet& lines, std::uint32_t segment) {
+    return segment >= lines.segments.size() - lines.contours.faces.size();
+}
+
 bool share_vertex(const Segment& a, const Segment& b) {
     return a.p == b.p || a.p == b.q || a.q == b.p || a.q == b.q;
 }
@@ -133,12 +156,18 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
         return (interval.flags & LA_INTERVAL_EXACT) != 0;
     });
     std::uint32_t segment_of_last = VectorPiece::none;
-    for (const Interval& interval : intervals) {
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const Interval& interval = intervals[i];
         if (interval.segment >= lines.segments.size() || !is_finite(interval)) continue;
         if (interval.segment != segment_of_last) {
+            std::size_t last = i;
+            while (last + 1 < intervals.size() && intervals[last + 1].segment == interval.segment)
+                ++last;
             const Segment& segment = lines.segments[interval.segment];
             const std::optional<ScreenSegment> screen =
-                projector.project(lines.vertices[segment.p], lines.vertices[segment.q]);
+                is_contour(lines, interval.segment)
+                    ? contour_segment(projector, interval, intervals[last])
+                    : projector.project(lines.vertices[segment.p], lines.vertices[segment.q]);
             if (!screen) continue;
             pieces.screen.push_back(*screen);
             segment_of_last = interval.segment;

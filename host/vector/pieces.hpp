@@ -17,6 +17,8 @@ VectorPoint between(const VectorPoint& a, const VectorPoint& b, double share);
 struct ScreenSegment {
     VectorPoint p, q;
     double length = 0; ///< pixels
+    /// Of a contour, which has no vertices, what names its ends: the same for two that meet.
+    std::uint64_t end_p = 0, end_q = 0;
 };
 
 /// One end of a piece.
@@ -60,6 +62,9 @@ constexpr double same_place = 0.02;
 /// Leaves out pieces without length, where visibility only seems to change. A whole segment stays
 /// however short it is: it holds its neighbours together.
 void drop_flickers(Pieces& pieces);
+
+/// Whether a segment is a contour (LineSet::contours): its intervals alone say where it runs.
+bool is_contour(const LineSet& lines, std::uint32_t segment);
 
 /// Whether two segments meet in a vertex of the mesh.
 bool share_vertex(const Segment& a, const Segment& b);

@@ -85,8 +85,12 @@ class StripMaker {
         for (std::uint32_t i = 0; i < owns_.size(); ++i) {
             if (kind_of(i) != LA_KIND_SILHOUETTE) continue;
             silhouettes.push_back(i);
-            edges_.push_back({.p = node(segment(i).p, screen(i).p),
-                              .q = node(segment(i).q, screen(i).q),
+            const bool contour = is_contour(lines_, pieces_.list[owns_[i].first].segment);
+            const ScreenSegment& seen = screen(i);
+            edges_.push_back({.p = contour ? node(node_of_end_, seen.end_p, seen.p)
+                                           : node(node_of_vertex_, segment(i).p, seen.p),
+                              .q = contour ? node(node_of_end_, seen.end_q, seen.q)
+                                           : node(node_of_vertex_, segment(i).q, seen.q),
                               .kind = LA_KIND_SILHOUETTE});
         }
         for (const Chain& chain : chain_edges(nodes_, edges_, silhouette_chain_angle)) {
@@ -100,9 +104,11 @@ class StripMaker {
         }
     }
 
-    std::uint32_t node(std::uint32_t vertex, const VectorPoint& point) {
+    using Nodes = std::unordered_map<std::uint64_t, std::uint32_t>;
+
+    std::uint32_t node(Nodes& nodes, std::uint64_t name, const VectorPoint& point) {
         const auto fresh = static_cast<std::uint32_t>(nodes_.size());
-        const auto [known, is_new] = node_of_vertex_.emplace(vertex, fresh);
+        const auto [known, is_new] = nodes.emplace(name, fresh);
         if (is_new) {
             nodes_.emplace_back(static_cast<float>(point.at.x), static_cast<float>(point.at.y),
                                 0.0F);
@@ -185,7 +191,7 @@ class StripMaker {
     std::vector<Own> owns_; ///< per segment that has pieces
     std::vector<ChainEdge> edges_;
     std::vector<glm::vec3> nodes_;
-    std::unordered_map<std::uint32_t, std::uint32_t> node_of_vertex_;
+    Nodes node_of_vertex_, node_of_end_;
 };
 
 } // namespace

@@ -27,7 +27,8 @@ struct LineView {
 class ExactLines {
   public:
     explicit ExactLines(compute::Stages& stages)
-        : stages_(stages), device_(stages.device()), chains_(stages), visibility_(stages) {}
+        : stages_(stages), device_(stages.device()),
+          chains_(stages, compute::SilhouetteChains::Contours::on_surface), visibility_(stages) {}
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release();
@@ -67,8 +68,9 @@ class ExactLines {
 
     /// In which the segments of the current chunk stand; waits.
     TableOrder order() const { return {chains_.first(), chains_.read_origins()}; }
-    /// Of the chunk in use, while use() runs: which parts have the background on one side.
-    compute::OutlineTable outline() { return visibility_.outline(clipped()); }
+    /// Of the chunk in use, while use() runs: which parts are outline of what is `depth` pixels
+    /// deep.
+    compute::OutlineTable outline(float depth) { return visibility_.outline(clipped(), depth); }
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
     std::uint64_t mesh_bytes() const { return front_->size(); }

@@ -15,35 +15,69 @@ bool is_candidate(const Segment& segment) {
 
 /// Finds the candidates of a chunk, and uploads where they meet.
 void add_candidates(compute::Device& device, std::span<const Segment> segments,
-                    LineTables::Chunk& chunk) {
+                    const LineSet* contours, LineTables::Chunk& chunk) {
     std::size_t first = segments.size();
     while (first > 0 && is_candidate(segments[first - 1])) --first;
     const std::span<const Segment> candidates = segments.subspan(first);
     if (candidates.empty()) return;
     chunk.candidate_count = static_cast<std::uint32_t>(candidates.size());
+    const std::size_t faces = contours != nullptr ? contours->contours.faces.size() : 0;
+    const std::size_t edges = candidates.size() - faces;
+    // Calls it with every vertex where a candidate may end, and what stands for that end.
+    const auto for_each_end = [&](const auto& each) {
+        for (std::uint32_t i = 0; i < edges; ++i) {
+            each(candidates[i].p, 2 * i);
+            each(candidates[i].q, 2 * i + 1);
+        }
+        for (std::uint32_t i = 0; i < faces; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t edge = contours->contours.faces[i][k] & ~LA_CONTOUR_TURNED;
+                each(static_cast<std::uint32_t>(contours->vertices.size()) + edge,
+                     2 * (static_cast<std::uint32_t>(edges) + i));
+            }
+        }
+    };
     std::uint32_t last = 0;
-    for (const Segment& one : candidates) last = std::max({last, one.p, one.q});
+    for_each_end([&](std::uint32_t vertex, std::uint32_t) { last = std::max(last, vertex); });
     std::vector<std::uint32_t> offsets(std::size_t{last} + 2, 0);
-    for (const Segment& one : candidates) {
-        ++offsets[one.p + 1];
-        ++offsets[one.q + 1];
-    }
+    for_each_end([&](std::uint32_t vertex, std::uint32_t) { ++offsets[vertex + 1]; });
     std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<std::uint32_t> ends(2 * candidates.size());
+    std::vector<std::uint32_t> ends(2 * edges + 3 * faces);
     std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-        ends[next[candidates[i].p]++] = 2 * i;
-        ends[next[candidates[i].q]++] = 2 * i + 1;
-    }
+    for_each_end([&](std::uint32_t vertex, std::uint32_t end) { ends[next[vertex]++] = end; });
     chunk.end_offsets = upload(device, std::as_bytes(std::span{offsets}), purpose::segments);
     chunk.ends = upload(device, std::as_bytes(std::span{ends}), purpose::segments);
 }
 
+void add_contours(compute::Device& device, const LineSet& lines, LineTables::Chunk& chunk) {
+    const Contours& contours = lines.contours;
+    const auto to_device = [&](const auto& values) {
+        return upload(device, std::as_bytes(std::span{values}), purpose::segments);
+    };
+    chunk.corners = to_device(contours.corners);
+    chunk.edges = to_device(contours.edges);
+    chunk.faces = to_device(contours.faces);
+    chunk.replaced = contours.replaced;
+    chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
+}
+
 } // namespace
+
+std::optional<compute::ContourTables> LineTables::Chunk::contours() const {
+    if (!faces) return {};
+    return compute::ContourTables{
+        .corners = corners.get(),
+        .edges = edges.get(),
+        .faces = faces.get(),
+        .edge_count = static_cast<std::uint32_t>(edges->size() / sizeof(glm::uvec2)),
+        .face_count = static_cast<std::uint32_t>(faces->size() / sizeof(glm::uvec3)),
+        .replaced = replaced,
+        .vertex_count = vertex_count};
+}
 
 std::uint64_t LineTables::Chunk::bytes() const {
     std::uint64_t sum = segments->size();
-    for (const auto* buffer : {&end_offsets, &ends}) {
+    for (const auto* buffer : {&end_offsets, &ends, &corners, &edges, &faces}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -63,7 +97,8 @@ std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const
 }
 
 std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
-                                               std::span<const Segment> segments) {
+                                               std::span<const Segment> segments,
+                                               const LineSet* contours) {
     // The widest table per segment decides. Once it must be cut, the strokes and intervals of a
     // chunk shall fit too: some per segment, where all are visible and hidden in parts.
     constexpr std::uint64_t runs_per_segment = 4;
@@ -71,10 +106,14 @@ std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
     const std::uint64_t usual =
         is_whole ? segments.size() : device.largest_buffer() / (runs_per_segment * sizeof(Run));
     std::vector<LineTables::Chunk> chunks;
-    for (const SegmentRange& range : cut_segments(segments, usual)) {
+    const std::vector<SegmentRange> ranges = cut_segments(segments, usual);
+    if (ranges.size() > 1 || (contours != nullptr && contours->contours.empty()))
+        contours = nullptr;
+    for (const SegmentRange& range : ranges) {
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
         chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
-        add_candidates(device, part, chunks.back());
+        add_candidates(device, part, contours, chunks.back());
+        if (contours != nullptr) add_contours(device, *contours, chunks.back());
     }
     return chunks;
 }
@@ -83,7 +122,7 @@ LineTables upload_lines(compute::Device& device, const LineSet& lines) {
     check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
     return {.vertices = upload(device, std::as_bytes(std::span{lines.vertices}), purpose::model),
             .triangles = upload(device, std::as_bytes(std::span{lines.triangles}), purpose::model),
-            .chunks = upload_segments(device, lines.segments)};
+            .chunks = upload_segments(device, lines.segments, &lines)};
 }
 
 } // namespace lineatlas

@@ -22,6 +22,8 @@ void check(const VisibilityOptions& options) {
     if (!(options.step >= finest_step) || !std::isfinite(options.step)) {
         throw UsageError("step must be a number of pixels of at least 0.01");
     }
+    if (!(options.outline_depth >= 0) || !std::isfinite(options.outline_depth))
+        throw UsageError("outline depth must be a number of pixels of at least 0");
 }
 
 } // namespace
@@ -90,9 +92,9 @@ class LineVisibility::State {
                 } while (intervals.grow());
                 const SegmentRange range = tables_->chunks[chunk].range;
                 if (options.outlines) {
-                    add_outline_parts(*device_, work_->lines.outline(), intervals.read_table(),
-                                      work_->lines.order(), range.first, segments.segment_count,
-                                      outlines_);
+                    add_outline_parts(*device_, work_->lines.outline(options.outline_depth),
+                                      intervals.read_table(), work_->lines.order(), range.first,
+                                      segments.segment_count, outlines_);
                 }
                 if (chunks == 1) return;
                 intervals.keep(range.first, work_->lines.order(), {});

@@ -41,7 +41,7 @@ void add_outline_parts(compute::Device& device, const compute::OutlineTable& tab
                        std::span<const Interval> intervals, const TableOrder& order,
                        std::uint32_t first_segment, std::uint32_t segment_count,
                        std::vector<OutlinePart>& result) {
-    std::vector<la_uint> offsets(std::size_t{table.sides} * segment_count + 1);
+    std::vector<la_uint> offsets(std::size_t{segment_count} + 1);
     device.download(table.offsets, std::as_writable_bytes(std::span{offsets}));
     std::vector<Part> parts(offsets.back());
     if (parts.empty()) return;
@@ -49,9 +49,8 @@ void add_outline_parts(compute::Device& device, const compute::OutlineTable& tab
     std::vector<OutlinePart> found;
     for (const Interval& interval : intervals) {
         if ((interval.flags & LA_INTERVAL_VISIBLE) == 0) continue;
-        const std::size_t own = std::size_t{table.sides} * interval.segment;
-        const std::span<const Part> of_segment{parts.begin() + offsets[own],
-                                               parts.begin() + offsets[own + table.sides]};
+        const std::span<const Part> of_segment{parts.begin() + offsets[interval.segment],
+                                               parts.begin() + offsets[interval.segment + 1]};
         for (const Part part : joined(of_segment)) {
             const float from = std::max(part.from, interval.start_sample);
             const float to = std::min(part.to, interval.end_sample);

@@ -179,7 +179,9 @@ FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, boo
             const VisibilityOptions wanted{.lines = options.lines,
                                            .hidden = hidden,
                                            .step = options.step,
-                                           .outlines = tells_outlines(options.style)};
+                                           .outlines = tells_outlines(options.style),
+                                           .outline_depth =
+                                               outline_depth(options.style, camera.size)};
             LineVisibility& visibility = make_visibility();
             std::vector<Interval> found = visibility.find(camera, wanted);
             return {subject_, std::move(found), visibility.outlines()};

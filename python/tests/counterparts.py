@@ -91,6 +91,7 @@ ELSEWHERE = {
     "OutlinePart.*": "Renderer.to_json()", "LineVisibility.outlines()": "Renderer.to_json()",
     "Renderer.read_outlines()": "Renderer.to_json()", "VectorOptions.outlines": "Renderer.to_json()",
     "VisibilityOptions.outlines": "Renderer.to_json()",
+    "VisibilityOptions.outline_depth": "Renderer.to_json()",
     "VectorOptions": "Renderer.to_svg()", "VectorOptions.mesh": "Renderer.to_svg(tags)",
     "VectorOptions.plotter": "Renderer.to_svg(plotter)", "Page.*": "Renderer.to_svg(page)", "Unit.*": "Renderer.to_svg(page)",
     "Length.*": "Renderer.to_svg(margin)", "length_in()": "Renderer.to_svg(margin)", "parse_length()": "Renderer.to_svg(margin)",
@@ -121,10 +122,11 @@ NOT_IN_PYTHON = {
     "not bound yet: what files say beside their mesh, and how they are read": """
         LoadOptions.* LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits""",
+    "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.* silhouettes_names",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
         DxfOptions.description VectorOptions.tolerance with_shown_height()""",
-    "the table of lines itself stays within: intervals say where each comes from": "LineSet.* CutVertex.*",
+    "the table of lines itself stays within: intervals say where each comes from": "LineSet.* CutVertex.* Contours.*",
     "kinds of polylines come with Mesh.cut(), a program's own are LineKind.file": "Mesh.polyline_kind PolylineKind.*",
     "written by `lineatlas draw` alone": """
         DxfOptions.certificate JsonOptions.certificate SvgOptions.certificate JsonOptions.origin PenTravel.*""",

@@ -100,7 +100,7 @@ class ChainStage : public StageTest {
     }
 
   private:
-    compute::SilhouetteChains chains_{stages()};
+    compute::SilhouetteChains chains_{stages(), compute::SilhouetteChains::Contours::on_surface};
 };
 INSTANTIATE_TEST_SUITE_P(OnDevice, ChainStage, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });

@@ -65,7 +65,7 @@ void append_chains(std::vector<std::byte>& result, compute::Stages& stages, cons
     const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                       triangles,        chunk.range.count, chunk.candidates()};
     stages.facing({.table = table, .eye = camera.eye(), .front = *front});
-    compute::SilhouetteChains chains{stages};
+    compute::SilhouetteChains chains{stages, compute::SilhouetteChains::Contours::lifted};
     const compute::SegmentTable found =
         chains.find(table, *front, camera.eye(), [](const char*, const auto& run) { run(); });
     const std::vector<std::uint32_t> origins = chains.read_origins();
@@ -92,9 +92,9 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
     exact.find(
         view, 1, [&](std::size_t) { return table; }, [](const char*, const auto& run) { run(); },
         [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
-            const compute::OutlineTable outline = exact.outline();
-            append(result, read_back<la_uint>(stages.device(), outline.offsets,
-                                              outline.sides * found.segment_count + 1));
+            const compute::OutlineTable outline = exact.outline(2);
+            append(result,
+                   read_back<la_uint>(stages.device(), outline.offsets, found.segment_count + 1));
         });
 }
 
@@ -173,6 +173,11 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines) {
     append_planes(result, on_device, lines, camera);
     append_outline(result, on_device, lines, camera);
     append_chains(result, on_device, round, look_at_it(0, round.bounds));
+    const LineSet smooth = extract_lines(sphere(1), {.kinds = mask_of(LineKind::silhouette),
+                                                     .crease_angle = 3,
+                                                     .silhouettes = Silhouettes::smooth});
+    append_chains(result, on_device, smooth, look_at_it(0, smooth.bounds));
+    append_outline(result, on_device, smooth, look_at_it(0, smooth.bounds));
     append(result, drawn.texels);
     append(result, drawn.tiles);
     append(result, drawn.seen);

@@ -28,6 +28,7 @@ TEST_P(SilhouetteStage, NumbersWhatHasOneFaceInFront) {
     const auto ends = device().allocate(16);
     stages().silhouette(
         {.table = {*segments, *segments, *segments, 4, 9, {2, 7, ends.get(), ends.get()}},
+         .contour_ends = nullptr,
          .front = *front,
          .numbers = *numbers});
     EXPECT_TRUE(equal(get<std::uint32_t>(*numbers, 8), {0, 0, 1, 2, 3, 4, 4, 4}));

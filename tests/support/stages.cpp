@@ -316,10 +316,11 @@ std::vector<Run> FrameStages::pens(const Camera& camera, const std::vector<float
          .sample_capacity = state.offsets.back(),
          .depth = depth_of(*depth_buffer, camera.size * settings_.depth_scale, camera),
          .viewport = glm::vec2{camera.size},
+         .body = 2,
          .offsets = *part_offsets,
          .parts = *parts,
          .part_capacity = parts_at_most});
-    const compute::OutlineTable outline{*part_offsets, *parts, 1};
+    const compute::OutlineTable outline{*part_offsets, *parts};
     const auto segment_pens = to_device(*device_, std::vector<la_uint>(n_, 1U << 16U));
     const auto runs = to_device(*device_, state.runs);
     const auto record = to_device(*device_, std::vector{state.record});

@@ -175,6 +175,43 @@ TEST(Outlines, OfASphereAreClosed) {
     EXPECT_EQ(loose_ends(drawing, 2), 0);
 }
 
+TEST(Outlines, ThinPartsHaveNone) {
+    // Seen from the front, 40 pixels a unit: bars of 4, 10, 20 and 80 pixels.
+    for (const auto& [pixels, depth, has_one] : {std::tuple{4, 6.0F, false},
+                                                 {10, 6.0F, true},
+                                                 {10, 12.0F, false},
+                                                 {20, 12.0F, true},
+                                                 {80, 12.0F, true},
+                                                 {4, 0.0F, true}}) {
+        SCOPED_TRACE(pixels);
+        Mesh mesh;
+        const float half = static_cast<float>(pixels) / 80;
+        add_box(mesh, {-half, -2, -0.5F}, {half, 2, 0.5F}, {.object = "bar", .material = ""});
+        const LineSet lines = extract_lines(mesh);
+        const Camera camera = make_camera({.eye = {0, 0, 20},
+                                           .target = {0, 0, 0},
+                                           .height = 7.5F,
+                                           .projection = Projection::orthographic},
+                                          size, lines.bounds);
+        LineVisibility visibility{lines};
+        visibility.find(camera, {.outlines = true, .outline_depth = depth});
+        // The short ends of a thin bar have a deep body beside them.
+        const double ends = 2.0 * pixels, sides = 2.0 * 4 * 40;
+        EXPECT_NEAR(length_of(visibility.outlines()), ends + (has_one ? sides : 0), 0.5);
+        const gl::HeadlessContext context;
+        Renderer renderer;
+        renderer.set_lines(lines);
+        FrameOptions options;
+        options.style = with_outline(depth / 2);
+        options.intervals = KeptIntervals::visible;
+        options.draw = false;
+        options.method = Method::atlas;
+        if (depth == 0) continue; // no pen
+        renderer.draw(camera, options, 0);
+        EXPECT_NEAR(length_of(renderer.read_outlines()), ends + (has_one ? sides : 0), 8);
+    }
+}
+
 TEST(Pens, EveryRuleThatMatchesChangesWhatItNames) {
     Mesh mesh;
     add_box(mesh, {-3, -1, -1}, {-1, 1, 1}, {.object = "Bolt 7", .material = "steel"});
@@ -254,7 +291,7 @@ TEST(Outlines, OfARendererAreThoseOfLineVisibility) {
     renderer.set_lines(lines);
     const Camera camera = corner_view(lines);
     LineVisibility visibility{lines};
-    visibility.find(camera, {.outlines = true});
+    visibility.find(camera, {.outlines = true, .outline_depth = 12});
     const std::vector<OutlinePart>& ours = visibility.outlines();
     FrameOptions options;
     options.style = with_outline();

@@ -84,7 +84,7 @@ std::vector<Loop> chains_of(const LineSet& lines, glm::vec4 eye) {
     const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                       triangles,        chunk.range.count, chunk.candidates()};
     on.stages.facing({.table = table, .eye = eye, .front = *front});
-    compute::SilhouetteChains chains{on.stages};
+    compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
     const compute::SegmentTable found =
         chains.find(table, *front, eye, [](const char*, const auto& action) { action(); });
     std::vector<Loop> loops;

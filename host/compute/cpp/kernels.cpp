@@ -76,6 +76,9 @@ namespace in_cull {
 namespace in_facing {
 #include "facing.cl"
 }
+namespace in_contour {
+#include "contour.cl"
+}
 namespace in_silhouette {
 #include "silhouette.cl"
 }

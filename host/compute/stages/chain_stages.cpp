@@ -5,21 +5,57 @@
 
 namespace lineatlas::compute {
 
+namespace {
+
+/// A table that is not read where there are no contours.
+Buffer& contour_ends(const SegmentTable& table, Buffer* ends) {
+    return ends != nullptr ? *ends : table.segments;
+}
+
+} // namespace
+
+void Stages::contour(const ContourArgs& args) {
+    const ContourTables& contours = args.contours;
+    ContourParameters parameters{
+        .count = contours.edge_count, .first_vertex = contours.vertex_count, .eye = args.eye};
+    launch<kernels::contour_points>(contours.edge_count, tuning_.local_size, parameters,
+                                    {.corners = *contours.corners,
+                                     .edges = *contours.edges,
+                                     .vertices = args.vertices,
+                                     .crossed = args.crossed});
+    parameters.count = contours.face_count;
+    launch<kernels::contour_ends>(
+        contours.face_count, tuning_.local_size, parameters,
+        {.faces = *contours.faces, .crossed = args.crossed, .contour_ends = args.ends});
+}
+
 void Stages::silhouette(const SilhouetteArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
-    launch<kernels::silhouette>(
-        candidates.count, tuning_.local_size,
-        {.count = candidates.count, .first = candidates.first},
-        {.segments = args.table.segments, .front = args.front, .numbers = args.numbers});
+    launch<kernels::silhouette>(candidates.count, tuning_.local_size,
+                                {.count = candidates.count,
+                                 .first = candidates.first,
+                                 .replaced = candidates.kept_edges(),
+                                 .contours = candidates.edges()},
+                                {.segments = args.table.segments,
+                                 .front = args.front,
+                                 .contour_ends = contour_ends(args.table, args.contour_ends),
+                                 .numbers = args.numbers});
     scan(args.numbers, candidates.count, ScanKind::saturate);
 }
 
 void Stages::chain(const ChainArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
-    ChainParameters parameters{
-        .count = candidates.count, .first = candidates.first, .step = 0, .eye = args.eye};
+    const bool lifted = args.lifted && candidates.contours;
+    Buffer& contours = contour_ends(args.table, args.contour_ends);
+    ChainParameters parameters{.count = candidates.count,
+                               .first = candidates.first,
+                               .step = 0,
+                               .eye = args.eye,
+                               .contours = candidates.edges(),
+                               .lift = lifted ? candidates.contours->edge_count : 0};
     launch<kernels::chain_link>(candidates.count, tuning_.local_size, parameters,
                                 {.segments = args.table.segments,
+                                 .contour_ends = contours,
                                  .vertices = args.table.vertices,
                                  .end_offsets = *candidates.end_offsets,
                                  .ends = *candidates.ends,
@@ -44,6 +80,7 @@ void Stages::chain(const ChainArgs& args) {
     scan(args.starts, args.count, ScanKind::saturate);
     launch<kernels::chain_write>(args.count, tuning_.local_size, parameters,
                                  {.segments = args.table.segments,
+                                  .contour_ends = contours,
                                   .chosen = args.chosen,
                                   .places = args.places,
                                   .starts = args.starts,

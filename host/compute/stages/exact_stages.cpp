@@ -108,19 +108,56 @@ void Stages::visible(const ExactArgs& args) {
                                     .spans = args.spans});
 }
 
-void Stages::outline_push(const OutlinePushArgs& args) {
+namespace {
+
+OutlineParameters parameters_of(const OutlineArgs& args) {
     constexpr float beside = 0.5F; // pixels
-    const std::uint32_t n = args.table.segment_count;
-    launch<kernels::outline_push>(n, tuning_.local_size,
-                                  {.count = n,
-                                   .viewport = args.viewport,
-                                   .reach = beside,
-                                   .parallel = args.parallel ? 1U : 0U},
+    return {.count = args.table.segment_count,
+            .viewport = args.viewport,
+            .reach = beside,
+            .depth = args.depth,
+            .parallel = args.parallel ? 1U : 0U,
+            .capacity = 0,
+            .clip_from_world = args.clip_from_world,
+            .lift = args.lift};
+}
+
+} // namespace
+
+void Stages::outline_push(const OutlineArgs& args) {
+    launch<kernels::outline_push>(args.table.segment_count, tuning_.local_size, parameters_of(args),
                                   {.segments = args.table.segments,
+                                   .vertices = args.table.vertices,
                                    .clipped = args.clipped.clipped,
                                    .arcs = args.clipped.arcs,
                                    .span_offsets = args.spans.offsets,
                                    .pushed = args.pushed});
+}
+
+void Stages::outline_push_in(const OutlineArgs& args, Buffer& beside_offsets) {
+    launch<kernels::outline_push_in>(
+        args.table.segment_count, tuning_.local_size, parameters_of(args),
+        {.clipped = args.clipped.clipped, .beside_offsets = beside_offsets, .pushed = args.pushed});
+}
+
+void Stages::outline_parts(const OutlinePartsArgs& args) {
+    OutlineParameters parameters{};
+    parameters.count = args.segment_count;
+    parameters.capacity = args.part_capacity;
+    launch<kernels::outline_parts_count>(args.segment_count, tuning_.local_size, parameters,
+                                         {.beside_offsets = args.beside.offsets,
+                                          .beside = args.beside.spans,
+                                          .within_offsets = args.within.offsets,
+                                          .within = args.within.spans,
+                                          .counts = args.offsets});
+    scan(args.offsets, args.segment_count, ScanKind::saturate);
+    launch<kernels::outline_parts_write>(args.segment_count, tuning_.local_size, parameters,
+                                         {.beside_offsets = args.beside.offsets,
+                                          .beside = args.beside.spans,
+                                          .within_offsets = args.within.offsets,
+                                          .within = args.within.spans,
+                                          .part_offsets = args.offsets,
+                                          .parts = args.parts});
 }
 
 Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,

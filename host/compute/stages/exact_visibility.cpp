@@ -57,8 +57,11 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
     const glm::vec3 farthest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
     const float size = tile_size_for(camera, bounds, table.triangle_count);
     const glm::ivec2 pixels{static_cast<int>(size)};
+    const std::optional<ContourTables>& contours = table.candidates.contours;
     return {.count = table.segment_count,
-            .vertex_count = static_cast<std::uint32_t>(table.vertices.size() / (3 * sizeof(float))),
+            .vertex_count =
+                contours ? contours->vertex_count
+                         : static_cast<std::uint32_t>(table.vertices.size() / (3 * sizeof(float))),
             .triangle_count = table.triangle_count,
             .clip_from_world = clip_from_world,
             .eye = eye,
@@ -75,7 +78,8 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .entry_capacity = 0,
             .group_capacity = 0,
             .span_capacity = 0,
-            .beside = 0};
+            .beside = 0,
+            .lift = contours ? contours->edge_count : 0};
 }
 
 std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t element) {
@@ -91,13 +95,8 @@ std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t elem
 
 void ExactVisibility::release() {
     table_.reset();
-    for (std::unique_ptr<Buffer>* buffer :
-         {&screen_, &faces_, &planes_, &kept_, &span_offsets_, &occluders_, &ends_, &groups_,
-          &entries_, &blocks_, &boxes_, &spans_, &pushed_, &beside_kept_, &beside_offsets_,
-          &beside_spans_}) {
-        buffer->reset();
-    }
-    beside_capacity_ = 0;
+    for (std::unique_ptr<Buffer>* buffer : tables(*this)) buffer->reset();
+    beside_.capacity = within_.capacity = part_capacity_ = 0;
     parameters_ = {};
 }
 
@@ -190,36 +189,61 @@ std::uint32_t ExactVisibility::read(Buffer& buffer, std::size_t index) const {
     return value;
 }
 
-OutlineTable ExactVisibility::outline(const ClippedTable& clipped) {
-    const std::uint64_t sides = 2 * std::uint64_t{parameters_.count};
-    if (sides >= std::numeric_limits<std::uint32_t>::max()) {
-        throw DeviceError(beyond_limit(purpose::exact, "over 2 billion lines with outlines",
+void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t ways, Beside& beside) {
+    const std::uint64_t count = std::uint64_t{parameters_.count} * ways;
+    beside.capacity = std::max(beside.capacity,
+                               first_capacity<std::array<float, 2>>(device_, first_span_capacity));
+    make_room(beside.kept, count * 4 * sizeof(float));
+    make_room(beside.offsets, (count + 1) * sizeof(la_uint));
+    ExactParameters parameters = parameters_;
+    parameters.count = static_cast<std::uint32_t>(count);
+    parameters.beside = ways;
+    for (bool again = true; again;) {
+        make_room(beside.spans, std::uint64_t{beside.capacity} * 2 * sizeof(float));
+        parameters.span_capacity = beside.capacity;
+        stages_.visible(args({*pushed_, clipped.offsets, clipped.arcs}, parameters, *beside.kept,
+                             *beside.offsets, *beside.spans));
+        const std::uint32_t found = read(*beside.offsets, count);
+        again = found > beside.capacity;
+        if (again) beside.capacity = grown(device_, found, 2 * sizeof(float));
+    }
+}
+
+OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
+    const std::uint64_t ways = LA_OUTLINE_WITHIN * std::uint64_t{parameters_.count};
+    if (ways >= std::numeric_limits<std::uint32_t>::max()) {
+        throw DeviceError(beyond_limit(purpose::exact, "over 1 billion lines with outlines",
                                        "kernels count to 4 billion"));
     }
-    beside_capacity_ = std::max(beside_capacity_,
-                                first_capacity<std::array<float, 2>>(device_, first_span_capacity));
-    make_room(pushed_, sides * sizeof(ClippedSegment));
-    make_room(beside_kept_, sides * 4 * sizeof(float));
-    make_room(beside_offsets_, (sides + 1) * sizeof(la_uint));
-    stages_.outline_push({.table = *table_,
-                          .clipped = clipped,
-                          .spans = spans(),
-                          .viewport = parameters_.viewport,
-                          .parallel = parameters_.depth_rate > 0,
-                          .pushed = *pushed_});
-    ExactParameters beside = parameters_;
-    beside.count = static_cast<std::uint32_t>(sides);
-    beside.beside = 1;
+    make_room(pushed_, ways * sizeof(ClippedSegment));
+    make_room(part_offsets_, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
+    const OutlineArgs outline{.table = *table_,
+                              .clipped = clipped,
+                              .spans = spans(),
+                              .viewport = parameters_.viewport,
+                              .depth = depth,
+                              .parallel = parameters_.depth_rate > 0,
+                              .clip_from_world = parameters_.clip_from_world,
+                              .lift = parameters_.lift,
+                              .pushed = *pushed_};
+    stages_.outline_push(outline);
+    find_beside(clipped, LA_OUTLINE_BESIDE, beside_);
+    stages_.outline_push_in(outline, *beside_.offsets);
+    find_beside(clipped, LA_OUTLINE_WITHIN, within_);
+    part_capacity_ = std::max(part_capacity_, beside_.capacity);
     for (bool again = true; again;) {
-        make_room(beside_spans_, std::uint64_t{beside_capacity_} * 2 * sizeof(float));
-        beside.span_capacity = beside_capacity_;
-        stages_.visible(args({*pushed_, clipped.offsets, clipped.arcs}, beside, *beside_kept_,
-                             *beside_offsets_, *beside_spans_));
-        const std::uint32_t found = read(*beside_offsets_, sides);
-        again = found > beside_capacity_;
-        if (again) beside_capacity_ = grown(device_, found, 2 * sizeof(float));
+        make_room(parts_, std::uint64_t{part_capacity_} * 2 * sizeof(float));
+        stages_.outline_parts({.segment_count = parameters_.count,
+                               .beside = {*beside_.offsets, *beside_.spans, beside_.capacity},
+                               .within = {*within_.offsets, *within_.spans, within_.capacity},
+                               .offsets = *part_offsets_,
+                               .parts = *parts_,
+                               .part_capacity = part_capacity_});
+        const std::uint32_t found = read(*part_offsets_, parameters_.count);
+        again = found > part_capacity_;
+        if (again) part_capacity_ = grown(device_, found, 2 * sizeof(float));
     }
-    return {*beside_offsets_, *beside_spans_, 2};
+    return {*part_offsets_, *parts_};
 }
 
 bool ExactVisibility::grow() {
@@ -250,10 +274,7 @@ SpanTable ExactVisibility::spans() const {
 
 std::uint64_t ExactVisibility::bytes() const {
     std::uint64_t sum = 0;
-    for (const std::unique_ptr<Buffer>* buffer :
-         {&screen_, &faces_, &planes_, &kept_, &span_offsets_, &occluders_, &ends_, &groups_,
-          &entries_, &blocks_, &boxes_, &spans_, &pushed_, &beside_kept_, &beside_offsets_,
-          &beside_spans_}) {
+    for (const std::unique_ptr<Buffer>* buffer : tables(*this)) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -28,9 +29,9 @@ class ExactVisibility {
     void surfaces(const ClippedTable& clipped);
     void tile_lists(const ClippedTable& clipped);
     void visible(const ClippedTable& clipped);
-    /// After the last visible(): which parts of what it found have the background on one side.
-    /// Waits.
-    OutlineTable outline(const ClippedTable& clipped);
+    /// After the last visible(): which parts of what it found have the background on one side, and
+    /// on the other one a body that is `depth` pixels deep. Waits.
+    OutlineTable outline(const ClippedTable& clipped, float depth);
     /// Enlarges the tables that were too small, and waits for that; true if tile_lists() and
     /// visible() must be done again.
     bool grow();
@@ -43,6 +44,16 @@ class ExactVisibility {
     std::uint64_t bytes() const; ///< of all its tables
 
   private:
+    template <class Self>
+    static auto tables(Self& self) {
+        return std::array{&self.screen_,      &self.faces_,          &self.planes_,
+                          &self.kept_,        &self.span_offsets_,   &self.occluders_,
+                          &self.ends_,        &self.groups_,         &self.entries_,
+                          &self.blocks_,      &self.boxes_,          &self.spans_,
+                          &self.pushed_,      &self.part_offsets_,   &self.parts_,
+                          &self.beside_.kept, &self.beside_.offsets, &self.beside_.spans,
+                          &self.within_.kept, &self.within_.offsets, &self.within_.spans};
+    }
     ExactArgs args(const ClippedTable& clipped) const;
     ExactArgs args(const ClippedTable& clipped, const ExactParameters& parameters, Buffer& kept,
                    Buffer& span_offsets, Buffer& spans) const;
@@ -61,9 +72,16 @@ class ExactVisibility {
     std::unique_ptr<Buffer> screen_, faces_, planes_, kept_, span_offsets_; // per model
     std::unique_ptr<Buffer> occluders_, ends_, groups_;                     // per picture
     std::unique_ptr<Buffer> entries_, blocks_, boxes_, spans_;              // that grow
-    // Of outlines, while they are asked for.
-    std::unique_ptr<Buffer> pushed_, beside_kept_, beside_offsets_, beside_spans_;
-    std::uint32_t beside_capacity_ = 0; ///< of beside_spans_
+    /// What is seen of ways beside the segments, while outlines are asked for.
+    struct Beside {
+        std::unique_ptr<Buffer> kept, offsets, spans;
+        std::uint32_t capacity = 0; ///< of spans
+    };
+    /// Of what stands in pushed_, so many ways per segment.
+    void find_beside(const ClippedTable& clipped, std::uint32_t ways, Beside& beside);
+    std::unique_ptr<Buffer> pushed_, part_offsets_, parts_;
+    Beside beside_, within_;
+    std::uint32_t part_capacity_ = 0; ///< of parts_
 };
 
 } // namespace lineatlas::compute

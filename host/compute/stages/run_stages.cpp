@@ -136,6 +136,7 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
     const OutlineSamplesParameters parameters{.count = n,
                                               .viewport = args.viewport,
                                               .reach = 0.25F + clearance / args.depth.scale,
+                                              .depth = args.body,
                                               .depth_size = args.depth.size,
                                               .depth_scale = args.depth.scale,
                                               .sample_capacity = args.sample_capacity,
@@ -163,7 +164,7 @@ void Stages::pens(const PensArgs& args) {
     Buffer& parts = tells ? args.outline->parts : args.record;
     const bool ordered = args.table.origins != nullptr;
     Buffer& origins = ordered ? *args.table.origins : args.segment_pens; // any
-    const PensParameters parameters{.sides = tells ? args.outline->sides : 0U,
+    const PensParameters parameters{.outlines = tells ? 1U : 0U,
                                     .first = ordered ? args.table.candidates.first
                                                      : args.table.segment_count,
                                     .run_capacity = n,

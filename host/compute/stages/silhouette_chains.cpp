@@ -6,7 +6,7 @@ void SilhouetteChains::release() {
     for (std::unique_ptr<Buffer>* buffer : tables(*this)) buffer->reset();
     first_ = count_ = 0;
     has_order_ = false;
-    fixed_of_ = nullptr;
+    fixed_of_ = vertices_of_ = nullptr;
 }
 
 bool SilhouetteChains::make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes) {
@@ -26,12 +26,42 @@ SegmentTable SilhouetteChains::without(const SegmentTable& table) {
     return result;
 }
 
+void SilhouetteChains::contour(const SegmentTable& table, const glm::vec4& eye) {
+    const ContourTables& contours = *table.candidates.contours;
+    constexpr std::uint64_t vertex = 3 * sizeof(float);
+    const std::uint64_t edges = contours.edge_count;
+    const bool is_new = make_room(vertices_, (contours.vertex_count + 2 * edges) * vertex);
+    if (is_new || vertices_of_ != &table.vertices)
+        device_.copy(table.vertices, *vertices_, contours.vertex_count * vertex);
+    vertices_of_ = &table.vertices;
+    make_room(crossed_, edges);
+    make_room(contour_ends_, std::uint64_t{contours.face_count} * 2 * sizeof(la_uint));
+    stages_.contour({.contours = contours,
+                     .eye = eye,
+                     .vertices = *vertices_,
+                     .crossed = *crossed_,
+                     .ends = *contour_ends_});
+}
+
+SegmentTable SilhouetteChains::with_contours(const SegmentTable& table) const {
+    if (!table.candidates.contours) return table;
+    return {.vertices = *vertices_,
+            .triangles = table.triangles,
+            .segments = table.segments,
+            .triangle_count = table.triangle_count,
+            .segment_count = table.segment_count,
+            .candidates = table.candidates};
+}
+
 void SilhouetteChains::count(const SegmentTable& table, Buffer& front) {
     const std::uint64_t candidates = table.candidates.count;
     make_room(numbers_, (candidates + 1) * sizeof(la_uint));
     make_room(positions_, candidates * sizeof(la_uint));
     first_ = table.candidates.first;
-    stages_.silhouette({.table = table, .front = front, .numbers = *numbers_});
+    stages_.silhouette({.table = table,
+                        .contour_ends = contour_ends(table),
+                        .front = front,
+                        .numbers = *numbers_});
     device_.download(*numbers_, std::as_writable_bytes(std::span{&count_, 1}),
                      candidates * sizeof(la_uint));
     has_order_ = true;
@@ -63,6 +93,8 @@ void SilhouetteChains::chain(const SegmentTable& table, const glm::vec4& eye) {
     make_room(starts_, (n + 1) * sizeof(la_uint));
     make_room(origins_, n * sizeof(la_uint));
     stages_.chain({.table = table,
+                   .contour_ends = contour_ends(table),
+                   .lifted = drawn_ == Contours::lifted,
                    .eye = eye,
                    .numbers = *numbers_,
                    .count = count_,

@@ -13,8 +13,13 @@ namespace lineatlas::compute {
 /// which grow when a frame needs more.
 class SilhouetteChains {
   public:
+    /// Where contours (kernels/contour.cl) are drawn: on their surface, or lifted off it to where
+    /// visibility is asked of them, for stages that know of no other place.
+    enum class Contours { on_surface, lifted };
+
     /// `stages` must outlive it.
-    explicit SilhouetteChains(Stages& stages) : stages_(stages), device_(stages.device()) {}
+    explicit SilhouetteChains(Stages& stages, Contours drawn)
+        : stages_(stages), device_(stages.device()), drawn_(drawn) {}
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
@@ -24,9 +29,11 @@ class SilhouetteChains {
     /// The table of a frame whose triangles face the eye as `front` says; waits for the number of
     /// silhouettes. `clock(name, action)` runs a stage.
     template <class Clock>
-    SegmentTable find(const SegmentTable& table, Buffer& front, const glm::vec4& eye,
+    SegmentTable find(const SegmentTable& candidates, Buffer& front, const glm::vec4& eye,
                       Clock&& clock) {
-        if (table.candidates.count == 0) return without(table);
+        if (candidates.candidates.count == 0) return without(candidates);
+        if (candidates.candidates.contours) clock("contour", [&] { contour(candidates, eye); });
+        const SegmentTable table = with_contours(candidates);
         clock("silhouette", [&] { count(table, front); });
         if (count_ == 0) return with_none(table);
         clock("chain", [&] { chain(table, eye); });
@@ -44,6 +51,12 @@ class SilhouetteChains {
     std::uint64_t bytes() const; ///< of all its tables
 
   private:
+    void contour(const SegmentTable& table, const glm::vec4& eye);
+    /// With the vertices of the frame's contours behind its own.
+    SegmentTable with_contours(const SegmentTable& table) const;
+    Buffer* contour_ends(const SegmentTable& table) const {
+        return table.candidates.contours ? contour_ends_.get() : nullptr;
+    }
     void count(const SegmentTable& table, Buffer& front);
     void chain(const SegmentTable& table, const glm::vec4& eye);
     SegmentTable with_none(const SegmentTable& table);
@@ -54,13 +67,15 @@ class SilhouetteChains {
 
     template <class Self>
     static auto tables(Self& self) {
-        return std::array{&self.numbers_, &self.positions_, &self.ordered_, &self.chosen_,
-                          &self.ways_,    &self.longer_,    &self.going_,   &self.places_,
-                          &self.starts_,  &self.origins_};
+        return std::array{&self.numbers_,     &self.positions_, &self.ordered_,  &self.chosen_,
+                          &self.ways_,        &self.longer_,    &self.going_,    &self.places_,
+                          &self.starts_,      &self.origins_,   &self.vertices_, &self.crossed_,
+                          &self.contour_ends_};
     }
 
     Stages& stages_;
     Device& device_; ///< of stages_
+    Contours drawn_;
     std::uint32_t first_ = 0;
     std::uint32_t count_ = 0; ///< silhouettes of the last frame
     bool has_order_ = false;
@@ -68,6 +83,8 @@ class SilhouetteChains {
     std::unique_ptr<Buffer> numbers_, positions_; // per candidate
     std::unique_ptr<Buffer> ordered_, chosen_, ways_, longer_, going_, places_; // that grow
     std::unique_ptr<Buffer> starts_, origins_;
+    const Buffer* vertices_of_ = nullptr; ///< whose vertices stand in `vertices_`
+    std::unique_ptr<Buffer> vertices_, crossed_, contour_ends_; // where there are contours
 };
 
 } // namespace lineatlas::compute

@@ -19,6 +19,17 @@
 
 namespace lineatlas::compute {
 
+/// Where silhouettes of smooth surfaces may run, as LineSet::contours has it.
+struct ContourTables {
+    Buffer* corners = nullptr; ///< `ContourCorner` each
+    Buffer* edges = nullptr;   ///< 2 uint32 each: corners
+    Buffer* faces = nullptr;   ///< 3 uint32 each: edges
+    std::uint32_t edge_count = 0;
+    std::uint32_t face_count = 0;   ///< the last candidates
+    std::uint32_t replaced = 0;     ///< candidates before them that they stand for
+    std::uint32_t vertex_count = 0; ///< of the mesh
+};
+
 /// Segments that are drawn where they are silhouettes: the last ones of a table.
 struct SilhouetteCandidates {
     std::uint32_t first = 0; ///< in the segment table
@@ -26,6 +37,11 @@ struct SilhouetteCandidates {
     /// Per vertex a uint32: where its part of `ends` begins, and one more; null if there are none.
     Buffer* end_offsets = nullptr;
     Buffer* ends = nullptr; ///< 2 uint32 per candidate: 2 i + end, by the vertex there
+    std::optional<ContourTables> contours{};
+
+    /// Of them, how many are edges of the mesh that no contour stands for, and how many are edges.
+    std::uint32_t kept_edges() const { return edges() - (contours ? contours->replaced : 0); }
+    std::uint32_t edges() const { return count - (contours ? contours->face_count : 0); }
 };
 
 /// The constant input of the pipeline, as `LineSet` holds it.
@@ -175,27 +191,39 @@ struct FacingArgs {
 };
 
 /// Which candidates of the table are silhouettes.
+struct ContourArgs {
+    ContourTables contours;
+    glm::vec4 eye;    ///< Camera::eye()
+    Buffer& vertices; ///< in: those of the mesh; out, behind them: 6 floats per edge
+    Buffer& crossed;  ///< scratch: a byte per edge
+    Buffer& ends;     ///< out: 2 uint32 per candidate, see kernels/contour.cl
+};
+
+/// Which candidates are silhouettes.
 struct SilhouetteArgs {
     SegmentTable table;
-    Buffer& front;   ///< of `facing`
-    Buffer& numbers; ///< out: per candidate the number of silhouettes before it, then of all
+    Buffer* contour_ends; ///< of `contour`; null where there are no contours
+    Buffer& front;        ///< of `facing`
+    Buffer& numbers;      ///< out: per candidate the number of silhouettes before it, then of all
 };
 
 /// The silhouettes of a frame as paths: see kernels/chain.cl for what each table holds.
 struct ChainArgs {
     SegmentTable table;
-    glm::vec4 eye;       ///< Camera::eye()
-    Buffer& numbers;     ///< of `silhouette`
-    std::uint32_t count; ///< silhouettes, above 0
-    Buffer& chosen;      ///< scratch: a uint32 per silhouette
-    Buffer& ways;        ///< scratch: two `ChainWay` per silhouette
-    Buffer& longer;      ///< scratch: the same
-    Buffer& going;       ///< scratch: a uint32 for each of most_chain_steps
-    Buffer& places;      ///< scratch: `ChainPlace` per silhouette
-    Buffer& starts;      ///< scratch: a uint32 per silhouette and one more
-    Buffer& ordered;     ///< out: `Segment` each, from candidates.first on
-    Buffer& origins;     ///< out: a uint32 per silhouette, in their new order
-    Buffer& positions;   ///< out: a uint32 per candidate
+    Buffer* contour_ends; ///< as in SilhouetteArgs
+    bool lifted;          ///< contours are drawn where visibility is asked of them
+    glm::vec4 eye;        ///< Camera::eye()
+    Buffer& numbers;      ///< of `silhouette`
+    std::uint32_t count;  ///< silhouettes, above 0
+    Buffer& chosen;       ///< scratch: a uint32 per silhouette
+    Buffer& ways;         ///< scratch: two `ChainWay` per silhouette
+    Buffer& longer;       ///< scratch: the same
+    Buffer& going;        ///< scratch: a uint32 for each of most_chain_steps
+    Buffer& places;       ///< scratch: `ChainPlace` per silhouette
+    Buffer& starts;       ///< scratch: a uint32 per silhouette and one more
+    Buffer& ordered;      ///< out: `Segment` each, from candidates.first on
+    Buffer& origins;      ///< out: a uint32 per silhouette, in their new order
+    Buffer& positions;    ///< out: a uint32 per candidate
 };
 /// Steps in which the ways of any number of silhouettes get to their ends.
 inline constexpr std::uint32_t most_chain_steps = 34;
@@ -371,20 +399,31 @@ struct SpanTable {
 };
 
 /// What lies beside every segment that is seen, for `visible` to look at.
-struct OutlinePushArgs {
+struct OutlineArgs {
     SegmentTable table;
     ClippedTable clipped;
     SpanTable spans;    ///< what is seen of the segments
     glm::vec2 viewport; ///< pixels
+    float depth;        ///< pixels that a body must be deep on the other side
     bool parallel;      ///< a parallel view
-    Buffer& pushed;     ///< out: two `ClippedSegment` per segment
+    glm::mat4 clip_from_world;
+    std::uint32_t lift; ///< as in ExactParameters
+    Buffer& pushed;     ///< out: `ClippedSegment`, 2 per segment, then LA_OUTLINE_WITHIN
 };
 
 /// Parts of segments that have the background on one side. They may overlap.
 struct OutlineTable {
-    Buffer& offsets;
-    Buffer& parts;       ///< two floats each, from and to, in the units of runs
-    std::uint32_t sides; ///< those of segment i are offsets[sides * i] to offsets[sides * (i + 1)]
+    Buffer& offsets; ///< per segment and one more
+    Buffer& parts;   ///< two floats each, from and to, in the units of runs
+};
+
+/// Of what is seen of the ways beside segments, which parts are outline.
+struct OutlinePartsArgs {
+    std::uint32_t segment_count;
+    SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()
+    Buffer& offsets;          ///< out: segment_count + 1 uint32
+    Buffer& parts;            ///< out: 2 floats each; none if `part_capacity` is too small
+    std::uint32_t part_capacity;
 };
 
 /// The same of samples, by the depth buffer.
@@ -394,6 +433,7 @@ struct OutlineSamplesArgs {
     std::uint32_t sample_capacity; ///< as in SegmentAtlas
     DepthBuffer depth;
     glm::vec2 viewport; ///< pixels
+    float body;         ///< pixels that a body must be deep on the other side
     Buffer& offsets;    ///< out: segment_count + 1 uint32
     Buffer& parts;      ///< out: 2 floats each; none if `part_capacity` is too small
     std::uint32_t part_capacity;
@@ -456,6 +496,7 @@ class Stages {
     void pyramid(const PyramidArgs& args);
     void cull(const CullArgs& args);
     void facing(const FacingArgs& args);
+    void contour(const ContourArgs& args);
     void silhouette(const SilhouetteArgs& args);
     void chain(const ChainArgs& args);
     void project_clip(const ProjectClipArgs& args);
@@ -469,7 +510,10 @@ class Stages {
     void visible(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
-    void outline_push(const OutlinePushArgs& args);
+    void outline_push(const OutlineArgs& args);
+    /// `beside_offsets`: of what is seen of the ways of outline_push().
+    void outline_push_in(const OutlineArgs& args, Buffer& beside_offsets);
+    void outline_parts(const OutlinePartsArgs& args);
     void outline_samples(const OutlineSamplesArgs& args);
     void pens(const PensArgs& args);
     void compact(const CompactArgs& args);

@@ -45,6 +45,16 @@ constexpr LineKindMask mask_of(LineKind kind) {
     return 1U << static_cast<std::uint32_t>(kind);
 }
 
+/// Where silhouettes run. docs/lines.md has the rules.
+enum class Silhouettes : std::uint32_t {
+    automatic, ///< smooth on patches of a mesh that are, else along edges
+    smooth,    ///< where normals, interpolated over triangles, are at a right angle to the view
+    mesh,      ///< along edges between a front and a back face
+};
+
+/// The names of Silhouettes in the order of its numbers, as options have them.
+inline constexpr std::array<std::string_view, 3> silhouettes_names{"auto", "smooth", "mesh"};
+
 /// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
     LineKindMask kinds = all_line_kinds; ///< others are not extracted
@@ -59,6 +69,9 @@ struct LineOptions {
     bool separate_objects = false;
     /// Of what KnownEdge::Kind::smooth is, draw creases too: where a fillet ends.
     bool smooth_edges = false;
+    /// With separate_objects they run along edges. So they do by methods other than `exact` and
+    /// `atlas`, and once anything has moved.
+    Silhouettes silhouettes = Silhouettes::mesh;
 };
 
 /// What moves on its own.
@@ -108,6 +121,21 @@ struct LineTimes {
     double intersections = 0; ///< of parts
 };
 
+/// Where silhouettes of smooth surfaces may run: one segment through a triangle, from edge to edge,
+/// where it depends on the view. Each such triangle is a segment of the line set, the last ones,
+/// which has it as both of its faces and two corners of it as ends.
+struct Contours {
+    std::vector<ContourCorner> corners; ///< a vertex with the normal of a smooth patch there
+    std::vector<glm::uvec2> edges;      ///< into `corners`
+    /// Into `edges`, around the triangle of each such segment; with LA_CONTOUR_TURNED what runs the
+    /// other way.
+    std::vector<glm::uvec3> faces;
+    /// Segments before those that they stand for: the same silhouettes along edges.
+    std::uint32_t replaced = 0;
+
+    bool empty() const { return faces.empty(); } ///< silhouettes run along edges everywhere
+};
+
 /// Edges of a mesh that are lines, or may become one, chained into paths: the input of the
 /// pipeline.
 struct LineSet {
@@ -136,6 +164,7 @@ struct LineSet {
     LineTimes times{};  ///< for people who wonder
     /// Behind the other vertices of their object.
     std::vector<CutVertex> cut_vertices{};
+    Contours contours{}; ///< see LineOptions::silhouettes
 };
 
 /// A part of a visible line that has the background on one side: of the model's outline.

@@ -19,7 +19,8 @@ struct VisibilityOptions {
     /// Pixels, above 0: a line of one segment that is shorter is left out, as
     /// FrameOptions::step has it.
     float step = 2;
-    bool outlines = false; ///< for LineVisibility::outlines()
+    bool outlines = false;   ///< for LineVisibility::outlines()
+    float outline_depth = 6; ///< for the same, pixels, at least 0: thinner bodies have no outline
 };
 
 /// What is visible of lines, by the exact method (Method::exact): the intervals that a Renderer
@@ -53,9 +54,10 @@ class LINEATLAS_API LineVisibility {
     /// not suffice.
     std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options = {});
 
-    /// Which parts of the visible pieces of the last find() have the background on one side: half a
-    /// pixel beside them no face is before what is infinitely far. In the order of the pieces. None
-    /// unless VisibilityOptions::outlines asked for them.
+    /// Which parts of the visible pieces of the last find() have the background on one side, and a
+    /// body VisibilityOptions::outline_depth deep on the other: half a pixel beside them no face is
+    /// before what is infinitely far. In the order of the pieces. None unless
+    /// VisibilityOptions::outlines asked for them.
     const std::vector<OutlinePart>& outlines() const;
 
   private:

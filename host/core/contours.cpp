@@ -1,0 +1,204 @@
+#include "contours.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "pair_key.hpp"
+#include "vertex_sets.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double flat_bend = 0.5 * degree;
+constexpr std::uint32_t least_faces = 64;
+constexpr double most_flat = 0.3;       ///< of a patch's faces
+constexpr double least_altitude = 0.25; ///< of the longest edge, in the middle of all faces
+
+/// A side of a triangle: from corner k to the next.
+struct Side {
+    std::uint64_t key;
+    std::uint32_t corner; ///< 3 triangle + k
+};
+
+std::uint32_t next_corner(std::uint32_t corner) {
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+class ContourFinder {
+  public:
+    explicit ContourFinder(const ContourInput& input)
+        : in_(input), faces_(input.mesh.triangles.size()), patches_(faces_), corners_(3 * faces_),
+          edge_of_side_(3 * faces_, none) {}
+
+    FoundContours find(Silhouettes rule) {
+        match_sides();
+        choose_patches(rule);
+        FoundContours found;
+        found.replaces.assign(in_.edges.size(), false);
+        for (std::size_t i = 0; i < in_.edges.size(); ++i)
+            found.replaces[i] = joins_[i][0] != none && is_smooth(joins_[i][0] / 3);
+        add_corners(found.contours);
+        add_faces(found);
+        return found;
+    }
+
+  private:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    std::uint32_t vertex(std::uint32_t corner) const {
+        return in_.mesh.triangles[corner / 3][static_cast<int>(corner % 3)];
+    }
+    glm::dvec3 place(std::uint32_t corner) const {
+        return glm::dvec3{in_.mesh.vertices[vertex(corner)]};
+    }
+
+    /// Edges within a patch: their two sides, and what that joins.
+    void match_sides() {
+        std::vector<Side> sides;
+        sides.reserve(corners_size());
+        for (std::uint32_t c = 0; c < corners_size(); ++c)
+            sides.push_back({pair_key(vertex(c), vertex(next_corner(c))), c});
+        std::ranges::sort(sides, {}, [](const Side& side) {
+            return std::pair{side.key, side.corner};
+        });
+        joins_.assign(in_.edges.size(), {none, none});
+        is_flat_.assign(faces_, false);
+        auto side = sides.begin();
+        for (std::size_t i = 0; i < in_.edges.size(); ++i) {
+            const MeshEdge& edge = in_.edges[i];
+            const std::uint64_t key = pair_key(edge.p, edge.q);
+            side = std::find_if(side, sides.end(), [&](const Side& one) { return one.key >= key; });
+            const auto end =
+                std::find_if(side, sides.end(), [&](const Side& one) { return one.key != key; });
+            if (end - side == 2) {
+                if (in_.bends[i] < flat_bend)
+                    for (auto one = side; one != end; ++one) is_flat_[one->corner / 3] = true;
+                if (is_within(i) && vertex(side[0].corner) != vertex(side[1].corner))
+                    join(i, side[0].corner, side[1].corner);
+            }
+            side = end;
+        }
+    }
+
+    /// Whether the surface goes on across it.
+    bool is_within(std::size_t edge) const {
+        if (in_.bends[edge] > in_.most_bend) return false;
+        const std::optional<LineKind>& kind = in_.kinds[edge];
+        return kind ? *kind == LineKind::silhouette : in_.bends[edge] < flat_bend;
+    }
+
+    /// Two sides of an edge, which run against each other.
+    void join(std::size_t edge, std::uint32_t a, std::uint32_t b) {
+        joins_[edge] = {a, b};
+        patches_.unite(a / 3, b / 3);
+        corners_.unite(a, next_corner(b));
+        corners_.unite(next_corner(a), b);
+    }
+
+    void choose_patches(Silhouettes rule) {
+        std::vector<std::uint32_t> count(faces_, 0), flat(faces_, 0), slivers(faces_, 0);
+        std::vector<bool> bends(faces_, false);
+        for (std::uint32_t f = 0; f < faces_; ++f) {
+            const std::uint32_t patch = patches_.find(f);
+            ++count[patch];
+            flat[patch] += is_flat_[f] ? 1 : 0;
+            slivers[patch] += is_sliver(f) ? 1 : 0;
+        }
+        for (std::size_t i = 0; i < in_.edges.size(); ++i)
+            if (joins_[i][0] != none && in_.bends[i] >= flat_bend)
+                bends[patches_.find(joins_[i][0] / 3)] = true;
+        smooth_.assign(faces_, false);
+        for (std::uint32_t p = 0; p < faces_; ++p) {
+            const bool organic = count[p] >= least_faces && flat[p] < most_flat * count[p] &&
+                                 2 * slivers[p] < count[p];
+            smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic);
+        }
+    }
+
+    bool is_sliver(std::uint32_t face) const {
+        double longest = 0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const glm::dvec3 way = place(next_corner(3 * face + k)) - place(3 * face + k);
+            longest = std::max(longest, glm::dot(way, way));
+        }
+        const glm::dvec3 twice_area = glm::cross(place(3 * face + 1) - place(3 * face),
+                                                 place(3 * face + 2) - place(3 * face));
+        return glm::length(twice_area) <= least_altitude * longest;
+    }
+
+    bool is_smooth(std::uint32_t face) { return smooth_[patches_.find(face)]; }
+
+    /// Normals of corners: those of the triangles about them, by the angles that they have there.
+    void add_corners(Contours& contours) {
+        std::vector<glm::dvec3> normals(corners_size(), glm::dvec3{0});
+        for (std::uint32_t c = 0; c < corners_size(); ++c) {
+            if (!is_smooth(c / 3)) continue;
+            const std::uint32_t next = next_corner(c), last = next_corner(next);
+            const glm::dvec3 u = place(next) - place(c), v = place(last) - place(c);
+            const glm::dvec3 normal = glm::cross(u, v);
+            const double sine = glm::length(normal);
+            if (!(sine > 0)) continue;
+            normals[corners_.find(c)] += normal * (std::atan2(sine, glm::dot(u, v)) / sine);
+        }
+        number_.assign(corners_size(), none);
+        for (std::uint32_t c = 0; c < corners_size(); ++c) {
+            if (!is_smooth(c / 3)) continue;
+            const std::uint32_t set = corners_.find(c);
+            if (number_[set] == none) {
+                const double length = glm::length(normals[set]);
+                const glm::vec3 n{length > 0 ? normals[set] / length : normals[set]};
+                number_[set] = static_cast<std::uint32_t>(contours.corners.size());
+                contours.corners.push_back({.vertex = vertex(c), .normal = {n.x, n.y, n.z}});
+            }
+            number_[c] = number_[set];
+        }
+    }
+
+    void add_faces(FoundContours& found) {
+        std::vector<glm::uvec2>& edges = found.contours.edges;
+        const auto add_edge = [&](std::uint32_t side) {
+            edge_of_side_[side] = static_cast<std::uint32_t>(edges.size());
+            edges.emplace_back(number_[side], number_[next_corner(side)]);
+        };
+        for (const std::array<std::uint32_t, 2>& sides : joins_) {
+            if (sides[0] == none || !is_smooth(sides[0] / 3)) continue;
+            add_edge(sides[0]);
+            edge_of_side_[sides[1]] = edge_of_side_[sides[0]] | LA_CONTOUR_TURNED;
+        }
+        for (std::uint32_t f = 0; f < faces_; ++f) {
+            if (!is_smooth(f)) continue;
+            glm::uvec3 face{};
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                if (edge_of_side_[3 * f + k] == none) add_edge(3 * f + k);
+                face[static_cast<int>(k)] = edge_of_side_[3 * f + k];
+            }
+            found.contours.faces.push_back(face);
+            found.faces.push_back(f);
+        }
+    }
+
+    std::uint32_t corners_size() const { return 3 * faces_; }
+
+    const ContourInput& in_;
+    std::uint32_t faces_;
+    VertexSets patches_;                              ///< of triangles
+    VertexSets corners_;                              ///< of corners, which have a normal in common
+    std::vector<std::array<std::uint32_t, 2>> joins_; ///< per edge its sides, or none
+    std::vector<bool> is_flat_;                       ///< triangles
+    std::vector<bool> smooth_;                        ///< patches
+    std::vector<std::uint32_t> number_;               ///< of corners, in Contours::corners
+    std::vector<std::uint32_t> edge_of_side_;         ///< as in Contours::faces
+};
+
+} // namespace
+
+FoundContours find_contours(const ContourInput& input, Silhouettes rule) {
+    return ContourFinder{input}.find(rule);
+}
+
+} // namespace lineatlas

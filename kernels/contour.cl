@@ -1,0 +1,74 @@
+/* contour: silhouettes of smooth surfaces: where the normal, interpolated between the corners of a
+ * triangle, is at a right angle to the view (Hertzmann and Zorin 2000). A triangle whose corners
+ * differ in that has one segment, from edge to edge; on every edge it lies where the triangle
+ * beyond it has it too.
+ *
+ * A place on an edge is not on the edge's chord, which runs below the surface, but on the cubic
+ * that leaves its ends at right angles to their normals (the borders of PN triangles: Vlachos et
+ * al. 2001). Beside it stands a place lifted off the surface, by more than triangles reach beyond
+ * their contour: visibility is asked of that. */
+
+#include "kernels.h"
+
+static float dot_of(const float3 a, const float3 b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+/* How much a corner faces the eye: above 0 if it shows its front. */
+static float facing_of(const float3 at, const float3 normal, const float4 eye) {
+    return dot_of(normal, xyz(eye) - at * eye.w);
+}
+
+static float3 unit_of(const float3 v) {
+    const float length = sqrt(dot_of(v, v));
+    return length > 0.0f ? v / length : v;
+}
+
+/* One work-item per edge. crossed: whether the contour crosses it, LA_CONTOUR_*. vertices: behind
+ * those of the mesh, from first_vertex on, the places where it does, then the same lifted. */
+KERNEL(contour_points, ContourParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    __global const ContourCorner *from = corners + edges[2 * i], *to = corners + edges[2 * i + 1];
+    const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
+    const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
+    const float4 eye = to_float4(args.eye);
+    const float at_a = facing_of(a, normal_a, eye), at_b = facing_of(b, normal_b, eye);
+    const bool front_a = at_a >= 0.0f, front_b = at_b >= 0.0f;
+    crossed[i] = front_a == front_b ? LA_CONTOUR_NONE
+                 : front_a          ? LA_CONTOUR_FALLS
+                                    : LA_CONTOUR_RISES;
+    if (front_a == front_b) return;
+    const float t = at_a / (at_a - at_b), s = 1.0f - t;
+    const float3 way = b - a;
+    const float3 bend_a = normal_a * dot_of(way, normal_a),
+                 bend_b = normal_b * dot_of(way, normal_b);
+    /* The cubic less the chord: its inner points are moved by a third of these. */
+    const float3 place = (a + way * t) + (bend_b * t - bend_a * s) * (s * t);
+    const float3 turn = normal_b - normal_a;
+    const float lift = LA_CONTOUR_LIFT * sqrt(dot_of(way, way) * dot_of(turn, turn));
+    const float3 normal = unit_of(normal_a * s + normal_b * t);
+    vstore3(place, args.first_vertex + i, vertices);
+    vstore3(place + normal * lift, args.first_vertex + args.count + i, vertices);
+}
+
+/* One work-item per candidate. faces: its three edges, around the triangle; with LA_CONTOUR_TURNED
+ * those that run the other way. contour_ends: the vertices between which it has its segment, with
+ * the side that shows its front to the left as seen from outside; LA_NO_VERTEX if it has none. */
+KERNEL(contour_ends, ContourParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    uint p = LA_NO_VERTEX, q = LA_NO_VERTEX;
+    for (uint k = 0; k < 3; ++k) {
+        const uint edge = faces[3 * i + k] & ~LA_CONTOUR_TURNED;
+        const uint turned = (faces[3 * i + k] & LA_CONTOUR_TURNED) != 0 ? 1u : 0u;
+        const uint how = crossed[edge];
+        if (how == LA_CONTOUR_NONE) continue;
+        if ((how == LA_CONTOUR_FALLS) != (turned != 0))
+            p = args.first_vertex + edge;
+        else
+            q = args.first_vertex + edge;
+    }
+    contour_ends[2 * i] = p;
+    contour_ends[2 * i + 1] = q;
+}

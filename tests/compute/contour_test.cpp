@@ -1,0 +1,80 @@
+// contour: where the interpolated normal turns away from the eye, on edges whose answers are known.
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "stage_test.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+LINEATLAS_STAGE_TEST(ContourStage);
+
+/// A corner on the unit circle of the plane z = 0, whose normal points away from the middle.
+ContourCorner on_circle(std::uint32_t vertex, float angle) {
+    return {.vertex = vertex, .normal = {std::cos(angle), std::sin(angle), 0}};
+}
+
+TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
+    // Three corners: two on an arc, of which the second is seen from +x, and one beside.
+    const float half = 0.1F, ahead = 0.03F, middle = 0.5F * 3.14159265F;
+    const std::array<float, 2> angle{middle + half + ahead, middle - half + ahead};
+    std::vector<glm::vec3> vertices{{std::cos(angle[0]), std::sin(angle[0]), 0},
+                                    {std::cos(angle[1]), std::sin(angle[1]), 0},
+                                    {std::cos(angle[1]), std::sin(angle[1]), 1}};
+    vertices.resize(3 + 6);
+    const auto corners =
+        put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1]), on_circle(2, angle[1])});
+    const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {0, 2}});
+    const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2 | LA_CONTOUR_TURNED}});
+    const auto places = put(vertices);
+    const auto crossed = device().allocate(3);
+    const auto ends = device().allocate(sizeof(glm::uvec2));
+    stages().contour({.contours = {.corners = corners.get(),
+                                   .edges = edges.get(),
+                                   .faces = faces.get(),
+                                   .edge_count = 3,
+                                   .face_count = 1,
+                                   .replaced = 0,
+                                   .vertex_count = 3},
+                      .eye = {1, 0, 0, 0},
+                      .vertices = *places,
+                      .crossed = *crossed,
+                      .ends = *ends});
+    EXPECT_EQ(get<std::uint8_t>(*crossed, 3),
+              (std::vector<std::uint8_t>{LA_CONTOUR_RISES, LA_CONTOUR_NONE, LA_CONTOUR_RISES}));
+    // Around the triangle it rises on the first edge, and falls on the last, which is turned.
+    EXPECT_EQ(get<glm::uvec2>(*ends, 1)[0], glm::uvec2(3 + 2, 3 + 0));
+    const std::vector<glm::vec3> found = get<glm::vec3>(*places, 9);
+    // The top of the arc, and off it by a quarter of chord times angle.
+    EXPECT_NEAR(found[3].x, 0, 1e-4);
+    EXPECT_NEAR(found[3].y, 1, 1e-5);
+    EXPECT_NEAR(found[3].z, 0, 1e-6);
+    const float chord = 2 * std::sin(half);
+    EXPECT_NEAR(glm::distance(found[6], found[3]), LA_CONTOUR_LIFT * chord * chord, 1e-5);
+    EXPECT_GT(found[6].y, found[3].y);
+    EXPECT_NEAR(found[5].y, 1, 2e-3); // runs aslant over the arc
+    EXPECT_NEAR(found[5].x, 0, 1e-2);
+}
+
+TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
+    const auto corners = put(
+        std::vector<ContourCorner>{{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}}, {2, {0, -0.6F, 0.8F}}});
+    const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {2, 0}});
+    const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2}});
+    const auto places = put(std::vector<glm::vec3>(9, glm::vec3{1, 2, 3}));
+    const auto crossed = device().allocate(3);
+    const auto ends = device().allocate(sizeof(glm::uvec2));
+    stages().contour({.contours = {corners.get(), edges.get(), faces.get(), 3, 1, 0, 3},
+                      .eye = {1, 2, 30, 1},
+                      .vertices = *places,
+                      .crossed = *crossed,
+                      .ends = *ends});
+    EXPECT_EQ(get<std::uint8_t>(*crossed, 3), (std::vector<std::uint8_t>{0, 0, 0}));
+    EXPECT_EQ(get<glm::uvec2>(*ends, 1)[0], glm::uvec2(LA_NO_VERTEX));
+}
+
+} // namespace
+} // namespace lineatlas::test

@@ -1,0 +1,320 @@
+// Silhouettes of smooth surfaces, with known answers: how many there are, whether they close and
+// how long they are, and that what should be seen of them is.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "compare.hpp"
+#include "compute/cpp/cpp_device.hpp"
+#include "compute/stages/silhouette_chains.hpp"
+#include "devices.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/vector.hpp"
+#include "lineatlas/visibility.hpp"
+#include "test_meshes.hpp"
+#include "visibility/line_tables.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lineatlas::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
+                             .silhouettes = Silhouettes::smooth};
+
+/// A grid of places(i, j), of which either direction may be a ring.
+template <class Place>
+Mesh surface(std::uint32_t rows, std::uint32_t columns, bool row_ring, bool column_ring,
+             const Place& place) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < rows; ++i)
+        for (std::uint32_t j = 0; j < columns; ++j) mesh.positions.push_back(place(i, j));
+    for (std::uint32_t i = 0; i + (row_ring ? 0 : 1) < rows; ++i) {
+        for (std::uint32_t j = 0; j + (column_ring ? 0 : 1) < columns; ++j) {
+            const std::uint32_t low = i * columns, high = (i + 1) % rows * columns;
+            const std::uint32_t next = (j + 1) % columns;
+            mesh.triangles.emplace_back(low + j, high + j, low + next);
+            mesh.triangles.emplace_back(low + next, high + j, high + next);
+        }
+    }
+    return mesh;
+}
+
+float turn(std::uint32_t i, std::uint32_t count) {
+    return 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(count);
+}
+
+constexpr float large = 2, small = 0.6F; // radii of the torus
+
+Mesh torus() {
+    return surface(48, 96, true, true, [](std::uint32_t i, std::uint32_t j) {
+        const float across = turn(i, 48), around = turn(j, 96);
+        const float radius = large + small * std::cos(across);
+        return glm::vec3{radius * std::cos(around), small * std::sin(across),
+                         radius * std::sin(around)};
+    });
+}
+
+/// Of radius 1 about y, from -2 to 2 with its caps.
+Mesh capsule() {
+    return surface(50, 96, false, true, [](std::uint32_t i, std::uint32_t j) {
+        const std::uint32_t step = i < 25 ? i : i - 1;
+        const float angle = turn(step, 96) - 0.5F * std::numbers::pi_v<float>;
+        const bool pole = i == 0 || i == 49;
+        const float radius = pole ? 0 : std::cos(angle), around = turn(j, 96);
+        return glm::vec3{radius * std::cos(around), std::sin(angle) + (i < 25 ? -1.0F : 1.0F),
+                         radius * std::sin(around)};
+    });
+}
+
+/// About y, of radius 1 at its foot and as high; open below.
+Mesh cone() {
+    return surface(33, 96, false, true, [](std::uint32_t i, std::uint32_t j) {
+        const float height = static_cast<float>(i) / 32, around = turn(j, 96);
+        return glm::vec3{(1 - height) * std::cos(around), height, (1 - height) * std::sin(around)};
+    });
+}
+
+float saddle_at(std::uint32_t i) {
+    return static_cast<float>(i) / 32 - 1;
+}
+
+/// z = x² - y² between -1 and 1.
+Mesh saddle() {
+    return surface(65, 65, false, false, [](std::uint32_t i, std::uint32_t j) {
+        const float x = saddle_at(j), y = saddle_at(i);
+        return glm::vec3{x, y, x * x - y * y};
+    });
+}
+
+struct Chain {
+    bool closed;
+    double length; ///< in space
+};
+
+/// The chains that kernels make of a line set's silhouettes, longest first.
+std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye) {
+    DeviceStages on{compute::make_cpp_device()};
+    const LineTables tables = upload_lines(*on.device, lines);
+    const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
+    const auto front = on.device->allocate(triangles);
+    const LineTables::Chunk& chunk = tables.chunks[0];
+    const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
+                                      triangles,        chunk.range.count, chunk.candidates()};
+    on.stages.facing({.table = table, .eye = eye, .front = *front});
+    compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
+    const compute::SegmentTable found =
+        chains.find(table, *front, eye, [](const char*, const auto& action) { action(); });
+    const auto vertices =
+        read_back<glm::vec3>(*on.device, found.vertices, found.vertices.size() / sizeof(glm::vec3));
+    std::vector<Chain> result;
+    for (const Segment& segment :
+         read_back<Segment>(*on.device, found.segments, found.segment_count)) {
+        if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE) continue;
+        EXPECT_NE(segment.tag & LA_TAG_CONTOUR, 0U);
+        if (segment.from_start == 0) result.push_back({(segment.tag & LA_TAG_CLOSED) != 0, 0});
+        result.back().length +=
+            glm::distance(glm::dvec3{vertices[segment.p]}, glm::dvec3{vertices[segment.q]});
+    }
+    std::ranges::sort(result, std::ranges::greater{}, &Chain::length);
+    return result;
+}
+
+void expect_loops(const std::vector<Chain>& found, std::vector<double> lengths, double within) {
+    std::ranges::sort(lengths, std::ranges::greater{});
+    ASSERT_EQ(found.size(), lengths.size());
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        EXPECT_TRUE(found[i].closed);
+        EXPECT_NEAR(found[i].length, lengths[i], within * lengths[i]);
+    }
+}
+
+TEST(Contours, OfASphereAreOneCircle) {
+    const LineSet lines = extract_lines(sphere(4), smooth);
+    Random random{62};
+    for (int view = 0; view < 20; ++view) {
+        SCOPED_TRACE(view);
+        const glm::vec3 to_eye = random.direction();
+        expect_loops(chains_of(lines, {to_eye, 0}), {2 * pi}, 1e-3);
+        // From a distance of 3 a smaller circle is seen.
+        expect_loops(chains_of(lines, {3.0F * to_eye, 1}), {2 * pi * std::sqrt(1 - 1.0 / 9)}, 1e-3);
+    }
+}
+
+/// Where tan(across) = -cos(around) x / y, of a view along (x, y, 0): two places to each `around`.
+double torus_contour(double x, double y, bool far) {
+    constexpr int steps = 20000;
+    double length = 0;
+    glm::dvec3 before{0};
+    for (int i = 0; i <= steps; ++i) {
+        const double around = 2 * pi * i / steps;
+        const double across = std::atan2(-std::cos(around) * x / y, 1.0) + (far ? pi : 0);
+        const double radius = double{large} + double{small} * std::cos(across);
+        const glm::dvec3 place{radius * std::cos(around), double{small} * std::sin(across),
+                               radius * std::sin(around)};
+        if (i > 0) length += glm::distance(before, place);
+        before = place;
+    }
+    return length;
+}
+
+TEST(Contours, OfATorusAreTwoLoops) {
+    const LineSet lines = extract_lines(torus(), smooth);
+    for (int view = 1; view <= 20; ++view) {
+        SCOPED_TRACE(view);
+        const double angle = 0.5 * pi * view / 21; // above the plane that it lies in
+        const double x = std::cos(angle), y = std::sin(angle);
+        const glm::vec3 to_eye{x * 0.8, y, x * 0.6}; // and around
+        expect_loops(chains_of(lines, {to_eye, 0}),
+                     {torus_contour(x, y, false), torus_contour(x, y, true)}, 5e-3);
+    }
+}
+
+TEST(Contours, OfACapsuleAreOneStadium) {
+    Random random{63};
+    const LineSet lines = extract_lines(capsule(), smooth);
+    expect_loops(chains_of(lines, {0.7F, 0, 0.4F, 0}), {2 * pi + 4}, 2e-3);
+    for (int view = 0; view < 20; ++view) {
+        SCOPED_TRACE(view);
+        const std::vector<Chain> found = chains_of(lines, {random.direction(), 0});
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_TRUE(found[0].closed);
+    }
+}
+
+TEST(Contours, OfAConeGoUpAndDown) {
+    const LineSet lines = extract_lines(cone(), smooth);
+    for (int view = 0; view < 20; ++view) {
+        SCOPED_TRACE(view);
+        const float around = turn(view, 20) + 0.01F;
+        const std::vector<Chain> found =
+            chains_of(lines, {std::cos(around), 0.02F, std::sin(around), 0});
+        ASSERT_EQ(found.size(), 1U); // over the tip
+        EXPECT_FALSE(found[0].closed);
+        EXPECT_NEAR(found[0].length, 2 * std::sqrt(2.0), 0.03);
+    }
+}
+
+TEST(Contours, OfASaddleAreALineFromBorderToBorder) {
+    const LineSet lines = extract_lines(saddle(), smooth);
+    Random random{64};
+    for (int view = 0; view < 20; ++view) {
+        SCOPED_TRACE(view);
+        // Where 2 x vx = 2 y vy + vz, with |x| and |y| below 1: for these views y from -1 to 1.
+        const double tilt = 0.3 * random.uniform(-1, 1), rise = 0.4 * random.uniform(-1, 1);
+        const glm::vec3 to_eye{1, tilt, rise};
+        double length = 0;
+        glm::dvec3 before{0};
+        constexpr int steps = 10000;
+        for (int i = 0; i <= steps; ++i) {
+            const double y = 2.0 * i / steps - 1, x = y * tilt + 0.5 * rise;
+            const glm::dvec3 place{x, y, x * x - y * y};
+            if (i > 0) length += glm::distance(before, place);
+            before = place;
+        }
+        const std::vector<Chain> found = chains_of(lines, {to_eye, 0});
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_FALSE(found[0].closed);
+        EXPECT_NEAR(found[0].length, length, 0.01 * length);
+    }
+}
+
+constexpr glm::ivec2 size{400, 400};
+
+/// A picture in which a unit is 100 pixels long.
+Camera parallel_view(glm::vec3 to_eye) {
+    Camera camera;
+    camera.size = size;
+    camera.view = glm::lookAt(10.0F * to_eye, glm::vec3{0}, glm::vec3{0, 1, 0});
+    camera.projection = glm::ortho(-2.0F, 2.0F, -2.0F, 2.0F, 1.0F, 20.0F);
+    return camera;
+}
+
+double length_of(const std::vector<Interval>& intervals, bool visible) {
+    double length = 0;
+    for (const Interval& one : intervals) {
+        if (((one.flags & LA_INTERVAL_VISIBLE) != 0) != visible) continue;
+        length += std::hypot(double{one.end[0] - one.start[0]}, double{one.end[1] - one.start[1]});
+    }
+    return length;
+}
+
+TEST(Contours, OfASphereAreSeenWhole) {
+    Random random{65};
+    for (const int level : {2, 3, 4}) {
+        const LineSet lines = extract_lines(sphere(level), smooth);
+        for (int view = 0; view < 10; ++view) {
+            SCOPED_TRACE(level * 100 + view);
+            const Camera camera = parallel_view(random.direction());
+            const std::vector<Interval> found =
+                LineVisibility{lines}.find(camera, {.hidden = true});
+            EXPECT_NEAR(length_of(found, true), 2 * pi * 100, level == 2 ? 10 : 3);
+            EXPECT_LT(length_of(found, false), 0.5);
+            const VectorDrawing drawing = make_vector_drawing(lines, camera, found, Style{});
+            ASSERT_EQ(drawing.paths.size(), 1U);
+            EXPECT_TRUE(drawing.paths[0].closed);
+        }
+    }
+}
+
+/// Seen from a little above the plane that it lies in, the near side of a torus hides a part of the
+/// far loop.
+TEST(Contours, OfATorusAreHiddenInParts) {
+    const LineSet lines = extract_lines(torus(), smooth);
+    const Camera camera = parallel_view(glm::normalize(glm::vec3{0.9F, 0.35F, 0.2F}));
+    const LineSet edges = extract_lines(torus(), {.crease_angle = smooth.crease_angle});
+    const double along_edges = length_of(LineVisibility{edges}.find(camera), true);
+    const double seen = length_of(LineVisibility{lines}.find(camera), true);
+    EXPECT_LT(seen, along_edges); // which zigzag
+    EXPECT_GT(seen, 0.85 * along_edges);
+    EXPECT_GT(length_of(LineVisibility{lines}.find(camera, {.hidden = true}), false), 50);
+}
+
+TEST(Contours, AreDrawnByTheAtlasToo) {
+    const gl::HeadlessContext context;
+    Renderer renderer;
+    renderer.set_lines(extract_lines(sphere(4), smooth));
+    FrameOptions options;
+    options.intervals = KeptIntervals::all;
+    options.draw = false;
+    Random random{66};
+    for (int view = 0; view < 5; ++view) {
+        const Camera camera = parallel_view(random.direction());
+        for (const Method method : {Method::atlas, Method::exact}) {
+            options.method = method;
+            renderer.draw(camera, options, 0);
+            EXPECT_NEAR(length_of(renderer.read_intervals(), true), 2 * pi * 100, 8);
+            EXPECT_LT(length_of(renderer.read_intervals(), false), 4);
+        }
+        // Others draw edges.
+        options.method = Method::atlas;
+    }
+}
+
+TEST(Contours, StandForEdgesOfWhatIsSmooth) {
+    const Mesh body = sphere(3);
+    const LineSet edges = extract_lines(body),
+                  contours = extract_lines(body, {.silhouettes = Silhouettes::automatic});
+    EXPECT_TRUE(edges.contours.empty());
+    EXPECT_EQ(contours.contours.faces.size(), body.triangles.size());
+    EXPECT_EQ(contours.contours.replaced, edges.segments.size());
+    EXPECT_EQ(contours.segments.size(), edges.segments.size() + body.triangles.size());
+    // A coarse body, and one of flat faces, is none that somebody sculpted.
+    EXPECT_TRUE(extract_lines(sphere(1), {.silhouettes = Silhouettes::automatic}).contours.empty());
+    EXPECT_TRUE(extract_lines(cube(), {.silhouettes = Silhouettes::smooth}).contours.empty());
+    EXPECT_TRUE(extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::automatic})
+                    .contours.empty());
+    EXPECT_FALSE(
+        extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::smooth}).contours.empty());
+    // Nor has what moves contours.
+    EXPECT_TRUE(extract_lines(body, {.separate_objects = true, .silhouettes = Silhouettes::smooth})
+                    .contours.empty());
+}
+
+} // namespace
+} // namespace lineatlas::test
