@@ -46,11 +46,13 @@ KERNEL(project_clip, ProjectClipParameters) {
     const bool contour = (tag & LA_TAG_CONTOUR) != 0; /* then it is one in this frame */
     if (kind == LA_KIND_SILHOUETTE && !contour && !is_silhouette(face_a, face_b, front)) return;
 
+    const float3 from = vload3(segments[i].p, vertices), to = vload3(segments[i].q, vertices);
+    if (from.x == to.x && from.y == to.y && from.z == to.z) return; /* of a hidden object */
     const Matrix clip_from_world = to_matrix(args.clip_from_world);
     const Matrix world_from_clip = to_matrix(args.world_from_clip);
     const float2 viewport = to_float2(args.viewport);
-    const float4 p = transform_point(clip_from_world, vload3(segments[i].p, vertices));
-    const float4 q = transform_point(clip_from_world, vload3(segments[i].q, vertices));
+    const float4 p = transform_point(clip_from_world, from);
+    const float4 q = transform_point(clip_from_world, to);
     const float2 range = clip_to_frustum(p, q);
     const float t0 = range.x, t1 = range.y;
     if (!(t0 < t1)) return;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t moving_objects = 500;
 constexpr float frames_per_second = 60;
+constexpr std::uint32_t cloth_quads = 150; ///< a side
 
 /// The middle of every object.
 std::vector<glm::vec3> middles_of(const LineSet& lines) {
@@ -38,6 +39,37 @@ void sway(std::span<const glm::vec3> middles, std::size_t frame,
     }
 }
 
+std::uint32_t on_cloth(std::uint32_t i, std::uint32_t j) {
+    return i * (cloth_quads + 1) + j;
+}
+
+/// A square of cloth at a time in seconds.
+void wave(float time, std::vector<glm::vec3>& positions) {
+    positions.resize(std::size_t{cloth_quads + 1} * (cloth_quads + 1));
+    for (std::uint32_t i = 0; i <= cloth_quads; ++i) {
+        for (std::uint32_t j = 0; j <= cloth_quads; ++j) {
+            const float x = 2 * static_cast<float>(i) / cloth_quads - 1;
+            const float z = 2 * static_cast<float>(j) / cloth_quads - 1;
+            const float y = 0.15F * std::sin(7 * x + 3 * time) * std::cos(5 * z - 2 * time);
+            positions[on_cloth(i, j)] = {x, y, z};
+        }
+    }
+}
+
+Mesh cloth() {
+    Mesh mesh;
+    wave(0, mesh.positions);
+    for (std::uint32_t i = 0; i < cloth_quads; ++i) {
+        for (std::uint32_t j = 0; j < cloth_quads; ++j) {
+            const std::uint32_t a = on_cloth(i, j), b = on_cloth(i + 1, j),
+                                c = on_cloth(i + 1, j + 1), d = on_cloth(i, j + 1);
+            mesh.triangles.push_back({a, c, b});
+            mesh.triangles.push_back({a, d, c});
+        }
+    }
+    return mesh;
+}
+
 } // namespace
 
 std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
@@ -54,7 +86,26 @@ std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
         renderer.set_transforms(transforms);
     };
     still.name = "office still";
-    return {std::move(still), std::move(moving)};
+
+    Subject blinking{"office hiding", moving.lines, still.kinds, still.viewpoints};
+    std::vector<std::uint32_t> half;
+    for (std::uint32_t i = 0; i < moving.lines.objects.size(); i += 2) half.push_back(i);
+    blinking.animate = [half](Renderer& renderer, std::size_t frame) {
+        renderer.set_hidden(frame % 2 == 0 ? std::span<const std::uint32_t>{half}
+                                           : std::span<const std::uint32_t>{});
+    };
+
+    Subject flat = orbit_subject("cloth still", cloth(), all_line_kinds, {0, 1, 0}, size, frames);
+    Subject waving = flat;
+    waving.name = "cloth waving";
+    waving.animate = [lines = flat.lines, positions = std::vector<glm::vec3>{}](
+                         Renderer& renderer, std::size_t frame) mutable {
+        wave(static_cast<float>(frame) / frames_per_second, positions);
+        move_vertices(lines, positions);
+        renderer.set_positions(0, lines.vertices);
+    };
+    return {std::move(still), std::move(moving), std::move(blinking), std::move(flat),
+            std::move(waving)};
 }
 
 } // namespace lineatlas::bench

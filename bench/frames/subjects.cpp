@@ -94,12 +94,14 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
     if (!silhouettes) { // the second row has no news
         for (const std::string& note : loaded.notes) print_error("note: " + note + "\n");
     }
-    const LineKindMask kinds = silhouettes ? all_line_kinds : fixed_kinds;
-    Subject subject{path.stem().string() + (silhouettes ? "+s" : ""),
-                    extract_lines(loaded.mesh, {.kinds = kinds}),
-                    kinds,
-                    {}};
-    const View start = frame_points(loaded.mesh.positions, size, up);
+    return orbit_subject(path.stem().string() + (silhouettes ? "+s" : ""), loaded.mesh,
+                         silhouettes ? all_line_kinds : fixed_kinds, up, size, frames);
+}
+
+Subject orbit_subject(const std::string& name, const Mesh& mesh, LineKindMask kinds, glm::vec3 up,
+                      glm::ivec2 size, std::size_t frames) {
+    Subject subject{name, extract_lines(mesh, {.kinds = kinds}), kinds, {}};
+    const View start = frame_points(mesh.positions, size, up);
     subject.viewpoints = viewpoints_along(orbit(start), size, subject.lines.bounds, frames);
     return subject;
 }

@@ -25,6 +25,7 @@
 #include "noisy_creases.hpp"
 #include "pair_key.hpp"
 #include "parts.hpp"
+#include "progress.hpp"
 #include "seams.hpp"
 #include "weld.hpp"
 
@@ -151,8 +152,8 @@ double milliseconds_since(std::int64_t start) {
 /// From a mesh to its lines, step by step.
 class Extraction {
   public:
-    Extraction(const Mesh& mesh, const LineOptions& options)
-        : mesh_(mesh), options_(options),
+    Extraction(const Mesh& mesh, const LineOptions& options, const Progress& progress)
+        : mesh_(mesh), options_(options), done_(started(progress)),
           objects_(options.separate_objects ? find_objects(mesh) : MeshObjects{}),
           welded_(weld(mesh, objects_)), edges_(mesh_edges(welded_)) {
         first_face_.reserve(edges_.size());
@@ -162,16 +163,29 @@ class Extraction {
     }
 
     LineSet run() {
+        done_(0.3F);
         classify_edges();
+        done_(0.5F);
         find_parts_and_tree();
+        done_(0.6F);
         leave_out_seams();
         find_smooth_patches();
+        done_(0.7F);
         collect_lines();
         add_intersections();
-        return assemble();
+        done_(0.9F);
+        LineSet result = assemble();
+        done_(1);
+        return result;
     }
 
   private:
+    static ProgressPart started(const Progress& progress) {
+        const ProgressPart all{progress, "finding lines"};
+        all(0);
+        return all;
+    }
+
     bool wanted(LineKind kind) const { return (options_.kinds & mask_of(kind)) != 0; }
 
     void classify_edges() {
@@ -368,6 +382,7 @@ class Extraction {
         result.vertices = std::move(welded_.vertices);
         result.triangles = std::move(welded_.triangles);
         result.vertex_sources = std::move(welded_.vertex_sources);
+        result.triangle_sources = std::move(welded_.triangle_source);
         result.cut_vertices = added_.cuts();
         result.contours = std::move(smooth_.contours);
         for (std::size_t i = 0; i < objects_.names.size(); ++i) {
@@ -388,6 +403,7 @@ class Extraction {
 
     const Mesh& mesh_;
     const LineOptions& options_;
+    ProgressPart done_; ///< shares of the time that a model of a million triangles takes
     MeshObjects objects_;
     WeldedMesh welded_;
     std::vector<MeshEdge> edges_;
@@ -410,10 +426,10 @@ class Extraction {
 
 } // namespace
 
-LineSet extract_lines(const Mesh& mesh, const LineOptions& options) {
+LineSet extract_lines(const Mesh& mesh, const LineOptions& options, const Progress& progress) {
     if (options.crease_angle) check_angle("crease_angle", *options.crease_angle);
     check_angle("chain_angle", options.chain_angle);
-    return Extraction{mesh, options}.run();
+    return Extraction{mesh, options, progress}.run();
 }
 
 } // namespace lineatlas

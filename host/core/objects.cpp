@@ -19,6 +19,10 @@ namespace {
 /// More than anybody moves one by one; a larger number is a mistake.
 constexpr std::uint32_t most_objects = 1U << 24U;
 
+bool is_finite(glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 void check_size(std::size_t count, std::size_t wanted, const char* what) {
     if (count == wanted) return;
     throw UsageError("mesh: there are " + std::to_string(wanted) + " " + what +
@@ -61,6 +65,12 @@ MeshObjects named(const Mesh& mesh) {
         result.triangles.push_back(of_group[group]);
     result.polylines = mesh.polyline_object;
     return result;
+}
+
+/// One, if nothing moves on its own.
+std::vector<LineObject> objects_of(const LineSet& lines) {
+    if (!lines.objects.empty()) return lines.objects;
+    return {{.name = {}, .vertex_count = static_cast<std::uint32_t>(lines.vertices.size())}};
 }
 
 } // namespace
@@ -117,10 +127,56 @@ void check_transforms(std::span<const glm::mat4> world_from_object, std::size_t 
     }
 }
 
+void check_objects(std::span<const std::uint32_t> hidden, std::size_t count) {
+    for (const std::uint32_t object : hidden) {
+        if (object < count) continue;
+        throw UsageError("renderer: there is no object " + std::to_string(object) +
+                         " to hide, but " + std::to_string(count) + " objects");
+    }
+}
+
+void hide_objects(LineSet& lines, std::span<const std::uint32_t> hidden) {
+    const std::vector<LineObject> objects = objects_of(lines);
+    check_objects(hidden, objects.size());
+    // To a point of what is still shown, so that a camera that shows all of that changes nothing.
+    std::vector<bool> shown(objects.size(), true);
+    for (const std::uint32_t object : hidden) shown[object] = false;
+    glm::vec3 point = 0.5F * (lines.bounds.min + lines.bounds.max);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (shown[i] && objects[i].vertex_count > 0)
+            point = lines.vertices[objects[i].first_vertex];
+    for (const std::uint32_t object : hidden) {
+        const LineObject& one = objects[object];
+        std::ranges::fill(std::span{lines.vertices}.subspan(one.first_vertex, one.vertex_count),
+                          point);
+    }
+}
+
+void move_vertices(LineSet& lines, std::span<const glm::vec3> positions) {
+    const auto last = std::ranges::max_element(lines.vertex_sources);
+    if (last != lines.vertex_sources.end() && *last >= positions.size()) {
+        throw UsageError("mesh: vertices come from " + std::to_string(*last + 1) +
+                         " positions, but there are " + std::to_string(positions.size()));
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (is_finite(positions[i])) continue;
+        throw UsageError("mesh: position " + std::to_string(i) + " is not finite");
+    }
+    for (std::size_t i = 0; i < lines.vertices.size(); ++i)
+        lines.vertices[i] = positions[lines.vertex_sources[i]];
+    for (const CutVertex& cut : lines.cut_vertices) {
+        const glm::vec3 from = lines.vertices[cut.from], to = lines.vertices[cut.to];
+        lines.vertices[cut.vertex] = from + cut.share * (to - from);
+    }
+    lines.bounds = {};
+    for (const glm::vec3& v : lines.vertices) {
+        lines.bounds.min = glm::min(lines.bounds.min, v);
+        lines.bounds.max = glm::max(lines.bounds.max, v);
+    }
+}
+
 void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object) {
-    const std::vector<LineObject> whole{
-        {.name = {}, .vertex_count = static_cast<std::uint32_t>(lines.vertices.size())}};
-    const std::vector<LineObject>& objects = lines.objects.empty() ? whole : lines.objects;
+    const std::vector<LineObject> objects = objects_of(lines);
     check_transforms(world_from_object, objects.size());
     lines.bounds = {};
     for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -32,4 +32,7 @@ Bounds moved(const Bounds& box, const glm::mat4& world_from_object);
 /// can be inverted.
 void check_transforms(std::span<const glm::mat4> world_from_object, std::size_t count);
 
+/// Throws UsageError if one of what is to be hidden is none of `count` objects.
+void check_objects(std::span<const std::uint32_t> hidden, std::size_t count);
+
 } // namespace lineatlas

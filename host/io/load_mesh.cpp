@@ -27,7 +27,8 @@ std::string upper_name(std::string_view extension) {
     return name;
 }
 
-Soup read_soup(MeshSource source, const std::string& extension, const LoadOptions& options) {
+Soup read_soup(MeshSource source, const std::string& extension, const LoadOptions& options,
+               const ProgressPart& progress) {
     SourceFile& model = source.model;
     if (is_read_by_module(extension))
         return read_by_module(model, extension, source.named, options);
@@ -35,7 +36,7 @@ Soup read_soup(MeshSource source, const std::string& extension, const LoadOption
 
     refuse_other_types(model, extension);
     model.bytes.erase(0, model.bytes.size() - without_utf8_mark(model.bytes).size());
-    if (extension == ".obj") return read_obj(std::move(model), source.materials);
+    if (extension == ".obj") return read_obj(std::move(model), source.materials, progress);
     if (extension == ".ply") return import_by_openmesh(check_ply(model), extension, model.path);
     if (extension == ".off") return import_by_openmesh(check_off(model), extension, model.path);
     return import_by_openmesh(check_om(model), extension, model.path);
@@ -65,11 +66,14 @@ MeshSource read_mesh_source(const std::filesystem::path& path) {
     return source;
 }
 
-LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options) {
+LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options, const ProgressPart& progress) {
     const std::filesystem::path path = source.model.path;
     try {
         const std::string extension = lower_extension(path);
-        LoadedMesh loaded = finish(read_soup(std::move(source), extension, options), path);
+        progress(0);
+        Soup soup = read_soup(std::move(source), extension, options, progress.part(0, 0.7F));
+        progress(0.7F);
+        LoadedMesh loaded = finish(std::move(soup), path);
         if (loaded.format.empty()) loaded.format = upper_name(extension);
         return loaded;
     } catch (const Error&) {
@@ -81,8 +85,14 @@ LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options) {
     }
 }
 
-LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-    return parse_mesh(read_mesh_source(path), options);
+LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options,
+                     const Progress& progress) {
+    const ProgressPart done{progress, "reading"};
+    done(0);
+    MeshSource source = read_mesh_source(path);
+    LoadedMesh loaded = parse_mesh(std::move(source), options, done.part(0.1F, 1));
+    done(1);
+    return loaded;
 }
 
 } // namespace lineatlas

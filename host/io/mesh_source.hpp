@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "lineatlas/io.hpp"
 #include "material_files.hpp"
 #include "models/model_module.hpp"
@@ -23,7 +24,8 @@ struct MeshSource {
 /// that are no mesh.
 MeshSource read_mesh_source(const std::filesystem::path& path);
 
-/// Opens nothing. Throws FileError.
-LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options = {});
+/// Opens nothing. Throws FileError, and Cancelled.
+LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options = {},
+                      const ProgressPart& progress = ProgressPart::none());
 
 } // namespace lineatlas

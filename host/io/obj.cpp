@@ -29,8 +29,10 @@ class TextStream : private std::streambuf, public std::istream {
 /// and the current group need no second pass.
 class ObjSoup {
   public:
-    ObjSoup(const SourceFile& source, ObjText& text, const ObjMaterials& materials)
-        : source_(source), text_(text), materials_(materials), stream_(text.text) {}
+    ObjSoup(const SourceFile& source, ObjText& text, const ObjMaterials& materials,
+            const ProgressPart& progress)
+        : source_(source), text_(text), materials_(materials), progress_(progress),
+          stream_(text.text) {}
 
     Soup read() {
         tinyobj::callback_t callbacks;
@@ -64,9 +66,19 @@ class ObjSoup {
     }
 
   private:
-    void add_vertex() { soup_.positions.push_back(text_.positions.at(soup_.positions.size())); }
+    void add_vertex() {
+        soup_.positions.push_back(text_.positions.at(soup_.positions.size()));
+        tell();
+    }
+
+    void tell() {
+        constexpr std::uint32_t every = 1U << 14U;
+        if (++told_ % every != 0) return;
+        progress_(static_cast<float>(stream_.place()) / static_cast<float>(text_.text.size()));
+    }
 
     void element(std::span<const tinyobj::index_t> corners) {
+        tell();
         corners_.clear();
         const bool nothing = corners.size() == 1 && corners[0].vertex_index == 0;
         if (!nothing)
@@ -150,6 +162,8 @@ class ObjSoup {
     const SourceFile& source_;
     ObjText& text_;
     const ObjMaterials& materials_;
+    const ProgressPart& progress_;
+    std::uint32_t told_ = 0; ///< vertices and faces that have been read
     TextStream stream_;
     Soup soup_;
     std::vector<std::uint32_t> corners_;
@@ -165,11 +179,11 @@ class ObjSoup {
 
 } // namespace
 
-Soup read_obj(SourceFile source, const MaterialFiles& files) {
+Soup read_obj(SourceFile source, const MaterialFiles& files, const ProgressPart& progress) {
     ObjText text = reduce_obj(source);
     source.bytes = std::string(); // a second copy of a large model is not needed any more
     const ObjMaterials materials(files.contents);
-    Soup soup = ObjSoup(source, text, materials).read();
+    Soup soup = ObjSoup(source, text, materials, progress).read();
     soup.notes.insert(soup.notes.end(), files.notes.begin(), files.notes.end());
     return soup;
 }

@@ -54,7 +54,7 @@ class AtlasMethod {
     /// Samples, intervals and runs of the current chunk.
     void find(Frame& frame);
     void sample(Frame& frame);
-    void sample_tiles(Frame& frame, const TileTarget& target);
+    void sample_tiles(Frame& frame, const TileTarget& target, const ProgressPart& progress);
     compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};

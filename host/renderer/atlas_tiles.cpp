@@ -21,9 +21,13 @@ void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
     prepare_layout(frame, no_texture);
 }
 
-void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
+void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target,
+                               const ProgressPart& progress) {
     depth_.begin_tiles();
-    for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
+    float done = 0;
+    const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
+    for (const PictureTile& tile : tiles) {
+        progress(done++ / static_cast<float>(tiles.size()));
         const compute::DepthTile depth = depth_.draw_tile(frame, tile);
         frame.clock("atlas", [&] {
             compute::AtlasArgs args = atlas_args(frame);
@@ -37,7 +41,13 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target) {
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame, target);
     frame.clock.handover([&] { take_tables(); });
+    // Samples take about as long as strokes.
+    const ProgressPart progress{target.progress, "drawing tiles"};
+    const ProgressPart sampling = progress.part(0, 0.5F), drawing = progress.part(0.5F, 1);
+    const auto chunks = static_cast<float>(frame.scene.chunk_count());
     for (std::size_t chunk = 0; chunk < frame.scene.chunk_count(); ++chunk) {
+        const auto before = static_cast<float>(chunk);
+        ProgressPart part = sampling.part(before / chunks, (before + 1) / chunks);
         begin_chunk(frame, chunk);
         project(frame);
         // Counted first: drawing all depth again because the atlas was too small would take long.
@@ -47,14 +57,18 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         grow_atlas(samples);
         bool sampled = false;
         do {
-            if (!sampled) sample_tiles(frame, target);
+            if (!sampled) sample_tiles(frame, target, part);
+            part = part.part(1, 1); // once more is no progress
             strokes_.make_runs(frame, segment_atlas(), nullptr, nullptr);
             sampled = !strokes_.changes_samples();
         } while (grow());
         keep_chunk(frame);
     }
     pass_to_strokes(frame);
-    for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
+    const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
+    float done = 0;
+    for (const PictureTile& tile : tiles) {
+        drawing(done++ / static_cast<float>(tiles.size()));
         frame.tile = tile;
         target.begin(tile);
         const std::vector<gl::TriangleRange> seen =
@@ -64,6 +78,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });
     }
+    drawing(1);
     return stats(frame);
 }
 

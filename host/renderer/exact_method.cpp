@@ -1,6 +1,7 @@
 #include "exact_method.hpp"
 
 #include "backdrop.hpp"
+#include "core/progress.hpp"
 #include "depth_stage.hpp"
 #include "lineatlas/error.hpp"
 
@@ -77,10 +78,16 @@ FrameStats ExactMethod::draw(Frame& frame) {
 
 FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     if (target.tile_size < 1) throw UsageError("tiles: a tile must have at least one pixel a side");
+    const ProgressPart progress{target.progress, "drawing tiles"};
+    const ProgressPart drawing = progress.part(0.5F, 1);
+    progress(0);
     frame.clock.handover([&] { take_tables(); });
     find(frame);
     pass_to_strokes(frame);
-    for (const PictureTile& tile : make_tiles(frame.camera.size, target.tile_size)) {
+    const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
+    float done = 0;
+    for (const PictureTile& tile : tiles) {
+        drawing(done++ / static_cast<float>(tiles.size()));
         frame.tile = tile;
         target.begin(tile);
         const std::vector<gl::TriangleRange> seen =
@@ -90,6 +97,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });
     }
+    drawing(1);
     return stats(frame);
 }
 

@@ -23,6 +23,7 @@
 #include "pen_textures.hpp"
 #include "picture_limits.hpp"
 #include "spine_method.hpp"
+#include "visibility/picking.hpp"
 
 namespace lineatlas {
 namespace {
@@ -130,6 +131,7 @@ class Renderer::State {
         atlas_ = std::move(atlas);
         spine_.reset();
         exact_.reset();
+        picking_.reset();
         if (scene_) scene_->use(*connection.stages, connection.mode, std::move(*tables));
         connection_ = std::move(connection);
         samples_drawn_ = broken_ = false;
@@ -167,6 +169,8 @@ class Renderer::State {
         samples_drawn_ = false;
         mend();
         broken_ = false;
+        picking_.reset();
+        has_frame_ = false;
         atlas_->release_scene();
         if (exact_) exact_->release_scene();
         scene_.emplace(*connection_.stages, connection_.mode, lines);
@@ -242,6 +246,21 @@ class Renderer::State {
         return has_exact_intervals_ && exact_ ? exact_->read_intervals() : atlas_->read_intervals();
     }
 
+    std::optional<Pick> pick(glm::vec2 position, float radius) {
+        if (!has_frame_) throw UsageError("renderer: pick() needs a frame that was drawn");
+        LineKindMask kinds = options_.lines;
+        if (options_.method == Method::opengl) kinds &= ~mask_of(LineKind::silhouette);
+        return pick_in(camera_.camera, position, radius, kinds);
+    }
+
+    std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
+                             LineKindMask kinds) {
+        if (!scene_) throw UsageError("renderer: set_lines() must come before pick()");
+        check_picture(camera.size);
+        return pick_in(lineatlas::standard_camera(camera, scene_->bounds()).camera, position,
+                       radius, kinds);
+    }
+
     std::vector<OutlinePart> read_outlines() {
         if (broken_) throw UsageError("renderer: read_outlines() needs a frame that was drawn");
         return has_exact_intervals_ && exact_ ? exact_->read_outlines() : atlas_->read_outlines();
@@ -252,6 +271,26 @@ class Renderer::State {
     }
 
   private:
+    std::optional<Pick> pick_in(const Camera& camera, glm::vec2 position, float radius,
+                                LineKindMask kinds) {
+        check_pick(position, radius);
+        if (scene_->has_moved()) scene_->move();
+        const LineView view{.camera = camera,
+                            .bounds = scene_->bounds(),
+                            .diagonal = scene_->diagonal(),
+                            .lines = kinds,
+                            .step = finest_step};
+        const PlacedLines lines = scene_->placed();
+        try {
+            if (!picking_) picking_.emplace(*connection_.stages, lines);
+            return lineatlas::pick(*picking_, connection_.stages->device(), lines,
+                                   scene_->motion().objects(), view, position, radius);
+        } catch (...) {
+            picking_.reset(); // half made
+            throw;
+        }
+    }
+
     DeviceError needs_whole_table(const Purpose& purpose) const {
         const std::uint64_t bytes = scene_->segment_count() * std::uint64_t{sizeof(ClippedSegment)};
         const std::uint64_t most = connection_.stages->device().largest_buffer();
@@ -287,6 +326,7 @@ class Renderer::State {
             atlas_->set_scene(*scene_, scene_->tables());
         }
         broken_ = true;
+        has_frame_ = false;
         FrameStats stats;
         try {
             stats = action();
@@ -296,6 +336,7 @@ class Renderer::State {
         }
         gl::require_alive();
         broken_ = false;
+        has_frame_ = true;
         return stats;
     }
 
@@ -370,12 +411,14 @@ class Renderer::State {
     Backdrop backdrop_;
     std::unique_ptr<AtlasMethod> atlas_;
     bool broken_ = false;              ///< a frame was begun and not ended
+    bool has_frame_ = false;           ///< the last frame is of the lines
     bool samples_drawn_ = false;       ///< the last frame left samples to read
     bool has_exact_intervals_ = false; ///< the last frame's intervals are those of `exact_`
     // Tables and shaders of the other methods are made when they are first used.
     std::optional<ExactMethod> exact_;
     std::optional<SpineMethod> spine_;
     std::optional<OpenGlMethod> opengl_;
+    std::optional<ExactIntervals> picking_; ///< the same
 };
 
 Renderer::Renderer(const DeviceOptions& options) {
@@ -427,6 +470,19 @@ void Renderer::set_positions(std::uint32_t first, std::span<const glm::vec3> pos
     const gl::StateGuard guard = state_->enter();
     state_->scene().set_positions(first, positions);
 }
+void Renderer::set_hidden(std::span<const std::uint32_t> objects) {
+    const gl::StateGuard guard = state_->enter();
+    state_->scene().set_hidden(objects);
+}
+std::optional<Pick> Renderer::pick(glm::vec2 position, float radius) {
+    const gl::StateGuard guard = state_->enter();
+    return state_->pick(position, radius);
+}
+std::optional<Pick> Renderer::pick(const Camera& camera, glm::vec2 position, float radius,
+                                   LineKindMask lines) {
+    const gl::StateGuard guard = state_->enter();
+    return state_->pick(camera, position, radius, lines);
+}
 FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
                           std::uint32_t framebuffer) {
     const gl::StateGuard guard = state_->enter();
@@ -459,11 +515,21 @@ FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& option
             guard.take();
         };
     };
+    Progress progress;
+    if (target.progress) {
+        progress = [&](float done) {
+            guard.restore();
+            const bool goes_on = target.progress(done);
+            guard.take();
+            return goes_on;
+        };
+    }
     return state_->draw_tiles(camera, options,
                               {.framebuffer = target.framebuffer,
                                .tile_size = target.tile_size,
                                .begin = outside(target.begin),
-                               .end = outside(target.end)});
+                               .end = outside(target.end),
+                               .progress = progress});
 }
 Renderer::Samples Renderer::read_samples() {
     const gl::StateGuard guard = state_->enter();

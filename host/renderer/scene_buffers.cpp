@@ -137,6 +137,12 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
                                .count = static_cast<std::uint32_t>(clusters_.size())});
 }
 
+void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
+    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
+    motion_.set_hidden(objects);
+    start_moving(std::move(made));
+}
+
 std::unique_ptr<MovingTables> SceneBuffers::make_moving_once() const {
     return tables_.moving ? nullptr : make_moving(*stages_, mode_);
 }

@@ -19,6 +19,7 @@
 #include "lineatlas/lines.hpp"
 #include "moving_tables.hpp"
 #include "scene_motion.hpp"
+#include "visibility/exact_intervals.hpp"
 #include "visibility/line_tables.hpp"
 
 namespace lineatlas {
@@ -36,6 +37,7 @@ class SceneBuffers {
     /// See Renderer. What they change is there after move().
     void set_transforms(std::span<const glm::mat4> world_from_object);
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
+    void set_hidden(std::span<const std::uint32_t> objects);
     bool has_moved() const { return moved_; }
     void move();
     const SceneMotion& motion() const { return motion_; }
@@ -67,17 +69,15 @@ class SceneBuffers {
     }
 
     /// As the line set has them; of the current chunk.
-    compute::SegmentTable candidate_table() const {
-        return {.vertices = tables_.moving ? tables_.moving->vertices() : *tables_.vertices,
-                .triangles = *tables_.triangles,
-                .segments = *chunk().segments,
-                .triangle_count = triangle_count_,
-                .segment_count = chunk().range.count,
-                .candidates = tables_.moving ? chunk().edge_candidates() : chunk().candidates()};
-    }
+    compute::SegmentTable candidate_table() const { return placed().chunk(chunk_); }
     /// As the current frame draws them: in the order that was set last since select().
     compute::SegmentTable table() const { return ordered_ ? *ordered_ : candidate_table(); }
     void set_order(const compute::SegmentTable& ordered) { ordered_.emplace(ordered); }
+    /// Where they stand now, for what looks at them beside a frame.
+    PlacedLines placed() const {
+        return {tables_, tables_.moving ? tables_.moving->vertices() : *tables_.vertices,
+                motion_.vertex_count(), triangle_count_};
+    }
     std::size_t chunk_count() const { return tables_.chunks.size(); }
     void select(std::size_t chunk) {
         chunk_ = chunk;

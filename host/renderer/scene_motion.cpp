@@ -32,6 +32,15 @@ void include(Bounds& bounds, glm::vec3 point) {
     bounds.max = glm::max(bounds.max, point);
 }
 
+/// Takes everything to a point that no usual camera sees, near enough for floats to compute with
+/// its square.
+glm::mat4 matrix_away(const Bounds& bounds) {
+    constexpr float diagonals = 1e6F;
+    const float far = diagonals * std::max(glm::distance(bounds.min, bounds.max), 1e-6F);
+    const glm::vec3 point = 0.5F * (bounds.min + bounds.max) + far * glm::vec3{0.36F, 0.48F, 0.8F};
+    return {glm::vec4{0}, glm::vec4{0}, glm::vec4{0}, glm::vec4{point, 1}};
+}
+
 /// How far the corners of a box move, at most; infinite if one is behind the eye.
 float largest_shift(const Bounds& box, const glm::mat4& clip_from, const glm::mat4& clip_to,
                     glm::vec2 size) {
@@ -52,9 +61,11 @@ float largest_shift(const Bounds& box, const glm::mat4& clip_from, const glm::ma
 
 SceneMotion::SceneMotion(const LineSet& lines)
     : objects_(lines.objects), vertex_count_(static_cast<std::uint32_t>(lines.vertices.size())),
-      bounds_(lines.bounds) {
+      away_(matrix_away(lines.bounds)), bounds_(lines.bounds) {
     if (objects_.empty()) objects_.push_back({.name = {}, .vertex_count = vertex_count_});
     transforms_.assign(objects_.size(), glm::mat4{1});
+    hidden_.assign(objects_.size(), 0);
+    shown_ = transforms_;
     for (const LineObject& object : objects_) {
         Bounds& box = boxes_.emplace_back();
         if (objects_.size() == 1) {
@@ -78,7 +89,15 @@ SceneMotion::SceneMotion(const LineSet& lines)
 void SceneMotion::set_transforms(std::span<const glm::mat4> world_from_object) {
     check_transforms(world_from_object, objects_.size());
     transforms_.assign(world_from_object.begin(), world_from_object.end());
-    update_bounds();
+    update();
+}
+
+void SceneMotion::set_hidden(std::span<const std::uint32_t> objects) {
+    check_objects(objects, objects_.size());
+    std::ranges::fill(hidden_, std::uint8_t{0});
+    for (const std::uint32_t object : objects) hidden_[object] = 1;
+    ++shape_version_;
+    update();
 }
 
 void SceneMotion::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
@@ -110,12 +129,13 @@ void SceneMotion::set_positions(std::uint32_t first, std::span<const glm::vec3> 
         }
     }
     ++shape_version_;
-    update_bounds();
+    update();
 }
 
-void SceneMotion::update_bounds() {
+void SceneMotion::update() {
     bounds_ = {};
     for (std::size_t i = 0; i < objects_.size(); ++i) {
+        shown_[i] = hidden_[i] != 0 ? away_ : transforms_[i];
         if (objects_[i].vertex_count == 0) continue;
         const Bounds box = moved(boxes_[i], transforms_[i]);
         include(bounds_, box.min);
@@ -126,13 +146,13 @@ void SceneMotion::update_bounds() {
 float SceneMotion::typical_motion(const Camera& from, std::span<const glm::mat4> transforms_from,
                                   const Camera& to) const {
     const glm::mat4 clip_from = from.clip_from_world(), clip_to = to.clip_from_world();
-    if (clip_from == clip_to && std::ranges::equal(transforms_from, transforms_)) return 0;
+    if (clip_from == clip_to && std::ranges::equal(transforms_from, shown_)) return 0;
     std::array<float, 2 * most_landmarks> shifts;
     std::size_t count = 0;
     for (const Landmark& landmark : landmarks_) {
         const auto a = window_position(
             landmark.position, clip_from * transforms_from[landmark.object], glm::vec2{from.size});
-        const auto b = window_position(landmark.position, clip_to * transforms_[landmark.object],
+        const auto b = window_position(landmark.position, clip_to * shown_[landmark.object],
                                        glm::vec2{to.size});
         if (a && b) shifts[count++] = glm::distance(*a, *b);
     }
@@ -147,9 +167,9 @@ std::vector<std::uint8_t> SceneMotion::jumped(std::span<const glm::mat4> transfo
     std::vector<std::uint8_t> result;
     const glm::mat4 clip = to.clip_from_world();
     for (std::size_t i = 0; i < objects_.size(); ++i) {
-        if (transforms_from[i] == transforms_[i] || objects_[i].vertex_count == 0) continue;
-        const float shift = largest_shift(boxes_[i], clip * transforms_from[i],
-                                          clip * transforms_[i], glm::vec2{to.size});
+        if (transforms_from[i] == shown_[i] || objects_[i].vertex_count == 0) continue;
+        const float shift = largest_shift(boxes_[i], clip * transforms_from[i], clip * shown_[i],
+                                          glm::vec2{to.size});
         if (shift <= most_pixels) continue;
         result.resize(objects_.size());
         result[i] = 1;

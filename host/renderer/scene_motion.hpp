@@ -18,17 +18,20 @@ class SceneMotion {
   public:
     explicit SceneMotion(const LineSet& lines);
 
-    /// These two throw UsageError and change nothing, see Renderer.
+    /// These three throw UsageError and change nothing, see Renderer.
     void set_transforms(std::span<const glm::mat4> world_from_object);
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
+    void set_hidden(std::span<const std::uint32_t> objects);
 
     std::span<const LineObject> objects() const { return objects_; }
     std::uint32_t vertex_count() const { return vertex_count_; }
-    /// Per object.
-    const std::vector<glm::mat4>& transforms() const { return transforms_; }
-    /// Around all of the model where it is now.
+    /// Per object; of a hidden one a matrix that takes all of it to one point far away, where its
+    /// triangles cover nothing and its lines are points (kernels/project_clip.cl).
+    const std::vector<glm::mat4>& transforms() const { return shown_; }
+    /// Around all of the model where it is now, hidden objects included.
     const Bounds& bounds() const { return bounds_; }
-    /// Counts changes of positions.
+    /// Counts changes of positions, and of what is hidden: frames on either side of one are not
+    /// averaged.
     std::uint64_t shape_version() const { return shape_version_; }
 
     /// How far points of the model have moved on the screen: the median, in pixels; infinite if
@@ -46,12 +49,15 @@ class SceneMotion {
         std::uint32_t vertex, object;
         glm::vec3 position;
     };
-    void update_bounds();
+    void update();
 
     std::vector<LineObject> objects_; ///< one if nothing moves on its own
     std::uint32_t vertex_count_;
     std::vector<Bounds> boxes_; ///< per object, as it was made
     std::vector<glm::mat4> transforms_;
+    std::vector<std::uint8_t> hidden_; ///< per object 0 or 1
+    std::vector<glm::mat4> shown_;     ///< transforms()
+    glm::mat4 away_;                   ///< of hidden ones
     std::vector<Landmark> landmarks_;
     Bounds bounds_;
     std::uint64_t shape_version_ = 0;

@@ -69,8 +69,8 @@ std::shared_ptr<Model> with_hidden(const Model& model, const HiddenParts& hidden
     return result;
 }
 
-void find_lines(Model& model) {
-    model.lines = extract_lines(*model.mesh, model.source.lines);
+void find_lines(Model& model, const Progress& progress) {
+    model.lines = extract_lines(*model.mesh, model.source.lines, progress);
     const std::optional<FarPart> far = find_far_part(model.lines);
     if (far) model.notes.push_back(note_of(*far));
     model.framed = points_to_frame(model.lines, far);
@@ -100,7 +100,7 @@ void Loader::run(const std::shared_ptr<Job>& job) {
             if (!job->cancelled) job->say("Finding its lines");
         }
         if (!job->cancelled) {
-            find_lines(*model);
+            find_lines(*model, [&](float) { return !job->cancelled; });
             if (!job->shown && !job->source.file.empty()) add_notes(model->lines.odd, model->notes);
         }
         result = model;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -106,30 +105,9 @@ std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2
            scale * glm::dvec2{glm::dot(offset, axes.right), -glm::dot(offset, axes.above)};
 }
 
-double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
-    constexpr double missed = std::numeric_limits<double>::infinity();
-    const glm::dvec3 ab = b - a, ac = c - a;
-    const glm::dvec3 p = glm::cross(ray.direction, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0) return missed;
-    const glm::dvec3 offset = ray.origin - a;
-    const double u = glm::dot(offset, p) / determinant;
-    if (!(u >= 0 && u <= 1)) return missed;
-    const glm::dvec3 q = glm::cross(offset, ab);
-    const double v = glm::dot(ray.direction, q) / determinant;
-    if (!(v >= 0 && u + v <= 1)) return missed;
-    const double distance = glm::dot(ac, q) / determinant;
-    return distance > 0 ? distance : missed;
-}
-
 std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const glm::uvec3 triangle : lines.triangles) {
-        nearest = std::min(nearest, meet(ray, lines.vertices[triangle.x],
-                                         lines.vertices[triangle.y], lines.vertices[triangle.z]));
-    }
-    if (!std::isfinite(nearest)) return {};
-    return ray.origin + nearest * ray.direction;
+    const auto hit = first_hit(ray, lines.vertices, lines.triangles);
+    return hit ? std::optional{ray.at(hit->distance)} : std::nullopt;
 }
 
 glm::vec3 direction_to(StandardView view, glm::vec3 up) {

@@ -6,15 +6,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/ray.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas::viewer {
-
-/// A half line in the model's coordinates; `direction` is a unit vector.
-struct Ray {
-    glm::dvec3 origin{0}, direction{0, 0, -1};
-};
 
 /// What is seen at a point of a picture of `size`, from its upper left corner: from the eye on, or
 /// with parallel lines of sight from far behind it.
@@ -22,9 +18,6 @@ Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size);
 
 /// Where a point of the model is seen; nothing for one behind a perspective view's eye.
 std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2 size);
-
-/// How far along the ray it meets a triangle, from either side; infinity if it doesn't.
-double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 
 /// The nearest triangle's point that the ray meets.
 std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray);

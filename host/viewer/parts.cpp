@@ -1,9 +1,7 @@
 #include "parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 
 #include <glm/common.hpp>
 
@@ -108,19 +106,12 @@ std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray,
                                          const HiddenParts& hidden) const {
     if (all_.empty()) return {};
     const std::vector<bool> shown = shown_paths(hidden);
-    double nearest = std::numeric_limits<double>::infinity();
-    std::uint32_t path = 0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (!shown[paths_.of_triangle[i]]) continue;
-        const glm::uvec3 t = mesh.triangles[i];
-        const double distance =
-            meet(ray, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        path = paths_.of_triangle[i];
-    }
-    if (!std::isfinite(nearest) || part_of_path_[path] == none) return {};
-    return part_of_path_[path];
+    const auto hit = first_hit(ray, mesh.positions, mesh.triangles, [&](std::uint32_t triangle) {
+        return shown[paths_.of_triangle[triangle]];
+    });
+    if (!hit) return {};
+    const std::uint32_t part = part_of_path_[paths_.of_triangle[hit->triangle]];
+    return part != none ? std::optional{part} : std::nullopt;
 }
 
 } // namespace lineatlas::viewer

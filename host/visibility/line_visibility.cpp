@@ -7,13 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "compute/choose_device.hpp"
-#include "core/limits.hpp"
 #include "core/picture_size.hpp"
 #include "core/standard_camera.hpp"
-#include "exact_lines.hpp"
-#include "interval_table.hpp"
 #include "lineatlas/error.hpp"
-#include "outline_parts.hpp"
+#include "picking.hpp"
 
 namespace lineatlas {
 namespace {
@@ -29,6 +26,32 @@ void check(const VisibilityOptions& options) {
 } // namespace
 
 class LineVisibility::State {
+    void check_ready(const Camera& camera) const {
+        if (!tables_) throw UsageError("visibility: there are no lines; set_lines() has failed");
+        check_picture(camera.size);
+    }
+
+    LineView view_by(const StandardCamera& standard, LineKindMask kinds, float step) const {
+        return {.camera = standard.camera,
+                .bounds = bounds_,
+                .diagonal = glm::distance(bounds_.min, bounds_.max),
+                .lines = kinds,
+                .step = step};
+    }
+
+    /// Looks at the lines.
+    template <class Action>
+    auto work(const Action& action) {
+        const PlacedLines lines{*tables_, *tables_->vertices, vertex_count_, triangle_count_};
+        try {
+            if (!work_) work_.emplace(stages_, lines);
+            return action(*work_, lines);
+        } catch (...) {
+            work_.reset(); // half made
+            throw;
+        }
+    }
+
   public:
     explicit State(const DeviceOptions& options) : State(compute::find_device(options), options) {}
 
@@ -38,20 +61,36 @@ class LineVisibility::State {
         tables_.reset();
         work_.reset();
         tables_ = upload_lines(*device_, lines);
+        vertex_count_ = static_cast<std::uint32_t>(lines.vertices.size());
         triangle_count_ = static_cast<std::uint32_t>(lines.triangles.size());
+        objects_ = lines.objects;
         bounds_ = lines.bounds;
     }
 
-    std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options) {
-        if (!tables_) throw UsageError("visibility: there are no lines; set_lines() has failed");
+    std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options,
+                               const Progress& progress) {
+        check_ready(camera);
         check(options);
-        check_picture(camera.size);
-        try {
-            return find_checked(camera, options);
-        } catch (...) {
-            work_.reset(); // half made
-            throw;
-        }
+        outlines_.clear();
+        const ExactIntervals::Wanted wanted{.hidden = options.hidden,
+                                            .outlines = options.outlines ? &outlines_ : nullptr,
+                                            .outline_depth = options.outline_depth};
+        return work([&](ExactIntervals& found, const PlacedLines& lines) {
+            const StandardCamera standard = standard_camera(camera, bounds_);
+            return found.find(lines, view_by(standard, options.lines, options.step), wanted,
+                              {progress, "finding what is visible"});
+        });
+    }
+
+    std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
+                             LineKindMask kinds) {
+        check_ready(camera);
+        check_pick(position, radius);
+        return work([&](ExactIntervals& found, const PlacedLines& lines) {
+            const StandardCamera standard = standard_camera(camera, bounds_);
+            return lineatlas::pick(found, *device_, lines, objects_,
+                                   view_by(standard, kinds, finest_step), position, radius);
+        });
     }
 
     const std::vector<OutlinePart>& outlines() const { return outlines_; }
@@ -60,75 +99,14 @@ class LineVisibility::State {
     State(const compute::FoundDevice& found, const DeviceOptions& options)
         : device_(compute::make_device(found, options)), stages_(*device_) {}
 
-    /// What a call leaves to the next: tables that have grown.
-    struct Work {
-        explicit Work(compute::Stages& stages) : lines(stages), intervals(stages.device()) {}
-        ExactLines lines;
-        IntervalTable intervals;
-    };
-
-    std::vector<Interval> find_checked(const Camera& camera, const VisibilityOptions& options) {
-        if (!work_) {
-            work_.emplace(stages_);
-            work_->lines.make_tables(triangle_count_, tables_->most_segments());
-        }
-        const StandardCamera standard = standard_camera(camera, bounds_);
-        const LineView view{.camera = standard.camera,
-                            .bounds = bounds_,
-                            .diagonal = glm::distance(bounds_.min, bounds_.max),
-                            .lines = options.lines,
-                            .step = options.step};
-        const std::size_t chunks = tables_->chunks.size();
-        IntervalTable& intervals = work_->intervals;
-        intervals.begin_frame(true);
-        outlines_.clear();
-        const auto at_once = [](const char*, const auto& action) { action(); };
-        work_->lines.find(
-            view, chunks, [&](std::size_t chunk) { return table(chunk); }, at_once,
-            [&](std::size_t chunk, const compute::SegmentTable& segments,
-                const compute::SpanTable& spans) {
-                do {
-                    find_intervals(view, segments, spans, options.hidden);
-                } while (intervals.grow());
-                const SegmentRange range = tables_->chunks[chunk].range;
-                if (options.outlines) {
-                    add_outline_parts(*device_, work_->lines.outline(options.outline_depth),
-                                      intervals.read_table(), work_->lines.order(), range.first,
-                                      segments.segment_count, outlines_);
-                }
-                if (chunks == 1) return;
-                intervals.keep(range.first, work_->lines.order(), {});
-            });
-        return intervals.read(work_->lines.order(), {});
-    }
-
-    void find_intervals(const LineView& view, const compute::SegmentTable& segments,
-                        const compute::SpanTable& spans, bool hidden) {
-        const IntervalTable::Room room = work_->intervals.room();
-        stages_.span_intervals({.table = segments,
-                                .clipped = work_->lines.clipped(),
-                                .spans = spans,
-                                .viewport = view.viewport(),
-                                .hidden_too = hidden,
-                                .intervals = room.intervals,
-                                .interval_capacity = room.capacity,
-                                .total = room.total});
-        work_->intervals.read_total();
-    }
-
-    compute::SegmentTable table(std::size_t chunk) const {
-        const LineTables::Chunk& part = tables_->chunks[chunk];
-        return {*tables_->vertices, *tables_->triangles, *part.segments,
-                triangle_count_,    part.range.count,    part.candidates()};
-    }
-
     std::unique_ptr<compute::Device> device_;
     compute::Stages stages_;
     std::optional<LineTables> tables_;
-    std::uint32_t triangle_count_ = 0;
+    std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
+    std::vector<LineObject> objects_;
     Bounds bounds_;
-    std::vector<OutlinePart> outlines_; ///< of the last find()
-    std::optional<Work> work_;          ///< for the lines; made when they are first looked at
+    std::vector<OutlinePart> outlines_;  ///< of the last find()
+    std::optional<ExactIntervals> work_; ///< for the lines; made when they are first looked at
 };
 
 LineVisibility::LineVisibility(const LineSet& lines, const DeviceOptions& options)
@@ -152,8 +130,14 @@ const std::vector<OutlinePart>& LineVisibility::outlines() const {
     return state_->outlines();
 }
 
-std::vector<Interval> LineVisibility::find(const Camera& camera, const VisibilityOptions& options) {
-    return state_->find(camera, options);
+std::vector<Interval> LineVisibility::find(const Camera& camera, const VisibilityOptions& options,
+                                           const Progress& progress) {
+    return state_->find(camera, options, progress);
+}
+
+std::optional<Pick> LineVisibility::pick(const Camera& camera, glm::vec2 position, float radius,
+                                         LineKindMask lines) {
+    return state_->pick(camera, position, radius, lines);
 }
 
 } // namespace lineatlas

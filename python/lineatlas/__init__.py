@@ -26,6 +26,7 @@ except ImportError as _error:
 from ._lineatlas import (
     SCENES,
     Camera,
+    Cancelled,
     Device,
     DeviceError,
     Error,
@@ -34,6 +35,7 @@ from ._lineatlas import (
     Mesh,
     MismatchError,
     Options,
+    Pick,
     Renderer,
     Scene,
     Style,
@@ -49,13 +51,13 @@ from ._lineatlas import (
 )
 
 __all__ = [
-    "SCENES", "Camera", "Device", "DeviceError", "Error", "FileError", "Group", "LineKind", "Mesh",
-    "MismatchError", "Options", "Renderer", "Scene", "Style", "UsageError", "View", "__version__",
+    "SCENES", "Camera", "Cancelled", "Device", "DeviceError", "Error", "FileError", "Group", "LineKind", "Mesh",
+    "MismatchError", "Options", "Pick", "Renderer", "Scene", "Style", "UsageError", "View", "__version__",
     "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_dxf", "to_json", "to_pdf", "to_svg",
 ]
 
 _Model = _Union[Mesh, str, "_os.PathLike[str]"]
-_OF_RENDERER = ("lines", "crease", "compute", "device", "interop")
+_OF_RENDERER = ("lines", "crease", "separate_objects", "progress", "compute", "device", "interop")
 
 
 class LineKind(_enum.IntEnum):

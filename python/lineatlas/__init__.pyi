@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 
 from ._lineatlas import SCENES as SCENES
 from ._lineatlas import Camera as Camera
+from ._lineatlas import Cancelled as Cancelled
 from ._lineatlas import Device as Device
 from ._lineatlas import DeviceError as DeviceError
 from ._lineatlas import Error as Error
@@ -14,13 +15,14 @@ from ._lineatlas import Group as Group
 from ._lineatlas import Mesh as Mesh
 from ._lineatlas import MismatchError as MismatchError
 from ._lineatlas import Options as Options
+from ._lineatlas import Pick as Pick
 from ._lineatlas import Renderer as Renderer
 from ._lineatlas import Scene as Scene
 from ._lineatlas import Style as Style
 from ._lineatlas import UsageError as UsageError
 from ._lineatlas import View as View
 from ._lineatlas import __version__ as __version__
-from ._lineatlas import _Kinds, _Model, _Size, _Style, _Up, _View
+from ._lineatlas import _Kinds, _Model, _Progress, _Size, _Style, _Up, _View
 from ._lineatlas import devices as devices
 from ._lineatlas import frame as frame
 from ._lineatlas import load as load
@@ -45,6 +47,8 @@ def draw(
     *,
     lines: Optional[_Kinds] = None,
     crease: Union[float, str] = "auto",
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -60,6 +64,8 @@ def intervals(
     *,
     lines: Optional[_Kinds] = None,
     crease: Union[float, str] = "auto",
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -74,6 +80,8 @@ def to_svg(
     *,
     lines: Optional[_Kinds] = None,
     crease: Union[float, str] = "auto",
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -95,6 +103,8 @@ def to_dxf(
     *,
     lines: Optional[_Kinds] = None,
     crease: Union[float, str] = "auto",
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -113,6 +123,8 @@ def to_pdf(
     *,
     lines: Optional[_Kinds] = None,
     crease: Union[float, str] = "auto",
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
     compute: str = "",
     device: str = "",
     interop: str = "",
@@ -133,6 +145,8 @@ def to_json(
     *,
     lines: Optional[_Kinds] = None,
     crease: Union[float, str] = "auto",
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
     compute: str = "",
     device: str = "",
     interop: str = "",

@@ -1,7 +1,7 @@
 # Types of the compiled module; what its parts do is said by their docstrings.
 import os
 from types import TracebackType
-from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,7 @@ _Size = Sequence[int]
 _View = Union[View, Camera]
 _Style = Union[Style, _Path]
 _Kinds = Union[str, Sequence[str]]
+_Progress = Callable[[float], Optional[bool]]
 
 SCENES: Tuple[str, ...]
 __version__: str
@@ -24,6 +25,7 @@ class UsageError(Error, ValueError): ...
 class FileError(Error, OSError): ...
 class DeviceError(Error, RuntimeError): ...
 class MismatchError(Error, RuntimeError): ...
+class Cancelled(Error): ...
 
 class Group:
     def __init__(
@@ -46,6 +48,8 @@ class Mesh:
         groups: Optional[Sequence[Union[Group, str]]] = None,
         polylines: Iterable[ArrayLike] = (),
         known_edges: Optional[Mapping[str, ArrayLike]] = None,
+        triangle_object: Optional[ArrayLike] = None,
+        polyline_object: Optional[ArrayLike] = None,
     ) -> None: ...
     @property
     def positions(self) -> NDArray[np.float32]: ...
@@ -53,6 +57,10 @@ class Mesh:
     def triangles(self) -> NDArray[np.uint32]: ...
     @property
     def triangle_group(self) -> NDArray[np.uint32]: ...
+    @property
+    def triangle_object(self) -> NDArray[np.uint32]: ...
+    @property
+    def polyline_object(self) -> NDArray[np.uint32]: ...
     @property
     def groups(self) -> list[Group]: ...
     @property
@@ -139,6 +147,28 @@ class Options:
         steady: bool = False,
     ) -> None: ...
 
+class Pick:
+    @property
+    def kind(self) -> Optional[int]: ...
+    @property
+    def segment(self) -> Optional[int]: ...
+    @property
+    def path(self) -> Optional[int]: ...
+    @property
+    def edge(self) -> Optional[list[int]]: ...
+    @property
+    def triangle(self) -> Optional[int]: ...
+    @property
+    def group(self) -> Optional[int]: ...
+    @property
+    def object(self) -> int: ...
+    @property
+    def position(self) -> Tuple[float, float]: ...
+    @property
+    def distance(self) -> float: ...
+    @property
+    def world(self) -> _Triple: ...
+
 class Renderer:
     def __init__(
         self,
@@ -146,13 +176,36 @@ class Renderer:
         *,
         lines: Optional[_Kinds] = None,
         crease: Union[float, str] = "auto",
+        separate_objects: bool = False,
+        progress: Optional[_Progress] = None,
         compute: str = "",
         device: str = "",
         interop: str = "",
     ) -> None: ...
     def set_model(
-        self, model: _Model, *, lines: Optional[_Kinds] = None, crease: Union[float, str] = "auto"
+        self,
+        model: _Model,
+        *,
+        lines: Optional[_Kinds] = None,
+        crease: Union[float, str] = "auto",
+        separate_objects: bool = False,
+        progress: Optional[_Progress] = None,
     ) -> None: ...
+    def set_transforms(self, world_from_object: ArrayLike) -> None: ...
+    def set_positions(self, positions: ArrayLike) -> None: ...
+    def hide(self, objects: ArrayLike) -> None: ...
+    @property
+    def objects(self) -> list[str]: ...
+    def pick(
+        self,
+        x: float,
+        y: float,
+        radius: float = 4.0,
+        *,
+        size: _Size = (1024, 768),
+        view: Optional[_View] = None,
+        up: _Up = "y",
+    ) -> Optional[Pick]: ...
     def draw(
         self,
         *,
@@ -171,6 +224,7 @@ class Renderer:
         up: _Up = "y",
         options: Optional[Options] = None,
         hidden: bool = False,
+        progress: Optional[_Progress] = None,
     ) -> NDArray[np.void]: ...
     def to_svg(
         self,
@@ -187,6 +241,7 @@ class Renderer:
         transparent: bool = False,
         fit_arcs: bool = False,
         title: str = "Line drawing",
+        progress: Optional[_Progress] = None,
     ) -> str: ...
     def to_dxf(
         self,
@@ -200,6 +255,7 @@ class Renderer:
         margin: str = "0",
         plotter: bool = False,
         fit_arcs: bool = False,
+        progress: Optional[_Progress] = None,
     ) -> str: ...
     def to_pdf(
         self,
@@ -215,6 +271,7 @@ class Renderer:
         transparent: bool = False,
         fit_arcs: bool = False,
         title: str = "Line drawing",
+        progress: Optional[_Progress] = None,
     ) -> bytes: ...
     def to_json(
         self,
@@ -226,6 +283,7 @@ class Renderer:
         options: Optional[Options] = None,
         plotter: bool = False,
         tags: bool = True,
+        progress: Optional[_Progress] = None,
     ) -> str: ...
     def frame(
         self,
@@ -253,7 +311,7 @@ class Device:
     @property
     def kind(self) -> str: ...
 
-def load(path: _Path) -> Mesh: ...
+def load(path: _Path, *, progress: Optional[_Progress] = None) -> Mesh: ...
 def scene(name: str) -> Scene: ...
 def frame(
     model: _Model,

@@ -78,6 +78,24 @@ std::vector<glm::vec3> points_from(py::handle object, const char* name) {
                                                     : finite_rows<double>(given, name);
 }
 
+std::vector<glm::mat4> matrices_from(py::handle object, const char* name) {
+    const py::array given = number_array(object, name, "fiu");
+    if (given.ndim() != 3 || given.shape(1) != 4 || given.shape(2) != 4) {
+        throw UsageError(std::string{name} + " must have the shape (n, 4, 4), not " +
+                         shape_of(given));
+    }
+    const py::array_t<double, py::array::c_style | py::array::forcecast> rows(given);
+    std::vector<glm::mat4> matrices(static_cast<std::size_t>(rows.shape(0)));
+    const double* value = rows.data();
+    for (glm::mat4& matrix : matrices) {
+        // A row per row; GLM keeps columns.
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column)
+                matrix[column][row] = static_cast<float>(*value++);
+    }
+    return matrices;
+}
+
 std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit) {
     const py::array given = number_array(object, name, "iu");
     check_rows(given, 3, name);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -27,6 +28,9 @@ inline std::tuple<float, float, float> tuple_of(glm::vec3 vector) {
 
 /// Rows of three finite numbers, from any real type and memory order.
 std::vector<glm::vec3> points_from(py::handle object, const char* name);
+
+/// Matrices of finite numbers, from an array of the shape (n, 4, 4).
+std::vector<glm::mat4> matrices_from(py::handle object, const char* name);
 
 /// Rows of three indices, each below `limit`.
 std::vector<glm::uvec3> triangles_from(py::handle object, const char* name, std::size_t limit);

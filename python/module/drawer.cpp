@@ -23,8 +23,9 @@ std::vector<std::uint8_t> to_bytes(std::span<const std::byte> values) {
 
 } // namespace
 
-ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options) {
-    LineSet lines = extract_lines(model->mesh, options);
+ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options,
+                      const Progress& progress) {
+    LineSet lines = extract_lines(model->mesh, options, progress);
     return {std::move(model), std::move(lines), options.kinds};
 }
 
@@ -56,7 +57,7 @@ class Drawer::InUse {
 };
 
 Drawer::Drawer(ModelLines subject, const DeviceOptions& device)
-    : subject_(std::make_shared<ModelLines>(std::move(subject))) {
+    : made_(std::make_shared<ModelLines>(std::move(subject))), subject_(made_) {
     enter_drivers();
     if (device.interop.empty()) {
         compute::find_device(device); // or it throws
@@ -76,7 +77,8 @@ Drawer::~Drawer() {
 Drawer::Pictures& Drawer::make_pictures() {
     auto pictures = std::make_unique<Pictures>(state_->device);
     state_->visibility.reset(); // the model's memory goes to the renderer
-    pictures->renderer.set_lines(subject_->lines);
+    pictures->renderer.set_lines(made_->lines);
+    place(pictures->renderer, placement_);
     state_->note = pictures->renderer.note();
     state_->pictures = std::move(pictures);
     return *state_->pictures;
@@ -115,7 +117,74 @@ void Drawer::set_subject(ModelLines subject) {
         state_->pictures->renderer.set_lines(subject.lines);
     else if (state_->visibility)
         state_->visibility->set_lines(subject.lines);
-    subject_ = std::make_shared<ModelLines>(std::move(subject));
+    made_ = subject_ = std::make_shared<ModelLines>(std::move(subject));
+    placement_ = {};
+}
+
+/// The lines where they are now, as those that know no placement are to see them.
+std::shared_ptr<const ModelLines> Drawer::placed(const Placement& placement) const {
+    auto result = std::make_shared<ModelLines>(*made_);
+    LineSet& lines = result->lines;
+    if (!placement.vertices.empty()) {
+        lines.vertices = placement.vertices;
+        lines.bounds = placement.bounds;
+    }
+    if (!placement.transforms.empty()) move_objects(lines, placement.transforms);
+    if (!placement.hidden.empty()) hide_objects(lines, placement.hidden);
+    return result;
+}
+
+void Drawer::place(Renderer& renderer, const Placement& placement) {
+    if (!placement.vertices.empty()) renderer.set_positions(0, placement.vertices);
+    if (!placement.transforms.empty()) renderer.set_transforms(placement.transforms);
+    if (!placement.hidden.empty()) renderer.set_hidden(placement.hidden);
+}
+
+void Drawer::set_transforms(std::vector<glm::mat4> world_from_object) {
+    const InUse use{*this};
+    Placement next = placement_;
+    next.transforms = std::move(world_from_object);
+    std::shared_ptr<const ModelLines> moved = placed(next); // or it throws
+    if (state_->pictures) state_->pictures->renderer.set_transforms(next.transforms);
+    take(std::move(next), std::move(moved));
+}
+
+void Drawer::set_positions(std::span<const glm::vec3> positions) {
+    const InUse use{*this};
+    LineSet shape; // what move_vertices() needs, and no more
+    shape.vertices = made_->lines.vertices;
+    shape.vertex_sources = made_->lines.vertex_sources;
+    shape.cut_vertices = made_->lines.cut_vertices;
+    move_vertices(shape, positions);
+    Placement next = placement_;
+    next.vertices = std::move(shape.vertices);
+    next.bounds = shape.bounds;
+    std::shared_ptr<const ModelLines> moved = placed(next);
+    if (state_->pictures) state_->pictures->renderer.set_positions(0, next.vertices);
+    take(std::move(next), std::move(moved));
+}
+
+void Drawer::set_hidden(std::vector<std::uint32_t> objects) {
+    const InUse use{*this};
+    Placement next = placement_;
+    next.hidden = std::move(objects);
+    std::shared_ptr<const ModelLines> moved = placed(next);
+    if (state_->pictures) state_->pictures->renderer.set_hidden(next.hidden);
+    take(std::move(next), std::move(moved));
+}
+
+void Drawer::take(Placement next, std::shared_ptr<const ModelLines> moved) {
+    if (state_->visibility) state_->visibility->set_lines(moved->lines);
+    placement_ = std::move(next);
+    subject_ = std::move(moved);
+}
+
+std::optional<Pick> Drawer::pick(const Camera& camera, glm::vec2 position, float radius,
+                                 std::shared_ptr<const ModelLines>& of) {
+    const InUse use{*this};
+    of = subject_;
+    return state_->pictures ? state_->pictures->renderer.pick(camera, position, radius)
+                            : make_visibility().pick(camera, position, radius);
 }
 
 std::shared_ptr<const ModelLines> Drawer::subject() const {
@@ -172,7 +241,8 @@ Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool tra
     return {to_bytes(straight(pixels)), shows_lines};
 }
 
-FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, bool hidden) {
+FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, bool hidden,
+                                 const Progress& progress) {
     if (options.method == Method::exact) {
         const InUse use{*this};
         if (!state_->pictures) {
@@ -183,7 +253,7 @@ FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, boo
                                            .outline_depth =
                                                outline_depth(options.style, camera.size)};
             LineVisibility& visibility = make_visibility();
-            std::vector<Interval> found = visibility.find(camera, wanted);
+            std::vector<Interval> found = visibility.find(camera, wanted, progress);
             return {subject_, std::move(found), visibility.outlines()};
         }
     }

@@ -22,7 +22,8 @@ struct ModelLines {
     LineKindMask kinds = all_line_kinds;
 };
 
-ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options);
+ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options,
+                      const Progress& progress);
 
 /// Intervals, and the lines whose they are.
 struct FoundIntervals {
@@ -55,7 +56,16 @@ class Drawer {
 
     Picture draw(const Camera& camera, const FrameOptions& options, bool transparent);
     /// What is visible of the lines, and with `hidden` the rest too.
-    FoundIntervals intervals(const Camera& camera, FrameOptions options, bool hidden);
+    FoundIntervals intervals(const Camera& camera, FrameOptions options, bool hidden,
+                             const Progress& progress);
+    /// Renderer::pick(), and the lines it is of.
+    std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
+                             std::shared_ptr<const ModelLines>& of);
+
+    // As Renderer has them; from a new subject on all is as it was made.
+    void set_transforms(std::vector<glm::mat4> world_from_object);
+    void set_positions(std::span<const glm::vec3> positions); ///< of all of the mesh
+    void set_hidden(std::vector<std::uint32_t> objects);
 
     void close(); ///< gives back all that it holds; later calls throw UsageError
 
@@ -79,6 +89,17 @@ class Drawer {
         std::unique_ptr<Pictures> pictures{};
     };
 
+    /// What is not as the model was made; empty: nothing.
+    struct Placement {
+        std::vector<glm::vec3> vertices{}; ///< in place of LineSet::vertices
+        Bounds bounds{};                   ///< of these
+        std::vector<glm::mat4> transforms{};
+        std::vector<std::uint32_t> hidden{};
+    };
+    std::shared_ptr<const ModelLines> placed(const Placement& placement) const;
+    static void place(Renderer& renderer, const Placement& placement);
+    void take(Placement next, std::shared_ptr<const ModelLines> moved);
+
     std::unique_lock<std::mutex> lock() const;
     Pictures& make_pictures();
     LineVisibility& make_visibility();
@@ -86,8 +107,16 @@ class Drawer {
     static gl::Canvas& canvas(Pictures& pictures, glm::ivec2 size, int bits);
 
     mutable std::mutex mutex_;
-    std::shared_ptr<const ModelLines> subject_; ///< callers may read it while it is replaced
+    // Callers may read these while they are replaced.
+    std::shared_ptr<const ModelLines> made_;    ///< as it was made
+    std::shared_ptr<const ModelLines> subject_; ///< where it is now
+    Placement placement_;
     std::unique_ptr<State> state_;
 };
+
+/// set_transforms(), set_positions(), hide(), objects.
+void bind_motion(pybind11::class_<Drawer>& renderer);
+/// pick().
+void bind_picking(pybind11::module_& module, pybind11::class_<Drawer>& renderer);
 
 } // namespace lineatlas::python

@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "bindings.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/progress.hpp"
 #include "style/member_names.hpp"
 
 namespace lineatlas::python {
@@ -20,6 +21,7 @@ struct ErrorTypes {
     PyObject* file = nullptr;
     PyObject* device = nullptr;
     PyObject* mismatch = nullptr;
+    PyObject* cancelled = nullptr;
 };
 ErrorTypes types;
 
@@ -55,6 +57,8 @@ void translate(std::exception_ptr thrown) {
         raise(types.device, error);
     } catch (const MismatchError& error) {
         raise(types.mismatch, error);
+    } catch (const Cancelled& error) {
+        raise(types.cancelled, error);
     } catch (const Error& error) {
         raise(types.error, error);
     }
@@ -80,6 +84,8 @@ void bind_errors(py::module_& module) {
     types.mismatch =
         make_type(module, "MismatchError", "Two compute backends disagree where they must not.",
                   both(PyExc_RuntimeError));
+    types.cancelled = make_type(module, "Cancelled", "A call was stopped by its `progress`.",
+                                py::make_tuple(py::handle(types.error)));
     py::register_exception_translator(&translate);
 }
 

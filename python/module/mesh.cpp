@@ -15,6 +15,7 @@
 #include "lineatlas/scenes.hpp"
 #include "model.hpp"
 #include "process.hpp"
+#include "progress.hpp"
 
 namespace lineatlas::python {
 namespace {
@@ -113,6 +114,17 @@ py::dict known_edges(const Model& model) {
     return kinds;
 }
 
+/// Numbers of what moves on its own, one each; none: empty.
+std::vector<std::uint32_t> objects_from(const py::object& numbers, const char* name,
+                                        std::size_t count) {
+    constexpr std::size_t any = std::size_t{1} << 32;
+    if (numbers.is_none()) return {};
+    std::vector<std::uint32_t> objects = indices_from(numbers, name, any);
+    if (objects.size() == count) return objects;
+    throw UsageError(std::string{name} + " has " + std::to_string(objects.size()) +
+                     " entries, but there are " + std::to_string(count));
+}
+
 std::vector<glm::uvec3> triangles_in_order(std::size_t corners) {
     if (corners % 3 != 0) {
         throw UsageError(
@@ -129,7 +141,9 @@ std::vector<glm::uvec3> triangles_in_order(std::size_t corners) {
 
 std::shared_ptr<Model> make_model(const py::object& positions, const py::object& triangles,
                                   const py::object& triangle_group, const GroupsArgument& groups,
-                                  const LinesArgument& polylines, const EdgesArgument& known) {
+                                  const LinesArgument& polylines, const EdgesArgument& known,
+                                  const py::object& triangle_object,
+                                  const py::object& polyline_object) {
     auto model = std::make_shared<Model>();
     Mesh& mesh = model->mesh;
     mesh.positions = points_from(positions, "positions");
@@ -141,12 +155,14 @@ std::shared_ptr<Model> make_model(const py::object& positions, const py::object&
         mesh.triangles = triangles_in_order(corners);
     add_groups(mesh, triangle_group, *groups);
     add_known_edges(mesh, *known);
+    mesh.triangle_object = objects_from(triangle_object, "triangle_object", mesh.triangles.size());
+    mesh.polyline_object = objects_from(polyline_object, "polyline_object", mesh.polylines.size());
     return model;
 }
 
-std::shared_ptr<Model> load(const std::filesystem::path& path) {
-    const Released released;
-    LoadedMesh loaded = load_mesh(path);
+std::shared_ptr<Model> load(const std::filesystem::path& path, const py::object& progress) {
+    LoadedMesh loaded =
+        released(progress, [&](const Progress& asked) { return load_mesh(path, {}, asked); });
     return std::make_shared<Model>(
         Model{.mesh = std::move(loaded.mesh),
               .notes = std::move(loaded.notes),
@@ -169,10 +185,21 @@ py::object triangles(const py::object& self) {
                    {static_cast<py::ssize_t>(mesh.triangles.size()), 3}, self);
 }
 
+py::object numbers_of(const py::object& self, const std::vector<std::uint32_t> Mesh::*numbers) {
+    const std::vector<std::uint32_t>& values = self.cast<const Model&>().mesh.*numbers;
+    return view_of(values.data(), {static_cast<py::ssize_t>(values.size())}, self);
+}
+
 py::object triangle_group(const py::object& self) {
-    const Mesh& mesh = self.cast<const Model&>().mesh;
-    return view_of(mesh.triangle_group.data(),
-                   {static_cast<py::ssize_t>(mesh.triangle_group.size())}, self);
+    return numbers_of(self, &Mesh::triangle_group);
+}
+
+py::object triangle_object(const py::object& self) {
+    return numbers_of(self, &Mesh::triangle_object);
+}
+
+py::object polyline_object(const py::object& self) {
+    return numbers_of(self, &Mesh::polyline_object);
 }
 
 py::list polylines(const py::object& self) {
@@ -227,7 +254,8 @@ void bind_scene(py::module_& module) {
 } // namespace
 
 std::shared_ptr<const Model> model_of(const ModelOrPath& given) {
-    if (const auto* path = std::get_if<std::filesystem::path>(&given)) return load(*path);
+    if (const auto* path = std::get_if<std::filesystem::path>(&given))
+        return load(*path, py::none());
     return std::get<std::shared_ptr<Model>>(given);
 }
 
@@ -261,17 +289,23 @@ void bind_mesh(py::module_& module) {
         "known_edges: what is known of edges, as {kind: (k, 2) indices}. \"marked\": creases\n"
         "whatever the angle. With any of \"sharp\" (creases), \"smooth\" (where two faces go over\n"
         "into each other), \"free\" (boundaries) and \"seam\" (no line), edges that are not named\n"
-        "are within a face, and angles say nothing.\n\n"
+        "are within a face, and angles say nothing.\n"
+        "triangle_object, polyline_object: the number of what each belongs to that moves on its\n"
+        "own (Renderer(separate_objects=True)); without them groups of one name do.\n\n"
         "Arrays of any real type and memory order do; they are copied. Equal positions are welded\n"
         "when lines are found. Raises UsageError for wrong shapes, indices out of range and\n"
         "numbers that are not finite, TypeError for what is no array of numbers.");
     mesh.def(py::init(&make_model), py::arg("positions"), py::arg("triangles") = py::none(),
              py::kw_only(), py::arg("triangle_group") = py::none(), py::arg("groups") = py::none(),
-             py::arg("polylines") = py::tuple(), py::arg("known_edges") = py::none())
+             py::arg("polylines") = py::tuple(), py::arg("known_edges") = py::none(),
+             py::arg("triangle_object") = py::none(), py::arg("polyline_object") = py::none())
         .def_property_readonly("positions", &positions, "(n, 3) float32, read-only, not copied.")
         .def_property_readonly("triangles", &triangles, "(m, 3) uint32, read-only, not copied.")
         .def_property_readonly("triangle_group", &triangle_group,
                                "(m,) uint32 indices into groups, or empty; read-only, not copied.")
+        .def_property_readonly("triangle_object", &triangle_object,
+                               "(m,) uint32 numbers of objects, or empty; read-only, not copied.")
+        .def_property_readonly("polyline_object", &polyline_object, "The same of polylines.")
         .def_property_readonly(
             "groups", [](const Model& model) { return model.mesh.groups; },
             "What triangle_group refers to.")
@@ -288,8 +322,11 @@ void bind_mesh(py::module_& module) {
     bind_section(mesh);
     module.def(
         "load",
-        [](const Argument<std::filesystem::path, "path", "a path">& path) { return load(path); },
-        py::arg("path"), "Reads an OBJ, PLY, STL, OFF or OM file. Raises FileError.");
+        [](const Argument<std::filesystem::path, "path", "a path">& path,
+           const py::object& progress) { return load(path, progress); },
+        py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
+        "Reads a model of any type that `lineatlas draw` does. Raises FileError. progress: called\n"
+        "with the share that is done, 0 to 1; Cancelled is raised once it returns False.");
     bind_scene(module);
 }
 

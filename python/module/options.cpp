@@ -116,8 +116,8 @@ FrameOptions path_options(const std::optional<Options>& given, const Style& styl
     return frame;
 }
 
-LineOptions line_options(const LineKinds& kinds, const Crease& crease) {
-    LineOptions options{.crease_angle = crease_angle(crease)};
+LineOptions line_options(const LineKinds& kinds, const Crease& crease, bool separate_objects) {
+    LineOptions options{.crease_angle = crease_angle(crease), .separate_objects = separate_objects};
     if (!kinds) return options;
     if (const auto* text = std::get_if<std::string>(&*kinds)) {
         options.kinds = mask_of_names(*text);

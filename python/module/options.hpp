@@ -29,7 +29,7 @@ using KindsArgument =
 /// Degrees, or "auto".
 using Crease = std::variant<float, std::string>;
 using CreaseArgument = Argument<Crease, "crease", "degrees or \"auto\"">;
-LineOptions line_options(const LineKinds& kinds, const Crease& crease);
+LineOptions line_options(const LineKinds& kinds, const Crease& crease, bool separate_objects);
 
 void bind_options(pybind11::module_& module);
 

@@ -11,14 +11,13 @@
 #include "options.hpp"
 #include "pdf/pdf.hpp"
 #include "process.hpp"
+#include "progress.hpp"
 #include "style_values.hpp"
 #include "views.hpp"
 
 namespace lineatlas::python {
 namespace {
 
-using MaybeView =
-    Argument<std::optional<ViewOrCamera>, "view", "a View, such as View(eye, target), or a Camera">;
 using MaybeStyle = Argument<std::optional<StyleOrName>, "style",
                             "a Style, the name of one or the path of a style file">;
 using MaybeOptions = Argument<std::optional<Options>, "options", "an Options">;
@@ -41,29 +40,31 @@ void warn(const std::string& note) {
 }
 
 std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgument& lines,
-                                    const CreaseArgument& crease, const Word<"compute">& compute,
+                                    const CreaseArgument& crease, Flag<"separate_objects"> apart,
+                                    const py::object& progress, const Word<"compute">& compute,
                                     const Word<"device">& device, const Word<"interop">& interop) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, *crease);
-    std::unique_ptr<Drawer> drawer;
+    const LineOptions found = line_options(lines, *crease, apart);
     std::string note;
-    {
-        const Released released;
-        drawer = std::make_unique<Drawer>(
-            find_lines(std::move(mesh), found),
+    auto drawer = released(progress, [&](const Progress& asked) {
+        auto made = std::make_unique<Drawer>(
+            find_lines(std::move(mesh), found, asked),
             DeviceOptions{.compute = compute, .device = device, .interop = interop});
-        note = drawer->take_note();
-    }
+        note = made->take_note();
+        return made;
+    });
     warn(note);
     return drawer;
 }
 
 void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& lines,
-               const CreaseArgument& crease) {
+               const CreaseArgument& crease, Flag<"separate_objects"> apart,
+               const py::object& progress) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, *crease);
-    const Released released;
-    drawer.set_subject(find_lines(std::move(mesh), found));
+    const LineOptions found = line_options(lines, *crease, apart);
+    released(progress, [&](const Progress& asked) {
+        drawer.set_subject(find_lines(std::move(mesh), found, asked));
+    });
 }
 
 Camera camera_on(const ModelLines& subject, Size size, const MaybeView& view, const UpAxis& up) {
@@ -92,14 +93,13 @@ py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
 }
 
 py::array intervals(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
-                    const UpArgument& up, const MaybeOptions& options, Flag<"hidden"> hidden) {
+                    const UpArgument& up, const MaybeOptions& options, Flag<"hidden"> hidden,
+                    const py::object& progress) {
     const FrameOptions frame = path_options(options, {}, size);
-    std::vector<IntervalRow> rows;
-    {
-        const Released released;
+    std::vector<IntervalRow> rows = released(progress, [&](const Progress& asked) {
         const Camera camera = camera_on(*drawer.subject(), size, view, up);
-        rows = interval_rows(drawer.intervals(camera, frame, hidden), (*size)[1]);
-    }
+        return interval_rows(drawer.intervals(camera, frame, hidden, asked), (*size)[1]);
+    });
     const auto count = static_cast<py::ssize_t>(rows.size());
     return array_of(std::move(rows), {count});
 }
@@ -112,6 +112,7 @@ struct PathArguments {
     const MaybeStyle& style;
     const MaybeOptions& options;
     bool plotter, tags;
+    const py::object& progress;
 };
 
 /// As text, by `written`, without the interpreter's lock.
@@ -119,21 +120,20 @@ template <class Written>
 std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Written& written) {
     const FrameOptions frame =
         path_options(arguments.options, style_of(arguments.style), arguments.size);
-    std::string text, flaw;
-    {
-        const Released released;
+    std::string flaw;
+    std::string text = released(arguments.progress, [&](const Progress& asked) {
         const Camera camera =
             camera_on(*drawer.subject(), arguments.size, arguments.view, arguments.up);
         // Hidden ones too: what hides a line may bridge a gap in it.
-        const FoundIntervals found = drawer.intervals(camera, frame, true);
+        const FoundIntervals found = drawer.intervals(camera, frame, true, asked);
         const LineSet& lines = found.subject->lines;
         const Mesh* mesh = arguments.tags ? &found.subject->model->mesh : nullptr;
         const VectorDrawing drawing = make_vector_drawing(
             lines, camera, found.intervals, frame.style,
             {.mesh = mesh, .outlines = found.outlines, .plotter = arguments.plotter});
         if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->kinds, camera);
-        text = written(drawing);
-    }
+        return written(drawing);
+    });
     warn_of_no_line(flaw);
     return text;
 }
@@ -153,7 +153,7 @@ std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                 const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
                 Flag<"tags"> tags, Flag<"transparent"> transparent, Flag<"fit_arcs"> fit_arcs,
-                const Word<"title">& title) {
+                const Word<"title">& title, const py::object& progress) {
     const Paper paper = paper_of(page, margin);
     const SvgOptions sheet{.units = paper.page ? Unit::mm : Unit::px,
                            .page = paper.page,
@@ -162,18 +162,18 @@ std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                            .tags = tags,
                            .fit_arcs = fit_arcs,
                            .title = title};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, tags},
+    return draw_paths(drawer, {size, view, up, style, options, plotter, tags, progress},
                       [&](const VectorDrawing& drawing) { return to_svg(drawing, sheet); });
 }
 
 std::string dxf(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                 const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
-                Flag<"fit_arcs"> fit_arcs) {
+                Flag<"fit_arcs"> fit_arcs, const py::object& progress) {
     const Paper paper = paper_of(page, margin);
     const DxfOptions sheet{
         .page = paper.page, .margin = paper.margin, .fit_arcs = fit_arcs, .description = {}};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, false},
+    return draw_paths(drawer, {size, view, up, style, options, plotter, false, progress},
                       [&](const VectorDrawing& drawing) { return to_dxf(drawing, sheet); });
 }
 
@@ -181,21 +181,21 @@ py::bytes pdf(Drawer& drawer, const SizeArgument& size, const MaybeView& view, c
               const MaybeStyle& style, const MaybeOptions& options, const MaybePage& page,
               const Word<"margin">& margin, Flag<"plotter"> plotter,
               Flag<"transparent"> transparent, Flag<"fit_arcs"> fit_arcs,
-              const Word<"title">& title) {
+              const Word<"title">& title, const py::object& progress) {
     const Paper paper = paper_of(page, margin);
     const PdfOptions sheet{.page = paper.page,
                            .margin = paper.margin,
                            .background = !transparent,
                            .fit_arcs = fit_arcs,
                            .title = title};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, false},
+    return draw_paths(drawer, {size, view, up, style, options, plotter, false, progress},
                       [&](const VectorDrawing& drawing) { return to_pdf(drawing, sheet); });
 }
 
 std::string json(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                  const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
-                 Flag<"plotter"> plotter, Flag<"tags"> tags) {
-    return draw_paths(drawer, {size, view, up, style, options, plotter, tags},
+                 Flag<"plotter"> plotter, Flag<"tags"> tags, const py::object& progress) {
+    return draw_paths(drawer, {size, view, up, style, options, plotter, tags, progress},
                       [&](const VectorDrawing& drawing) {
                           return to_json(drawing, {.tags = tags, .description = {}});
                       });
@@ -218,14 +218,13 @@ void close(Drawer& drawer) {
     drawer.close();
 }
 
-constexpr Size usual_size{1024, 768};
-
 void bind_drawing(py::class_<Drawer>& renderer) {
     const py::arg_v size = py::arg("size") = usual_size;
     const py::arg_v view = py::arg("view") = py::none();
     const py::arg_v up = py::arg("up") = "y";
     const py::arg_v style = py::arg("style") = py::none();
     const py::arg_v options = py::arg("options") = py::none();
+    const py::arg_v progress = py::arg("progress") = py::none();
     renderer
         .def("draw", &draw, py::kw_only(), size, view, up, style, options,
              py::arg("transparent") = false,
@@ -233,7 +232,7 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              "the top. Colour is sRGB-coded and not multiplied by alpha. Without a view the model\n"
              "is framed, with `up` upwards.")
         .def("intervals", &intervals, py::kw_only(), size, view, up, options,
-             py::arg("hidden") = false,
+             py::arg("hidden") = false, progress,
              "The visible pieces of all lines, with `hidden` the hidden ones too, as an array of\n"
              "the fields p, q (ends in pixels from the upper left corner), p_depth, q_depth (0\n"
              "near to 1 far), p_world, q_world (points of the model), alpha (mean visibility),\n"
@@ -244,22 +243,22 @@ void bind_drawing(py::class_<Drawer>& renderer) {
         .def("to_svg", &svg, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
              py::arg("tags") = true, py::arg("transparent") = false, py::arg("fit_arcs") = false,
-             py::arg("title") = "Line drawing",
+             py::arg("title") = "Line drawing", progress,
              "The drawing as SVG. page: \"a4\", \"300x200mm\", ...; none: the picture. margin:\n"
              "\"10mm\", .... plotter: ordered for the least travel of a pen. tags: each path says\n"
              "where it comes from. transparent: without the paper. fit_arcs: what is round within\n"
              "0.02 pixels becomes circles and arcs.")
         .def("to_dxf", &dxf, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
-             py::arg("fit_arcs") = false,
+             py::arg("fit_arcs") = false, progress,
              "The drawing as DXF in millimetres of the page; arguments as those of to_svg().")
         .def("to_pdf", &pdf, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
              py::arg("transparent") = false, py::arg("fit_arcs") = false,
-             py::arg("title") = "Line drawing",
+             py::arg("title") = "Line drawing", progress,
              "The drawing as a PDF of one page; arguments as those of to_svg().")
         .def("to_json", &json, py::kw_only(), size, view, up, style, options,
-             py::arg("plotter") = false, py::arg("tags") = true,
+             py::arg("plotter") = false, py::arg("tags") = true, progress,
              "The drawing as JSON (docs/vector.md).")
         .def("frame", &framed, py::kw_only(), size, up, py::arg("fov") = 40.0F,
              py::arg("projection") = "perspective", py::arg("view") = py::none(),
@@ -273,6 +272,8 @@ void bind_renderer(py::module_& module) {
     bind_options(module);
     const py::arg_v lines = py::arg("lines") = py::none();
     const py::arg_v crease = py::arg("crease") = "auto";
+    const py::arg_v apart = py::arg("separate_objects") = false;
+    const py::arg_v progress = py::arg("progress") = py::none();
     py::class_<Drawer> renderer(
         module, "Renderer",
         "Draws a model, or the mesh of a file, as often as wanted.\n\n"
@@ -283,15 +284,20 @@ void bind_renderer(py::module_& module) {
         "other, and several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
         "crease: all edges bent by more degrees are creases; \"auto\": by more than 30, but for\n"
-        "noise of scanned or sculpted surfaces and for seams. compute, device, interop: as in "
-        "`lineatlas draw "
-        "--help`.");
+        "noise of scanned or sculpted surfaces and for seams. separate_objects: what "
+        "Mesh.triangle_object\n"
+        "or groups of one name hold moves on its own (set_transforms(), hide()). progress: called "
+        "with\n"
+        "the share that is done, 0 to 1, here and in other methods; Cancelled is raised once it\n"
+        "returns False. compute, device, interop: as in `lineatlas draw --help`.");
     renderer
-        .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease,
-             py::arg("compute") = "", py::arg("device") = "", py::arg("interop") = "")
-        .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease,
-             "Another model, or other lines of the same, from now on.");
+        .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease, apart,
+             progress, py::arg("compute") = "", py::arg("device") = "", py::arg("interop") = "")
+        .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease, apart,
+             progress, "Another model, or other lines of the same, from now on.");
     bind_drawing(renderer);
+    bind_motion(renderer);
+    bind_picking(module, renderer);
     renderer
         .def_property_readonly("description", &description,
                                "The backend and device in use, for people.")

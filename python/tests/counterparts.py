@@ -2,10 +2,11 @@
 members. Python's are written as they are used: Class.member, function(parameter), Style[setting], intervals[field]."""
 
 SAME = """
-Camera Camera.projection Camera.view DeviceError Error FileError MismatchError UsageError
+Camera Camera.projection Camera.view Cancelled DeviceError Error FileError MismatchError UsageError
 LineKind LineKind.boundary LineKind.crease LineKind.file LineKind.hatching LineKind.intersection LineKind.material
 LineKind.section LineKind.silhouette Mesh Mesh.groups Mesh.known_edges Mesh.polylines Mesh.positions Mesh.triangle_group
-Mesh.triangles Renderer Scene Scene.mesh Scene.name Scene.view Style View View.eye View.far View.near View.projection
+Mesh.polyline_object Mesh.triangle_object Mesh.triangles Pick Pick.distance Pick.kind Pick.object Pick.position
+Pick.segment Pick.triangle Pick.world Renderer Scene Scene.mesh Scene.name Scene.view Style View View.eye View.far View.near View.projection
 View.target View.up
 """
 
@@ -50,6 +51,12 @@ ELSEWHERE = {
     "AtlasForm.*": "Options(atlas)", "AtlasLayoutChoice.*": "Options(atlas_layout)", "DepthForm.*": "Options(depth)",
     "KeptIntervals.*": "Renderer.intervals(hidden)", "Method.*": "Options(method)", "StrokeShader.*": "Options(stroke_shader)",
     "Renderer.description()": "Renderer.description", "Renderer.draw()": "Renderer.draw()",
+    "Renderer.pick()": "Renderer.pick()", "LineVisibility.pick()": "Renderer.pick()", "Pick.none": "Pick.segment",
+    "Renderer.set_transforms()": "Renderer.set_transforms()", "move_objects()": "Renderer.set_transforms()",
+    "Renderer.set_positions()": "Renderer.set_positions()", "move_vertices()": "Renderer.set_positions()",
+    "Renderer.set_hidden()": "Renderer.hide()", "hide_objects()": "Renderer.hide()",
+    "LineOptions.separate_objects": "Renderer(separate_objects)", "LineObject": "Renderer.objects",
+    "LineObject.name": "Renderer.objects", "Progress": "Renderer(progress)",
     "Renderer.read_intervals()": "Renderer.intervals()", "Renderer.set_lines()": "Renderer.set_model()",
     "LineVisibility": "Renderer", "LineVisibility.description()": "Renderer.description",
     "LineVisibility.find()": "Renderer.intervals()", "LineVisibility.set_lines()": "Renderer.set_model()",
@@ -116,9 +123,7 @@ NOT_IN_PYTHON = {
         FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.take_profiles() FrameProfile.*
         ProfileEvent.* ProfileTrack.* StageShare.* profile_csv() profile_table() profile_trace() stage_shares()
         LineTimes.* LeftOut.* OddTriangles.*""",
-    "not bound yet: objects that move": """
-        LineOptions.separate_objects LineObject.* Mesh.polyline_object Mesh.triangle_object Renderer.set_positions()
-        Renderer.set_transforms() move_objects()""",
+    "numbers of vertices, which Python does not see": "LineObject.first_vertex LineObject.vertex_count",
     "not bound yet: what files say beside their mesh, and how they are read": """
         LoadOptions.* LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits""",

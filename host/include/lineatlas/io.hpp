@@ -13,6 +13,7 @@
 
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
+#include "lineatlas/progress.hpp"
 
 namespace lineatlas {
 
@@ -60,8 +61,11 @@ struct LoadOptions {
 /// colour comes from the .mtl file when that is there, and a note says when it is not. Files that
 /// name nothing, and the other mesh types, have no groups. Instances in scenes and assemblies
 /// become triangles of their own, with a group for each of them and its materials.
+///
+/// Throws Cancelled where `progress` says so; of OBJ files it is asked all along, of others when
+/// the file is in memory and when it is understood.
 LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path,
-                                   const LoadOptions& options = {});
+                                   const LoadOptions& options = {}, const Progress& progress = {});
 
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and
 /// alpha, RGB, or RGB and alpha. Colour is sRGB-coded and not multiplied by alpha, as in PNG files.

@@ -14,6 +14,7 @@
 
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
+#include "lineatlas/progress.hpp"
 #include "segment_table.h"
 
 namespace lineatlas {
@@ -157,6 +158,7 @@ struct LineSet {
     /// Per vertex a position of the mesh that it was welded of; of a cut vertex the nearer end of
     /// its edge.
     std::vector<std::uint32_t> vertex_sources{};
+    std::vector<std::uint32_t> triangle_sources{}; ///< per triangle, index into Mesh::triangles
     /// With LineOptions::separate_objects; their vertices come in this order.
     std::vector<LineObject> objects{};
     OddTriangles odd{}; ///< what was left out or repaired
@@ -177,11 +179,23 @@ struct OutlinePart {
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
 /// Throws UsageError when an index of the mesh, of a position or of a group, is out of range, when
 /// there are not as many of Mesh::triangle_group as of triangles, a position is not finite, or an
-/// angle out of range.
-LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {});
+/// angle out of range; Cancelled where `progress` says so.
+LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {},
+                                    const Progress& progress = {});
 
-/// Moves the vertices as Renderer::set_transforms() shows them: for make_drawing(), and for a
-/// renderer whose objects stay there. Throws UsageError as that does.
+/// Moves the vertices as Renderer::set_transforms() shows them: for make_vector_drawing() and
+/// LineVisibility, and for a renderer whose objects stay there. Throws UsageError as that does.
 LINEATLAS_API void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object);
+
+/// Takes the objects out of sight as Renderer::set_hidden() does, for the same: their lines become
+/// points, which nothing draws. Hide them in a copy; there is no way back. Throws UsageError for an
+/// object that there is not.
+LINEATLAS_API void hide_objects(LineSet& lines, std::span<const std::uint32_t> objects);
+
+/// Puts the vertices where they would be had the mesh these positions, in its order: a mesh that
+/// bends and stretches, but keeps its triangles. Lines stay what they are in the mesh. A renderer
+/// shows it by Renderer::set_positions() of LineSet::vertices. Throws UsageError where there are
+/// fewer positions than vertices come from, or one of them is not finite; then all is as it was.
+LINEATLAS_API void move_vertices(LineSet& lines, std::span<const glm::vec3> positions);
 
 } // namespace lineatlas

@@ -18,7 +18,9 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
+#include "lineatlas/pick.hpp"
 #include "lineatlas/profile.hpp"
+#include "lineatlas/progress.hpp"
 #include "lineatlas/style.hpp"
 
 namespace lineatlas {
@@ -120,6 +122,7 @@ struct TileTarget {
     std::function<void(const PictureTile&)> begin{};
     /// After that: take the pixels.
     std::function<void(const PictureTile&)> end{};
+    Progress progress{}; ///< asked before each tile, in your GL state; see Renderer::draw_tiles()
 };
 
 /// How long a stage of a frame took, from one wait for the device to the next.
@@ -207,6 +210,12 @@ class LINEATLAS_API Renderer {
     /// UsageError for vertices that there are not, and positions that are not finite.
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
 
+    /// Shows all objects (as of set_transforms()) but these, by their numbers: the others' lines
+    /// are not drawn and hide nothing. The next frame shows it; nothing is rebuilt, and nothing
+    /// allocated after the first time. Throws UsageError before set_lines(), and for an object that
+    /// there is not; then all is as it was.
+    void set_hidden(std::span<const std::uint32_t> objects);
+
     /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
     /// viewport, premultiplied. Fills and method opengl clear the depth there.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
@@ -218,6 +227,7 @@ class LINEATLAS_API Renderer {
     /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that
     /// of the whole picture, and strokes run on over the borders of tiles. Rows of tiles come from
     /// top to bottom. Method atlas in its compute form only; `cull_hidden` and `steady` are off.
+    /// Throws Cancelled where TileTarget::progress says so, and can draw on after it.
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target);
 
@@ -240,6 +250,18 @@ class LINEATLAS_API Renderer {
     /// samples where the depth buffer has them. The same on every device up to rounding. Only these
     /// come out of the device; waits for it. Throws UsageError if the last frame kept none.
     std::vector<Interval> read_intervals();
+
+    /// What the last frame shows at `position`, in pixels from the lower left corner of its
+    /// viewport: of its visible lines the nearest that is no farther than `radius` pixels, or else
+    /// the face there, or nothing. Found anew by cutting lines against faces, whatever the frame's
+    /// method: a program's own depth does not count, nor does what a style leaves out, and what has
+    /// moved since is where it is now. Throws
+    /// UsageError before the first frame of the lines, for a position that is not finite and for a
+    /// radius that is not from 0 to 1000.
+    std::optional<Pick> pick(glm::vec2 position, float radius);
+    /// The same of what a camera would show now, of lines of these kinds, without a frame.
+    std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
+                             LineKindMask lines = all_line_kinds);
 
     /// What of these intervals has the background on one side; only for a style whose pens have a
     /// rule for outlines.

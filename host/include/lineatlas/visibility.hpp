@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "lineatlas/device_options.hpp"
 #include "lineatlas/export.hpp"
 #include "lineatlas/lines.hpp"
+#include "lineatlas/pick.hpp"
+#include "lineatlas/progress.hpp"
 #include "segment_table.h"
 
 namespace lineatlas {
@@ -51,8 +54,16 @@ class LINEATLAS_API LineVisibility {
     /// each; with VisibilityOptions::hidden the hidden ones too. They are those of
     /// Renderer::read_intervals() of a frame of Method::exact, bit by bit on one device. Throws
     /// UsageError for a camera whose picture is empty or too large, DeviceError where memory does
-    /// not suffice.
-    std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options = {});
+    /// not suffice, Cancelled where `progress` says so: it is asked before each stage.
+    std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options = {},
+                               const Progress& progress = {});
+
+    /// What `camera` shows at `position`, in pixels from the lower left corner of its viewport: of
+    /// the visible lines of these kinds the nearest that is no farther than `radius` pixels, or
+    /// else the face there, or nothing. Throws UsageError for a camera whose picture is empty or
+    /// too large, a position that is not finite and a radius that is not from 0 to 1000.
+    std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
+                             LineKindMask lines = all_line_kinds);
 
     /// Which parts of the visible pieces of the last find() have the background on one side, and a
     /// body VisibilityOptions::outline_depth deep on the other: half a pixel beside them no face is

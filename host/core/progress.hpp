@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "lineatlas/progress.hpp"
+
+namespace lineatlas {
+
+/// Tells a Progress, which must outlive it, of a part of a call: shares of the part as shares of
+/// the whole.
+class ProgressPart {
+  public:
+    /// `what` is cancelled, in a word or two. All of the progress, or from one share to another.
+    ProgressPart(const Progress& progress, const char* what, float from = 0, float to = 1)
+        : progress_(&progress), what_(what), from_(from), to_(to) {}
+
+    /// Nobody asks.
+    static ProgressPart none() {
+        static const Progress nobody;
+        return {nobody, ""};
+    }
+
+    explicit operator bool() const { return static_cast<bool>(*progress_); }
+    /// Throws Cancelled if the call is to stop.
+    void operator()(float done) const {
+        if (*progress_ && !(*progress_)(from_ + done * (to_ - from_)))
+            throw Cancelled(std::string{what_} + " was cancelled");
+    }
+    ProgressPart part(float from, float to) const {
+        return {*progress_, what_, from_ + from * (to_ - from_), from_ + to * (to_ - from_)};
+    }
+
+  private:
+    const Progress* progress_;
+    const char* what_;
+    float from_, to_;
+};
+
+} // namespace lineatlas

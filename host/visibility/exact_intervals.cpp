@@ -1,0 +1,64 @@
+#include "exact_intervals.hpp"
+
+#include <algorithm>
+
+#include "outline_parts.hpp"
+
+namespace lineatlas {
+
+ExactIntervals::ExactIntervals(compute::Stages& stages, const PlacedLines& lines)
+    : stages_(stages), lines_(stages), intervals_(stages.device()) {
+    lines_.make_tables(lines.triangle_count, lines.tables.most_segments());
+}
+
+std::vector<Interval> ExactIntervals::find(const PlacedLines& lines, const LineView& view,
+                                           const Wanted& wanted, const ProgressPart& progress) {
+    const std::size_t chunks = lines.tables.chunks.size();
+    intervals_.begin_frame(true);
+    // Stages of a chunk, as they usually are; some run again where a table was too small.
+    constexpr float usual_stages = 12;
+    float done = 0;
+    const auto run = [&](const char*, const auto& action) {
+        if (progress) {
+            stages_.device().finish(); // else only what was submitted would be told
+            progress(done);
+            const float left = 1 - done;
+            done += std::min(left / 2, 1 / (usual_stages * static_cast<float>(chunks)));
+        }
+        action();
+    };
+    lines_.find(
+        view, chunks, [&](std::size_t chunk) { return lines.chunk(chunk); }, run,
+        [&](std::size_t chunk, const compute::SegmentTable& segments,
+            const compute::SpanTable& spans) {
+            do {
+                find_chunk(view, segments, spans, wanted.hidden);
+            } while (intervals_.grow());
+            const SegmentRange range = lines.tables.chunks[chunk].range;
+            if (wanted.outlines != nullptr) {
+                add_outline_parts(stages_.device(), lines_.outline(wanted.outline_depth),
+                                  intervals_.read_table(), lines_.order(), range.first,
+                                  segments.segment_count, *wanted.outlines);
+            }
+            if (chunks > 1) intervals_.keep(range.first, lines_.order(), {});
+        });
+    std::vector<Interval> found = intervals_.read(lines_.order(), {});
+    progress(1);
+    return found;
+}
+
+void ExactIntervals::find_chunk(const LineView& view, const compute::SegmentTable& segments,
+                                const compute::SpanTable& spans, bool hidden) {
+    const IntervalTable::Room room = intervals_.room();
+    stages_.span_intervals({.table = segments,
+                            .clipped = lines_.clipped(),
+                            .spans = spans,
+                            .viewport = view.viewport(),
+                            .hidden_too = hidden,
+                            .intervals = room.intervals,
+                            .interval_capacity = room.capacity,
+                            .total = room.total});
+    intervals_.read_total();
+}
+
+} // namespace lineatlas

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include "arguments.hpp"
+#include "arrays.hpp"
+#include "drawer.hpp"
+#include "lineatlas/error.hpp"
+#include "process.hpp"
+
+// What of a renderer's model moves, changes its shape and is hidden.
+namespace lineatlas::python {
+namespace {
+
+void set_transforms(Drawer& drawer, const py::object& world_from_object) {
+    std::vector<glm::mat4> matrices = matrices_from(world_from_object, "world_from_object");
+    const Released released;
+    drawer.set_transforms(std::move(matrices));
+}
+
+void set_positions(Drawer& drawer, const py::object& positions) {
+    const std::vector<glm::vec3> points = points_from(positions, "positions");
+    const std::size_t count = drawer.subject()->model->mesh.positions.size();
+    if (points.size() != count) {
+        throw UsageError("positions has " + std::to_string(points.size()) +
+                         " rows, but the mesh has " + std::to_string(count) + " positions");
+    }
+    const Released released;
+    drawer.set_positions(points);
+}
+
+void hide(Drawer& drawer, const py::object& objects) {
+    const std::size_t count = std::max<std::size_t>(drawer.subject()->lines.objects.size(), 1);
+    std::vector<std::uint32_t> hidden = indices_from(objects, "objects", count);
+    const Released released;
+    drawer.set_hidden(std::move(hidden));
+}
+
+py::list objects(Drawer& drawer) {
+    py::list names;
+    for (const LineObject& object : drawer.subject()->lines.objects)
+        names.append(readable(object.name));
+    return names;
+}
+
+} // namespace
+
+void bind_motion(py::class_<Drawer>& renderer) {
+    renderer
+        .def("set_transforms", &set_transforms, py::arg("world_from_object"),
+             "Moves the objects (separate_objects; else the whole model): an (n, 4, 4) array of\n"
+             "affine matrices, one each, from where they were made. Which edges are creases stays\n"
+             "as it is. What is drawn next shows it; nothing is found anew.")
+        .def(
+            "set_positions", &set_positions, py::arg("positions"),
+            "Gives the mesh other positions, as many as it has: it bends and stretches, but keeps\n"
+            "its triangles and which of its edges are lines. What is drawn next shows it.")
+        .def("hide", &hide, py::arg("objects"),
+             "Shows all objects but these, by their numbers in `objects`; [] shows all. The\n"
+             "others' lines are not drawn and hide nothing.")
+        .def_property_readonly("objects", &objects,
+                               "Names of what moves on its own; empty without separate_objects.");
+}
+
+} // namespace lineatlas::python
