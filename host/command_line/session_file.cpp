@@ -89,7 +89,9 @@ class Reader {
             try {
                 take(key.str(), node);
             } catch (const UsageError& error) {
-                throw at(node, fmt::format("{}: {}", key.str(), error.what()));
+                const std::string cause = error.what();
+                const bool named = cause.starts_with(key.str());
+                throw at(node, named ? cause : fmt::format("{}: {}", key.str(), cause));
             }
         }
         if (session_.model.empty() == session_.scene.empty())

@@ -83,6 +83,22 @@ View between(const View& from, const View& to, double share) {
     return view;
 }
 
+/// The nearest triangle that a ray meets; at infinity if there is none.
+struct Hit {
+    double distance = std::numeric_limits<double>::infinity();
+    glm::uvec3 triangle{0};
+};
+
+Hit nearest_hit(const LineSet& lines, const Ray& ray) {
+    Hit hit;
+    for (const glm::uvec3 triangle : lines.triangles) {
+        const double distance = meet(ray, lines.vertices[triangle.x], lines.vertices[triangle.y],
+                                     lines.vertices[triangle.z]);
+        if (distance < hit.distance) hit = {distance, triangle};
+    }
+    return hit;
+}
+
 } // namespace
 
 Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size) {
@@ -123,13 +139,26 @@ double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
 }
 
 std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const glm::uvec3 triangle : lines.triangles) {
-        nearest = std::min(nearest, meet(ray, lines.vertices[triangle.x],
-                                         lines.vertices[triangle.y], lines.vertices[triangle.z]));
+    const Hit hit = nearest_hit(lines, ray);
+    if (!std::isfinite(hit.distance)) return {};
+    return ray.origin + hit.distance * ray.direction;
+}
+
+std::optional<glm::dvec3> corner_or_point(const LineSet& lines, const View& view, glm::dvec2 point,
+                                          glm::dvec2 size) {
+    const Ray ray = ray_at(view, point, size);
+    const Hit hit = nearest_hit(lines, ray);
+    if (!std::isfinite(hit.distance)) return {};
+    glm::dvec3 result = ray.origin + hit.distance * ray.direction;
+    double reach = 10; // pixels
+    for (int corner = 0; corner < 3; ++corner) {
+        const glm::dvec3 place = lines.vertices[hit.triangle[corner]];
+        const std::optional<glm::dvec2> seen = seen_at(view, place, size);
+        if (!seen || glm::distance(*seen, point) >= reach) continue;
+        reach = glm::distance(*seen, point);
+        result = place;
     }
-    if (!std::isfinite(nearest)) return {};
-    return ray.origin + nearest * ray.direction;
+    return result;
 }
 
 glm::vec3 direction_to(StandardView view, glm::vec3 up) {

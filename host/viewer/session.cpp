@@ -167,6 +167,8 @@ void Session::show(std::shared_ptr<Model> model) {
         steps_.clear();
         if (!keeps_view_) {
             settings.bookmarks.clear();
+            settings.distances.clear();
+            measured_from_.reset();
             session_path_.clear();
         }
         if (awaited_) take_words(*std::exchange(awaited_, std::nullopt));

@@ -99,6 +99,16 @@ class Session {
     glm::dvec3 point_at(glm::dvec2 point) const;
     Camera camera() const; ///< there must be a model
 
+    /// Begins or ends measuring: points are picked then, each two are a distance.
+    void toggle_measuring();
+    bool measuring() const { return measuring_; }
+    /// Takes the corner or point of the model that is seen there.
+    void measure_at(glm::dvec2 point);
+    /// The first of two points, in the model's coordinates.
+    const std::optional<glm::dvec3>& measured_from() const { return measured_from_; }
+    /// A length of the model with its unit, if its file says one.
+    std::string length_text(double length) const;
+
     /// Files at `path`; a type of picture or paths by its extension. False if that failed.
     bool save_picture(const std::filesystem::path& path, int scale = 1);
     bool save_style(const std::filesystem::path& path);
@@ -181,6 +191,8 @@ class Session {
     History<View, same> views_;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
     Economy economy_ = Economy::none; ///< of movements
+    bool measuring_ = false;
+    std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false, refined_ = false;
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;

@@ -48,6 +48,8 @@ struct Settings {
     /// Where the segment atlas is chosen, a picture at rest is drawn by `exact`.
     bool exact_at_rest = true;
     std::vector<SessionFile::NamedView> bookmarks{};
+    /// Points between which is measured, in the model's coordinates.
+    std::vector<std::array<glm::dvec3, 2>> distances{};
 };
 
 /// Whether two draw alike.

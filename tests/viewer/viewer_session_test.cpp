@@ -77,7 +77,12 @@ TEST_F(ViewerSession, NoMoreThanSixSectionsAndNoneThatTakesAll) {
     EXPECT_EQ(cuts().size(), most_sections);
     EXPECT_FALSE(session().model()->lines.triangles.empty());
     hand_.key(GLFW_KEY_P, GLFW_MOD_CONTROL);
-    hand_.click("command:Remove all sections");
+    hand_.panel_frames(3);
+    hand_.type("remove sections");
+    hand_.press(GLFW_KEY_ENTER);
+    hand_.panel_frames(2);
+    hand_.release(GLFW_KEY_ENTER);
+    hand_.rest();
     EXPECT_TRUE(cuts().empty());
     EXPECT_EQ(error(), "");
 }
@@ -215,6 +220,30 @@ TEST_F(ViewerSession, ThePictureIsExactAtRestAlone) {
     EXPECT_TRUE(session().refined());
     hand_.click("split");
     EXPECT_EQ(picture(), sampled) << "two methods side by side are those that are named";
+}
+
+TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
+    const auto click = [&](glm::dvec3 corner) {
+        // A few pixels inside of the face.
+        const glm::dvec2 at =
+            *viewer::seen_at(session().navigation.view(), 0.98 * corner, session().size());
+        hand_.drag(GLFW_MOUSE_BUTTON_LEFT, at, at);
+    };
+    hand_.key(GLFW_KEY_R);
+    click({-3, 1, 1});
+    EXPECT_TRUE(session().measured_from());
+    EXPECT_FALSE(session().selected) << "no part is selected meanwhile";
+    click({3, -1, 1});
+    const auto& distances = session().settings.distances;
+    ASSERT_EQ(distances.size(), 1U);
+    EXPECT_EQ(distances[0][0], glm::dvec3(-3, 1, 1)) << "the corner itself";
+    EXPECT_EQ(distances[0][1], glm::dvec3(3, -1, 1));
+    EXPECT_EQ(session().length_text(std::sqrt(40)), "6.3246") << "this file says no unit";
+    hand_.screenshot("measured");
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_TRUE(session().settings.distances.empty());
+    hand_.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(session().measuring());
 }
 
 TEST_F(ViewerSession, CommandsAreFoundByTyping) {

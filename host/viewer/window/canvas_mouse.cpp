@@ -85,6 +85,7 @@ void CanvasMouse::click(double now) {
         now - clicked_at_ < double_click_seconds && glm::distance(pressed_, clicked_) < click_reach;
     clicked_ = pressed_;
     clicked_at_ = now;
+    if (session_.measuring()) return session_.measure_at(on_canvas(pressed_));
     session_.selected = session_.part_at(on_canvas(pressed_));
     if (twice && session_.selected) session_.frame_part(*session_.selected);
 }

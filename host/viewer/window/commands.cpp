@@ -79,6 +79,11 @@ void flip_cut(Ui& ui) {
     ui.session.set_cuts(std::move(cuts));
 }
 
+void remove_distances(Ui& ui) {
+    ui.session.settings.distances.clear();
+    ui.session.changed();
+}
+
 void switch_theme(Ui& ui) {
     ui.theme = ui.theme == Theme::light ? Theme::dark : Theme::light;
 }
@@ -109,6 +114,9 @@ constexpr std::array all{
             [](Ui& ui) { move_cut(ui, -0.01); }},
     Command{"Flip the last section", GLFW_KEY_C, shift, flip_cut},
     Command{"Remove all sections", 0, 0, [](Ui& ui) { ui.session.set_cuts({}); }},
+
+    Command{"Measure a distance", GLFW_KEY_R, 0, [](Ui& ui) { ui.session.toggle_measuring(); }},
+    Command{"Remove all distances", 0, 0, remove_distances},
 
     Command{"Next method", GLFW_KEY_M, 0, next_method},
     Command{"Next style", GLFW_KEY_N, 0, next_style},

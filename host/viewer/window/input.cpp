@@ -29,6 +29,7 @@ void Application::on_key(int key, int scancode, int action, int mods) {
         mouse_.key(key, false);
         return;
     }
+    if (key == GLFW_KEY_ESCAPE && ui_.palette) return ui_.palette.reset();
     if (action != GLFW_PRESS || (ImGui::GetIO().WantTextInput && !is_for_all(key, mods))) return;
     press_key(key, mods);
 }
@@ -44,10 +45,10 @@ void Application::press_key(int key, int mods) {
 void Application::press_escape() {
     if (session_.loader.busy())
         session_.cancel_loading();
-    else if (ui_.palette)
-        ui_.palette.reset();
     else if (ui_.opening)
         ui_.opening = false;
+    else if (session_.measuring())
+        session_.toggle_measuring();
     else if (ui_.help)
         ui_.help = false;
     else if (!session_.messages.all().empty())

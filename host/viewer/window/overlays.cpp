@@ -187,6 +187,7 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
     if (ui.session.settings.split && ui.session.picture(1) != nullptr) split_handle(ui, canvas);
     if (ui.session.model() != nullptr) {
         draw_cuts(ui, canvas);
+        draw_distances(ui, canvas);
         selection(ui, canvas);
         if (!ui.session.settings.split) status(ui, canvas);
     }

@@ -43,11 +43,16 @@ void show_palette(Ui& ui) {
 void draw_palette(Ui& ui, Area canvas) {
     if (!ui.palette) return;
     PaletteState& state = *ui.palette;
+    const std::vector<const Command*> found = found_by(state.searched);
+    const float rows = static_cast<float>(std::max<std::size_t>(found.size(), 1)) *
+                           ImGui::GetTextLineHeightWithSpacing() +
+                       ui.points(64);
+    const glm::vec2 room = canvas.size - ui.points(40) - glm::vec2{0, ui.points(40)};
     const glm::vec2 size =
-        glm::min(canvas.size - ui.points(40), ui.points(1) * glm::vec2{440, 420});
+        glm::min(room, glm::vec2{ui.points(440), std::min(rows, ui.points(420))});
     ImGui::SetNextWindowPos(
         {canvas.low.x + 0.5F * (canvas.size.x - size.x), canvas.low.y + ui.points(60)});
-    ImGui::SetNextWindowSize({size.x, std::min(size.y, canvas.size.y - ui.points(80))});
+    ImGui::SetNextWindowSize({size.x, size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::Begin("palette", nullptr,
@@ -61,7 +66,6 @@ void draw_palette(Ui& ui, Area canvas) {
         "##searched", "What is to be done?", &state.searched, ImGuiInputTextFlags_EnterReturnsTrue);
     ui.spots.note("palette.search");
     if (before != state.searched) state.chosen = 0;
-    const std::vector<const Command*> found = found_by(state.searched);
     const int last = state.chosen;
     move_choice(state.chosen, static_cast<int>(found.size()));
     const Command* taken = nullptr;
@@ -79,7 +83,7 @@ void draw_palette(Ui& ui, Area canvas) {
     ImGui::EndChild();
     ImGui::End();
     if (entered && !found.empty()) taken = found[static_cast<std::size_t>(state.chosen)];
-    if (taken != nullptr || ImGui::IsKeyPressed(ImGuiKey_Escape)) ui.palette.reset();
+    if (taken != nullptr) ui.palette.reset();
     if (taken != nullptr) taken->run(ui);
 }
 

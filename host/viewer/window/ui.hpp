@@ -103,6 +103,7 @@ void draw_views_section(Ui& ui);
 void draw_device_section(Ui& ui);
 /// Where cuts lie, with handles to drag.
 void draw_cuts(Ui& ui, Area canvas);
+void draw_distances(const Ui& ui, Area canvas);
 void draw_canvas_overlays(Ui& ui, Area canvas);
 void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
