@@ -13,6 +13,7 @@
 #include "command_line/device_options.hpp"
 #include "command_line/part_filter.hpp"
 #include "command_line/read_options.hpp"
+#include "command_line/session_file.hpp"
 #include "command_line/setting_options.hpp"
 #include "command_line/style_options.hpp"
 #include "command_line/values.hpp"
@@ -53,6 +54,7 @@ namespace {
 /// The command line of `draw` as written; what is empty was not given.
 struct DrawArguments {
     std::string model, scene, output;
+    std::string session; ///< that MODEL named
     std::string size = "1024x768";
     ViewOptions view;
     float at = 0;
@@ -268,6 +270,7 @@ constexpr std::string_view output_option = "--output";
 OutputPlaces output_places(const DrawArguments& arguments,
                            const std::map<std::string, Image>& pen_images) {
     OutputPlaces places;
+    places.reads(arguments.session);
     places.reads(arguments.model);
     places.reads(arguments.style.name());
     places.reads(arguments.sequence.camera_path());
@@ -428,6 +431,32 @@ void draw_without_gl(const Drawing& drawing) {
     draw_paths(drawing, find, nullptr);
 }
 
+/// Takes what a session says and the command line does not. Throws Error.
+void take_session(DrawArguments& arguments, CLI::App& app) {
+    arguments.session = std::exchange(arguments.model, {});
+    const SessionFile session = read_session(arguments.session);
+    const auto give = [&](const std::string& key, const std::vector<std::string>& values) {
+        CLI::Option* option = app.get_option("--" + key);
+        if (option->count() > 0) return;
+        for (const std::string& value : values) option->add_result(value);
+        option->run_callback();
+    };
+    arguments.model = session.model.string();
+    if (arguments.scene.empty()) arguments.scene = session.scene;
+    arguments.style.set_usual(session.style);
+    for (const SessionFile::Option& option : session.options) give(option.key, option.values);
+    if (session.views.empty() || arguments.view.says_direction()) return;
+    const SessionFile::NamedView& view = session.views.front();
+    const auto vector = [](glm::dvec3 v) {
+        return fmt::format("{},{},{}", shortest(v.x), shortest(v.y), shortest(v.z));
+    };
+    give("eye", {vector(view.eye)});
+    give("target", {vector(view.target)});
+    give("up", {vector(view.up)});
+    give("projection", {std::string{name_of(view.projection)}});
+    if (!arguments.view.to_scale()) give("fov", {fmt::format("{}", view.fov)});
+}
+
 void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameSettings settings = frame_settings_of(arguments);
     check_arguments(arguments, settings);
@@ -452,8 +481,13 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         options.profile = arguments.profile.given();
     }
 
-    const Drawing drawing{arguments, describe_drawing(app, arguments.model), subject, size, options,
-                          frames};
+    const Drawing drawing{
+        arguments,
+        describe_drawing(app, arguments.session.empty() ? arguments.model : arguments.session),
+        subject,
+        size,
+        options,
+        frames};
     if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
     const gl::HeadlessContext context;
     Renderer renderer{arguments.device};
@@ -477,7 +511,8 @@ Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
     app.add_option("MODEL", a.model,
-                   "OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file");
+                   "OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file, or a session "
+                   "of the viewer (TOML), from which options here differ");
     app.add_option(
            "-o,--output", a.output,
            "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG, PDF, DXF or JSON")
@@ -555,7 +590,10 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20\n"
                "  lineatlas draw --scene ship -o ship.png --profile trace.json --profile -");
-    return [arguments, &app] { draw(*arguments, app); };
+    return [arguments, &app] {
+        if (lower_extension(arguments->model) == ".toml") take_session(*arguments, app);
+        draw(*arguments, app);
+    };
 }
 
 } // namespace lineatlas::apps

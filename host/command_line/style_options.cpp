@@ -17,7 +17,7 @@ void StyleOptions::declare(CLI::App& app) {
 }
 
 Style StyleOptions::style() const {
-    Style style = name_.empty() ? default_style() : load_style(name_);
+    Style style = !name_.empty() ? load_style(name_) : usual_ ? *usual_ : default_style();
     for (const std::string& change : changes_) apply_setting(style, change);
     settings_.apply(style);
     return style;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,14 @@ class StyleOptions {
 
     /// The style's file, then --set, then options of their own. Throws Error.
     Style style() const;
+    /// What is drawn with unless --style is given, in place of default_style().
+    void set_usual(const Style& style) { usual_ = style; }
     /// As --style has it: a style's name or a file; empty: none.
     const std::string& name() const { return name_; }
 
   private:
     std::string name_;
+    std::optional<Style> usual_;
     std::vector<std::string> changes_;
     SettingOptions<Style> settings_;
 };

@@ -25,17 +25,17 @@ struct RayHit {
     double distance;
 };
 
-/// The first of the triangles that the ray meets, of those that `counts` says yes to.
+/// The first place where the ray meets a triangle, of those that `counts` says yes to.
 template <class Counts>
 std::optional<RayHit> first_hit(const Ray& ray, std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles, const Counts& counts) {
     std::optional<RayHit> first;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        if (!counts(i)) continue;
         const glm::uvec3 t = triangles[i];
-        const double distance = meet(ray, vertices[t.x], vertices[t.y], vertices[t.z]);
-        if (std::isfinite(distance) && (!first || distance < first->distance))
-            first = {i, distance};
+        const RayHit hit{i, meet(ray, vertices[t.x], vertices[t.y], vertices[t.z])};
+        if (std::isfinite(hit.distance) && (!first || hit.distance < first->distance) &&
+            counts(hit))
+            first = hit;
     }
     return first;
 }

@@ -9,13 +9,13 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "core/pens.hpp"
 #include "lineatlas/error.hpp"
 #include "pen_rules.hpp"
 #include "settings.hpp"
 #include "sources/sources.hpp"
+#include "toml_file.hpp"
 
 namespace lineatlas {
 
@@ -134,7 +134,8 @@ std::optional<double> number_of(const toml::node& node) {
     return node.value_exact<double>();
 }
 
-/// Nothing for what no setting can be: tables, dates and mixed lists.
+} // namespace
+
 std::optional<SettingValue> value_of(const toml::node& node) {
     if (const auto flag = node.value_exact<bool>()) return *flag;
     if (const auto number = number_of(node)) return *number;
@@ -148,6 +149,8 @@ std::optional<SettingValue> value_of(const toml::node& node) {
     }
     return numbers;
 }
+
+namespace {
 
 class StyleLoader {
   public:
@@ -163,10 +166,17 @@ class StyleLoader {
         return style_;
     }
 
+    /// A table of a file that holds more.
+    Style load_table(const toml::table& table, const fs::path& path) {
+        apply({.name = {}, .place = in_quotes(path), .path = path, .text = {}}, table);
+        return style_;
+    }
+
   private:
-    void apply(const StyleText& file) {
+    void apply(const StyleText& file) { apply(file, parse(file)); }
+
+    void apply(const StyleText& file, const toml::table& table) {
         open_.push_back(identity(file));
-        const toml::table table = parse(file);
         // What a file says itself counts more than what it includes, wherever it stands.
         if (const toml::node* include = table.get("include")) apply_includes(file, *include);
         for (const auto& [key, node] : table) apply_key(file, key, node);
@@ -311,6 +321,14 @@ class StyleLoader {
 };
 
 } // namespace
+
+toml::table read_toml(const fs::path& file) {
+    return parse(read_file(file));
+}
+
+Style style_of(const toml::table& table, const fs::path& file) {
+    return StyleLoader{}.load_table(table, file);
+}
 
 Style load_style(const std::string& name_or_path) {
     return StyleLoader{}.load(name_or_path);

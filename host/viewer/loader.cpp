@@ -1,10 +1,15 @@
 #include "loader.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "command_line/values.hpp"
 #include "core/far_part.hpp"
 #include "core/up_axis.hpp"
 #include "io/extension.hpp"
@@ -23,8 +28,9 @@ std::atomic<int> threads{0};
 struct Loader::Job {
     ModelSource source;
     Reader reader;
-    std::shared_ptr<const Model> shown{}; ///< of which others parts are to be hidden; or null
-    HiddenParts hidden{};
+    std::shared_ptr<const Model> model{}; ///< of which something else is to be shown; or null
+    Shown shown{};
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::atomic<const char*> stage{""};
     std::atomic<bool> cancelled{false};
     std::mutex mutex; ///< of what follows
@@ -49,28 +55,39 @@ std::shared_ptr<Model> model_of(const ModelSource& source, LoadedMesh loaded) {
     model->parts = Parts{loaded};
     model->origin = loaded.origin;
     model->notes = std::move(loaded.notes);
+    model->unit = loaded.unit;
     if (!source.up)
         model->source.up = loaded.up.value_or(guess_up(loaded.mesh, usual_up(source.file)));
     model->mesh = model->whole = std::make_shared<const Mesh>(std::move(loaded.mesh));
     return model;
 }
 
-std::shared_ptr<Model> with_hidden(const Model& model, const HiddenParts& hidden) {
+std::shared_ptr<Model> showing(const Model& model, const Shown& shown) {
     auto result = std::make_shared<Model>();
     result->source = model.source;
     result->whole = model.whole;
     result->parts = model.parts;
-    result->hidden = hidden;
-    result->mesh = hidden.empty()
-                       ? model.whole
-                       : std::make_shared<const Mesh>(model.parts.shown(*model.whole, hidden));
+    result->shown = shown;
+    result->mesh = model.whole;
+    if (!shown.hidden.empty())
+        result->mesh = std::make_shared<const Mesh>(model.parts.shown(*model.whole, shown.hidden));
+    if (std::ranges::any_of(shown.cuts, &Cut::on)) {
+        CutMesh cut = apply_cuts(*result->mesh, shown.cuts, model.origin);
+        result->mesh = std::make_shared<const Mesh>(std::move(cut.mesh));
+        result->planes = std::move(cut.planes);
+        result->notes = std::move(cut.notes);
+    }
     result->origin = model.origin;
+    result->unit = model.unit;
     result->view = model.view;
     return result;
 }
 
 void find_lines(Model& model, const Progress& progress) {
-    model.lines = extract_lines(*model.mesh, model.source.lines, progress);
+    LineOptions options = model.source.lines;
+    if (model.shown.crease)
+        options.crease_angle = parse_crease("crease", fmt::format("{}", *model.shown.crease));
+    model.lines = extract_lines(*model.mesh, options, progress);
     const std::optional<FarPart> far = find_far_part(model.lines);
     if (far) model.notes.push_back(note_of(*far));
     model.framed = points_to_frame(model.lines, far);
@@ -91,9 +108,9 @@ void Loader::run(const std::shared_ptr<Job>& job) {
     Result result;
     try {
         std::shared_ptr<Model> model;
-        if (job->shown) {
+        if (job->model) {
             job->say("Finding the lines of what is shown");
-            model = with_hidden(*job->shown, job->hidden);
+            model = showing(*job->model, job->shown);
         } else {
             job->say(job->source.file.empty() ? "Building the scene" : "Reading the file");
             model = job->reader(job->source);
@@ -101,7 +118,7 @@ void Loader::run(const std::shared_ptr<Job>& job) {
         }
         if (!job->cancelled) {
             find_lines(*model, [&](float) { return !job->cancelled; });
-            if (!job->shown && !job->source.file.empty()) add_notes(model->lines.odd, model->notes);
+            if (!job->model && !job->source.file.empty()) add_notes(model->lines.odd, model->notes);
         }
         result = model;
     } catch (const std::bad_alloc&) {
@@ -120,11 +137,11 @@ void Loader::start(ModelSource source) {
     start(std::move(job));
 }
 
-void Loader::start(std::shared_ptr<const Model> model, HiddenParts hidden) {
+void Loader::start(std::shared_ptr<const Model> model, Shown shown) {
     auto job = std::make_shared<Job>();
     job->source = model->source;
-    job->shown = std::move(model);
-    job->hidden = std::move(hidden);
+    job->model = std::move(model);
+    job->shown = std::move(shown);
     start(std::move(job));
 }
 
@@ -156,6 +173,11 @@ std::string Loader::name() const {
 
 std::string Loader::stage() const {
     return job_ ? job_->stage.load() : "";
+}
+
+bool Loader::shows_progress() const {
+    constexpr std::chrono::milliseconds unnoticed{300};
+    return job_ && (!job_->model || std::chrono::steady_clock::now() - job_->start > unnoticed);
 }
 
 std::optional<Loader::Result> Loader::take() {

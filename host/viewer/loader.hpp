@@ -11,7 +11,7 @@
 #include "io/reader_process.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
-#include "parts.hpp"
+#include "shown.hpp"
 
 namespace lineatlas::viewer {
 
@@ -31,11 +31,13 @@ struct Model {
     ModelSource source;
     std::shared_ptr<const Mesh> whole; ///< as in the file
     Parts parts;                       ///< of it
-    HiddenParts hidden;                ///< of them
-    std::shared_ptr<const Mesh> mesh;  ///< the others: what is shown
+    Shown shown;                       ///< of it
+    std::vector<SectionPlane> planes;  ///< that have cut it, in its coordinates
+    std::shared_ptr<const Mesh> mesh;  ///< what is shown
     LineSet lines;                     ///< of what is shown
     std::vector<glm::vec3> framed;     ///< points that a camera of all of it shows
     glm::dvec3 origin{0};              ///< of meshes, in the file's coordinates
+    std::optional<double> unit{};      ///< of the file, in millimetres
     std::vector<std::string> notes;    ///< what was repaired in the file
     std::optional<View> view;          ///< a scene's own
 };
@@ -55,13 +57,15 @@ class Loader {
 
     /// In place of what is being read.
     void start(ModelSource source);
-    /// The same model with other parts hidden, which must leave something to show.
-    void start(std::shared_ptr<const Model> model, HiddenParts hidden);
+    /// The same model, of which something else is shown; hidden parts must leave something.
+    void start(std::shared_ptr<const Model> model, Shown shown);
     /// Forgets the model that is being read. Its thread can't be stopped: it reads to the end, and
     /// the result is thrown away.
     void cancel();
 
     bool busy() const { return job_ != nullptr; }
+    /// Whether that takes so long that people should know: a file, or what has taken a while.
+    bool shows_progress() const;
     std::string name() const;  ///< of what is being read
     std::string stage() const; ///< for people, as in "Reading the file"
 

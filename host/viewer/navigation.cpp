@@ -110,6 +110,23 @@ std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray) {
     return hit ? std::optional{ray.at(hit->distance)} : std::nullopt;
 }
 
+std::optional<glm::dvec3> corner_or_point(const LineSet& lines, const View& view, glm::dvec2 point,
+                                          glm::dvec2 size) {
+    const Ray ray = ray_at(view, point, size);
+    const auto hit = first_hit(ray, lines.vertices, lines.triangles);
+    if (!hit) return {};
+    glm::dvec3 result = ray.at(hit->distance);
+    double reach = 10; // pixels
+    for (int corner = 0; corner < 3; ++corner) {
+        const glm::dvec3 place = lines.vertices[lines.triangles[hit->triangle][corner]];
+        const std::optional<glm::dvec2> seen = seen_at(view, place, size);
+        if (!seen || glm::distance(*seen, point) >= reach) continue;
+        reach = glm::distance(*seen, point);
+        result = place;
+    }
+    return result;
+}
+
 glm::vec3 direction_to(StandardView view, glm::vec3 up) {
     const glm::vec3 front = std::abs(up.z) > 0.5F ? glm::vec3{0, -1, 0} : glm::vec3{0, 0, 1};
     const glm::vec3 side = std::abs(glm::dot(up, front)) > 0.5F ? glm::vec3{1, 0, 0} : front;

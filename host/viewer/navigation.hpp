@@ -22,6 +22,11 @@ std::optional<glm::dvec2> seen_at(const View& view, glm::dvec3 point, glm::dvec2
 /// The nearest triangle's point that the ray meets.
 std::optional<glm::dvec3> pick(const LineSet& lines, const Ray& ray);
 
+/// What is seen at a point of a picture: a corner of the triangle there if it is seen within a few
+/// pixels of the point, else the point of the triangle.
+std::optional<glm::dvec3> corner_or_point(const LineSet& lines, const View& view, glm::dvec2 point,
+                                          glm::dvec2 size);
+
 enum class StandardView { front, back, left, right, top, bottom, corner };
 
 /// Unit vector from the model to the eye; the model's front is -y where z is up, else z.

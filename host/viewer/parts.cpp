@@ -3,13 +3,32 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fnmatch.h>
 #include <glm/common.hpp>
+
+#include "cuts.hpp"
 
 namespace lineatlas::viewer {
 namespace {
 
 /// What is shown of a part that the file gives no name.
 constexpr const char* unnamed = "(no name)";
+/// What ends the pattern of a part that holds others.
+constexpr std::string_view all_within = "/*";
+
+/// A pattern that means these letters alone.
+std::string literal(const std::string& name) {
+    std::string pattern;
+    for (const char letter : name) {
+        if (std::string_view{"*?[\\"}.find(letter) != std::string_view::npos) pattern += '\\';
+        pattern += letter;
+    }
+    return pattern;
+}
+
+bool matches(const std::string& pattern, const std::string& name) {
+    return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
 
 /// Each part followed by those in it.
 std::vector<std::uint32_t> order_of_tree(const std::vector<ModelPart>& parts) {
@@ -103,15 +122,38 @@ Mesh Parts::shown(const Mesh& mesh, const HiddenParts& hidden) const {
 }
 
 std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray,
-                                         const HiddenParts& hidden) const {
+                                         const HiddenParts& hidden,
+                                         std::span<const SectionPlane> planes) const {
     if (all_.empty()) return {};
     const std::vector<bool> shown = shown_paths(hidden);
-    const auto hit = first_hit(ray, mesh.positions, mesh.triangles, [&](std::uint32_t triangle) {
-        return shown[paths_.of_triangle[triangle]];
+    const auto hit = first_hit(ray, mesh.positions, mesh.triangles, [&](const RayHit& at) {
+        return shown[paths_.of_triangle[at.triangle]] && !is_cut_away(ray.at(at.distance), planes);
     });
     if (!hit) return {};
     const std::uint32_t part = part_of_path_[paths_.of_triangle[hit->triangle]];
     return part != none ? std::optional{part} : std::nullopt;
+}
+
+std::string Parts::pattern_of(std::uint32_t part) const {
+    return literal(path_of(part)) + std::string{all_[part].holds_others ? all_within : ""};
+}
+
+HiddenParts Parts::matching(std::span<const std::string> patterns,
+                            std::vector<std::string>& unknown) const {
+    HiddenParts found;
+    for (std::string pattern : patterns) {
+        const std::string given = pattern;
+        // The part itself is meant before what is in it.
+        if (pattern.ends_with(all_within)) pattern.resize(pattern.size() - all_within.size());
+        bool any = false;
+        for (std::uint32_t part = 0; part < all_.size(); ++part) {
+            if (!matches(pattern, path_of(part)) && !matches(pattern, all_[part].name)) continue;
+            any = true;
+            if (!is_hidden(part, found)) found.insert(part);
+        }
+        if (!any) unknown.push_back(given);
+    }
+    return found;
 }
 
 } // namespace lineatlas::viewer

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "io/part_paths.hpp"
+#include "lineatlas/section.hpp"
 #include "navigation.hpp"
 
 namespace lineatlas::viewer {
@@ -38,9 +40,16 @@ class Parts {
     HiddenParts all_but(std::uint32_t part) const;
     /// The mesh without hidden parts, its positions as they are.
     Mesh shown(const Mesh& mesh, const HiddenParts& hidden) const;
-    /// The part whose triangle the ray meets first, of those that are not hidden.
-    std::optional<std::uint32_t> pick(const Mesh& mesh, const Ray& ray,
-                                      const HiddenParts& hidden) const;
+    /// The part whose triangle the ray meets first, of what is neither hidden nor taken away by
+    /// planes.
+    std::optional<std::uint32_t> pick(const Mesh& mesh, const Ray& ray, const HiddenParts& hidden,
+                                      std::span<const SectionPlane> planes) const;
+
+    /// A part as `lineatlas draw --hide` has it: a pattern that means it and what is in it.
+    std::string pattern_of(std::uint32_t part) const;
+    /// The parts that patterns mean; those that mean none are added to `unknown`.
+    HiddenParts matching(std::span<const std::string> patterns,
+                         std::vector<std::string>& unknown) const;
 
   private:
     bool is_in(std::uint32_t part, std::uint32_t whole) const;

@@ -1,6 +1,5 @@
 #include "saving.hpp"
 
-#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -18,16 +17,6 @@ namespace {
 std::string word(const std::string& text) {
     return text.find_first_of(" \t\"'[],#*?\\()&;<>|$") == std::string::npos ? text
                                                                              : "'" + text + "'";
-}
-
-/// That means these letters alone.
-std::string pattern_of(const std::string& name) {
-    std::string pattern;
-    for (const char letter : name) {
-        if (std::string_view{"*?[\\"}.find(letter) != std::string_view::npos) pattern += '\\';
-        pattern += letter;
-    }
-    return pattern;
 }
 
 /// Every setting that is not what it is without any option.
@@ -80,11 +69,11 @@ std::string command_of(const SavedPicture& picture) {
     text += fmt::format(" --method {} --probes {} --depth-scale {} --step {:g} --size {}x{}",
                         name_of(options.method), options.probes, options.depth_scale, options.step,
                         picture.size.x, picture.size.y);
-    for (const std::uint32_t part : picture.model.hidden) {
-        const Parts& parts = picture.model.parts;
-        const char* within = parts.all()[part].holds_others ? "/*" : "";
-        text += " --hide " + word(pattern_of(parts.path_of(part)) + within);
-    }
+    const Model& model = picture.model;
+    for (const std::uint32_t part : model.shown.hidden)
+        text += " --hide " + word(model.parts.pattern_of(part));
+    for (const SectionPlane& plane : model.planes) text += " --section " + word(plane.name);
+    if (model.shown.crease) text += fmt::format(" --crease {}", *model.shown.crease);
     if (options.lines != all_line_kinds) text += " --lines " + line_kinds_to_text(options.lines);
     return text + style_arguments(options.style);
 }

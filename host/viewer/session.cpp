@@ -44,15 +44,28 @@ bool Session::attempt(const std::function<void()>& action) {
 
 void Session::open(const std::filesystem::path& file) {
     const std::string extension = lower_extension(file);
-    if (extension == ".toml") return use_style(file.string());
+    if (extension == ".toml") {
+        bool session = false;
+        if (!attempt([&] { session = is_session(file); })) return;
+        return session ? open_session(file) : use_style(file.string());
+    }
     if (extension == ".json") return open_camera(file);
-    keeps_view_ = false;
+    forget_awaited();
     loader.start({.file = file, .scene = {}, .up = up, .lines = line_options, .read = read_limits});
+}
+
+/// A model that is read from now on stands alone.
+void Session::forget_awaited() {
+    keeps_view_ = false;
+    awaited_.reset();
+    awaited_session_.reset();
 }
 
 void Session::reload() {
     if (model_ == nullptr) return;
+    forget_awaited();
     keeps_view_ = true;
+    awaited_ = in_words();
     loader.start(model_->source);
 }
 
@@ -68,7 +81,7 @@ void Session::look_at_file() {
 }
 
 void Session::open_scene(const std::string& name) {
-    keeps_view_ = false;
+    forget_awaited();
     loader.start({.file = {}, .scene = name, .up = glm::vec3{0, 1, 0}, .lines = line_options});
 }
 
@@ -149,10 +162,26 @@ void Session::show(std::shared_ptr<Model> model) {
             read_time_ = std::filesystem::last_write_time(model_->source.file, failure);
         }
         selected.reset();
-        settings.hidden_parts = model_->hidden;
+        settings.shown = model_->shown;
+        whole_bounds_ = bounds_of(*model_->whole);
         steps_.clear();
+        if (!keeps_view_) {
+            settings.bookmarks.clear();
+            settings.distances.clear();
+            measured_from_.reset();
+            session_path_.clear();
+        }
+        if (awaited_) take_words(*std::exchange(awaited_, std::nullopt));
     }
     std::optional<View> first = take_first_camera();
+    if (awaited_session_) {
+        const AwaitedSession awaited = *std::exchange(awaited_session_, std::nullopt);
+        take_session(awaited.session);
+        session_path_ = awaited.path;
+        recent.add(awaited.path);
+        if (!awaited.session.views.empty())
+            first = view_of(awaited.session.views.front(), origin());
+    }
     if (!first && !keeps_view_) {
         const glm::vec3 up_axis = *model_->source.up;
         first = model_->view ? *model_->view
@@ -186,35 +215,6 @@ void Session::fit() {
     const View& view = navigation.goal();
     navigation.glide_to(frame_points_from({glm::normalize(view.eye - view.target), view.up},
                                           model_->framed, glm::max(size_, 1), view.fov_y,
-                                          view.projection));
-}
-
-void Session::hide_parts(HiddenParts hidden) {
-    if (model_ == nullptr || hidden == settings.hidden_parts) return;
-    if (model_->parts.shown(*model_->whole, hidden).empty())
-        return messages.notice("Nothing would be left to see");
-    settings.hidden_parts = std::move(hidden);
-    changed();
-}
-
-std::optional<std::uint32_t> Session::part_at(glm::dvec2 point) const {
-    if (model_ == nullptr) return {};
-    return model_->parts.pick(*model_->whole, ray_at(navigation.view(), point, size_),
-                              model_->hidden);
-}
-
-void Session::frame_part(std::uint32_t part) {
-    const Bounds& bounds = model_->parts.all().at(part).bounds;
-    if (!(bounds.min.x <= bounds.max.x)) return; // it has lines alone
-    std::array<glm::vec3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners.at(i) = {(i & 1U) != 0 ? bounds.max.x : bounds.min.x,
-                         (i & 2U) != 0 ? bounds.max.y : bounds.min.y,
-                         (i & 4U) != 0 ? bounds.max.z : bounds.min.z};
-    }
-    const View& view = navigation.goal();
-    navigation.glide_to(frame_points_from({glm::normalize(view.eye - view.target), view.up},
-                                          corners, glm::max(size_, 1), view.fov_y,
                                           view.projection));
 }
 
@@ -268,7 +268,7 @@ bool Session::save_picture(const std::filesystem::path& path, int scale) {
         save({.model = *model_,
               .view = navigation.goal(),
               .size = size_ * scale,
-              .options = frame_options(settings, 0)},
+              .options = still_options(settings)},
              path, *renderer_, writer_);
         messages.notice("Saved " + path.string());
         changed(); // the renderer's last frame was another one
@@ -299,26 +299,26 @@ void Session::advance(double seconds) {
     messages.advance(seconds);
     navigation.advance(seconds);
     std::optional<Loader::Result> result = loader.take();
-    if (!result) return show_parts();
+    if (!result) return show_wanted();
     if (auto* model = std::get_if<std::shared_ptr<Model>>(&*result)) {
         show(std::move(*model));
     } else {
         messages.error(std::get<std::string>(*result));
-        if (model_ != nullptr) settings.hidden_parts = model_->hidden;
+        forget_awaited();
+        if (model_ != nullptr) settings.shown = model_->shown;
     }
-}
-
-/// Finds the lines of what is to be shown, where that is something else than what is.
-void Session::show_parts() {
-    if (model_ == nullptr || loader.busy() || settings.hidden_parts == model_->hidden) return;
-    keeps_view_ = true;
-    loader.start(model_, settings.hidden_parts);
 }
 
 bool Session::stale() const {
     if (model_ == nullptr || size_.x <= 0 || size_.y <= 0) return false;
     const bool provisional = moving_ && (settings.steady || economy_ != Economy::none);
-    return stale_ || provisional || !drawn_view_ || !same(*drawn_view_, navigation.view());
+    return stale_ || provisional || refine_due_ || !drawn_view_ ||
+           !same(*drawn_view_, navigation.view());
+}
+
+bool Session::can_refine() const {
+    return model_ != nullptr && is_refined(settings) && !refined_ && !stale() &&
+           !navigation.gliding() && drawn_view_;
 }
 
 void Session::draw_side(std::size_t side, const Camera& camera) {
@@ -328,7 +328,9 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     FrameOptions options = frame_options(settings, side);
     save_time(options, economy());
     options.steady = options.steady && moving_; // at rest nothing of the frames before is left
-    options.profile = profile && side == 0;     // two methods in one graph would be none
+    if (refined_) options.method = Method::exact;
+    // Two methods in one graph would be none.
+    options.profile = profile && side == 0 && !refined_;
     const FrameStats stats = renderer_->draw(camera, options, canvas->framebuffer());
     if (side == 0) stats_ = stats;
     if (options.profile) ++timings_due_;
@@ -336,6 +338,7 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
 
 void Session::draw() {
     moving_ = drawn_view_ && !same(*drawn_view_, navigation.view());
+    refined_ = std::exchange(refine_due_, false) && !moving_ && !stale_;
     stale_ = false;
     drawn_view_ = navigation.view();
     attempt([&] {

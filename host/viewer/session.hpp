@@ -44,7 +44,7 @@ class Session {
     LineOptions line_options{};    ///< the same
     ReadLimits read_limits{};      ///< of files, those of pens too
 
-    /// A model, a style (.toml) or a camera (.json), by extension.
+    /// A model, a session or a style (.toml) or a camera (.json), by extension.
     void open(const std::filesystem::path& file);
     void open_scene(const std::string& name);
     /// The file of the model once more, seen as now.
@@ -55,9 +55,24 @@ class Session {
     /// The view from which the next model is seen first.
     void open_first_camera(const std::filesystem::path& file);
     const Model* model() const { return model_.get(); }
+    glm::dvec3 origin() const; ///< of what is shown, in the file's coordinates
 
     /// What is hidden from now on; refused where nothing would be left.
     void hide_parts(HiddenParts hidden);
+    /// What is cut from now on.
+    void set_cuts(std::vector<Cut> cuts);
+    /// A new cut across the middle of the model, that takes what lies before it; refused where
+    /// there are as many as there may be.
+    void add_cut();
+    /// The cut whose handle is near a point of the canvas, nearer than `reach` pixels.
+    std::optional<std::size_t> cut_at(glm::dvec2 point, double reach) const;
+    /// Moves a cut so that its handle follows from one point of the canvas to another.
+    void drag_cut(std::size_t cut, glm::dvec2 from, glm::dvec2 to);
+    const Bounds& whole_bounds() const { return whole_bounds_; } ///< of the model, uncut
+    /// From which angle on edges are creases, degrees; nothing: as the model looks.
+    void set_crease(std::optional<float> degrees);
+    /// Forgets what is being read or found: all stays as it was.
+    void cancel_loading();
     /// The part that is seen at a point of the canvas.
     std::optional<std::uint32_t> part_at(glm::dvec2 point) const;
     void frame_part(std::uint32_t part);
@@ -84,10 +99,28 @@ class Session {
     glm::dvec3 point_at(glm::dvec2 point) const;
     Camera camera() const; ///< there must be a model
 
+    /// Begins or ends measuring: points are picked then, each two are a distance.
+    void toggle_measuring();
+    bool measuring() const { return measuring_; }
+    /// Takes the corner or point of the model that is seen there.
+    void measure_at(glm::dvec2 point);
+    /// The first of two points, in the model's coordinates.
+    const std::optional<glm::dvec3>& measured_from() const { return measured_from_; }
+    /// A length of the model with its unit, if its file says one.
+    std::string length_text(double length) const;
+
     /// Files at `path`; a type of picture or paths by its extension. False if that failed.
     bool save_picture(const std::filesystem::path& path, int scale = 1);
     bool save_style(const std::filesystem::path& path);
     bool save_camera(const std::filesystem::path& path);
+    /// All of it, as a file that open() and `lineatlas draw` take.
+    bool save_session(const std::filesystem::path& path);
+    /// Where the session was opened or saved last; empty: nowhere yet.
+    const std::filesystem::path& session_path() const { return session_path_; }
+
+    /// Keeps the camera under the first name that is free.
+    void add_bookmark();
+    void go_to_bookmark(std::size_t bookmark);
 
     void resize(glm::ivec2 pixels);
     glm::ivec2 size() const { return size_; }
@@ -98,6 +131,12 @@ class Session {
     /// Whether draw() has something to do.
     bool stale() const;
     void draw();
+    /// Whether the picture is at rest and could become exact.
+    bool can_refine() const;
+    /// The next picture is exact, unless something moves or changes before.
+    void refine() { refine_due_ = true; }
+    /// Whether the picture that is shown is drawn by `exact` in place of the segment atlas.
+    bool refined() const { return refined_; }
     /// How long the last picture took until it was shown: what the next ones of a movement leave
     /// out.
     void note_duration(double seconds);
@@ -113,12 +152,17 @@ class Session {
 
   private:
     void show(std::shared_ptr<Model> model);
-    void show_parts();
+    void show_wanted();
+    void forget_awaited();
+    ShownInWords in_words() const;
+    void take_words(const ShownInWords& words);
     void take(const Settings* step);
     void glide_to(const View* step);
+    void open_session(const std::filesystem::path& file);
+    SessionFile session_file() const;
+    void take_session(const SessionFile& session);
     void open_camera(const std::filesystem::path& file);
     std::optional<View> take_first_camera();
-    glm::dvec3 origin() const;
     void load_pens(const Style& style);
     void draw_side(std::size_t side, const Camera& camera);
     bool attempt(const std::function<void()>& action);
@@ -127,6 +171,14 @@ class Session {
     DeviceOptions device_;
     std::unique_ptr<Renderer> renderer_;
     std::shared_ptr<Model> model_;
+    Bounds whole_bounds_;
+    std::optional<ShownInWords> awaited_; ///< of the model that is being read
+    struct AwaitedSession {
+        std::filesystem::path path;
+        SessionFile session;
+    };
+    std::optional<AwaitedSession> awaited_session_; ///< likewise
+    std::filesystem::path session_path_;
     glm::ivec2 size_{0, 0};
     std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
     FrameStats stats_;
@@ -139,6 +191,9 @@ class Session {
     History<View, same> views_;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
     Economy economy_ = Economy::none; ///< of movements
+    bool measuring_ = false;
+    std::optional<glm::dvec3> measured_from_;
+    bool refine_due_ = false, refined_ = false;
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+#include "command_line/session_file.hpp"
 #include "lineatlas/style_files.hpp"
-#include "parts.hpp"
+#include "shown.hpp"
 #include "style/frame_settings.hpp"
 
 namespace lineatlas::viewer {
@@ -41,8 +43,13 @@ struct Settings {
     LineKindMask lines = all_line_kinds;
     std::string style_name; ///< where the style comes from; empty: plain lines
     Style style = default_style();
-    HiddenParts hidden_parts{};
+    Shown shown{};
     bool steady = true;
+    /// Where the segment atlas is chosen, a picture at rest is drawn by `exact`.
+    bool exact_at_rest = true;
+    std::vector<SessionFile::NamedView> bookmarks{};
+    /// Points between which is measured, in the model's coordinates.
+    std::vector<std::array<glm::dvec3, 2>> distances{};
 };
 
 /// Whether two draw alike.
@@ -84,6 +91,18 @@ inline FrameOptions frame_options(const Settings& settings, std::size_t side) {
     options.style = settings.style;
     // Two pictures in turn have no frame before that they could be averaged with.
     options.steady = settings.steady && !settings.split;
+    return options;
+}
+
+/// Whether a picture at rest is drawn by another method than one of a movement.
+inline bool is_refined(const Settings& settings) {
+    return settings.exact_at_rest && !settings.split && settings.sides[0].method == Method::atlas;
+}
+
+/// Of the first side's picture when nothing moves.
+inline FrameOptions still_options(const Settings& settings) {
+    FrameOptions options = frame_options(settings, 0);
+    if (is_refined(settings)) options.method = Method::exact;
     return options;
 }
 

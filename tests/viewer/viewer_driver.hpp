@@ -106,6 +106,12 @@ class ViewerDriver {
         click(list);
         click(list + "/" + item);
     }
+    void type(const std::string& text) {
+        for (const char letter : text) {
+            app_.on_character(static_cast<unsigned char>(letter));
+            panel_frames(2);
+        }
+    }
     void drop(const std::filesystem::path& file) {
         app_.on_drop({file});
         rest();

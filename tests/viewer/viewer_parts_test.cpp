@@ -7,23 +7,6 @@
 namespace lineatlas::test {
 namespace {
 
-/// A cube of two units about `at`, an object of its own.
-std::string box(const std::string& name, glm::vec3 at, int first) {
-    std::ostringstream text;
-    text << "o " << name << '\n';
-    for (int i = 0; i < 8; ++i) {
-        text << "v " << at.x + ((i & 1) != 0 ? 1 : -1) << ' ' << at.y + ((i & 2) != 0 ? 1 : -1)
-             << ' ' << at.z + ((i & 4) != 0 ? 1 : -1) << '\n';
-    }
-    for (const auto& face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"}) {
-        text << 'f';
-        std::istringstream corners{face};
-        for (int corner = 0; corners >> corner;) text << ' ' << first + corner - 1;
-        text << '\n';
-    }
-    return text.str();
-}
-
 /// Two boxes side by side, seen from the front: "Base" is left, "Bolt M8" is right.
 class ViewerParts : public Viewer {
   protected:
@@ -72,7 +55,7 @@ TEST_F(ViewerParts, AreSelectedByAClickAndNotByADrag) {
     EXPECT_EQ(selected(), "Bolt M8");
     hand_.key(GLFW_KEY_1);
     hand_.key(GLFW_KEY_I);
-    EXPECT_EQ(session().settings.hidden_parts.size(), 1U);
+    EXPECT_EQ(session().settings.shown.hidden.size(), 1U);
     click_at(0.35, "where nothing is any more");
     EXPECT_EQ(selected(), "");
     hand_.key(GLFW_KEY_U);

@@ -94,7 +94,7 @@ TEST_F(Viewer, SavesThePictureThatTheToolDraws) {
     const Image saved = read_image(path("clevis.png")), tool = read_image(path("tool.0.png"));
     EXPECT_EQ(saved.size, (glm::ivec2{968, 800}));
     EXPECT_EQ(saved.pixels, tool.pixels);
-    hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
     EXPECT_EQ(read_image(path("clevis-2.png")).pixels, tool.pixels) << "nothing is overwritten";
 }
 

@@ -50,11 +50,23 @@ void Application::run() {
     while (!window_.should_close()) step(-1);
 }
 
+/// Until the picture is to become exact; nothing if it is not to. Who scrolls or types goes on
+/// soon, and should not wait for it.
+std::optional<double> Application::seconds_to_refine() const {
+    const bool idle = frames_due_ == 0 && !mouse_.dragging() && !mouse_.flying() && !ui_.later &&
+                      !ImGui::IsAnyMouseDown();
+    if (!idle || !session_.can_refine()) return {};
+    constexpr double rest = 0.25;
+    const std::chrono::duration<double> past = std::chrono::steady_clock::now() - drawn_;
+    return options_.scripted ? 0 : std::max(rest - past.count(), 0.0);
+}
+
 /// 0: at once; below 0: until something happens.
 double Application::seconds_to_wait() const {
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
                          mouse_.flying() || ui_.later;
     if (at_work) return 0;
+    if (const std::optional<double> seconds = seconds_to_refine()) return *seconds;
     constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
     if (session_.loader.busy()) return smooth;
     if (session_.messages.passing() || session_.timings_due()) return soon;
@@ -74,6 +86,8 @@ void Application::step(double longest_wait) {
         frames_due_ = std::max(frames_due_, 1);
     }
     advance();
+    if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0)
+        session_.refine();
     if (frames_due_ == 0 && !session_.stale()) return;
     frames_due_ = std::max(frames_due_ - 1, 0);
     const bool announced = ui_.later.has_value();
@@ -139,11 +153,15 @@ void Application::make_frame() {
     draw_canvas_overlays(ui_, canvas);
     draw_timings(ui_, canvas);
     draw_messages(ui_, canvas);
-    draw_help(ui_, canvas);
+    draw_help(ui_);
     draw_open_panel(ui_, canvas);
+    draw_palette(ui_, canvas);
+    if (ui_.quit) window_.close();
     session_.profile = ui_.timings;
     if (mouse_.over_slider(mouse_place_) && !io.WantCaptureMouse) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    } else if (mouse_.over_cut(mouse_place_) && !io.WantCaptureMouse) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     }
     ImGui::Render();
 }
@@ -159,7 +177,10 @@ void Application::show_frame() {
     paint();
     window_.show_frame();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    if (drawn) session_.note_duration(taken.count());
+    if (drawn) {
+        drawn_ = std::chrono::steady_clock::now();
+        session_.note_duration(taken.count());
+    }
     ++frames_shown_;
 }
 

@@ -60,6 +60,7 @@ class Application final : public InputListener {
     };
 
     double seconds_to_wait() const;
+    std::optional<double> seconds_to_refine() const;
     void advance();
     void fit_scale();
     Area canvas_area() const;
@@ -69,10 +70,6 @@ class Application final : public InputListener {
     void blit_pictures() const;
     void press_key(int key, int mods);
     void press_escape();
-    void hide_selected();
-    void isolate_selected();
-    void next_method();
-    void next_style();
     void show_soon();
 
     ApplicationOptions options_;
@@ -85,6 +82,7 @@ class Application final : public InputListener {
     glm::dvec2 mouse_place_ = nowhere;
     std::array<bool, 5> buttons_{};
     bool shift_ = false;
+    std::chrono::steady_clock::time_point drawn_ = std::chrono::steady_clock::now();
     int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event
     std::uint64_t frames_shown_ = 0;
     float scale_ = 0, pixels_per_point_ = 0;

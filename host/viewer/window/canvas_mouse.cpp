@@ -48,12 +48,27 @@ bool CanvasMouse::over_slider(glm::dvec2 place) const {
     return std::abs(place.x - x) < reach;
 }
 
+std::optional<std::size_t> CanvasMouse::cut_at(glm::dvec2 place) const {
+    if (!area_.holds(place)) return {};
+    constexpr double reach = 12; // points
+    const double pixels_per_point = session_.size().x / std::max<double>(area_.size.x, 1);
+    return session_.cut_at(on_canvas(place), reach * pixels_per_point);
+}
+
+bool CanvasMouse::over_cut(glm::dvec2 place) const {
+    return cut_at(place).has_value();
+}
+
 void CanvasMouse::press(int button, int mods, glm::dvec2 place) {
     if (dragging() || !area_.holds(place)) return;
     last_ = pressed_ = place;
     moved_ = false;
     button_ = button;
     drag_ = over_slider(place) ? Drag::slider : drag_of(button, mods);
+    if (const auto cut = cut_at(place); cut && drag_ == Drag::orbit) {
+        drag_ = Drag::cut;
+        cut_ = *cut;
+    }
     if (session_.model() == nullptr) drag_ = Drag::none;
     if (drag_ != Drag::slider) held_ = session_.point_at(on_canvas(place));
 }
@@ -70,6 +85,7 @@ void CanvasMouse::click(double now) {
         now - clicked_at_ < double_click_seconds && glm::distance(pressed_, clicked_) < click_reach;
     clicked_ = pressed_;
     clicked_at_ = now;
+    if (session_.measuring()) return session_.measure_at(on_canvas(pressed_));
     session_.selected = session_.part_at(on_canvas(pressed_));
     if (twice && session_.selected) session_.frame_part(*session_.selected);
 }
@@ -97,6 +113,9 @@ void CanvasMouse::move(glm::dvec2 place) {
     case Drag::slider:
         session_.settings.split_at =
             std::clamp((static_cast<float>(place.x) - area_.low.x) / area_.size.x, 0.0F, 1.0F);
+        break;
+    case Drag::cut:
+        session_.drag_cut(cut_, on_canvas(last_), on_canvas(place));
         break;
     case Drag::none:
         break;

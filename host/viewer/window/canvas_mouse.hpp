@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include <glm/vec2.hpp>
@@ -9,8 +10,8 @@
 
 namespace lineatlas::viewer {
 
-/// What the mouse and the keys for flying do to the camera and to the split screen's slider. Places
-/// are in points of the window.
+/// What the mouse and the keys for flying do to the camera, the split screen's slider and the
+/// handles of cuts. Places are in points of the window.
 class CanvasMouse {
   public:
     explicit CanvasMouse(Session& session) : session_(session) {}
@@ -23,6 +24,7 @@ class CanvasMouse {
     void scroll(double clicks, glm::dvec2 place);
     bool dragging() const { return drag_ != Drag::none; }
     bool over_slider(glm::dvec2 place) const;
+    bool over_cut(glm::dvec2 place) const; ///< over the handle of one
 
     /// A key went down or up; true: it is one of those for flying.
     bool key(int key, bool down);
@@ -31,9 +33,10 @@ class CanvasMouse {
     void advance(double seconds, bool fast);
 
   private:
-    enum class Drag { none, orbit, pan, dolly, look, slider };
+    enum class Drag { none, orbit, pan, dolly, look, slider, cut };
     static Drag drag_of(int button, int mods);
     glm::dvec2 on_canvas(glm::dvec2 place) const; ///< in pixels of the picture
+    std::optional<std::size_t> cut_at(glm::dvec2 place) const;
     void click(double now);
 
     Session& session_;
@@ -43,7 +46,8 @@ class CanvasMouse {
     glm::dvec2 pressed_{0}, last_{0}, clicked_{-1e6};
     bool moved_ = false; ///< too far for a click
     double clicked_at_ = -1e6;
-    glm::dvec3 held_{0}; ///< the point of the model where a drag began
+    std::size_t cut_ = 0; ///< that is dragged
+    glm::dvec3 held_{0};  ///< the point of the model where a drag began
     std::set<int> keys_;
 };
 

@@ -1,14 +1,25 @@
 // What an Application does when something happens.
 
 #include <algorithm>
+#include <array>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 
 #include "application.hpp"
-#include "lineatlas/style_files.hpp"
+#include "commands.hpp"
 
 namespace lineatlas::viewer {
+namespace {
+
+/// Whether a key means the same while text is typed.
+bool is_for_all(int key, int mods) {
+    constexpr std::array of_text{GLFW_KEY_A, GLFW_KEY_C, GLFW_KEY_V,    GLFW_KEY_X,
+                                 GLFW_KEY_Y, GLFW_KEY_Z, GLFW_KEY_LEFT, GLFW_KEY_RIGHT};
+    return (mods & GLFW_MOD_CONTROL) != 0 && std::ranges::find(of_text, key) == of_text.end();
+}
+
+} // namespace
 
 void Application::on_key(int key, int scancode, int action, int mods) {
     show_soon();
@@ -18,138 +29,32 @@ void Application::on_key(int key, int scancode, int action, int mods) {
         mouse_.key(key, false);
         return;
     }
-    if (ImGui::GetIO().WantTextInput || action != GLFW_PRESS) return;
+    if (key == GLFW_KEY_ESCAPE && ui_.palette) return ui_.palette.reset();
+    if (action != GLFW_PRESS || (ImGui::GetIO().WantTextInput && !is_for_all(key, mods))) return;
     press_key(key, mods);
 }
 
 void Application::press_key(int key, int mods) {
-    if ((mods & GLFW_MOD_CONTROL) != 0) {
-        if (key == GLFW_KEY_S) save_as(ui_, shift_ ? SavedKind::svg : SavedKind::png);
-        if (key == GLFW_KEY_Q) window_.close();
-        if (key == GLFW_KEY_R) session_.reload();
-        if (key == GLFW_KEY_O) show_open_panel(ui_);
-        if (key == GLFW_KEY_Y || (key == GLFW_KEY_Z && shift_))
-            session_.redo();
-        else if (key == GLFW_KEY_Z)
-            session_.undo();
-        return;
-    }
-    if ((mods & GLFW_MOD_ALT) != 0) {
-        if (key == GLFW_KEY_LEFT) session_.camera_back();
-        if (key == GLFW_KEY_RIGHT) session_.camera_forward();
-        return;
-    }
-    if (mouse_.key(key, true)) return;
-    Settings& settings = session_.settings;
-    switch (key) {
-    case GLFW_KEY_F:
-        session_.fit();
-        break;
-    case GLFW_KEY_0:
-        session_.glide_to(StandardView::corner);
-        break;
-    case GLFW_KEY_1:
-        session_.glide_to(StandardView::front);
-        break;
-    case GLFW_KEY_2:
-        session_.glide_to(StandardView::right);
-        break;
-    case GLFW_KEY_3:
-        session_.glide_to(StandardView::top);
-        break;
-    case GLFW_KEY_4:
-        session_.glide_to(StandardView::back);
-        break;
-    case GLFW_KEY_5:
-        session_.glide_to(StandardView::left);
-        break;
-    case GLFW_KEY_6:
-        session_.glide_to(StandardView::bottom);
-        break;
-    case GLFW_KEY_M:
-        next_method();
-        break;
-    case GLFW_KEY_N:
-        next_style();
-        break;
-    case GLFW_KEY_H:
-        settings.style.hidden = !settings.style.hidden;
-        session_.changed();
-        break;
-    case GLFW_KEY_X:
-        settings.split = !settings.split;
-        session_.changed();
-        break;
-    case GLFW_KEY_DELETE:
-        hide_selected();
-        break;
-    case GLFW_KEY_I:
-        isolate_selected();
-        break;
-    case GLFW_KEY_U:
-        session_.hide_parts({});
-        break;
-    case GLFW_KEY_P:
-        session_.toggle_projection();
-        break;
-    case GLFW_KEY_T:
-        ui_.timings = !ui_.timings;
-        break;
-    case GLFW_KEY_L:
-        ui_.theme = ui_.theme == Theme::light ? Theme::dark : Theme::light;
-        break;
-    case GLFW_KEY_TAB:
-        ui_.sidebar = !ui_.sidebar;
-        break;
-    case GLFW_KEY_F1:
-    case GLFW_KEY_SLASH:
-        ui_.help = !ui_.help;
-        break;
-    case GLFW_KEY_ESCAPE:
-        press_escape();
-        break;
-    default:
-        break;
-    }
+    if (key == GLFW_KEY_ESCAPE) return press_escape();
+    const Command* command = command_of(key, mods);
+    if (command != nullptr) return command->run(ui_);
+    if ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) == 0) mouse_.key(key, true);
 }
 
 /// The uppermost thing goes.
 void Application::press_escape() {
     if (session_.loader.busy())
-        session_.loader.cancel();
+        session_.cancel_loading();
     else if (ui_.opening)
         ui_.opening = false;
+    else if (session_.measuring())
+        session_.toggle_measuring();
     else if (ui_.help)
         ui_.help = false;
     else if (!session_.messages.all().empty())
         session_.messages.dismiss(session_.messages.all().size() - 1);
     else
         ui_.timings = false;
-}
-
-void Application::hide_selected() {
-    if (!session_.selected) return;
-    HiddenParts hidden = session_.settings.hidden_parts;
-    hidden.insert(*session_.selected);
-    session_.hide_parts(std::move(hidden));
-}
-
-void Application::isolate_selected() {
-    if (session_.selected) session_.hide_parts(session_.model()->parts.all_but(*session_.selected));
-}
-
-void Application::next_method() {
-    Side& side = session_.settings.sides[0];
-    side.method =
-        method_labels.at((static_cast<std::size_t>(side.method) + 1) % method_labels.size()).method;
-    session_.changed();
-}
-
-void Application::next_style() {
-    const std::vector<StyleInfo> styles = list_styles();
-    const auto now = std::ranges::find(styles, session_.settings.style_name, &StyleInfo::name);
-    const auto next = now == styles.end() ? styles.begin() : now + 1;
-    session_.use_style(next == styles.end() ? "" : next->name);
 }
 
 void Application::on_character(unsigned code) {

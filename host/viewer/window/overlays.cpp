@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "commands.hpp"
 #include "widgets.hpp"
 
 namespace lineatlas::viewer {
@@ -110,7 +111,7 @@ void loading(Ui& ui, Area canvas) {
     const float from = std::max(0.0F, 1.3F * phase - 0.3F), to = std::min(1.0F, 1.3F * phase);
     list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
                        theme::colors().accent, height);
-    if (button(ui, "cancel", "Cancel")) loader.cancel();
+    if (button(ui, "cancel", "Cancel")) ui.session.cancel_loading();
     ImGui::End();
 }
 
@@ -150,6 +151,21 @@ void selection(const Ui& ui, Area canvas) {
     list.AddText(low, theme::colors().ink, name.c_str());
 }
 
+/// How the picture is drawn, for those who look for it.
+void status(const Ui& ui, Area canvas) {
+    const Session& session = ui.session;
+    std::string text =
+        label_of(session.refined() ? Method::exact : session.settings.sides[0].method);
+    if (session.loader.busy() && !session.loader.shows_progress())
+        text = session.loader.stage() + " ...";
+    else if (session.economy() != Economy::none)
+        text += ", less while it moves";
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImGui::GetBackgroundDrawList()->AddText({canvas.low.x + canvas.size.x - size.x - ui.points(14),
+                                             canvas.low.y + canvas.size.y - size.y - ui.points(14)},
+                                            theme::colors().quiet, text.c_str());
+}
+
 void invitation(const Ui& ui, Area canvas) {
     const char* text = "Drop a model here";
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -169,9 +185,14 @@ void at_work(const Ui& ui, Area canvas) {
 
 void draw_canvas_overlays(Ui& ui, Area canvas) {
     if (ui.session.settings.split && ui.session.picture(1) != nullptr) split_handle(ui, canvas);
-    if (ui.session.model() != nullptr) selection(ui, canvas);
+    if (ui.session.model() != nullptr) {
+        draw_cuts(ui, canvas);
+        draw_distances(ui, canvas);
+        selection(ui, canvas);
+        if (!ui.session.settings.split) status(ui, canvas);
+    }
     toolbar(ui, canvas);
-    if (ui.session.loader.busy())
+    if (ui.session.loader.shows_progress())
         loading(ui, canvas);
     else if (ui.later)
         at_work(ui, canvas);
@@ -205,49 +226,38 @@ void draw_messages(Ui& ui, Area canvas) {
     }
 }
 
-void draw_help(Ui& ui, Area canvas) {
+void draw_help(Ui& ui) {
     if (!ui.help) return;
     struct Row {
-        const char* key;
-        const char* what;
+        std::string key;
+        std::string what;
     };
-    static constexpr std::array<Row, 29> rows{{{"Left drag", "Orbit the point under the mouse"},
-                                               {"Middle or Shift + left drag", "Pan"},
-                                               {"Wheel or Ctrl + left drag", "Go nearer, go away"},
-                                               {"Right drag", "Look around"},
-                                               {"W A S D, Q E", "Fly; Shift: faster"},
-                                               {"F", "Fit the model"},
-                                               {"1 2 3", "Front, right, top"},
-                                               {"4 5 6", "Back, left, bottom"},
-                                               {"0", "Corner"},
-                                               {"Alt + left, right", "The camera before, after"},
-                                               {"", ""},
-                                               {"Click, double click", "Select a part, frame it"},
-                                               {"Delete, I, U", "Hide it, isolate it, show all"},
-                                               {"Ctrl + Z, Ctrl + Y", "Undo, redo"},
-                                               {"Ctrl + O, Ctrl + R", "Open a file, read it again"},
-                                               {"", ""},
-                                               {"M", "Next method"},
-                                               {"N", "Next style"},
-                                               {"H", "Hidden lines"},
-                                               {"X", "Split screen"},
-                                               {"P", "Parallel lines of sight"},
-                                               {"T", "Timings"},
-                                               {"Tab", "Sidebar"},
-                                               {"L", "Light or dark"},
-                                               {"", ""},
-                                               {"Ctrl + S", "Save a PNG"},
-                                               {"Ctrl + Shift + S", "Save an SVG"},
-                                               {"Esc", "Close a panel, cancel, dismiss"},
-                                               {"Ctrl + Q", "Quit"}}};
-    begin_overlay(ui, "keys", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
+    std::vector<Row> rows{{"Left drag", "Orbit the point under the mouse"},
+                          {"Middle or Shift + left drag", "Pan"},
+                          {"Wheel or Ctrl + left drag", "Go nearer, go away"},
+                          {"Right drag", "Look around"},
+                          {"Click, double click", "Select a part, frame it"},
+                          {"W A S D, Q E", "Fly; with Shift faster"},
+                          {"Esc", "Close a panel, cancel, dismiss"}};
+    for (const Command& command : commands())
+        if (command.key != 0) rows.push_back({key_text(command), command.name});
+    const std::size_t half = (rows.size() + 1) / 2;
+    // Over the sidebar too: it takes most of a small window.
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    begin_overlay(ui, "keys", {0.5F * window.x, 0.5F * window.y}, {0.5F, 0.5F});
     ImGui::PushFont(ui.bold);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
-    for (const Row& row : rows) {
-        ImGui::TextUnformatted(row.key);
-        ImGui::SameLine(ui.points(236));
-        ImGui::TextDisabled("%s", row.what);
+    // Two columns: one is higher than a small window.
+    for (std::size_t i = 0; i < half; ++i) {
+        for (const std::size_t at : {i, i + half}) {
+            if (at == rows.size()) continue;
+            const float left = at < half ? 0 : ui.points(420);
+            if (at >= half) ImGui::SameLine(left);
+            ImGui::TextUnformatted(rows[at].key.c_str());
+            ImGui::SameLine(left + ui.points(at < half ? 190 : 130));
+            ImGui::TextDisabled("%s", rows[at].what.c_str());
+        }
     }
     if (button(ui, "help.close", "Close")) ui.help = false;
     ImGui::End();

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,13 +9,6 @@
 
 namespace lineatlas::viewer {
 namespace {
-
-bool contains(const std::string& text, const std::string& searched) {
-    const auto equal = [](unsigned char a, unsigned char b) {
-        return std::tolower(a) == std::tolower(b);
-    };
-    return !std::ranges::search(text, searched, equal).empty() || searched.empty();
-}
 
 /// What the list shows: parts of that name, or the tree as far as it is not folded.
 std::vector<std::uint32_t> rows(const Ui& ui, const Parts& parts) {
@@ -44,7 +36,7 @@ void arrow(Ui& ui, std::uint32_t part) {
 }
 
 void eye(Ui& ui, const Parts& parts, std::uint32_t part, const std::string& name) {
-    HiddenParts hidden = ui.session.settings.hidden_parts;
+    HiddenParts hidden = ui.session.settings.shown.hidden;
     bool shown = !hidden.contains(part);
     const std::uint32_t above = parts.all()[part].parent;
     ImGui::BeginDisabled(above != Parts::none && parts.is_hidden(above, hidden));
@@ -89,7 +81,7 @@ void buttons(Ui& ui) {
     if (button(ui, "parts.frame", "Frame", third)) session.frame_part(*session.selected);
     ImGui::EndDisabled();
     ImGui::SameLine(0, gap);
-    ImGui::BeginDisabled(session.settings.hidden_parts.empty());
+    ImGui::BeginDisabled(session.settings.shown.hidden.empty());
     if (button(ui, "parts.all", "Show all", third)) session.hide_parts({});
     tip("Show what is hidden (U)");
     ImGui::EndDisabled();

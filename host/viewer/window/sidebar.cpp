@@ -104,38 +104,30 @@ void method_section(Ui& ui) {
         changed |= fine_quality(ui, settings.sides[0]);
     }
     ui.spots.note("more");
+    ImGui::BeginDisabled(settings.split || settings.sides[0].method != Method::atlas);
+    changed |= checkbox(ui, "exact-at-rest", "Exact when nothing moves", settings.exact_at_rest);
+    ImGui::EndDisabled();
     changed |= checkbox(ui, "split", "Split screen with another method", settings.split);
     if (settings.split) changed |= method(ui, settings.sides[1], "second", "Right side");
     if (changed) ui.session.changed();
 }
 
-void lines_section(Ui& ui) {
-    LineKindMask& lines = ui.session.settings.lines;
-    static constexpr std::array labels{"Creases",     "Boundaries",        "Materials",
-                                       "Silhouettes", "Lines of the file", "Intersections"};
-    if (!section(ui, "lines", "Lines")) return;
-    for (std::size_t kind = 0; kind < labels.size(); ++kind) {
-        bool on = (lines >> kind & 1U) != 0;
-        if (kind % 2 == 1) column(ui, 130);
-        const std::string id = "lines." + std::string{line_kind_names.at(kind)};
-        if (!checkbox(ui, id.c_str(), labels.at(kind), on)) continue;
-        lines ^= 1U << kind;
-        ui.session.changed();
-    }
-}
-
 void save_section(Ui& ui) {
     heading(ui, "Save");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float quarter = 0.25F * (ImGui::GetContentRegionAvail().x - 3 * gap);
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     ImGui::BeginDisabled(ui.session.model() == nullptr);
     for (const auto& [id, text, kind, help] :
-         {std::tuple{"save.png", "PNG", SavedKind::png, "The picture as it is (Ctrl+S)"},
-          std::tuple{"save.svg", "SVG", SavedKind::svg, "Its visible lines as paths"},
+         {std::tuple{"save.session", "Session", SavedKind::session,
+                     "All that is seen here, to be opened again or drawn by the tool (Ctrl + S)"},
+          std::tuple{"save.png", "PNG", SavedKind::png, "The picture as it is (Ctrl + E)"},
+          std::tuple{"save.svg", "SVG", SavedKind::svg,
+                     "Its visible lines as paths (Ctrl + Shift + E)"},
           std::tuple{"save.style", "Style", SavedKind::style, "For --style, as TOML"},
           std::tuple{"save.camera", "Camera", SavedKind::camera, "For --camera-path, as JSON"}}) {
-        if (kind != SavedKind::png) ImGui::SameLine(0, gap);
-        if (button(ui, id, text, quarter)) save_as(ui, kind);
+        if (kind != SavedKind::session && kind != SavedKind::style) ImGui::SameLine(0, gap);
+        const bool upper = kind != SavedKind::style && kind != SavedKind::camera;
+        if (button(ui, id, text, upper ? third : 1.5F * third + 0.5F * gap)) save_as(ui, kind);
         tip(help);
     }
     ImGui::EndDisabled();
@@ -165,6 +157,10 @@ void save_as(Ui& ui, SavedKind kind) {
     const std::string stem = std::filesystem::path{session.model()->source.name()}.stem().string();
     const auto path = [&](const char* extension) { return free_path(ui.folder, stem, extension); };
     switch (kind) {
+    case SavedKind::session:
+        session.save_session(session.session_path().empty() ? path("session.toml")
+                                                            : session.session_path());
+        return;
     case SavedKind::png:
         return ui.do_later("Saving", [&session, path = path("png"), scale = ui.save_scale] {
             session.save_picture(path, scale);
@@ -189,13 +185,15 @@ void draw_sidebar(Ui& ui, Area area) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
     // What is saved stays in sight, whatever is scrolled.
-    const float footer = 4 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
+    const float footer = 5 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
     ImGui::BeginChild("settings", {0, -footer});
     model_section(ui);
     draw_parts_section(ui);
+    draw_sections_section(ui);
     method_section(ui);
     draw_style_section(ui);
-    lines_section(ui);
+    draw_lines_section(ui);
+    draw_views_section(ui);
     draw_device_section(ui);
     ImGui::EndChild();
     save_section(ui);

@@ -39,18 +39,6 @@ bool mark(Ui& ui, Pen& pen) {
     return changed;
 }
 
-/// With a border: a colour may be the panel's own.
-bool swatch(Ui& ui, const char* id, glm::vec3& value) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
-    ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(190, 188, 182, 255));
-    const bool changed =
-        ImGui::ColorEdit3((std::string{"##"} + id).c_str(), &value.x, ImGuiColorEditFlags_NoInputs);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-    ui.spots.note(id);
-    return changed;
-}
-
 bool color(Ui& ui, const char* id, const char* text, glm::vec3& value) {
     label(ui, text);
     const bool changed =

@@ -90,10 +90,10 @@ void set_colors(ImGuiStyle& style) {
     c[ImGuiCol_SliderGrab] = accent(0.4F);
     c[ImGuiCol_SliderGrabActive] = accent(0.6F);
     c[ImGuiCol_TextSelectedBg] = accent(0.3F);
-    c[ImGuiCol_ScrollbarBg] = ink(0.04F);
-    c[ImGuiCol_ScrollbarGrab] = ink(0.28F);
-    c[ImGuiCol_ScrollbarGrabHovered] = ink(0.42F);
-    c[ImGuiCol_ScrollbarGrabActive] = ink(0.55F);
+    c[ImGuiCol_ScrollbarBg] = ink(0.08F);
+    c[ImGuiCol_ScrollbarGrab] = ink(0.42F);
+    c[ImGuiCol_ScrollbarGrabHovered] = ink(0.55F);
+    c[ImGuiCol_ScrollbarGrabActive] = ink(0.7F);
     c[ImGuiCol_NavHighlight] = accent(0.8F);
 }
 
@@ -120,11 +120,11 @@ ImFont* apply_theme(Theme theme, float scale, float pixels_per_point) {
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 5};
     style.ItemInnerSpacing = {8, 4};
-    style.ScrollbarSize = 10;
+    style.ScrollbarSize = 12;
     style.GrabMinSize = 12;
     style.WindowRounding = 0;
     style.PopupRounding = style.FrameRounding = style.GrabRounding = 4;
-    style.ScrollbarRounding = 5;
+    style.ScrollbarRounding = 6;
     style.WindowBorderSize = style.FrameBorderSize = style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.ScaleAllSizes(scale);

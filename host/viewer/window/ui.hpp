@@ -29,6 +29,7 @@ struct Area {
 class Spots {
   public:
     void begin_frame() { areas_.clear(); }
+    void note(const std::string& name, Area area) { areas_[name] = area; }
     /// The item that was made last.
     void note(const std::string& name) {
         const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
@@ -50,6 +51,13 @@ struct DeviceChoice {
     DeviceOptions options;
 };
 
+/// Of the list of commands while it is there.
+struct PaletteState {
+    std::string searched{};
+    int chosen = 0; ///< of those that are found
+    bool has_keyboard = false;
+};
+
 /// What the panels know besides the session.
 struct Ui {
     Session& session;
@@ -60,6 +68,8 @@ struct Ui {
     std::set<std::string> folded{}; ///< sections of the sidebar
     bool sidebar = true, help = false, timings = false;
     std::vector<DeviceChoice> devices{};
+    std::optional<PaletteState> palette{};
+    bool quit = false;    ///< the window is to be closed
     bool opening = false; ///< the panel of files is there
     std::filesystem::path open_folder{};
     std::vector<FileEntry> open_entries{};  ///< of it
@@ -77,8 +87,8 @@ struct Ui {
     float points(float usual) const { return usual * scale; }
 };
 
-/// Saves under a name made of the model's that no file has yet.
-enum class SavedKind { png, svg, style, camera };
+/// Saves under a name made of the model's that no file has yet; a session where it was.
+enum class SavedKind { session, png, svg, style, camera };
 void save_as(Ui& ui, SavedKind kind);
 
 float sidebar_width(const Ui& ui);
@@ -86,12 +96,20 @@ float sidebar_width(const Ui& ui);
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);
 void draw_parts_section(Ui& ui);
+void draw_sections_section(Ui& ui);
 void draw_style_section(Ui& ui);
+void draw_lines_section(Ui& ui);
+void draw_views_section(Ui& ui);
 void draw_device_section(Ui& ui);
+/// Where cuts lie, with handles to drag.
+void draw_cuts(Ui& ui, Area canvas);
+void draw_distances(const Ui& ui, Area canvas);
 void draw_canvas_overlays(Ui& ui, Area canvas);
 void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
-void draw_help(Ui& ui, Area canvas);
+void draw_help(Ui& ui);
+void draw_palette(Ui& ui, Area canvas);
+void show_palette(Ui& ui);
 void draw_open_panel(Ui& ui, Area canvas);
 /// Lists the folder of the model, or the one that was listed last.
 void show_open_panel(Ui& ui);

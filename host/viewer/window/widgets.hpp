@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 
 #include "theme.hpp"
@@ -15,6 +16,14 @@ inline void heading(const Ui& ui, const char* text) {
     ImGui::PushFont(ui.bold);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
+}
+
+/// Whether a text is in another, whatever the case of their letters.
+inline bool contains(const std::string& text, const std::string& searched) {
+    const auto equal = [](unsigned char a, unsigned char b) {
+        return std::tolower(a) == std::tolower(b);
+    };
+    return !std::ranges::search(text, searched, equal).empty() || searched.empty();
 }
 
 /// A heading that folds what is below it by a click. Returns whether it is open.
@@ -61,6 +70,18 @@ inline bool slider(Ui& ui, const char* id, const char* text, float& value, float
     label(ui, text);
     const bool changed = ImGui::SliderFloat((std::string{"##"} + id).c_str(), &value, low, high,
                                             format, ImGuiSliderFlags_AlwaysClamp);
+    ui.spots.note(id);
+    return changed;
+}
+
+/// A colour. With a border: it may be the panel's own.
+inline bool swatch(Ui& ui, const char* id, glm::vec3& value) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(190, 188, 182, 255));
+    const bool changed =
+        ImGui::ColorEdit3((std::string{"##"} + id).c_str(), &value.x, ImGuiColorEditFlags_NoInputs);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
     ui.spots.note(id);
     return changed;
 }

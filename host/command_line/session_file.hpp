@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/style.hpp"
+
+namespace lineatlas {
+
+/// A drawing as a TOML file: what `lineatlas view` saves and opens, and `lineatlas draw` draws
+/// (docs/viewer.md).
+struct SessionFile {
+    /// An option of `lineatlas draw` without its "--", with what it is given.
+    struct Option {
+        std::string key;
+        std::vector<std::string> values;
+    };
+    struct NamedView {
+        std::string name{};
+        glm::dvec3 eye{0}, target{0}; ///< in the model file's coordinates
+        glm::vec3 up{0, 1, 0};
+        float fov = 40; ///< degrees
+        Projection projection = Projection::perspective;
+
+        bool operator==(const NamedView&) const = default;
+    };
+
+    std::filesystem::path model{}; ///< empty: `scene`
+    std::string scene{};
+    std::vector<Option> options{};
+    std::vector<std::string> sections_off{}; ///< as --section has them; they don't cut
+    std::vector<NamedView> views{};          ///< the first is seen; others are kept for later
+    std::string style_name{};                ///< where the style was taken from
+    Style style{};
+};
+
+/// Whether a file says that it is a session. Throws FileError for one that is no TOML.
+bool is_session(const std::filesystem::path& file);
+
+/// Throws FileError that names file, line and key.
+SessionFile read_session(const std::filesystem::path& file);
+
+/// As a file in `folder`: a model below it is named from there on.
+std::string write_session(const SessionFile& session, const std::filesystem::path& folder);
+
+/// A camera between the coordinates of a file and those about its origin.
+SessionFile::NamedView named_view(const View& view, glm::dvec3 origin, std::string name = {});
+View view_of(const SessionFile::NamedView& view, glm::dvec3 origin);
+
+/// A number that reads as the same; as short as a float if it is one.
+std::string shortest(double value);
+
+} // namespace lineatlas

@@ -1,0 +1,69 @@
+#include "kind_pens.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "core/line_pens.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+bool is_for_kinds_alone(const PenRule& rule) {
+    return rule.match.object.empty() && rule.match.material.empty();
+}
+
+bool names(const PenRule& rule, std::string_view kind) {
+    return rule.match.kinds.empty() ||
+           std::ranges::find(rule.match.kinds, kind) != rule.match.kinds.end();
+}
+
+bool is_of(const PenRule& rule, std::string_view kind) {
+    return is_for_kinds_alone(rule) && rule.match.kinds.size() == 1 &&
+           rule.match.kinds.front() == kind;
+}
+
+/// Counts more than what is said of a kind.
+bool is_narrower(const PenRule& rule, std::string_view kind) {
+    if (!is_for_kinds_alone(rule)) return true;
+    return kind != outline_name && !rule.match.kinds.empty() && names(rule, outline_name) &&
+           !names(rule, kind);
+}
+
+/// The kind's own rule: behind all others that are for it, before what is narrower.
+PenRule& own_rule(Style& style, std::string_view kind) {
+    std::vector<PenRule>& rules = style.pens;
+    const auto is_general = [&](const PenRule& rule) {
+        return is_for_kinds_alone(rule) && names(rule, kind);
+    };
+    const auto last = std::ranges::find_if(rules.rbegin(), rules.rend(), is_general);
+    if (last != rules.rend() && is_of(*last, kind)) return *last;
+    // After the last that is for it too, however narrow what stands before that is.
+    auto place = last.base();
+    while (place != rules.end() && !is_narrower(*place, kind)) ++place;
+    return *rules.insert(place, PenRule{.match = {.kinds = {std::string{kind}}}});
+}
+
+} // namespace
+
+Pen pen_of_kind(const Style& style, std::string_view kind) {
+    Pen pen = style.pen;
+    for (const PenRule& rule : style.pens) {
+        if (!is_for_kinds_alone(rule) || !names(rule, kind)) continue;
+        if (rule.width) pen.width = *rule.width;
+        if (rule.width_factor) pen.width = style.pen.width * *rule.width_factor;
+        if (rule.color) pen.color = *rule.color;
+    }
+    return pen;
+}
+
+void set_width_of_kind(Style& style, std::string_view kind, float width) {
+    PenRule& rule = own_rule(style, kind);
+    rule.width = width;
+    rule.width_factor.reset();
+}
+
+void set_color_of_kind(Style& style, std::string_view kind, glm::vec3 color) {
+    own_rule(style, kind).color = color;
+}
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cuts.hpp"
+#include "parts.hpp"
+
+namespace lineatlas::viewer {
+
+/// What of a model is shown, and which of its edges are lines: what lines are found anew for.
+struct Shown {
+    HiddenParts hidden{};          ///< parts
+    std::vector<Cut> cuts{};       ///< at most `most_sections`
+    std::optional<float> crease{}; ///< LineOptions::crease_angle in degrees
+
+    bool operator==(const Shown&) const = default;
+};
+
+/// The same in words, which outlive the numbers of parts.
+struct ShownInWords {
+    struct Plane {
+        std::string text; ///< as `lineatlas draw --section` has it
+        bool on = true;
+    };
+    std::vector<std::string> hidden{}; ///< as --hide has them
+    std::vector<Plane> cuts{};
+    std::optional<float> crease{};
+};
+
+} // namespace lineatlas::viewer

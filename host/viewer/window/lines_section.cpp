@@ -1,0 +1,68 @@
+#include <array>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/line_pens.hpp"
+#include "viewer/kind_pens.hpp"
+#include "widgets.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+/// In the order of line_kind_names.
+constexpr std::array<const char*, line_kind_names.size()> labels{
+    "Creases",           "Boundaries",    "Materials", "Silhouettes",
+    "Lines of the file", "Intersections", "Sections",  "Hatching"};
+
+/// Width and colour of a kind.
+bool pen_row(Ui& ui, std::string_view kind) {
+    Style& style = ui.session.settings.style;
+    const Pen pen = pen_of_kind(style, kind);
+    const std::string id = fmt::format("lines.{}", kind);
+    float width = pen.width;
+    glm::vec3 color = pen.color;
+    column(ui, 150);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.points(32));
+    const bool wider = ImGui::SliderFloat(("##" + id + ".width").c_str(), &width, 0.3F, 12,
+                                          "%.1f px", ImGuiSliderFlags_AlwaysClamp);
+    ui.spots.note(id + ".width");
+    ImGui::SameLine(0, ui.points(8));
+    const bool other = swatch(ui, (id + ".color").c_str(), color);
+    if (wider) set_width_of_kind(style, kind, width);
+    if (other) set_color_of_kind(style, kind, color);
+    return wider || other;
+}
+
+void crease_row(Ui& ui) {
+    const std::optional<float> now = ui.session.settings.shown.crease;
+    float degrees = now.value_or(0);
+    if (slider(ui, "crease", "Creases from", degrees, 0, 120, now ? "%.0f degrees" : "as it looks"))
+        ui.session.set_crease(degrees > 0 ? std::optional{std::round(degrees)} : std::nullopt);
+    tip("Every edge bent by more is a crease; at the left end noise and seams are left out");
+}
+
+} // namespace
+
+void draw_lines_section(Ui& ui) {
+    if (!section(ui, "lines", "Lines")) return;
+    LineKindMask& lines = ui.session.settings.lines;
+    bool changed = false;
+    for (std::size_t kind = 0; kind < labels.size(); ++kind) {
+        bool on = (lines >> kind & 1U) != 0;
+        const std::string id = fmt::format("lines.{}", line_kind_names.at(kind));
+        if (checkbox(ui, id.c_str(), labels.at(kind), on)) {
+            lines ^= 1U << kind;
+            changed = true;
+        }
+        changed |= pen_row(ui, line_kind_names.at(kind));
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Outline");
+    tip("What has the model on one side and the background on the other");
+    changed |= pen_row(ui, outline_name);
+    if (changed) ui.session.changed();
+    crease_row(ui);
+}
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "widgets.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr std::array<const char*, 3> axis_names{"X", "Y", "Z"};
+
+/// Across another axis, with the same side of it gone, through the middle.
+Cut across(const Session& session, int axis, const Cut& cut) {
+    const std::optional<int> before = axis_of(cut);
+    Cut result{.normal = glm::dvec3{0}, .on = cut.on};
+    result.normal[axis] = before && cut.normal[*before] < 0 ? -1 : 1;
+    const Reach reach = reach_along(result.normal, session.whole_bounds(), session.origin());
+    result.at = 0.5 * (reach.low + reach.high);
+    return result;
+}
+
+bool axis_row(Ui& ui, const std::string& id, Cut& cut) {
+    const std::optional<int> now = axis_of(cut);
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        ImGui::SameLine(0, ui.points(4));
+        const char* name = axis_names.at(static_cast<std::size_t>(axis));
+        if (toggle(ui, fmt::format("{}.{}", id, name).c_str(), name, now == axis, ui.points(28)) &&
+            now != axis) {
+            cut = across(ui.session, axis, cut);
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+/// The position as the file has it, whichever side is gone.
+bool position_row(Ui& ui, const std::string& id, Cut& cut) {
+    const std::optional<int> axis = axis_of(cut);
+    const double sign = axis && cut.normal[*axis] < 0 ? -1 : 1;
+    const Reach reach =
+        reach_along(sign * cut.normal, ui.session.whole_bounds(), ui.session.origin());
+    double at = sign * cut.at;
+    ImGui::SetNextItemWidth(-1);
+    const bool changed =
+        ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &at, &reach.low, &reach.high,
+                            "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    ui.spots.note(id);
+    if (changed) cut.at = sign * at;
+    return changed;
+}
+
+/// What becomes of a cut.
+enum class Row { same, changed, removed };
+
+Row row(Ui& ui, std::size_t number, Cut& cut) {
+    const std::string id = fmt::format("section.{}", number);
+    bool changed = ImGui::Checkbox(("##" + id).c_str(), &cut.on);
+    ui.spots.note(id + ".on");
+    tip("Whether it cuts");
+    changed |= axis_row(ui, id, cut);
+    ImGui::SameLine(0, ui.points(12));
+    if (button(ui, (id + ".flip").c_str(), "Flip")) {
+        cut = flipped(cut);
+        changed = true;
+    }
+    tip("The other side is gone");
+    ImGui::SameLine(0, ui.points(4));
+    const bool removed = button(ui, (id + ".remove").c_str(), "Remove");
+    changed |= position_row(ui, id + ".at", cut);
+    if (removed) return Row::removed;
+    return changed ? Row::changed : Row::same;
+}
+
+} // namespace
+
+void draw_sections_section(Ui& ui) {
+    Session& session = ui.session;
+    if (session.model() == nullptr || !section(ui, "sections", "Sections")) return;
+    std::vector<Cut> cuts = session.settings.shown.cuts;
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        const Row result = row(ui, i, cuts[i]);
+        if (result == Row::removed) cuts.erase(cuts.begin() + static_cast<std::ptrdiff_t>(i));
+        if (result != Row::same) return session.set_cuts(std::move(cuts));
+    }
+    ImGui::BeginDisabled(cuts.size() == most_sections);
+    if (button(ui, "sections.add", "Add a section", -1)) session.add_cut();
+    ImGui::EndDisabled();
+    tip("Cuts the model, closes the cut and hatches it (C); the handle in the picture moves it");
+}
+
+void draw_cuts(Ui& ui, Area canvas) {
+    const Session& session = ui.session;
+    const glm::vec2 scale = canvas.size / glm::vec2{glm::max(session.size(), 1)};
+    const auto place = [&](glm::dvec3 point) -> std::optional<ImVec2> {
+        const auto seen = seen_at(session.navigation.view(), point, session.size());
+        if (!seen) return {};
+        const glm::vec2 at = canvas.low + glm::vec2{*seen} * scale;
+        return ImVec2{at.x, at.y};
+    };
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({canvas.low.x, canvas.low.y},
+                      {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
+    const std::vector<Cut>& cuts = session.settings.shown.cuts;
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        if (!cuts[i].on) continue;
+        const auto outline = outline_of(cuts[i], session.whole_bounds(), session.origin());
+        for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+            const auto from = place(outline.at(corner));
+            const auto to = place(outline.at((corner + 1) % outline.size()));
+            if (from && to) list.AddLine(*from, *to, theme::colors().accent, ui.points(1));
+        }
+        const glm::dvec3 middle = middle_of(cuts[i], session.whole_bounds(), session.origin());
+        const std::optional<ImVec2> handle = place(middle);
+        if (!handle) continue;
+        // A needle along the normal says which way it goes; it is as long in every picture.
+        const auto ahead =
+            place(middle + 1e-3 * cuts[i].normal *
+                               glm::distance(glm::dvec3{session.whole_bounds().min},
+                                             glm::dvec3{session.whole_bounds().max}));
+        const float radius = ui.points(8);
+        if (ahead) {
+            const glm::vec2 way{ahead->x - handle->x, ahead->y - handle->y};
+            const float length = std::hypot(way.x, way.y);
+            const float needle = ui.points(26);
+            if (length > 0) {
+                const glm::vec2 end = glm::vec2{handle->x, handle->y} + way * (needle / length);
+                list.AddLine(*handle, {end.x, end.y}, theme::colors().accent, ui.points(2.5F));
+            }
+        }
+        list.AddCircleFilled(*handle, radius, theme::colors().accent);
+        list.AddCircle(*handle, radius, IM_COL32_WHITE, 0, ui.points(1.5F));
+        ui.spots.note(fmt::format("section.{}.handle", i),
+                      {{handle->x - radius, handle->y - radius}, {2 * radius, 2 * radius}});
+    }
+    list.PopClipRect();
+}
+
+} // namespace lineatlas::viewer

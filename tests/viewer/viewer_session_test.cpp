@@ -1,0 +1,270 @@
+// Sections, sessions, pens of kinds, rest and commands of the viewer, by real events.
+
+#include <cmath>
+
+#include "viewer/kind_pens.hpp"
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// Two boxes side by side, seen from the front: "Base" is left, "Bolt M8" is right.
+class ViewerSession : public Viewer {
+  protected:
+    ViewerSession() {
+        std::ofstream{path("m.obj")} << box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9);
+        hand_.drop(path("m.obj"));
+        hand_.key(GLFW_KEY_1);
+        EXPECT_EQ(error(), "");
+    }
+    const std::vector<viewer::Cut>& cuts() { return session().settings.shown.cuts; }
+    std::size_t hatches() {
+        return session().model()->lines.kind_counts.at(
+            static_cast<std::size_t>(LineKind::hatching));
+    }
+    static std::string paths_of(const std::string& svg) {
+        return svg.substr(std::min(svg.size(), svg.find("<path")));
+    }
+};
+
+TEST_F(ViewerSession, SectionsAreAddedMovedFlippedAndUndone) {
+    const auto whole = picture();
+    const View before = session().navigation.view();
+    hand_.key(GLFW_KEY_C);
+    ASSERT_EQ(cuts().size(), 1U);
+    EXPECT_EQ(viewer::text_of(cuts()[0]), "+z=0") << "what lies towards the eye is gone";
+    EXPECT_GT(hatches(), 0U);
+    EXPECT_EQ(session().model()->lines.bounds.max.z, 0);
+    EXPECT_EQ(session().navigation.view().eye, before.eye);
+    EXPECT_NE(picture(), whole);
+    hand_.click("section.0.flip");
+    EXPECT_EQ(session().model()->lines.bounds.min.z, 0);
+    hand_.click("section.0.X");
+    EXPECT_EQ(viewer::text_of(cuts()[0]), "-x=0");
+    hand_.key(GLFW_KEY_RIGHT_BRACKET);
+    EXPECT_EQ(viewer::text_of(cuts()[0]).substr(0, 4), "-x=-") << "along the normal";
+    hand_.click("section.0.on");
+    EXPECT_EQ(hatches(), 0U);
+    EXPECT_EQ(picture(), whole);
+    for (int step = 0; step < 5; ++step) hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_TRUE(cuts().empty());
+    EXPECT_EQ(picture(), whole);
+    hand_.key(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+    EXPECT_GT(hatches(), 0U);
+    hand_.click("section.0.remove");
+    EXPECT_EQ(picture(), whole);
+}
+
+TEST_F(ViewerSession, AHandleIsDraggedAlongTheNormal) {
+    hand_.key(GLFW_KEY_C);
+    hand_.click("section.0.X");
+    ASSERT_EQ(viewer::text_of(cuts()[0]), "+x=0");
+    const View before = session().navigation.view();
+    const glm::dvec2 from = hand_.middle_of("section.0.handle");
+    const double pixels_per_unit = viewer::seen_at(before, {1, 0, 0}, session().size())->x -
+                                   viewer::seen_at(before, {0, 0, 0}, session().size())->x;
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, from, from + glm::dvec2{2 * pixels_per_unit, 40});
+    EXPECT_NEAR(cuts()[0].at, 2, 0.05) << "as far as the mouse, whatever it does aside";
+    EXPECT_NEAR(session().model()->lines.bounds.max.x, 2, 0.05);
+    EXPECT_EQ(session().navigation.view().eye, before.eye) << "the camera stays";
+    hand_.screenshot("section");
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(cuts()[0].at, 0) << "one drag is one step";
+}
+
+TEST_F(ViewerSession, NoMoreThanSixSectionsAndNoneThatTakesAll) {
+    for (int i = 0; i < 8; ++i) hand_.key(GLFW_KEY_C);
+    EXPECT_EQ(cuts().size(), most_sections);
+    EXPECT_FALSE(session().model()->lines.triangles.empty());
+    hand_.key(GLFW_KEY_P, GLFW_MOD_CONTROL);
+    hand_.panel_frames(3);
+    hand_.type("remove sections");
+    hand_.press(GLFW_KEY_ENTER);
+    hand_.panel_frames(2);
+    hand_.release(GLFW_KEY_ENTER);
+    hand_.rest();
+    EXPECT_TRUE(cuts().empty());
+    EXPECT_EQ(error(), "");
+}
+
+TEST_F(ViewerSession, ClicksPassThroughWhatIsCutAway) {
+    hand_.key(GLFW_KEY_C);
+    hand_.click("section.0.X"); // what lies right of the middle is gone
+    const glm::dvec2 right{0.65 * session().size().x, 0.5 * session().size().y};
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right);
+    EXPECT_FALSE(session().selected);
+}
+
+TEST_F(ViewerSession, SessionsAreSavedOpenedAndDrawnByTheTool) {
+    hand_.click("show:Bolt M8");
+    hand_.key(GLFW_KEY_C);
+    hand_.choose("style", "technical");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, {100, 100}, {220, 150});
+    hand_.key(GLFW_KEY_B);
+    session().settings.exact_at_rest = true;
+    hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
+    hand_.click("save.svg");
+    ASSERT_EQ(error(), "");
+    const View saved = session().navigation.view();
+    const viewer::Shown shown = session().settings.shown;
+    const auto drawn = picture();
+
+    const std::string command =
+        std::string{LINEATLAS_TOOL} + " draw " + path("m.session.toml") + " -o " + path("tool.svg");
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    EXPECT_EQ(paths_of(text_of(path("tool.svg"))), paths_of(text_of(path("m.svg"))));
+
+    hand_.open_scene("clevis");
+    hand_.choose("style", "charcoal");
+    EXPECT_TRUE(cuts().empty());
+    hand_.drop(path("m.session.toml"));
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(session().settings.shown, shown);
+    EXPECT_EQ(session().model()->shown, shown);
+    EXPECT_EQ(session().navigation.view().eye, saved.eye);
+    EXPECT_EQ(session().settings.style_name, "technical");
+    EXPECT_EQ(session().settings.bookmarks.size(), 1U);
+    EXPECT_EQ(picture(), drawn);
+    hand_.key(GLFW_KEY_F);
+    hand_.click("view:View 1");
+    EXPECT_LT(glm::distance(session().navigation.view().eye, saved.eye), 1e-4F);
+}
+
+TEST_F(ViewerSession, ABadSessionIsToldAndNothingElse) {
+    const auto drawn = picture();
+    const auto refused = [&](const std::string& text, const char* words) {
+        std::ofstream{path("bad.toml")} << text;
+        hand_.drop(path("bad.toml"));
+        EXPECT_NE(error().find(words), std::string::npos) << error();
+        EXPECT_NE(error().find("bad.toml"), std::string::npos) << error();
+        EXPECT_EQ(picture(), drawn);
+        hand_.key(GLFW_KEY_ESCAPE);
+    };
+    refused("session = 2\nmodel = \"m.obj\"\n", "version 1");
+    refused("session = 1\n", "\"model\" or a \"scene\"");
+    refused("session = 1\nmodel = \"m.obj\"\nsection = \"q=3\"\n", "line 3");
+    refused("session = 1\nmodel = \"m.obj\"\noutput = \"/tmp/x\"\n", "no such key");
+    refused("session = 1\nmodel = \"m.obj\"\n[style]\nwidht = 3\n", "width");
+    std::ofstream{path("lost.toml")} << "session = 1\nmodel = \"lost.obj\"\n";
+    hand_.drop(path("lost.toml"));
+    EXPECT_NE(error().find("lost.obj"), std::string::npos) << error();
+    EXPECT_EQ(session().model()->source.name(), "m.obj");
+}
+
+TEST_F(ViewerSession, KindsHaveWidthAndColour) {
+    const auto plain = picture();
+    const Style before = session().settings.style;
+    hand_.reveal("lines.crease.width");
+    const glm::dvec2 place = hand_.middle_of("lines.crease.width");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place + glm::dvec2{20, 0});
+    const Style& style = session().settings.style;
+    EXPECT_GT(viewer::pen_of_kind(style, "crease").width, 4);
+    EXPECT_EQ(viewer::pen_of_kind(style, "boundary").width,
+              viewer::pen_of_kind(before, "boundary").width);
+    EXPECT_EQ(viewer::pen_of_kind(style, "outline").width,
+              viewer::pen_of_kind(before, "outline").width);
+    EXPECT_EQ(style.pens.size(), before.pens.size() + 1) << "however far it is dragged";
+    EXPECT_NE(picture(), plain);
+    hand_.screenshot("kinds");
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(picture(), plain);
+}
+
+TEST(ViewerKindPens, AreRulesOfTheirKindThatTheOutlineOutweighs) {
+    Style style = load_style("plain");
+    viewer::set_width_of_kind(style, "silhouette", 7);
+    viewer::set_color_of_kind(style, "silhouette", {1, 0, 0});
+    ASSERT_EQ(style.pens.size(), 4U);
+    EXPECT_EQ(viewer::pen_of_kind(style, "silhouette").width, 7);
+    EXPECT_EQ(viewer::pen_of_kind(style, "silhouette").color, glm::vec3(1, 0, 0));
+    EXPECT_EQ(viewer::pen_of_kind(style, "crease").width, 1.5F);
+    EXPECT_EQ(style.pens.back().match.kinds, (std::vector<std::string>{"outline", "section"}));
+    viewer::set_width_of_kind(style, "section", 2);
+    EXPECT_EQ(viewer::pen_of_kind(style, "section").width, 2);
+    EXPECT_EQ(viewer::pen_of_kind(style, "outline").width, 3);
+}
+
+TEST_F(ViewerSession, CreasesFollowTheirAngle) {
+    const auto creases = [&] {
+        return session().model()->lines.kind_counts.at(static_cast<std::size_t>(LineKind::crease));
+    };
+    const auto before = creases();
+    ASSERT_GT(before, 0U);
+    hand_.reveal("crease");
+    const glm::dvec2 place = hand_.middle_of("crease");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place + glm::dvec2{75, 0});
+    EXPECT_GT(*session().settings.shown.crease, 90);
+    EXPECT_EQ(creases(), 0U) << "edges of a cube bend by less";
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(creases(), before);
+}
+
+TEST_F(ViewerSession, ThePictureIsExactAtRestAlone) {
+    hand_.open_scene("house");
+    hand_.choose("method", "Exact");
+    const auto exact = picture();
+    hand_.choose("method", "Segment atlas");
+    const auto sampled = picture();
+    ASSERT_NE(sampled, exact);
+    hand_.click("exact-at-rest");
+    EXPECT_TRUE(session().refined());
+    EXPECT_EQ(picture(), exact);
+    const std::uint64_t drawn = session().frames_drawn();
+    for (int i = 0; i < 20; ++i) app_.step(0);
+    EXPECT_EQ(session().frames_drawn(), drawn) << "nothing runs at rest";
+    session().navigation.orbit({0, 0, 0}, {0.02, 0});
+    hand_.panel_frames(1);
+    EXPECT_FALSE(session().refined()) << "while it moves";
+    session().navigation.orbit({0, 0, 0}, {-0.02, 0});
+    hand_.rest();
+    EXPECT_TRUE(session().refined());
+    hand_.click("split");
+    EXPECT_EQ(picture(), sampled) << "two methods side by side are those that are named";
+}
+
+TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
+    const auto click = [&](glm::dvec3 corner) {
+        // A few pixels inside of the face.
+        const glm::dvec2 at =
+            *viewer::seen_at(session().navigation.view(), 0.98 * corner, session().size());
+        hand_.drag(GLFW_MOUSE_BUTTON_LEFT, at, at);
+    };
+    hand_.key(GLFW_KEY_R);
+    click({-3, 1, 1});
+    EXPECT_TRUE(session().measured_from());
+    EXPECT_FALSE(session().selected) << "no part is selected meanwhile";
+    click({3, -1, 1});
+    const auto& distances = session().settings.distances;
+    ASSERT_EQ(distances.size(), 1U);
+    EXPECT_EQ(distances[0][0], glm::dvec3(-3, 1, 1)) << "the corner itself";
+    EXPECT_EQ(distances[0][1], glm::dvec3(3, -1, 1));
+    EXPECT_EQ(session().length_text(std::sqrt(40)), "6.3246") << "this file says no unit";
+    hand_.screenshot("measured");
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_TRUE(session().settings.distances.empty());
+    hand_.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(session().measuring());
+}
+
+TEST_F(ViewerSession, CommandsAreFoundByTyping) {
+    hand_.key(GLFW_KEY_P, GLFW_MOD_CONTROL);
+    hand_.panel_frames(3);
+    hand_.type("screen spl");
+    EXPECT_TRUE(hand_.has("command:Split screen"));
+    EXPECT_FALSE(hand_.has("command:Quit"));
+    hand_.screenshot("palette");
+    hand_.press(GLFW_KEY_ENTER);
+    hand_.panel_frames(2);
+    hand_.release(GLFW_KEY_ENTER);
+    hand_.rest();
+    EXPECT_TRUE(session().settings.split);
+    EXPECT_FALSE(hand_.has("palette.search"));
+    hand_.key(GLFW_KEY_P, GLFW_MOD_CONTROL);
+    EXPECT_TRUE(hand_.has("palette.search"));
+    hand_.key(GLFW_KEY_ESCAPE);
+    hand_.rest();
+    EXPECT_FALSE(hand_.has("palette.search"));
+}
+
+} // namespace
+} // namespace lineatlas::test
