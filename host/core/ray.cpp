@@ -24,7 +24,7 @@ double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
 
 std::optional<RayHit> first_hit(const Ray& ray, std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles) {
-    return first_hit(ray, vertices, triangles, [](std::uint32_t) { return true; });
+    return first_hit(ray, vertices, triangles, [](const RayHit&) { return true; });
 }
 
 } // namespace lineatlas
