@@ -100,7 +100,7 @@ TEST_P(Hidden, IsThePictureWithoutThem) {
 }
 
 TEST_P(Hidden, ShownAgainIsThePictureThatWas) {
-    Renderer renderer;
+    Renderer renderer{{.compute = "cpp"}};
     renderer.set_lines(house());
     const auto before = picture(renderer, camera());
     for (int i = 0; i < 2; ++i) {
@@ -114,7 +114,7 @@ TEST_P(Hidden, ShownAgainIsThePictureThatWas) {
 }
 
 TEST_P(Hidden, AllOfThemIsAnEmptyPicture) {
-    Renderer renderer;
+    Renderer renderer{{.compute = "cpp"}};
     renderer.set_lines(house());
     std::vector<std::uint32_t> all(house().objects.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;

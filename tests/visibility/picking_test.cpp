@@ -176,7 +176,7 @@ TEST(Picking, RefusesWhatMakesNoSense) {
 TEST(PickingOfARenderer, IsOfTheLastFrameWhateverItsMethod) {
     const gl::HeadlessContext context;
     gl::Canvas canvas{{400, 400}};
-    Renderer renderer;
+    Renderer renderer{{.compute = "cpp"}};
     EXPECT_THROW(renderer.pick({0, 0}, 4), UsageError);
     renderer.set_lines(two());
     EXPECT_THROW(renderer.pick({0, 0}, 4), UsageError);
@@ -189,13 +189,15 @@ TEST(PickingOfARenderer, IsOfTheLastFrameWhateverItsMethod) {
         expect_near(found->world, {1, 0.1F, 1}, 1e-5F);
     }
     renderer.draw(straight(two()), {.lines = mask_of(LineKind::silhouette)}, canvas.framebuffer());
-    EXPECT_EQ(renderer.pick({302, 210}, 1), std::nullopt) << "not of what is drawn";
+    const std::optional<Pick> other = renderer.pick({302, 210}, 4);
+    ASSERT_TRUE(other);
+    EXPECT_EQ(other->segment, Pick::none) << "of what is not drawn";
 }
 
 TEST(PickingOfARenderer, LeavesTheFrameToBeRead) {
     const gl::HeadlessContext context;
     gl::Canvas canvas{{400, 400}};
-    Renderer renderer;
+    Renderer renderer{{.compute = "cpp"}};
     renderer.set_lines(two());
     for (const Method method : {Method::atlas, Method::exact}) {
         renderer.draw(straight(two()), {.method = method, .intervals = KeptIntervals::visible},
@@ -209,7 +211,7 @@ TEST(PickingOfARenderer, LeavesTheFrameToBeRead) {
 TEST(PickingOfARenderer, FollowsWhatMovesAndWhatIsHidden) {
     const gl::HeadlessContext context;
     gl::Canvas canvas{{400, 400}};
-    Renderer renderer;
+    Renderer renderer{{.compute = "cpp"}};
     renderer.set_lines(two());
     const Camera camera = straight(two());
     std::vector<glm::mat4> transforms(2, glm::mat4{1});
