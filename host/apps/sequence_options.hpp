@@ -6,9 +6,9 @@
 
 #include <CLI/App.hpp>
 
+#include "cameras/turntable.hpp"
 #include "lineatlas/lines.hpp"
 #include "sequence.hpp"
-#include "turntable.hpp"
 
 namespace lineatlas::apps {
 

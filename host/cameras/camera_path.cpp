@@ -205,6 +205,11 @@ CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults, 
     }
 }
 
+CameraPath::CameraPath(std::span<const View> views, int frames_apart) {
+    for (const View& view : views)
+        keys_.push_back({static_cast<double>(keys_.size()) * frames_apart, view});
+}
+
 int CameraPath::first_frame() const {
     return static_cast<int>(std::ceil(keys_.front().frame));
 }

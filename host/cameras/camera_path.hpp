@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class CameraPath {
     /// the way out.
     CameraPath(const std::filesystem::path& file, const View& defaults,
                glm::dvec3 origin = glm::dvec3{0});
+
+    /// Through views that are so many frames apart, from frame 0 on.
+    CameraPath(std::span<const View> views, int frames_apart);
 
     int first_frame() const;
     int last_frame() const;

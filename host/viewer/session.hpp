@@ -16,6 +16,7 @@
 #include "loader.hpp"
 #include "messages.hpp"
 #include "navigation.hpp"
+#include "recording.hpp"
 #include "settings.hpp"
 #include "timings.hpp"
 
@@ -122,6 +123,19 @@ class Session {
     void add_bookmark();
     void go_to_bookmark(std::size_t bookmark);
 
+    /// Pictures of a moving camera, into a new folder of `folder`; about `frames` in all. A turn
+    /// about the model, or the way through the kept views, which must be two at least.
+    enum class Move { turntable, kept_views };
+    void start_recording(Move move, const std::filesystem::path& folder, int frames);
+    const std::optional<Recording>& recording() const { return recording_; }
+    /// Draws the next picture of a recording. After the last one there is none any more, and the
+    /// folder is returned.
+    std::optional<std::filesystem::path> record_picture();
+    /// Those that are drawn stay.
+    void cancel_recording();
+    /// Where `ffmpeg` is installed.
+    void make_video_of(const std::filesystem::path& folder);
+
     void resize(glm::ivec2 pixels);
     glm::ivec2 size() const { return size_; }
     /// Something but the camera has changed.
@@ -191,6 +205,7 @@ class Session {
     History<View, same> views_;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
     Economy economy_ = Economy::none; ///< of movements
+    std::optional<Recording> recording_;
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false, refined_ = false;

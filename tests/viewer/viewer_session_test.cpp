@@ -226,7 +226,7 @@ TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     const auto click = [&](glm::dvec3 corner) {
         // A few pixels inside of the face.
         const glm::dvec2 at =
-            *viewer::seen_at(session().navigation.view(), 0.98 * corner, session().size());
+            *viewer::seen_at(session().navigation.view(), 0.99 * corner, session().size());
         hand_.drag(GLFW_MOUSE_BUTTON_LEFT, at, at);
     };
     hand_.key(GLFW_KEY_R);
@@ -244,6 +244,31 @@ TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     EXPECT_TRUE(session().settings.distances.empty());
     hand_.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(session().measuring());
+}
+
+TEST_F(ViewerSession, ATurnIsRecordedAsPictures) {
+    app_.ui().record_frames = 3;
+    hand_.click("record.turntable");
+    EXPECT_EQ(error(), "");
+    EXPECT_FALSE(session().recording());
+    std::vector<std::vector<std::uint8_t>> pictures;
+    for (int i = 0; i < 3; ++i) {
+        const Image image = read_image(path("m-pictures/000" + std::to_string(i) + ".png"));
+        EXPECT_EQ(image.size, session().size());
+        for (const auto& before : pictures) EXPECT_NE(image.pixels, before) << i;
+        pictures.push_back(image.pixels);
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("m-pictures/0003.png")));
+    hand_.click("record.views");
+    EXPECT_FALSE(std::filesystem::exists(path("m-pictures-2"))) << "there is no way yet";
+    hand_.key(GLFW_KEY_B);
+    hand_.key(GLFW_KEY_2);
+    hand_.key(GLFW_KEY_B);
+    hand_.click("record.views");
+    EXPECT_NE(read_image(path("m-pictures-2/0000.png")).pixels,
+              read_image(path("m-pictures-2/0003.png")).pixels)
+        << "from the first kept view to the last";
+    EXPECT_EQ(error(), "");
 }
 
 TEST_F(ViewerSession, CommandsAreFoundByTyping) {
@@ -264,6 +289,17 @@ TEST_F(ViewerSession, CommandsAreFoundByTyping) {
     hand_.key(GLFW_KEY_ESCAPE);
     hand_.rest();
     EXPECT_FALSE(hand_.has("palette.search"));
+}
+
+/// A picture in docs/viewer.md.
+TEST_F(ViewerSession, IsWhatTheDocsShow) {
+    hand_.open_scene("house");
+    hand_.key(GLFW_KEY_C);
+    hand_.click("section.0.Z");
+    app_.ui().folder = ".";
+    hand_.move({300, 300});
+    hand_.screenshot("viewer_section");
+    EXPECT_EQ(error(), "");
 }
 
 } // namespace

@@ -64,7 +64,7 @@ std::optional<double> Application::seconds_to_refine() const {
 /// 0: at once; below 0: until something happens.
 double Application::seconds_to_wait() const {
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
-                         mouse_.flying() || ui_.later;
+                         session_.recording() || mouse_.flying() || ui_.later;
     if (at_work) return 0;
     if (const std::optional<double> seconds = seconds_to_refine()) return *seconds;
     constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
@@ -86,6 +86,12 @@ void Application::step(double longest_wait) {
         frames_due_ = std::max(frames_due_, 1);
     }
     advance();
+    if (session_.recording()) {
+        show_soon();
+        if (const auto folder = session_.record_picture())
+            ui_.do_later("Making a video",
+                         [this, folder = *folder] { session_.make_video_of(folder); });
+    }
     if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0)
         session_.refine();
     if (frames_due_ == 0 && !session_.stale()) return;

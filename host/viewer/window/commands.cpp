@@ -22,6 +22,11 @@ void save(Ui& ui) {
     save_as(ui, kind);
 }
 
+template <Session::Move move>
+void record(Ui& ui) {
+    ui.session.start_recording(move, ui.folder, ui.record_frames);
+}
+
 void next_method(Ui& ui) {
     Side& side = ui.session.settings.sides[0];
     side.method =
@@ -130,6 +135,8 @@ constexpr std::array all{
     Command{"Save the session", GLFW_KEY_S, ctrl, save<SavedKind::session>},
     Command{"Save the picture as PNG", GLFW_KEY_E, ctrl, save<SavedKind::png>},
     Command{"Save the paths as SVG", GLFW_KEY_E, ctrl | shift, save<SavedKind::svg>},
+    Command{"Record a turntable", 0, 0, record<Session::Move::turntable>},
+    Command{"Record the way through the kept views", 0, 0, record<Session::Move::kept_views>},
     Command{"Save the style", 0, 0, save<SavedKind::style>},
     Command{"Save the camera", 0, 0, save<SavedKind::camera>},
 

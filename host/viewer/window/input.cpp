@@ -43,7 +43,9 @@ void Application::press_key(int key, int mods) {
 
 /// The uppermost thing goes.
 void Application::press_escape() {
-    if (session_.loader.busy())
+    if (session_.recording())
+        session_.cancel_recording();
+    else if (session_.loader.busy())
         session_.cancel_loading();
     else if (ui_.opening)
         ui_.opening = false;

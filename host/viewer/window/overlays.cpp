@@ -115,6 +115,16 @@ void loading(Ui& ui, Area canvas) {
     ImGui::End();
 }
 
+void recording(Ui& ui, Area canvas) {
+    const Recording& now = *ui.session.recording();
+    begin_overlay(ui, "recording", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
+    ImGui::Text("Picture %d of %d", static_cast<int>(now.drawn()), static_cast<int>(now.count()));
+    ImGui::ProgressBar(static_cast<float>(now.drawn()) / static_cast<float>(now.count()),
+                       {ui.points(260), ui.points(6)}, "");
+    if (button(ui, "record.cancel", "Stop")) ui.session.cancel_recording();
+    ImGui::End();
+}
+
 /// The box around the selected part, and its name.
 void selection(const Ui& ui, Area canvas) {
     const Session& session = ui.session;
@@ -192,7 +202,9 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
         if (!ui.session.settings.split) status(ui, canvas);
     }
     toolbar(ui, canvas);
-    if (ui.session.loader.shows_progress())
+    if (ui.session.recording())
+        recording(ui, canvas);
+    else if (ui.session.loader.shows_progress())
         loading(ui, canvas);
     else if (ui.later)
         at_work(ui, canvas);

@@ -76,6 +76,7 @@ struct Ui {
     std::string open_path{};                ///< what is being typed
     std::string part_search{};              ///< the same
     std::set<std::uint32_t> folded_parts{}; ///< those in them are not listed
+    int record_frames = 120;                ///< of a recording
     int save_scale = 1;
     std::string folder = "."; ///< where files are saved
     /// Work during which the window can't answer: it is done after a frame that says so.

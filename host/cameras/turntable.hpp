@@ -7,7 +7,7 @@
 
 #include "lineatlas/camera.hpp"
 
-namespace lineatlas::apps {
+namespace lineatlas {
 
 /// A line in space; `direction` is a unit vector.
 struct Axis {
@@ -23,4 +23,4 @@ View turned(const View& view, const Axis& axis, double turn);
 /// that a turning model never leaves the picture.
 std::vector<glm::vec3> swept(std::span<const glm::vec3> points, const Axis& axis);
 
-} // namespace lineatlas::apps
+} // namespace lineatlas

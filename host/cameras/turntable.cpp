@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace lineatlas::apps {
+namespace lineatlas {
 namespace {
 
 glm::dmat3 rotation(const Axis& axis, double turn) {
@@ -71,4 +71,4 @@ std::vector<glm::vec3> swept(std::span<const glm::vec3> points, const Axis& axis
     return result;
 }
 
-} // namespace lineatlas::apps
+} // namespace lineatlas
