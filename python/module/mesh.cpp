@@ -144,9 +144,9 @@ std::shared_ptr<Model> make_model(const py::object& positions, const py::object&
     return model;
 }
 
-std::shared_ptr<Model> load(const std::filesystem::path& path) {
+std::shared_ptr<Model> load(const std::filesystem::path& path, const LoadOptions& options = {}) {
     const Released released;
-    LoadedMesh loaded = load_mesh(path);
+    LoadedMesh loaded = load_mesh(path, options);
     return std::make_shared<Model>(
         Model{.mesh = std::move(loaded.mesh),
               .notes = std::move(loaded.notes),
@@ -288,8 +288,21 @@ void bind_mesh(py::module_& module) {
     bind_section(mesh);
     module.def(
         "load",
-        [](const Argument<std::filesystem::path, "path", "a path">& path) { return load(path); },
-        py::arg("path"), "Reads an OBJ, PLY, STL, OFF or OM file. Raises FileError.");
+        [](const Argument<std::filesystem::path, "path", "a path">& path,
+           Real<"deflection"> deflection, Real<"read_memory"> read_memory,
+           Real<"read_seconds"> read_seconds) {
+            return load(path, {.deflection = deflection,
+                               .read_memory = read_memory,
+                               .read_seconds = read_seconds});
+        },
+        py::arg("path"), py::kw_only(), py::arg("deflection") = 0.0F, py::arg("read_memory") = 0.0F,
+        py::arg("read_seconds") = 0.0F,
+        "Reads an OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file. Raises\n"
+        "FileError.\n\n"
+        "STEP, IGES and BREP: deflection is how far chords may be off curved faces, in\n"
+        "millimetres; 0: a thousandth of the model's diagonal. They are read by a process of\n"
+        "their own, so that damaged ones cannot end this one; read_memory (GiB) and read_seconds\n"
+        "limit it, 0: 2 GiB and 32 times the file's size, a minute and a second for each MB.");
     bind_scene(module);
 }
 

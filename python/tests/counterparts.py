@@ -14,7 +14,9 @@ ELSEWHERE = {
     "Camera.size": "Renderer.draw(size)", "Camera.clip": "Camera(zero_to_one)", "ClipControl": "Camera(zero_to_one)",
     "ClipControl.zero_to_one": "Camera(zero_to_one)", "Projection": "View(projection)",
     "Projection.orthographic": "View(projection)", "Projection.perspective": "View(projection)", "View.fov_y": "View.fov",
-    "frame_points()": "frame()", "frame_points_from()": "frame(view)", "ViewDirection": "frame(view)",
+    "frame_points()": "frame()", "frame_points_from()": "frame(view)",
+    "Framing": "frame()", "Framing.note": "frame()", "Framing.points": "frame()", "framing_of()": "frame()",
+    "ViewDirection": "frame(view)",
     "ViewDirection.toward_eye": "frame(view)", "ViewDirection.up": "frame(up)", "view_direction()": "frame(view)",
     "make_camera()": "Renderer.draw(view)", "parse_projection()": "View(projection)", "shown_height()": "View.shown_height",
     "name_of()": "View.projection",
@@ -24,7 +26,10 @@ ELSEWHERE = {
     # files
     "ImageSettings": "save()", "ImageSettings.description": "save(description)", "ImageSettings.dpi": "save(dpi)",
     "LoadedMesh": "Mesh", "LoadedMesh.mesh": "Mesh", "LoadedMesh.notes": "Mesh.notes", "LoadedMesh.origin": "Mesh.origin",
-    "load_mesh()": "load()", "write_image()": "save()", "check_image_path()": "save(path)",
+    "load_mesh()": "load()",
+    "LoadOptions": "load()", "LoadOptions.deflection": "load(deflection)",
+    "LoadOptions.read_memory": "load(read_memory)", "LoadOptions.read_seconds": "load(read_seconds)",
+    "write_image()": "save()", "check_image_path()": "save(path)",
     "check_image_settings()": "save(dpi)",
     # lines
     "LineOptions": "Renderer(crease)", "LineOptions.crease_angle": "Renderer(crease)", "LineOptions.kinds": "Renderer(lines)",
@@ -119,7 +124,7 @@ NOT_IN_PYTHON = {
         LineOptions.separate_objects LineObject.* Mesh.polyline_object Mesh.triangle_object Renderer.set_positions()
         Renderer.set_transforms() move_objects()""",
     "not bound yet: what files say beside their mesh, and how they are read": """
-        LoadOptions.* LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
+        LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits""",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
