@@ -58,7 +58,9 @@ if(TARGET lineatlas-3mf)
 endif()
 # Beside them in the same folder, for whoever wants Open CASCADE on the machine.
 if(TARGET lineatlas-brep)
-    install(TARGETS lineatlas-brep LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep)
+    install(TARGETS lineatlas-brep lineatlas-reader
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep
+            RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep)
 endif()
 # What checks drawings, found by the tool in the same folder.
 if(TARGET lineatlas-rays)

@@ -31,5 +31,6 @@ add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared l
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-gltf>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-3mf>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-brep>
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-reader>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-rays>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-pdf>)

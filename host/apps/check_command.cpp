@@ -12,12 +12,14 @@
 
 #include <fmt/core.h>
 
+#include "command_line/part_filter.hpp"
 #include "command_line/read_options.hpp"
 #include "command_line/values.hpp"
 #include "commands.hpp"
 #include "core/patches.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
+#include "section_options.hpp"
 #include "style/frame_settings.hpp"
 #include "truth/certificate.hpp"
 #include "truth/drawing_file.hpp"
@@ -39,6 +41,7 @@ struct CheckArguments {
 struct Making {
     View view;
     LineOptions lines;
+    SectionOptions sections;
 };
 
 float parse_degrees(const std::string& text) {
@@ -47,6 +50,15 @@ float parse_degrees(const std::string& text) {
     if (error != std::errc{} || end != text.data() + text.size())
         throw UsageError("\"" + text + "\" is no angle");
     return value * radians_per_degree;
+}
+
+/// What the model's file is read with.
+LoadOptions load_options(const DrawingFile& drawing) {
+    LoadOptions options;
+    if (const auto deflection = described(drawing.description, "--deflection"))
+        std::from_chars(deflection->data(), deflection->data() + deflection->size(),
+                        options.deflection);
+    return options;
 }
 
 /// `origin`: of the model, in its file's coordinates. Throws FileError when the drawing does not
@@ -62,7 +74,8 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
                                .target = parse_point("--target", given("--target")) - origin,
                                .up = parse_up("--up", given("--up")),
                                .fov_y = parse_degrees(given("--fov"))},
-                      .lines = {}};
+                      .lines = {},
+                      .sections = {}};
         if (const auto projection = described(drawing.description, "--projection"))
             making.view.projection = parse_projection(*projection);
         if (const auto crease = described(drawing.description, "--crease"))
@@ -72,6 +85,9 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
             if (!known) throw UsageError("--lines \"" + *kinds + "\" is unknown");
             making.lines.kinds = *known;
         }
+        making.lines.smooth_edges = described(drawing.description, "--smooth-edges") == "true";
+        making.sections = {all_described(drawing.description, "--section"),
+                           described(drawing.description, "--hatching").value_or("")};
         return making;
     } catch (const UsageError& error) {
         throw FileError("cannot check \"" + path + "\": " + error.what() +
@@ -95,12 +111,16 @@ void check(const CheckArguments& arguments) {
     if (!arguments.picture.empty()) check_image_path(arguments.picture);
     check_ray_module();
     const DrawingFile drawing = read_drawing(arguments.drawing);
-    if (described(drawing.description, "--section"))
-        throw FileError("cannot check \"" + arguments.drawing +
-                        "\": its model was cut; `draw --certify` checks such drawings");
-    const LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
-    const Mesh& mesh = loaded.mesh;
+    LoadedMesh loaded =
+        load_mesh_isolated(arguments.model, arguments.read.limits(), load_options(drawing));
+    // As `draw` goes about it: parts, then cuts, then lines.
+    const PartFilter parts{all_described(drawing.description, "--only"),
+                           all_described(drawing.description, "--hide")};
+    parts.apply(loaded);
+    Mesh& mesh = loaded.mesh;
     const Making making = making_of(drawing, arguments.drawing, loaded.origin);
+    if (making.sections.given())
+        mesh = std::move(making.sections.cut(mesh, loaded.origin, making.view).mesh);
     const std::vector<std::uint32_t> patches =
         smooth_patches(extract_lines(mesh, {.crease_angle = making.lines.crease_angle}));
     const LineSet lines = extract_lines(mesh, making.lines);

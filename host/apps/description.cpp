@@ -26,7 +26,8 @@ std::string one_word(const std::string& text) {
 
 } // namespace
 
-std::string describe_drawing(const CLI::App& app, const std::string& model) {
+std::string describe_drawing(const CLI::App& app, const std::string& model,
+                             const std::vector<std::string>& sections) {
     std::string text = "draw";
     // Without its folders, which are nobody's business.
     if (!model.empty()) text += " " + one_word(std::filesystem::path{model}.filename().string());
@@ -36,7 +37,7 @@ std::string describe_drawing(const CLI::App& app, const std::string& model) {
             std::ranges::find(not_of_the_picture, name) != not_of_the_picture.end()) {
             continue;
         }
-        for (const std::string& value : option->results()) {
+        for (const std::string& value : name == "--section" ? sections : option->results()) {
             text += fmt::format(" {}={}", name, one_word(value));
         }
     }

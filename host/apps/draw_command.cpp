@@ -105,8 +105,9 @@ struct Subject {
     LineSet lines;
     std::vector<glm::vec3> framed; ///< points that the camera shows unless it is placed by hand
     View view;
-    glm::dvec3 origin{0};         ///< of the mesh and the view, in the file's coordinates
-    std::optional<double> unit{}; ///< of the file, in millimetres
+    glm::dvec3 origin{0};                ///< of the mesh and the view, in the file's coordinates
+    std::optional<double> unit{};        ///< of the file, in millimetres
+    std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
 };
 
 Axis vertical_axis(const Subject& subject, glm::vec3 up) {
@@ -126,14 +127,16 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<
     return up;
 }
 
-/// Cuts the model where --section says so.
-void cut(const DrawArguments& arguments, Mesh& mesh, glm::dvec3 origin, View view,
-         std::vector<std::string>& notes) {
-    if (!arguments.sections.given()) return;
+/// Cuts the model where --section says so; says by what.
+std::vector<std::string> cut(const DrawArguments& arguments, Mesh& mesh, glm::dvec3 origin,
+                             View view, std::vector<std::string>& notes) {
+    if (!arguments.sections.given()) return {};
     arguments.view.apply(view, origin, false);
+    std::vector<std::string> planes = arguments.sections.with_sides(mesh, origin, view);
     Section section = arguments.sections.cut(mesh, origin, view);
     mesh = std::move(section.mesh);
     std::ranges::move(section.notes, std::back_inserter(notes));
+    return planes;
 }
 
 void print_notes(const std::vector<std::string>& notes) {
@@ -159,7 +162,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
             arguments.view.says_direction()
                 ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
                 : scene.view(arguments.at);
-        cut(arguments, scene.mesh, {}, whole, notes);
+        std::vector<std::string> sections = cut(arguments, scene.mesh, {}, whole, notes);
         print_notes(notes);
         LineSet lines = extract_lines(scene.mesh, line_options);
         const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
@@ -171,21 +174,24 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .mesh = std::move(scene.mesh),
                 .lines = std::move(lines),
                 .framed = std::move(points),
-                .view = view};
+                .view = view,
+                .sections = std::move(sections)};
     }
     LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits(),
                                            {.deflection = arguments.deflection});
     arguments.parts.apply(loaded);
     const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
-    cut(arguments, loaded.mesh, loaded.origin,
-        arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
+    std::vector<std::string> sections =
+        cut(arguments, loaded.mesh, loaded.origin,
+            arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
     Subject subject{.name = arguments.model,
                     .mesh = std::move(loaded.mesh),
                     .lines = {},
                     .framed = {},
                     .view = {},
                     .origin = loaded.origin,
-                    .unit = loaded.unit};
+                    .unit = loaded.unit,
+                    .sections = std::move(sections)};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
     const std::optional<FarPart> far = find_far_part(subject.lines);
@@ -483,7 +489,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
 
     const Drawing drawing{
         arguments,
-        describe_drawing(app, arguments.session.empty() ? arguments.model : arguments.session),
+        describe_drawing(app, arguments.session.empty() ? arguments.model : arguments.session,
+                         subject.sections),
         subject,
         size,
         options,

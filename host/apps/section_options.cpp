@@ -64,7 +64,8 @@ Hatching SectionOptions::hatching() const {
     return result;
 }
 
-Section SectionOptions::cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const {
+std::vector<SectionPlane> SectionOptions::planes(const Mesh& mesh, glm::dvec3 origin,
+                                                 const View& view) const {
     const Bounds bounds = bounds_of(mesh);
     std::vector<SectionPlane> planes;
     for (const std::string& text : planes_) {
@@ -73,7 +74,23 @@ Section SectionOptions::cut(const Mesh& mesh, glm::dvec3 origin, const View& vie
         if (!plane.side_is_given && glm::dot(plane.normal, toward_eye(view, plane.point)) < 0)
             plane.normal = -plane.normal;
     }
-    return cut_mesh(mesh, planes, hatching());
+    return planes;
+}
+
+Section SectionOptions::cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const {
+    return cut_mesh(mesh, planes(mesh, origin, view), hatching());
+}
+
+std::vector<std::string> SectionOptions::with_sides(const Mesh& mesh, glm::dvec3 origin,
+                                                    const View& view) const {
+    std::vector<std::string> texts = planes_;
+    const std::vector<SectionPlane> cut_by = planes(mesh, origin, view);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (cut_by[i].side_is_given) continue; // else it is an axis
+        const glm::dvec3 normal = cut_by[i].normal;
+        texts[i].insert(0, 1, normal.x + normal.y + normal.z > 0 ? '+' : '-');
+    }
+    return texts;
 }
 
 } // namespace lineatlas::apps

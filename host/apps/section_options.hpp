@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
@@ -13,6 +14,10 @@ namespace lineatlas::apps {
 /// --section and --hatching.
 class SectionOptions {
   public:
+    SectionOptions() = default;
+    /// As a drawing's description has them; empty: not given.
+    SectionOptions(std::vector<std::string> planes, std::string hatching)
+        : planes_(std::move(planes)), hatching_(std::move(hatching)) {}
     void declare(CLI::App& app, const std::string& group);
 
     /// Throws UsageError for what can't be, whatever the model.
@@ -22,8 +27,12 @@ class SectionOptions {
     /// Cuts the mesh. `origin`: of mesh and view, in the file's coordinates. What planes without a
     /// side take away is the side that the view's eye is on. Throws UsageError.
     Section cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const;
+    /// The planes as written, each with the side that cut() takes away there.
+    std::vector<std::string> with_sides(const Mesh& mesh, glm::dvec3 origin,
+                                        const View& view) const;
 
   private:
+    std::vector<SectionPlane> planes(const Mesh& mesh, glm::dvec3 origin, const View& view) const;
     Hatching hatching() const;
 
     CLI::App* app_ = nullptr;

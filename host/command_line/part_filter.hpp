@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
@@ -12,6 +13,9 @@ namespace lineatlas {
 /// --only and --hide: which parts of a model are drawn, by their names.
 class PartFilter {
   public:
+    PartFilter() = default;
+    PartFilter(std::vector<std::string> only, std::vector<std::string> hidden)
+        : only_(std::move(only)), hidden_(std::move(hidden)) {}
     void declare(CLI::App& app, const std::string& group);
 
     bool given() const { return !only_.empty() || !hidden_.empty(); }

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "lineatlas/framing.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -131,6 +133,11 @@ std::string note_of(const FarPart& far) {
                            parts, far.ratio);
     return fmt::format("{}, and the picture is {:.3g} times as wide for their sake", parts,
                        far.ratio);
+}
+
+Framing framing_of(const LineSet& lines) {
+    const std::optional<FarPart> far = find_far_part(lines);
+    return {.points = points_to_frame(lines, far), .note = far ? note_of(*far) : std::string{}};
 }
 
 } // namespace lineatlas

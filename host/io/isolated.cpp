@@ -172,11 +172,15 @@ std::optional<int> serve_as_reader(int argc, char** argv) {
 
 LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits,
                               const LoadOptions& options) {
-    if (!serves_as_reader()) return load_mesh(path, options);
+    return serves_as_reader() ? load_mesh_by({}, path, limits, options) : load_mesh(path, options);
+}
+
+LoadedMesh load_mesh_by(const std::filesystem::path& program, const std::filesystem::path& path,
+                        const ReadLimits& limits, const LoadOptions& options) {
     // As text: %.17g gives back the same number.
     std::array<char, 32> deflection{};
     std::snprintf(deflection.data(), deflection.size(), "%.17g", options.deflection);
-    ReaderProcess process{mesh_kind, path, limits, deflection.data()};
+    ReaderProcess process{mesh_kind, path, limits, deflection.data(), program};
     LoadedMesh loaded;
     for (auto left = process.value<std::uint64_t>(); left > 0; --left)
         loaded.notes.push_back(process.text());

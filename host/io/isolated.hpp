@@ -6,7 +6,8 @@
 namespace lineatlas {
 
 // load_mesh() and read_image() by a ReaderProcess, in programs that call serve_as_reader(): the
-// tool and the viewer, which open what users give them. Others read here. Messages are the same.
+// tool and the viewer, which open what users give them. Others read here, but for what libraries
+// that crash on damaged files read. Messages are the same.
 
 /// To be called first in main(), with its arguments: if it returns a code, main() ends with that.
 std::optional<int> serve_as_reader(int argc, char** argv);
@@ -16,6 +17,9 @@ ReadLimits limits_for_picture(const ReadLimits& limits);
 
 LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits = {},
                               const LoadOptions& options = {});
+/// The same by another program that calls serve_as_reader().
+LoadedMesh load_mesh_by(const std::filesystem::path& program, const std::filesystem::path& path,
+                        const ReadLimits& limits, const LoadOptions& options);
 Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits = {});
 
 } // namespace lineatlas

@@ -1,5 +1,9 @@
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <iterator>
 #include <new>
@@ -10,6 +14,7 @@
 #include "checked.hpp"
 #include "extension.hpp"
 #include "gltf_files.hpp"
+#include "isolated.hpp"
 #include "mesh_source.hpp"
 #include "model_loader.hpp"
 #include "obj.hpp"
@@ -40,6 +45,21 @@ Soup read_soup(MeshSource source, const std::string& extension, const LoadOption
     if (extension == ".ply") return import_by_openmesh(check_ply(model), extension, model.path);
     if (extension == ".off") return import_by_openmesh(check_off(model), extension, model.path);
     return import_by_openmesh(check_om(model), extension, model.path);
+}
+
+/// Throws UsageError for what can't be.
+ReadLimits limits_of(const LoadOptions& options) {
+    const auto check = [](const char* member, double value, const char* most) {
+        if (value >= 0 && value <= std::atof(most)) return; // NaN is not
+        throw UsageError(std::string{member} + " must be from 0 to " + most);
+    };
+    check("LoadOptions::deflection", options.deflection, "1e15");
+    check("LoadOptions::read_memory", options.read_memory, "1e6");
+    check("LoadOptions::read_seconds", options.read_seconds, "1e6");
+    constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
+    return {.memory = static_cast<std::uint64_t>(std::ceil(options.read_memory * gibibyte)),
+            .time = std::chrono::milliseconds{
+                static_cast<std::int64_t>(std::ceil(options.read_seconds * 1000))}};
 }
 
 } // namespace
@@ -89,8 +109,16 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& optio
                      const Progress& progress) {
     const ProgressPart done{progress, "reading"};
     done(0);
-    MeshSource source = read_mesh_source(path);
-    LoadedMesh loaded = parse_mesh(std::move(source), options, done.part(0.1F, 1));
+    const std::string extension = lower_extension(path);
+    LoadedMesh loaded;
+    if (may_crash(extension)) {
+        check_source(path);
+        loaded =
+            load_mesh_by(serves_as_reader() ? std::filesystem::path{} : reader_program(extension),
+                         path, limits_of(options), options);
+    } else {
+        loaded = parse_mesh(read_mesh_source(path), options, done.part(0.1F, 1));
+    }
     done(1);
     return loaded;
 }

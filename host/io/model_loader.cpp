@@ -5,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "module_file.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 struct Family {
     ModuleFile file;
     const char* symbol;
+    bool crashes = false; ///< on damaged files, whatever is done about it here
 };
 
 constexpr Family gltf{.file = {.name = "lineatlas-gltf",
@@ -27,7 +29,8 @@ constexpr Family brep{.file = {.name = "lineatlas-brep",
                                .library = "Open CASCADE",
                                .package = "libocct-data-exchange-dev",
                                .own_package = "lineatlas-brep"},
-                      .symbol = models::brep_symbol};
+                      .symbol = models::brep_symbol,
+                      .crashes = true};
 constexpr Family threemf{.file = {.name = "lineatlas-3mf",
                                   .purpose = "which reads 3MF models",
                                   .library = "lib3mf",
@@ -44,14 +47,17 @@ const models::Module& module_of() {
 
 struct Extension {
     std::string_view name;
+    const Family* family;
     const models::Module& (*module)();
 };
+template <const Family& family>
+constexpr Extension extension_of(std::string_view name) {
+    return {name, &family, module_of<family>};
+}
 constexpr std::array extensions{
-    Extension{".gltf", module_of<gltf>},  Extension{".glb", module_of<gltf>},
-    Extension{".step", module_of<brep>},  Extension{".stp", module_of<brep>},
-    Extension{".iges", module_of<brep>},  Extension{".igs", module_of<brep>},
-    Extension{".brep", module_of<brep>},  Extension{".brp", module_of<brep>},
-    Extension{".3mf", module_of<threemf>}};
+    extension_of<gltf>(".gltf"), extension_of<gltf>(".glb"),  extension_of<brep>(".step"),
+    extension_of<brep>(".stp"),  extension_of<brep>(".iges"), extension_of<brep>(".igs"),
+    extension_of<brep>(".brep"), extension_of<brep>(".brp"),  extension_of<threemf>(".3mf")};
 
 struct Other {
     std::string_view extension, what, convert;
@@ -91,6 +97,23 @@ std::string one_line(std::string_view message) {
 
 bool is_read_by_module(std::string_view extension) {
     return find(extension) != nullptr;
+}
+
+bool may_crash(std::string_view extension) {
+    const Extension* const found = find(extension);
+    return found != nullptr && found->family->crashes;
+}
+
+std::filesystem::path reader_program(std::string_view extension) {
+    const ModuleFile& module = find(extension)->family->file;
+    std::filesystem::path program = find_module(module).parent_path() / "lineatlas-reader";
+    std::error_code error;
+    if (!std::filesystem::exists(program, error)) {
+        throw FileError("cannot run " + quoted(program) + ", " + module.purpose +
+                        ": no such file; install the package " + module.own_package +
+                        " anew, or build the target lineatlas-reader");
+    }
+    return program;
 }
 
 void refuse_other_models(const SourceFile& model, std::string_view extension) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,13 @@ namespace lineatlas {
 
 /// Whether a module reads files of this extension (lower case, with its dot).
 bool is_read_by_module(std::string_view extension);
+
+/// Whether what reads them crashes on damaged ones: then a process of its own must do it.
+bool may_crash(std::string_view extension);
+
+/// The program that does so for programs that embed the library; beside the module. For extensions
+/// that may_crash(). Throws FileError where it is missing.
+std::filesystem::path reader_program(std::string_view extension);
 
 /// Throws FileError, one line that says how to convert, for models that nothing here reads but
 /// that are known: FBX, Collada, IFC and others.

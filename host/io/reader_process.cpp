@@ -65,14 +65,16 @@ ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits) {
 }
 
 ReaderProcess::ReaderProcess(std::string_view kind, const std::filesystem::path& path,
-                             const ReadLimits& limits, std::string_view settings)
+                             const ReadLimits& limits, std::string_view settings,
+                             const std::filesystem::path& program)
     : path_(path) {
-    if (!serves_as_reader()) throw std::logic_error("main() must call serve_as_reader()");
+    if (program.empty() && !serves_as_reader())
+        throw std::logic_error("main() must call serve_as_reader()");
     const std::uintmax_t size = check_source(path);
     limits_ = limits_for(size, limits);
     patience_ = Patience{limits_.time};
     if (size > limits_.memory) fail_for_memory(); // it is read whole
-    start(kind, settings);
+    start(kind, settings, program.empty() ? "/proc/self/exe" : program);
     try {
         await_answer();
     } catch (...) {
@@ -85,7 +87,8 @@ ReaderProcess::~ReaderProcess() {
     end();
 }
 
-void ReaderProcess::start(std::string_view kind, std::string_view settings) {
+void ReaderProcess::start(std::string_view kind, std::string_view settings,
+                          const std::filesystem::path& program) {
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
         fail(std::string{"cannot make a socket: "} + std::strerror(errno));
@@ -106,8 +109,8 @@ void ReaderProcess::start(std::string_view kind, std::string_view settings) {
     ::posix_spawn_file_actions_adddup2(&actions, sockets[1], reader::socket);
     add_silence(actions);
     ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    const int error = ::posix_spawn(&process_, "/proc/self/exe", &actions, nullptr,
-                                    arguments.data(), environment.data());
+    const int error = ::posix_spawn(&process_, program.c_str(), &actions, nullptr, arguments.data(),
+                                    environment.data());
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(sockets[1]);
     socket_ = sockets[0];
@@ -149,7 +152,7 @@ void ReaderProcess::receive(std::span<std::byte> bytes) {
     if (!patience_.is_over()) ended();
     fail("reading it took more than " +
          short_number(static_cast<double>(limits_.time.count()) / 1000) +
-         " s; --read-seconds allows more");
+         " s; LoadOptions::read_seconds allows more");
 }
 
 /// Says how the process ended.
@@ -173,7 +176,7 @@ void ReaderProcess::fail(const std::string& cause) const {
 
 void ReaderProcess::fail_for_memory() const {
     fail("reading it needs more than " + written_gibibytes(limits_.memory) +
-         " of memory; --read-memory allows more");
+         " of memory; LoadOptions::read_memory allows more");
 }
 
 void ReaderProcess::refuse() const {

@@ -18,7 +18,8 @@ namespace lineatlas {
 
 // Files are read in a process of their own: whatever a parser does with a hostile one, it ends in
 // a FileError here. The process is this program itself, started again, so its main() begins with
-// serve_as_reader(). Not a fork: a copy of a process with several threads may find locks held.
+// serve_as_reader(); or, for programs that embed the library, another one whose main() does. Not a
+// fork: a copy of a process with several threads may find locks held.
 
 /// What reading one file may take. 0: by the size of the file.
 struct ReadLimits {
@@ -83,9 +84,10 @@ bool serves_as_reader();
 /// needed too much memory or took too long.
 class ReaderProcess {
   public:
-    /// Waits until the file has been read.
+    /// Waits until the file has been read. `program`: what is started; empty: this program.
     ReaderProcess(std::string_view kind, const std::filesystem::path& path,
-                  const ReadLimits& limits, std::string_view settings = {});
+                  const ReadLimits& limits, std::string_view settings = {},
+                  const std::filesystem::path& program = {});
     ~ReaderProcess();
     ReaderProcess(const ReaderProcess&) = delete;
     ReaderProcess& operator=(const ReaderProcess&) = delete;
@@ -113,7 +115,8 @@ class ReaderProcess {
     int id() const { return process_; }
 
   private:
-    void start(std::string_view kind, std::string_view settings);
+    void start(std::string_view kind, std::string_view settings,
+               const std::filesystem::path& program);
     void await_answer();
     void receive(std::span<std::byte> bytes);
     std::size_t count(std::size_t element_size);

@@ -18,6 +18,9 @@ std::map<std::string, std::string> make_keys() {
                                             {"Fill::mode", "fill"},
                                             {"LineOptions::crease_angle", "crease"},
                                             {"LineOptions::kinds", "lines"},
+                                            {"LoadOptions::deflection", "deflection"},
+                                            {"LoadOptions::read_memory", "read-memory"},
+                                            {"LoadOptions::read_seconds", "read-seconds"},
                                             {"Paper::grain", "paper-grain"},
                                             {"Renderer::draw_tiles", "tile"},
                                             {"StrokeFilter::halo", "halo"}};

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
@@ -109,19 +110,27 @@ DrawingFile read_drawing(const std::filesystem::path& path) {
     throw read_error(path, "a drawing to check ends in .svg or .json");
 }
 
-std::optional<std::string> described(std::string_view description, std::string_view option) {
+std::vector<std::string> all_described(std::string_view description, std::string_view option) {
+    std::vector<std::string> values;
     for (const char sign : {' ', '='}) {
         std::string name{" "};
         name += option;
         name += sign;
-        const std::size_t at = description.find(name);
-        if (at == std::string_view::npos) continue;
-        std::string_view value = description.substr(at + name.size());
-        const bool in_quotes = value.starts_with('\'');
-        if (in_quotes) value.remove_prefix(1);
-        return std::string{value.substr(0, value.find_first_of(in_quotes ? "'" : " ;"))};
+        for (std::size_t at = description.find(name); at != std::string_view::npos;
+             at = description.find(name, at + name.size())) {
+            std::string_view value = description.substr(at + name.size());
+            const bool in_quotes = value.starts_with('\'');
+            if (in_quotes) value.remove_prefix(1);
+            values.emplace_back(value.substr(0, value.find_first_of(in_quotes ? "'" : " ;")));
+        }
     }
-    return std::nullopt;
+    return values;
+}
+
+std::optional<std::string> described(std::string_view description, std::string_view option) {
+    std::vector<std::string> values = all_described(description, option);
+    if (values.empty()) return std::nullopt;
+    return std::move(values.front());
 }
 
 DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines) {

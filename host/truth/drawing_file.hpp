@@ -31,6 +31,8 @@ DrawingFile read_drawing(const std::filesystem::path& path);
 /// What an option of the command that a description stands for was given: "40" of "--fov 40" or
 /// "--fov=40". Nothing if it wasn't.
 std::optional<std::string> described(std::string_view description, std::string_view option);
+/// The values of an option that may have been given several times.
+std::vector<std::string> all_described(std::string_view description, std::string_view option);
 
 /// The drawing's lines by segments of what it was drawn of.
 DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines);

@@ -17,6 +17,7 @@
 #include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/scenes.hpp"
+#include "style/member_names.hpp"
 
 namespace lineatlas::viewer {
 namespace {
@@ -124,7 +125,7 @@ void Loader::run(const std::shared_ptr<Job>& job) {
     } catch (const std::bad_alloc&) {
         result = job->source.name() + ": there is not enough memory for this model";
     } catch (const std::exception& error) {
-        result = std::string{error.what()};
+        result = in_words_of_the_tool(error.what());
     }
     const std::lock_guard lock{job->mutex};
     job->result = std::move(result);

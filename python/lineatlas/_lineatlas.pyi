@@ -311,7 +311,14 @@ class Device:
     @property
     def kind(self) -> str: ...
 
-def load(path: _Path, *, progress: Optional[_Progress] = None) -> Mesh: ...
+def load(
+    path: _Path,
+    *,
+    deflection: float = 0.0,
+    read_memory: float = 0.0,
+    read_seconds: float = 0.0,
+    progress: Optional[_Progress] = None,
+) -> Mesh: ...
 def scene(name: str) -> Scene: ...
 def frame(
     model: _Model,

@@ -160,9 +160,10 @@ std::shared_ptr<Model> make_model(const py::object& positions, const py::object&
     return model;
 }
 
-std::shared_ptr<Model> load(const std::filesystem::path& path, const py::object& progress) {
+std::shared_ptr<Model> load(const std::filesystem::path& path, const LoadOptions& options,
+                            const py::object& progress) {
     LoadedMesh loaded =
-        released(progress, [&](const Progress& asked) { return load_mesh(path, {}, asked); });
+        released(progress, [&](const Progress& asked) { return load_mesh(path, options, asked); });
     return std::make_shared<Model>(
         Model{.mesh = std::move(loaded.mesh),
               .notes = std::move(loaded.notes),
@@ -255,7 +256,7 @@ void bind_scene(py::module_& module) {
 
 std::shared_ptr<const Model> model_of(const ModelOrPath& given) {
     if (const auto* path = std::get_if<std::filesystem::path>(&given))
-        return load(*path, py::none());
+        return load(*path, {}, py::none());
     return std::get<std::shared_ptr<Model>>(given);
 }
 
@@ -323,10 +324,25 @@ void bind_mesh(py::module_& module) {
     module.def(
         "load",
         [](const Argument<std::filesystem::path, "path", "a path">& path,
-           const py::object& progress) { return load(path, progress); },
-        py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
-        "Reads a model of any type that `lineatlas draw` does. Raises FileError. progress: called\n"
-        "with the share that is done, 0 to 1; Cancelled is raised once it returns False.");
+           Real<"deflection"> deflection, Real<"read_memory"> read_memory,
+           Real<"read_seconds"> read_seconds, const py::object& progress) {
+            return load(path,
+                        {.deflection = deflection,
+                         .read_memory = read_memory,
+                         .read_seconds = read_seconds},
+                        progress);
+        },
+        py::arg("path"), py::kw_only(), py::arg("deflection") = 0.0F, py::arg("read_memory") = 0.0F,
+        py::arg("read_seconds") = 0.0F, py::arg("progress") = py::none(),
+        "Reads an OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file. Raises\n"
+        "FileError.\n\n"
+        "STEP, IGES and BREP: deflection is how far chords may be off curved faces, in\n"
+        "millimetres; 0: a thousandth of the model's diagonal. They are read by a process of\n"
+        "their own, so that damaged ones cannot end this one; read_memory (GiB) and read_seconds\n"
+        "limit it, 0: 2 GiB and 32 times the file's size, a minute and a second for each MB.\n\n"
+        "progress: called with the share that is done, 0 to 1; Cancelled is raised once it "
+        "returns\n"
+        "False.");
     bind_scene(module);
 }
 

@@ -7,6 +7,7 @@
 #include "drawer.hpp"
 #include "intervals.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/framing.hpp"
 #include "lineatlas/vector.hpp"
 #include "options.hpp"
 #include "pdf/pdf.hpp"
@@ -23,14 +24,9 @@ using MaybeStyle = Argument<std::optional<StyleOrName>, "style",
 using MaybeOptions = Argument<std::optional<Options>, "options", "an Options">;
 using MaybePage = Argument<std::optional<std::string>, "page", "text such as \"a4\"">;
 
-/// Has Python warn, at the line that called the package, of a drawing without a line; empty: it has
-/// some.
+/// Of a drawing without a line; empty: it has some.
 void warn_of_no_line(const std::string& why) {
-    if (why.empty()) return;
-    const py::object name = py::reinterpret_borrow<py::object>(PyEval_GetGlobals())["__name__"];
-    const py::ssize_t level = name.equal(py::str("lineatlas")) ? 2 : 1; // from one of its functions
-    const std::string text = "no line is drawn: " + why;
-    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), level) != 0) throw py::error_already_set();
+    if (!why.empty()) warn_user("no line is drawn: " + why);
 }
 
 void warn(const std::string& note) {
@@ -67,20 +63,17 @@ void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& 
     });
 }
 
-Camera camera_on(const ModelLines& subject, Size size, const MaybeView& view, const UpAxis& up) {
-    return camera_of(view, size, up, subject.lines.vertices, subject.lines.bounds);
-}
-
 py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                Flag<"transparent"> transparent) {
     const FrameOptions frame = frame_options(options, style_of(style));
     Picture picture;
-    std::string flaw, note;
+    std::string flaw, note, of_framing;
     {
         const Released released;
         const auto subject = drawer.subject();
-        const Camera camera = camera_on(*subject, size, view, up);
+        const auto [camera, framed] = camera_of(view, size, up, subject->lines);
+        of_framing = framed;
         picture = drawer.draw(camera, frame, transparent);
         note = drawer.take_note();
         const bool shows_lines =
@@ -88,6 +81,7 @@ py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
         if (!shows_lines) flaw = why_no_line(subject->lines, subject->kinds, camera);
     }
     warn(note);
+    warn_user(of_framing);
     warn_of_no_line(flaw);
     return array_of(std::move(picture.pixels), {(*size)[1], (*size)[0], 4});
 }
@@ -96,10 +90,13 @@ py::array intervals(Drawer& drawer, const SizeArgument& size, const MaybeView& v
                     const UpArgument& up, const MaybeOptions& options, Flag<"hidden"> hidden,
                     const py::object& progress) {
     const FrameOptions frame = path_options(options, {}, size);
+    std::string of_framing;
     std::vector<IntervalRow> rows = released(progress, [&](const Progress& asked) {
-        const Camera camera = camera_on(*drawer.subject(), size, view, up);
+        const auto [camera, framed] = camera_of(view, size, up, drawer.subject()->lines);
+        of_framing = framed;
         return interval_rows(drawer.intervals(camera, frame, hidden, asked), (*size)[1]);
     });
+    warn_user(of_framing);
     const auto count = static_cast<py::ssize_t>(rows.size());
     return array_of(std::move(rows), {count});
 }
@@ -120,10 +117,11 @@ template <class Written>
 std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Written& written) {
     const FrameOptions frame =
         path_options(arguments.options, style_of(arguments.style), arguments.size);
-    std::string flaw;
+    std::string flaw, of_framing;
     std::string text = released(arguments.progress, [&](const Progress& asked) {
-        const Camera camera =
-            camera_on(*drawer.subject(), arguments.size, arguments.view, arguments.up);
+        const auto [camera, framed] =
+            camera_of(arguments.view, arguments.size, arguments.up, drawer.subject()->lines);
+        of_framing = framed;
         // Hidden ones too: what hides a line may bridge a gap in it.
         const FoundIntervals found = drawer.intervals(camera, frame, true, asked);
         const LineSet& lines = found.subject->lines;
@@ -134,6 +132,7 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->kinds, camera);
         return written(drawing);
     });
+    warn_user(of_framing);
     warn_of_no_line(flaw);
     return text;
 }
@@ -203,9 +202,15 @@ std::string json(Drawer& drawer, const SizeArgument& size, const MaybeView& view
 
 View framed(const Drawer& drawer, const SizeArgument& size, const UpArgument& up, Real<"fov"> fov,
             const std::string& projection, const std::optional<std::string>& view) {
-    const Released released;
-    return frame(drawer.subject()->lines.vertices, size, up, fov, parse_projection(projection),
-                 view);
+    Framing framing;
+    View framed;
+    {
+        const Released released;
+        framing = framing_of(drawer.subject()->lines);
+        framed = frame(framing.points, size, up, fov, parse_projection(projection), view);
+    }
+    warn_user(framing.note);
+    return framed;
 }
 
 std::string description(Drawer& drawer) {

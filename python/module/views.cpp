@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/core.h>
 #include <pybind11/stl.h>
@@ -9,7 +10,9 @@
 
 #include "bindings.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/framing.hpp"
 #include "model.hpp"
+#include "process.hpp"
 
 namespace lineatlas::python {
 namespace {
@@ -78,24 +81,19 @@ Camera make_python_camera(const py::object& view, const py::object& projection,
     return camera;
 }
 
-/// Positions that triangles or polylines use.
-std::vector<glm::vec3> used_points(const Mesh& mesh) {
-    std::vector<bool> used(mesh.positions.size());
-    for (const glm::uvec3 triangle : mesh.triangles)
-        for (int corner = 0; corner < 3; ++corner) used[triangle[corner]] = true;
-    for (const std::vector<std::uint32_t>& line : mesh.polylines)
-        for (const std::uint32_t index : line) used[index] = true;
-    std::vector<glm::vec3> points;
-    for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) points.push_back(mesh.positions[i]);
-    return points;
-}
-
 View frame_model(const ModelArgument& model, const SizeArgument& size, const UpArgument& up,
                  Real<"fov"> fov, const std::string& projection,
                  const std::optional<std::string>& view) {
-    return frame(used_points(model_of(model)->mesh), size, up, fov, parse_projection(projection),
-                 view);
+    Framing framing;
+    View framed;
+    {
+        const auto mesh = model_of(model);
+        const Released released;
+        framing = framing_of(extract_lines(mesh->mesh));
+        framed = frame(framing.points, size, up, fov, parse_projection(projection), view);
+    }
+    warn_user(framing.note);
+    return framed;
 }
 
 /// Bounds to fit planes to where a model has none.
@@ -160,17 +158,27 @@ View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float
     return frame_points_from(view_direction(*direction, axis), points, pixels, fov_y, projection);
 }
 
-Camera camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
-                 std::span<const glm::vec3> points, const Bounds& bounds) {
+Shot camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
+               const LineSet& lines) {
     const glm::ivec2 pixels{size[0], size[1]};
     if (given && std::holds_alternative<Camera>(*given)) {
         Camera camera = std::get<Camera>(*given);
         if (size[0] < 1 || size[1] < 1) throw UsageError("size: both sides must be at least 1");
         camera.size = pixels;
-        return camera;
+        return {camera};
     }
-    const View view = given ? std::get<View>(*given) : frame(points, size, up, 40);
-    return make_camera(view, pixels, points.empty() ? around(view.target) : bounds);
+    Framing framing;
+    if (!given) framing = framing_of(lines);
+    const View view = given ? std::get<View>(*given) : frame(framing.points, size, up, 40);
+    return {make_camera(view, pixels, lines.vertices.empty() ? around(view.target) : lines.bounds),
+            std::move(framing.note)};
+}
+
+void warn_user(const std::string& text) {
+    if (text.empty()) return;
+    const py::object name = py::reinterpret_borrow<py::object>(PyEval_GetGlobals())["__name__"];
+    const py::ssize_t level = name.equal(py::str("lineatlas")) ? 2 : 1; // from one of its functions
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), level) != 0) throw py::error_already_set();
 }
 
 void bind_view(py::module_& module) {

@@ -8,6 +8,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "lineatlas/camera.hpp"
+#include "lineatlas/lines.hpp"
 
 namespace lineatlas::python {
 
@@ -27,9 +28,19 @@ View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float
            Projection projection = Projection::perspective,
            const std::optional<std::string>& direction = {});
 
-/// The camera of a picture of `size`. `given`: nothing frames `points`, which `bounds` holds.
-Camera camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
-                 std::span<const glm::vec3> points, const Bounds& bounds);
+/// A camera, and what Python is to warn of; empty: nothing.
+struct Shot {
+    Camera camera;
+    std::string note{};
+};
+
+/// The camera of a picture of `size`. `given`: nothing frames the lines.
+Shot camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
+               const LineSet& lines);
+
+/// Has Python warn at the line that called the package. Throws what Python does where warnings are
+/// errors. Empty: of nothing.
+void warn_user(const std::string& text);
 
 using MaybeView =
     Argument<std::optional<ViewOrCamera>, "view", "a View, such as View(eye, target), or a Camera">;

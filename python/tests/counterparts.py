@@ -15,7 +15,9 @@ ELSEWHERE = {
     "Camera.size": "Renderer.draw(size)", "Camera.clip": "Camera(zero_to_one)", "ClipControl": "Camera(zero_to_one)",
     "ClipControl.zero_to_one": "Camera(zero_to_one)", "Projection": "View(projection)",
     "Projection.orthographic": "View(projection)", "Projection.perspective": "View(projection)", "View.fov_y": "View.fov",
-    "frame_points()": "frame()", "frame_points_from()": "frame(view)", "ViewDirection": "frame(view)",
+    "frame_points()": "frame()", "frame_points_from()": "frame(view)",
+    "Framing": "frame()", "Framing.note": "frame()", "Framing.points": "frame()", "framing_of()": "frame()",
+    "ViewDirection": "frame(view)",
     "ViewDirection.toward_eye": "frame(view)", "ViewDirection.up": "frame(up)", "view_direction()": "frame(view)",
     "make_camera()": "Renderer.draw(view)", "parse_projection()": "View(projection)", "shown_height()": "View.shown_height",
     "name_of()": "View.projection",
@@ -25,7 +27,10 @@ ELSEWHERE = {
     # files
     "ImageSettings": "save()", "ImageSettings.description": "save(description)", "ImageSettings.dpi": "save(dpi)",
     "LoadedMesh": "Mesh", "LoadedMesh.mesh": "Mesh", "LoadedMesh.notes": "Mesh.notes", "LoadedMesh.origin": "Mesh.origin",
-    "load_mesh()": "load()", "write_image()": "save()", "check_image_path()": "save(path)",
+    "load_mesh()": "load()",
+    "LoadOptions": "load()", "LoadOptions.deflection": "load(deflection)",
+    "LoadOptions.read_memory": "load(read_memory)", "LoadOptions.read_seconds": "load(read_seconds)",
+    "write_image()": "save()", "check_image_path()": "save(path)",
     "check_image_settings()": "save(dpi)",
     # lines
     "LineOptions": "Renderer(crease)", "LineOptions.crease_angle": "Renderer(crease)", "LineOptions.kinds": "Renderer(lines)",
@@ -125,7 +130,7 @@ NOT_IN_PYTHON = {
         LineTimes.* LeftOut.* OddTriangles.*""",
     "numbers of vertices, which Python does not see": "LineObject.first_vertex LineObject.vertex_count",
     "not bound yet: what files say beside their mesh, and how they are read": """
-        LoadOptions.* LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
+        LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits""",
     "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.* silhouettes_names",
     "a choice that nobody has asked for": """

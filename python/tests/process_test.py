@@ -7,6 +7,9 @@ import subprocess
 import sys
 import unittest
 
+import lineatlas
+from support import FolderTest
+
 FORK = """
 import os, sys, lineatlas
 from support import cube
@@ -89,6 +92,35 @@ class End(unittest.TestCase):
                    "atexit.register(lambda: print(lineatlas.draw(cube(), size=(40, 30)).shape))\n"
                    "import lineatlas\nfrom support import cube\n")
         self.assertEqual((done.returncode, done.stdout), (0, "(30, 40, 4)\n"), done.stderr)
+
+
+class DamagedModels(FolderTest):
+    def test_what_crashes_their_reader_does_not_end_python(self) -> None:
+        inputs = pathlib.Path(__file__).parents[2] / "tests/fuzz/inputs"
+        crashes = 0
+        for sound in (inputs / "step/pin.step", inputs / "iges/pin.iges", inputs / "brep/pin.brep"):
+            try:
+                self.assertGreater(len(lineatlas.load(sound).triangles), 0)
+            except lineatlas.FileError as error:
+                if "install the package lineatlas-brep" in str(error):
+                    self.skipTest(str(error))
+                raise
+            lines = sound.read_bytes().splitlines(keepends=True)
+            damaged = self.folder / sound.name
+            for i in range(0, len(lines), len(lines) // 12):
+                damaged.write_bytes(b"".join(lines[:i] + lines[i + 1:]))
+                try:
+                    lineatlas.load(damaged)
+                except lineatlas.FileError as error:
+                    crashes += "its reader crashed" in str(error)
+        self.assertGreater(crashes, 0)
+
+    def test_their_limits_are_arguments(self) -> None:
+        pin = pathlib.Path(__file__).parents[2] / "tests/fuzz/inputs/step/pin.step"
+        with self.assertRaisesRegex(lineatlas.FileError, "; read_seconds allows more$|install the package"):
+            lineatlas.load(pin, read_seconds=0.001)
+        with self.assertRaisesRegex(lineatlas.UsageError, "^read_memory must be from 0 to 1e6$"):
+            lineatlas.load(pin, read_memory=-1)
 
 
 if __name__ == "__main__":

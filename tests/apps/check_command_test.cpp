@@ -131,6 +131,39 @@ TEST_F(CheckCommand, DrawingsOfOtherLinesAnglesAndPagesAreCheckedAsTheyWereMade)
     }
 }
 
+TEST_F(CheckCommand, CutAndFlatDrawingsAreCheckedAsTheyWereMade) {
+    write_model();
+    const char* const cut = " --section x=50% --section +y=0.15 --hatching 0.2,30";
+    for (const std::string options :
+         {" --view isometric", " --view front --scale 10:1 --page a4", " --section x=50%",
+          " --view 30,20 --section -x=0.3 --section 0,0.1,0/0.2,1,0",
+          " --view isometric --section z=1.5 --hatching none", cut,
+          // The eye lies in the plane before the cut, and on a side of it afterwards.
+          " --view front --projection perspective --section x=50%"}) {
+        for (const std::string drawing : {"a.svg", "a.json"}) {
+            if (drawing == "a.json" && options.find("--page") != options.npos) continue;
+            ASSERT_EQ(
+                run("draw " + path("model.obj") + " --size 400x300 -o " + path(drawing) + options)
+                    .exit_code,
+                0);
+            const std::string table = check(drawing);
+            EXPECT_GT(figure(table, "truly visible"), 300) << options;
+            EXPECT_LT(figure(table, "missed within 0.5 px"), 0.2) << options;
+            EXPECT_LT(figure(table, "false within 0.5 px"), 0.2) << options;
+        }
+    }
+    // The same drawing of the whole model is wrong.
+    ASSERT_EQ(
+        run("draw " + path("model.obj") + " --size 400x300 -o " + path("a.svg") + cut).exit_code,
+        0);
+    std::string other = content("a.svg");
+    for (std::size_t at = other.find(" --section="); at != other.npos;
+         at = other.find(" --section="))
+        other.replace(at, 11, " --secti0n=");
+    write("a.svg", other);
+    EXPECT_GT(figure(check("a.svg"), "missed within 0.5 px"), 5);
+}
+
 TEST_F(CheckCommand, AModelFarFromZeroIsCheckedWhereItIs) {
     write_far_model();
     const std::string draw = "draw " + path("model.obj") + " --size 400x300 -o ";

@@ -1,6 +1,8 @@
 #include "core/up_axis.hpp"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +50,49 @@ TEST(GuessUp, ATableStandsOnItsLegsWhateverIsUsual) {
     for (const UsualUp usual : {UsualUp::y, UsualUp::z}) {
         EXPECT_EQ(guess_up(table(false), usual), y);
         EXPECT_EQ(guess_up(table(true), usual), z);
+    }
+}
+
+/// The boxes from `low` to `high`, or the same laid over so that z is where y was.
+Mesh boxes(const std::vector<std::pair<glm::vec3, glm::vec3>>& corners, bool z_up) {
+    Mesh mesh;
+    for (const auto& [low, high] : corners) add_box(mesh, low, high);
+    if (z_up) {
+        for (glm::vec3& p : mesh.positions) p = {p.x, -p.z, p.y};
+    }
+    return mesh;
+}
+
+/// The table of docs/input.md.
+TEST(GuessUp, ShapesStandAsTheyAreMeantWhateverIsUsual) {
+    const std::vector<std::vector<std::pair<glm::vec3, glm::vec3>>> shapes{
+        {{{-1, 0, -1}, {1, 0.3F, 1}}, {{-0.3F, 0.3F, -0.3F}, {0.3F, 4, 0.3F}}},    // on a plinth
+        {{{-1, 0, -1}, {1, 0.2F, 1}}, {{-0.3F, 0.2F, -0.3F}, {0.3F, 0.6F, 0.3F}}}, // a boss
+        {{{-0.2F, 0, -0.2F}, {0.2F, 2, 0.2F}}, {{-0.4F, 2, -0.4F}, {0.4F, 2.4F, 0.4F}}}, // a bolt
+        {{{-2, 0, -0.5F}, {-1.5F, 2, 0.5F}},                                             // an arch
+         {{1.5F, 0, -0.5F}, {2, 2, 0.5F}},
+         {{-2, 2, -0.5F}, {2, 2.5F, 0.5F}}}};
+    for (const auto& shape : shapes) {
+        for (const UsualUp usual : {UsualUp::y, UsualUp::z}) {
+            EXPECT_EQ(guess_up(boxes(shape, false), usual), y);
+            EXPECT_EQ(guess_up(boxes(shape, true), usual), z);
+        }
+    }
+}
+
+TEST(GuessUp, WhatStandsOnTwoSidesStandsAsIsUsual) {
+    std::vector<std::pair<glm::vec3, glm::vec3>> stairs;
+    for (int i = 0; i < 5; ++i) {
+        const auto step = static_cast<float>(i);
+        stairs.push_back({{0, 0.2F * step, 0.3F * step}, {1, 0.2F * (step + 1), 1.5F}});
+    }
+    const std::vector<std::pair<glm::vec3, glm::vec3>> bracket{{{-0.5F, 0, 0}, {0.5F, 0.1F, 1}},
+                                                               {{-0.5F, 0.1F, 0}, {0.5F, 1, 0.1F}}};
+    for (const auto& shape : {stairs, bracket}) {
+        for (const bool z_up : {false, true}) {
+            EXPECT_EQ(guess_up(boxes(shape, z_up), UsualUp::y), y);
+            EXPECT_EQ(guess_up(boxes(shape, z_up), UsualUp::z), z);
+        }
     }
 }
 

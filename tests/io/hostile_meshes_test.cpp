@@ -54,7 +54,7 @@ class HostileMeshes : public testing::Test {
     static void expect_good(const std::string& message, const fs::path& path) {
         EXPECT_EQ(message.find("cannot read \"" + path.string() + "\": "), 0U) << message;
         EXPECT_EQ(message.find('\n'), message.npos) << message;
-        for (const char* of_the_process : {"its reader", "--read-memory", "--read-seconds"})
+        for (const char* of_the_process : {"its reader", "LoadOptions::read_"})
             EXPECT_EQ(message.find(of_the_process), message.npos) << message;
     }
 

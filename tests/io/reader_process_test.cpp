@@ -213,7 +213,8 @@ TEST_F(Reading, SaysHowTheProcessEnded) {
 
 TEST_F(Reading, TakesNoLongerThanItMay) {
     const ReadLimits limits{.memory = 0, .time = 200ms};
-    const std::string late = "reading it took more than 0.2 s; --read-seconds allows more";
+    const std::string late =
+        "reading it took more than 0.2 s; LoadOptions::read_seconds allows more";
     for (const char* kind : {"hang", "work_for_ever", "hang_halfway"})
         EXPECT_EQ(message(kind, limits), late) << kind;
 }
@@ -222,7 +223,7 @@ TEST_F(Reading, TakesNoMoreMemoryThanItMay) {
     if (reader::sanitized) GTEST_SKIP() << "sanitizers reserve terabytes";
     const ReadLimits limits{.memory = 64 << 20, .time = {}};
     const std::string large =
-        "reading it needs more than 0.0625 GiB of memory; --read-memory allows more";
+        "reading it needs more than 0.0625 GiB of memory; LoadOptions::read_memory allows more";
     for (const char* kind : {"allocate_for_ever", "allocate_at_once", "hide_lack_of_memory"})
         EXPECT_EQ(message(kind, limits), large) << kind;
 }
@@ -274,8 +275,8 @@ TEST_F(Reading, RefusesWhatCannotFitBeforeItIsRead) {
         return message_of([&] { read_image_isolated(sparse, limits); });
     };
     EXPECT_EQ(message({}), "cannot read \"" + sparse.string() +
-                               "\": reading it needs more than 0.5 GiB of memory; --read-memory "
-                               "allows more");
+                               "\": reading it needs more than 0.5 GiB of memory; "
+                               "LoadOptions::read_memory allows more");
     EXPECT_NE(message({.memory = 1000, .time = {}}).find("more than 9.31e-07 GiB"),
               std::string::npos);
 }

@@ -281,7 +281,7 @@ TEST_F(ThreeMf, ComponentsThatHoldThemselvesOrThousandsAreRefused) {
     // lib3mf itself visits all of them, as long as it may.
     limits_.time = std::chrono::seconds{2};
     EXPECT_EQ(cause_of_model(many, R"(<item objectid="12"/>)"),
-              "reading it took more than 2 s; --read-seconds allows more");
+              "reading it took more than 2 s; LoadOptions::read_seconds allows more");
     limits_ = {};
     // One in one in one...
     std::string deep = cube;

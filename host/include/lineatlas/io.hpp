@@ -46,6 +46,10 @@ struct LoadOptions {
     /// Of STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres
     /// or the file's unit if it says none; 0: a thousandth of the model's diagonal.
     double deflection = 0;
+    /// Of STEP, IGES and BREP, which a process of its own reads: how much memory that may take, in
+    /// GiB; 0: 2 and 32 times the file's size.
+    double read_memory = 0;
+    double read_seconds = 0; ///< and how much time; 0: 60 and one for each MB of the file
 };
 
 /// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, and by modules
@@ -53,6 +57,10 @@ struct LoadOptions {
 /// in any case. Throws FileError, one line that names the file and the cause, when the
 /// file is missing, empty, truncated, of another type than its name says, refers to vertices it
 /// does not have, or holds no triangle and no polyline. May be called from several threads.
+///
+/// STEP, IGES and BREP are read by Open CASCADE, which crashes on many a damaged file: by a
+/// confined process of its own, the program `lineatlas-reader` beside the module, which ends with
+/// the call. A crash, too much memory or time are a FileError, too.
 ///
 /// Polygons are triangulated, concave ones included. Positions are as in the file, less
 /// LoadedMesh::origin; only STL, which has no indices, comes welded at equal positions. Faces with
