@@ -33,8 +33,8 @@ Devices open_devices(std::string name) {
 Rows all_rows(const Devices& devices) {
     Rows result;
     for (const auto rows_of :
-         {copy_rows, transform_rows, depth_rows, pyramid_rows, cull_rows, facing_rows,
-          contour_rows, silhouette_rows, chain_rows, project_clip_rows, scan_rows, atlas_rows, temporal_rows,
+         {copy_rows, transform_rows, depth_rows, pyramid_rows, cull_rows, facing_rows, contour_rows,
+          silhouette_rows, chain_rows, project_clip_rows, scan_rows, atlas_rows, temporal_rows,
           intervals_rows, compact_rows, halo_rows, filter_rows, density_rows, exact_rows}) {
         std::ranges::move(rows_of(devices), std::back_inserter(result));
     }

@@ -60,8 +60,8 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
 }
 
 TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
-    const auto corners = put(std::vector<ContourCorner>{{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}},
-                                                        {2, {0, -0.6F, 0.8F}}});
+    const auto corners = put(
+        std::vector<ContourCorner>{{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}}, {2, {0, -0.6F, 0.8F}}});
     const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {2, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2}});
     const auto places = put(std::vector<glm::vec3>(9, glm::vec3{1, 2, 3}));

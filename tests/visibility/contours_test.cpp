@@ -24,8 +24,8 @@ namespace lineatlas::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
-                             .silhouettes = Silhouettes::smooth};
+const LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
+                         .silhouettes = Silhouettes::smooth};
 
 /// A grid of places(i, j), of which either direction may be a ring.
 template <class Place>
@@ -110,16 +110,16 @@ std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye) {
     compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
     const compute::SegmentTable found =
         chains.find(table, *front, eye, [](const char*, const auto& action) { action(); });
-    const auto vertices = read_back<glm::vec3>(*on.device, found.vertices,
-                                               found.vertices.size() / sizeof(glm::vec3));
+    const auto vertices =
+        read_back<glm::vec3>(*on.device, found.vertices, found.vertices.size() / sizeof(glm::vec3));
     std::vector<Chain> result;
     for (const Segment& segment :
          read_back<Segment>(*on.device, found.segments, found.segment_count)) {
         if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE) continue;
         EXPECT_NE(segment.tag & LA_TAG_CONTOUR, 0U);
         if (segment.from_start == 0) result.push_back({(segment.tag & LA_TAG_CLOSED) != 0, 0});
-        result.back().length += glm::distance(glm::dvec3{vertices[segment.p]},
-                                              glm::dvec3{vertices[segment.q]});
+        result.back().length +=
+            glm::distance(glm::dvec3{vertices[segment.p]}, glm::dvec3{vertices[segment.q]});
     }
     std::ranges::sort(result, std::ranges::greater{}, &Chain::length);
     return result;
@@ -206,13 +206,13 @@ TEST(Contours, OfASaddleAreALineFromBorderToBorder) {
     for (int view = 0; view < 20; ++view) {
         SCOPED_TRACE(view);
         // Where 2 x vx = 2 y vy + vz, with |x| and |y| below 1: for these views y from -1 to 1.
-        const double tilt = 0.3 * random.uniform(-1, 1), rise = 0.4 * random.uniform(-1, 1);
+        const float tilt = random.between(-0.3F, 0.3F), rise = random.between(-0.4F, 0.4F);
         const glm::vec3 to_eye{1, tilt, rise};
         double length = 0;
         glm::dvec3 before{0};
         constexpr int steps = 10000;
         for (int i = 0; i <= steps; ++i) {
-            const double y = 2.0 * i / steps - 1, x = y * tilt + 0.5 * rise;
+            const double y = 2.0 * i / steps - 1, x = y * double{tilt} + 0.5 * double{rise};
             const glm::dvec3 place{x, y, x * x - y * y};
             if (i > 0) length += glm::distance(before, place);
             before = place;
@@ -251,7 +251,8 @@ TEST(Contours, OfASphereAreSeenWhole) {
         for (int view = 0; view < 10; ++view) {
             SCOPED_TRACE(level * 100 + view);
             const Camera camera = parallel_view(random.direction());
-            const std::vector<Interval> found = LineVisibility{lines}.find(camera, {.hidden = true});
+            const std::vector<Interval> found =
+                LineVisibility{lines}.find(camera, {.hidden = true});
             EXPECT_NEAR(length_of(found, true), 2 * pi * 100, level == 2 ? 10 : 3);
             EXPECT_LT(length_of(found, false), 0.5);
             const VectorDrawing drawing = make_vector_drawing(lines, camera, found, Style{});
@@ -297,7 +298,8 @@ TEST(Contours, AreDrawnByTheAtlasToo) {
 
 TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     const Mesh body = sphere(3);
-    const LineSet edges = extract_lines(body), contours = extract_lines(body, {.silhouettes = Silhouettes::automatic});
+    const LineSet edges = extract_lines(body),
+                  contours = extract_lines(body, {.silhouettes = Silhouettes::automatic});
     EXPECT_TRUE(edges.contours.empty());
     EXPECT_EQ(contours.contours.faces.size(), body.triangles.size());
     EXPECT_EQ(contours.contours.replaced, edges.segments.size());
@@ -305,10 +307,13 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     // A coarse body, and one of flat faces, is none that somebody sculpted.
     EXPECT_TRUE(extract_lines(sphere(1), {.silhouettes = Silhouettes::automatic}).contours.empty());
     EXPECT_TRUE(extract_lines(cube(), {.silhouettes = Silhouettes::smooth}).contours.empty());
-    EXPECT_TRUE(extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::automatic}).contours.empty());
-    EXPECT_FALSE(extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::smooth}).contours.empty());
+    EXPECT_TRUE(extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::automatic})
+                    .contours.empty());
+    EXPECT_FALSE(
+        extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::smooth}).contours.empty());
     // Nor has what moves contours.
-    EXPECT_TRUE(extract_lines(body, {.separate_objects = true, .silhouettes = Silhouettes::smooth}).contours.empty());
+    EXPECT_TRUE(extract_lines(body, {.separate_objects = true, .silhouettes = Silhouettes::smooth})
+                    .contours.empty());
 }
 
 } // namespace

@@ -188,11 +188,8 @@ TEST(Outlines, ThinPartsHaveNone) {
         const float half = static_cast<float>(pixels) / 80;
         add_box(mesh, {-half, -2, -0.5F}, {half, 2, 0.5F}, {.object = "bar", .material = ""});
         const LineSet lines = extract_lines(mesh);
-        const Camera camera = make_camera({.eye = {0, 0, 20},
-                                           .target = {0, 0, 0},
-                                           .height = 7.5F,
-                                           .projection = Projection::orthographic},
-                                          size, lines.bounds);
+        const View view{.eye = {0, 0, 20}, .projection = Projection::orthographic};
+        const Camera camera = make_camera(with_shown_height(view, 7.5F), size, lines.bounds);
         LineVisibility visibility{lines};
         visibility.find(camera, {.outlines = true, .outline_depth = depth});
         // The short ends of a thin bar have a deep body beside them.
