@@ -24,8 +24,8 @@ namespace lineatlas::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
-                             .silhouettes = Silhouettes::smooth};
+const LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
+                         .silhouettes = Silhouettes::smooth};
 
 /// A grid of places(i, j), of which either direction may be a ring.
 template <class Place>
@@ -206,13 +206,13 @@ TEST(Contours, OfASaddleAreALineFromBorderToBorder) {
     for (int view = 0; view < 20; ++view) {
         SCOPED_TRACE(view);
         // Where 2 x vx = 2 y vy + vz, with |x| and |y| below 1: for these views y from -1 to 1.
-        const double tilt = 0.3 * random.uniform(-1, 1), rise = 0.4 * random.uniform(-1, 1);
+        const float tilt = random.between(-0.3F, 0.3F), rise = random.between(-0.4F, 0.4F);
         const glm::vec3 to_eye{1, tilt, rise};
         double length = 0;
         glm::dvec3 before{0};
         constexpr int steps = 10000;
         for (int i = 0; i <= steps; ++i) {
-            const double y = 2.0 * i / steps - 1, x = y * tilt + 0.5 * rise;
+            const double y = 2.0 * i / steps - 1, x = y * double{tilt} + 0.5 * double{rise};
             const glm::dvec3 place{x, y, x * x - y * y};
             if (i > 0) length += glm::distance(before, place);
             before = place;

@@ -176,7 +176,7 @@ TEST(Outlines, OfASphereAreClosed) {
 }
 
 TEST(Outlines, ThinPartsHaveNone) {
-    // Seen from the front, 40 pixels a unit: bars of 4, 10, 20 and 80 pixels.
+    // Seen from the front, 40 pixels a unit: strips of 4, 10, 20 and 80 pixels.
     for (const auto& [pixels, depth, has_one] : {std::tuple{4, 6.0F, false},
                                                  {10, 6.0F, true},
                                                  {10, 12.0F, false},
@@ -186,16 +186,14 @@ TEST(Outlines, ThinPartsHaveNone) {
         SCOPED_TRACE(pixels);
         Mesh mesh;
         const float half = static_cast<float>(pixels) / 80;
-        add_box(mesh, {-half, -2, -0.5F}, {half, 2, 0.5F}, {.object = "bar", .material = ""});
+        mesh.positions = {{-half, -2, 0}, {half, -2, 0}, {half, 2, 0}, {-half, 2, 0}};
+        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
         const LineSet lines = extract_lines(mesh);
-        const Camera camera = make_camera({.eye = {0, 0, 20},
-                                           .target = {0, 0, 0},
-                                           .height = 7.5F,
-                                           .projection = Projection::orthographic},
-                                          size, lines.bounds);
+        const View view{.eye = {0, 0, 20}, .projection = Projection::orthographic};
+        const Camera camera = make_camera(with_shown_height(view, 7.5F), size, lines.bounds);
         LineVisibility visibility{lines};
         visibility.find(camera, {.outlines = true, .outline_depth = depth});
-        // The short ends of a thin bar have a deep body beside them.
+        // The short ends of a thin strip have a deep body beside them.
         const double ends = 2.0 * pixels, sides = 2.0 * 4 * 40;
         EXPECT_NEAR(length_of(visibility.outlines()), ends + (has_one ? sides : 0), 0.5);
         const gl::HeadlessContext context;
