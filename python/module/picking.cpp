@@ -13,8 +13,8 @@ using MaybeIndex = std::optional<std::uint32_t>;
 
 /// A Pick in the terms of the mesh, and of pictures with rows from the top.
 struct PickedPoint {
-    std::optional<std::uint32_t> kind, segment, path, triangle, group;
-    std::optional<std::array<std::uint32_t, 2>> edge;
+    MaybeIndex kind{}, segment{}, path{}, triangle{}, group{};
+    std::optional<std::array<std::uint32_t, 2>> edge{};
     std::uint32_t object = 0;
     glm::vec2 position{0};
     float distance = 0;
