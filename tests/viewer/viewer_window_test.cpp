@@ -171,7 +171,7 @@ TEST_F(Viewer, ShowsItsKeys) {
 TEST_F(Viewer, IsWhatTheDocsShow) {
     hand_.open_scene("house");
     hand_.choose("style", "ink");
-    app_.ui().folder = ".";
+    app_.ui().folder = std::string{"."};
     hand_.key(GLFW_KEY_X);
     hand_.screenshot("viewer");
     EXPECT_EQ(error(), "");
