@@ -5,17 +5,13 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
+#include "core/name_pattern.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
-
-bool matches(const std::string& pattern, const std::string& name) {
-    return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-}
 
 /// Whether the path's part, or one that it is in, is called so.
 bool names_part(const std::string& pattern, const PartPath& path) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "flags.h"
 #include "lineatlas/error.hpp"
+#include "name_pattern.hpp"
 
 namespace lineatlas {
 namespace {
@@ -18,29 +18,6 @@ bool operator==(const Pen& a, const Pen& b) {
            a.join == b.join && a.mitre_limit == b.mitre_limit && a.cap == b.cap &&
            a.path_cap == b.path_cap && a.cap_length == b.cap_length &&
            a.width_profile == b.width_profile && a.opacity_profile == b.opacity_profile;
-}
-
-/// Whether a name is what a pattern stands for: `*` for any letters, `?` for one.
-bool matches(std::string_view pattern, std::string_view name) {
-    std::size_t p = 0, n = 0;
-    std::optional<std::size_t> star; // where to go on after letters more for the last `*`
-    std::size_t from = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = ++p;
-            from = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-            ++p;
-            ++n;
-        } else if (star) {
-            p = *star;
-            n = ++from;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') ++p;
-    return p == pattern.size();
 }
 
 bool fits(const PenMatch& match, const MeshGroup& group) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include <fnmatch.h>
 #include <glm/common.hpp>
 
+#include "core/name_pattern.hpp"
 #include "cuts.hpp"
 
 namespace lineatlas::viewer {
@@ -24,10 +24,6 @@ std::string literal(const std::string& name) {
         pattern += letter;
     }
     return pattern;
-}
-
-bool matches(const std::string& pattern, const std::string& name) {
-    return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
 /// Each part followed by those in it.
