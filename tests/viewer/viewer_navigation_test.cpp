@@ -38,7 +38,7 @@ void expect_near(glm::dvec2 a, glm::dvec2 b, double tolerance = pixel) {
 TEST(Navigation, ARayGoesThroughWhatIsSeenThere) {
     const Navigation navigation = at({3, 2, 5});
     for (const glm::dvec3 point : {glm::dvec3{0.4, -0.3, 0.2}, glm::dvec3{-1, 1, 1}}) {
-        const viewer::Ray ray = viewer::ray_at(navigation.view(), seen(navigation, point), size);
+        const Ray ray = viewer::ray_at(navigation.view(), seen(navigation, point), size);
         EXPECT_LT(glm::length(glm::cross(point - ray.origin, ray.direction)), 1e-5);
     }
 }
