@@ -2,8 +2,9 @@
 // outline by samples of the segment atlas, outline_push as the exact method begins.
 // Bytes: of outline per segment twice (it is counted, then written) its segment (32), clipped
 // segment (48) and two offsets (8), per sample twice two texels (16); per part written 8. Of
-// outline_push per segment the same with two arc lengths (96), and two clipped segments (96)
-// written. Of pens per run twice the run (80) and its pens (4), per run that results itself (80).
+// outline_push per segment the same with two arc lengths twice (192), two clipped segments (96) and
+// four (192) written; of what is seen of them, offsets twice (64), spans (32) and parts written
+// (16). Of pens per run twice the run (80) and its pens (4), per run that results itself (80).
 
 #include <algorithm>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr glm::ivec2 depth_size{2048, 1536};
 constexpr float depth_scale = 2;
+constexpr float body = 6; // pixels that a body must be deep
 
 /// Stripes of 16 texels, of something and of nothing.
 std::vector<float> striped_depth() {
@@ -41,11 +43,12 @@ struct Outlines {
                                 .sample_capacity = paths.samples,
                                 .depth = {*depth, depth_size, depth_scale, 1e-4F},
                                 .viewport = Paths::viewport,
+                                .body = body,
                                 .offsets = *offsets,
                                 .parts = *parts,
                                 .part_capacity = capacity});
     }
-    compute::OutlineTable table() const { return {*offsets, *parts, 1}; }
+    compute::OutlineTable table() const { return {*offsets, *parts}; }
     std::uint32_t found() const {
         return read_back<std::uint32_t>(device, *offsets, paths.count + std::size_t{1}).back();
     }
@@ -76,19 +79,42 @@ Job prepare_outline(compute::Stages& stages, std::uint32_t n) {
 Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();
     const PathTables on{device, make_paths(n)};
-    const std::size_t count = 2 * std::size_t{n};
+    const std::size_t beside = LA_OUTLINE_BESIDE * std::size_t{n};
+    const std::size_t count = LA_OUTLINE_WITHIN * std::size_t{n};
     const SharedBuffer pushed = to_device(device, std::vector<ClippedSegment>(count));
+    // One span of each way beside a segment is seen, and nothing of those within a body.
+    std::vector<std::uint32_t> one_each(beside + 1);
+    std::ranges::generate(one_each, [next = 0U]() mutable { return next++; });
+    const SharedBuffer offsets = to_device(device, one_each);
+    const SharedBuffer spans = to_device(device, std::vector<glm::vec2>(beside, {1, 2}));
+    const SharedBuffer nothing = to_device(device, std::vector<std::uint32_t>(count + 1));
+    const SharedBuffer part_offsets = to_device(device, std::vector<std::uint32_t>(n + 1));
+    const SharedBuffer parts = to_device(device, std::vector<glm::vec2>(beside));
+    const auto most = static_cast<std::uint32_t>(beside);
     const auto run = [=, &stages] {
-        stages.outline_push({.table = on.table(),
-                             .clipped = on.atlas().clipped,
-                             // What has samples is seen.
-                             .spans = {*on.offsets, *on.alpha, on.samples},
-                             .viewport = Paths::viewport,
-                             .parallel = false,
-                             .pushed = *pushed});
+        const compute::OutlineArgs outline{.table = on.table(),
+                                           .clipped = on.atlas().clipped,
+                                           // What has samples is seen.
+                                           .spans = {*on.offsets, *on.alpha, on.samples},
+                                           .viewport = Paths::viewport,
+                                           .depth = body,
+                                           .parallel = false,
+                                           .clip_from_world = glm::mat4{1},
+                                           .lift = 0,
+                                           .pushed = *pushed};
+        stages.outline_push(outline);
+        stages.outline_push_in(outline, *offsets);
+        stages.outline_parts({.segment_count = n,
+                              .beside = {*offsets, *spans, most},
+                              .within = {*nothing, *spans, most},
+                              .offsets = *part_offsets,
+                              .parts = *parts,
+                              .part_capacity = most});
         stages.device().finish();
     };
     run();
+    require(read_back<std::uint32_t>(device, *part_offsets, n + std::size_t{1}).back() == most,
+            "outline_parts");
     const auto result = [&device, pushed, count] {
         std::vector<float> places;
         for (const ClippedSegment& side : read_back<ClippedSegment>(device, *pushed, count)) {
@@ -99,7 +125,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
         return places;
     };
     require(std::ranges::any_of(result(), [](float place) { return place != 0; }), "outline_push");
-    return {.run = run, .bytes = 192.0 * n, .result = result};
+    return {.run = run, .bytes = 592.0 * n, .result = result};
 }
 
 Job prepare_pens(compute::Stages& stages, std::uint32_t n) {

@@ -59,7 +59,7 @@ struct DrawArguments {
     ViewOptions view;
     float at = 0;
     std::string crease = "auto";
-    std::string silhouettes{silhouettes_names[0]};
+    std::string silhouettes{silhouettes_names[static_cast<std::size_t>(LineOptions{}.silhouettes)]};
     bool smooth_edges = false;
     double deflection = 0; ///< 0: not given
     SectionOptions sections;

@@ -51,12 +51,19 @@ PickedPoint in_the_mesh(const Pick& pick, const ModelLines& subject, float heigh
 std::optional<PickedPoint> pick(Drawer& drawer, Real<"x"> x, Real<"y"> y, Real<"radius"> radius,
                                 const SizeArgument& size, const MaybeView& view,
                                 const UpArgument& up) {
-    const Released released;
-    std::shared_ptr<const ModelLines> subject = drawer.subject();
-    const Camera camera = camera_of(view, size, up, subject->lines.vertices, subject->lines.bounds);
-    const auto height = static_cast<float>((*size)[1]);
-    const std::optional<Pick> found = drawer.pick(camera, {*x, height - *y}, radius, subject);
-    return found ? std::optional{in_the_mesh(*found, *subject, height)} : std::nullopt;
+    std::optional<PickedPoint> point;
+    std::string of_framing;
+    {
+        const Released released;
+        std::shared_ptr<const ModelLines> subject = drawer.subject();
+        const auto [camera, framed] = camera_of(view, size, up, subject->lines);
+        of_framing = framed;
+        const auto height = static_cast<float>((*size)[1]);
+        const std::optional<Pick> found = drawer.pick(camera, {*x, height - *y}, radius, subject);
+        if (found) point = in_the_mesh(*found, *subject, height);
+    }
+    warn_user(of_framing);
+    return point;
 }
 
 std::string describe(const PickedPoint& found) {
