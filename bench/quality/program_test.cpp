@@ -126,9 +126,9 @@ TEST_F(QualityProgram, ScenesAreAsTheyAreKnownToBe) {
          "false_visible"},
         {"own == spine.patch_a || own == spine.patch_b",
          "own == spine.patch_a + 1 || own == spine.patch_b + 1", "false_hidden"},
-        {"plane.x * (side_x * depths.screen_scale.x) + plane.y * (side_y * depths.screen_scale.y)",
-         "plane.x * ((TO_FLOAT(column) + 0.5f - x) * depths.screen_scale.x) + "
-         "plane.y * ((TO_FLOAT(row) + 0.5f - y) * depths.screen_scale.y)",
+        {"plane_x * (side_x * depths.screen_scale.x) + plane_y * (side_y * depths.screen_scale.y)",
+         "plane_x * ((TO_FLOAT(column) + 0.5f - x) * depths.screen_scale.x) + "
+         "plane_y * ((TO_FLOAT(row) + 0.5f - y) * depths.screen_scale.y)",
          "mean_error"}};
     for (const Planted& error : errors) {
         const fs::path kernels = with_planted("kernels", error.from, error.to);

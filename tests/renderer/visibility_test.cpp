@@ -618,8 +618,8 @@ TEST_F(Visibility, ABiasOfTwentyPixelsIsFound) {
 }
 
 TEST_F(Visibility, APlaneAtATexelsMiddleIsFound) {
-    const Planted kernels{"kernels", "LINEATLAS_KERNEL_DIR", "plane.x * (side_x *",
-                          "plane.x * ((TO_FLOAT(column) + 0.5f - x) *"};
+    const Planted kernels{"kernels", "LINEATLAS_KERNEL_DIR", "plane_x * (side_x *",
+                          "plane_x * ((TO_FLOAT(column) + 0.5f - x) *"};
     Renderer renderer;
     const Case& steep = cases[cases.size() - 2];
     for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute})
