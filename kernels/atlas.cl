@@ -5,13 +5,13 @@
  *
  * TILED: `depth` holds only a part of the depth buffer, and only samples in its core are computed.
  *
- * PROBES_PER_AXIS: 1, 2, 3 or 4. PROBE_VECTORS 1: all probes of a sample, or the texels of a single
- * one, in one vector (CPUs); 0: one after the other (GPUs). */
+ * PROBES_PER_AXIS: 1, 2, 3 or 4. PROBE_VECTORS 1: all probes of a sample in one vector (CPUs); 0:
+ * one after the other (GPUs). */
 
 #define PROBES (PROBES_PER_AXIS * PROBES_PER_AXIS)
-#if !PROBE_VECTORS
+#if !PROBE_VECTORS || PROBES == 1
 #define LANES 1
-#elif PROBES <= 4
+#elif PROBES == 4
 #define LANES 4
 #else
 #define LANES 16
@@ -50,25 +50,6 @@ static uint count_visible(const Spine spine, const uint j, const float inverse_l
         visible += (uint)COUNT(sees_line(spine, u, side, probe < PROBES, depth));
     }
     return visible;
-}
-
-/* The visibility of sample j of l, 0 to 255. */
-static uchar visibility(const Spine spine, const uint j, const float inverse_l, const Depth depth) {
-#if PROBES == 1
-    if (is_lone_probe(spine, PROBES_PER_AXIS, depth)) {
-        const float u = ((float)j + 0.5f) * inverse_l;
-        float share = 0.0f;
-        for (int first = 0; first < 4; first += LANES) {
-            float each[LANES];
-            const lanes_int k = LANE_INDEX + first;
-            STORE_LANES(lone_probe_share(spine, u, k, k < 4, depth), each);
-            for (int lane = 0; lane < LANES; ++lane) share += each[lane];
-        }
-        return (uchar)(share * 255.0f + 0.5f);
-    }
-#endif
-    const uint visible = count_visible(spine, j, inverse_l, depth);
-    return (uchar)((visible * 255u + PROBES / 2u) / PROBES);
 }
 
 #ifdef TILED
@@ -120,7 +101,8 @@ KERNEL(atlas, AtlasParameters) {
 #ifdef TILED
             if (!is_in_core(whole_p, spine, s - begin, inverse_l, to_int4(args.core))) continue;
 #endif
-            alpha[address + s - begin] = visibility(spine, s - begin, inverse_l, buffer);
+            const uint visible = count_visible(spine, s - begin, inverse_l, buffer);
+            alpha[address + s - begin] = (uchar)((visible * 255u + PROBES / 2u) / PROBES);
         }
         ++i;
     }

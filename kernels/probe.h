@@ -44,16 +44,9 @@ static lanes_int number_at(const Depth depths, const lanes_int column, const lan
     return GATHER_INTS(depths.numbers, index);
 }
 
-/* Of a triangle, as `planes` has it. */
-typedef struct Plane {
-    lanes_float x, y, rest, contact;
-} Plane;
-
-static Plane plane_of(const Depth depths, const lanes_int number) {
-    const lanes_int x = number * 4, y = x + 1, rest = x + 2, contact = x + 3;
-    const Plane plane = {GATHER_LANES(depths.planes, x), GATHER_LANES(depths.planes, y),
-                         GATHER_LANES(depths.planes, rest), GATHER_LANES(depths.planes, contact)};
-    return plane;
+static lanes_float plane_at(const Depth depths, const lanes_int number, const int part) {
+    const lanes_int index = number * 4 + part;
+    return GATHER_LANES(depths.planes, index);
 }
 
 static lanes_int patch_at(const Depth depths, const lanes_int number) {

@@ -1,7 +1,7 @@
 /* What a line's samples see of the depth buffer (§3.2, §4.3): what `atlas` and `intervals` share
  * with the atlas and spine passes. The file that includes it says first what lanes are, and what
  * Depth is, with depth_at(depths, column, row) and, of what the triangles in it are,
- * number_at(depths, column, row), plane_of(depths, number) and patch_at(depths, number);
+ * number_at(depths, column, row), plane_at(depths, number, part) and patch_at(depths, number);
  * included once by each, so there is no guard.
  *
  * There are two rules. Where the depth buffer is known to be that of numbered triangles, what is
@@ -123,17 +123,18 @@ FUNCTION lanes_mask sees_past_surface(const Spine spine, const lanes_float u, co
     lanes_mask sees = number < none || number == spine.number_a || number == spine.number_b;
     if (ANY(!sees && in_use)) {
         const lanes_int face = max(number, none);
-        const Plane plane = plane_of(depths, face);
+        const lanes_float plane_x = plane_at(depths, face, 0), plane_y = plane_at(depths, face, 1);
         const lanes_float screen_x = x * depths.screen_scale.x + depths.screen_origin.x;
         const lanes_float screen_y = y * depths.screen_scale.y + depths.screen_origin.y;
-        const lanes_float at_line = (plane.x * screen_x + plane.y * screen_y) + plane.rest;
+        const lanes_float at_line =
+            (plane_x * screen_x + plane_y * screen_y) + plane_at(depths, face, 2);
         const lanes_float beside =
-            plane.x * (side_x * depths.screen_scale.x) + plane.y * (side_y * depths.screen_scale.y);
+            plane_x * (side_x * depths.screen_scale.x) + plane_y * (side_y * depths.screen_scale.y);
         const lanes_float inverse_w = spine.inverse_w_p + spine.inverse_w_d * u;
         /* As `planes` has it: of a parallel view 1 - z. */
         const lanes_float nearness =
             depths.parallel ? 2.0f - 2.0f * (spine.depth_p + spine.depth_d * u) : inverse_w;
-        const lanes_float contact = (plane.contact + LA_NEARNESS_ROUNDING) * inverse_w;
+        const lanes_float contact = (plane_at(depths, face, 3) + LA_NEARNESS_ROUNDING) * inverse_w;
         const lanes_float before_line = at_line - nearness, before = before_line + beside;
         sees = sees || fabs(before_line) < contact || !(before > contact);
         const lanes_mask bends = before < inverse_w * depths.bend;
@@ -185,28 +186,4 @@ FUNCTION lanes_float probe_ahead(const lanes_int column, const lanes_int row, co
  * would be dashed; it stands outside instead, by so many pixels to the left. */
 FUNCTION float lone_probe_shift(const Spine spine, const int per_axis, const float depth_scale) {
     return per_axis == 1 ? spine.outside * LA_FOLD_CLEARANCE * (1.0f / depth_scale) : 0.0f;
-}
-
-/* A single probe by surface, beside no fold, looks at the four texels about its place, at each as
- * much as it is near: the edge of what hides the line may lie between them. */
-FUNCTION bool is_lone_probe(const Spine spine, const int per_axis, const Depth depths) {
-    return per_axis == 1 && depths.knows_surfaces && spine.outside == 0.0f;
-}
-
-/* What texel k of the four, 0 to 3, adds to a visibility of 0 to 1. */
-FUNCTION lanes_float lone_probe_share(const Spine spine, const float u, const lanes_int k,
-                                      const lanes_mask in_use, const Depth depths) {
-    const float x = spine.p.x + spine.d.x * u, y = spine.p.y + spine.d.y * u;
-    const float low_x = floor(x - 0.5f), low_y = floor(y - 0.5f);
-    const float share_x = x - 0.5f - low_x, share_y = y - 0.5f - low_y;
-    const lanes_int up = k / 2, beside = k - up * 2;
-    const lanes_float weight_x = (1.0f - share_x) + TO_FLOAT(beside) * (2.0f * share_x - 1.0f);
-    const lanes_float weight_y = (1.0f - share_y) + TO_FLOAT(up) * (2.0f * share_y - 1.0f);
-    const lanes_int none = 0, right = depths.size.x - 1, top = depths.size.y - 1;
-    const lanes_int column = min(max(beside + int_of(low_x), none), right);
-    const lanes_int row = min(max(up + int_of(low_y), none), top);
-    const lanes_float nothing = 0.0f;
-    const lanes_mask sees = sees_past_surface(spine, nothing + u, nothing + x, nothing + y, nothing,
-                                              nothing, column, row, in_use, depths);
-    return SELECT(nothing, weight_x * weight_y, sees);
 }

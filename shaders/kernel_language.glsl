@@ -34,7 +34,6 @@ ivec2 convert_int2_rtn(vec2 v) { return ivec2(floor(v)); }
 #define TO_FLOAT(v) float(v)
 #define FLOOR_TO_INT(v) int(floor(v))
 #define ANY(mask) (mask)
-#define SELECT(a, b, mask) ((mask) ? (b) : (a))
 
 // The columns of a 4x4 matrix.
 struct Matrix {

@@ -30,14 +30,7 @@ float depth_at(Depth depths, int column, int row) {
 int number_at(Depth depths, int column, int row) {
     return int(texelFetch(numbers, ivec2(column, row), 0).r);
 }
-// Of a triangle, as `planes` has it.
-struct Plane {
-    float x, y, rest, contact;
-};
-Plane plane_of(Depth depths, int number) {
-    vec4 plane = texelFetch(planes, number);
-    return Plane(plane.x, plane.y, plane.z, plane.w);
-}
+float plane_at(Depth depths, int number, int part) { return texelFetch(planes, number)[part]; }
 int patch_at(Depth depths, int number) { return int(texelFetch(patches, number).r); }
 
 #include "spine.h"
@@ -63,18 +56,13 @@ Spine unpacked(vec4 line, vec4 depths, vec4 along, vec4 faces, ivec4 surfaces) {
                  surfaces.y, surfaces.z, surfaces.w);
 }
 
-// Visibility of sample j, given 1 / l.
+// Visibility of sample j, given 1 / l, in steps of one probe.
 float visibility(Spine spine, float j, float inverse_l) {
     Depth seen = Depth(textureSize(depth, 0), depth_scale, tolerance, knows_surfaces, parallel_view,
                        bend, 2.0 / (viewport * depth_scale), vec2(-1.0));
     int per_axis = int(probes_per_axis);
-    float visible = 0.0;
-    if (is_lone_probe(spine, per_axis, seen)) {
-        float u = (j + probe_ahead(0, 0, 1)) * inverse_l;
-        for (int k = 0; k < 4; ++k) visible += lone_probe_share(spine, u, k, true, seen);
-        return visible;
-    }
     float shift = lone_probe_shift(spine, per_axis, depth_scale);
+    float visible = 0.0;
     for (int row = 0; row < per_axis; ++row) {
         for (int column = 0; column < per_axis; ++column) {
             float side = probe_side(column, row, per_axis) + shift;

@@ -20,20 +20,7 @@ struct Scene {
     std::uint32_t capacity = 4096;
     const compute::DepthTile* tile = nullptr;
     glm::ivec2 depth_size{64, 64};
-    /// Of what each texel shows, a plane parallel to the screen: its nearness, 1 at the lines.
-    /// Empty: probes go by depth.
-    std::vector<la_uint> numbers{};
-    std::vector<float> nearness{};
 
-    /// Triangle `number` over the texels from low up to, without, high.
-    void add_surface(glm::ivec2 low, glm::ivec2 high, la_uint number) {
-        numbers.resize(depth.size(), LA_NO_FACE);
-        for (int y = low.y; y < high.y; ++y) {
-            for (int x = low.x; x < high.x; ++x) {
-                numbers[static_cast<std::size_t>(y * depth_size.x + x)] = number;
-            }
-        }
-    }
     /// A wall over the texels from low up to, without, high.
     void add_wall(glm::ivec2 low, glm::ivec2 high, float at) {
         for (int y = low.y; y < high.y; ++y) {
@@ -51,23 +38,9 @@ class AtlasStage : public StageTest {
         HandFrame frame{device(), scene.lines};
         const auto depth = put(scene.depth);
         const auto alpha = put(std::vector<std::uint8_t>(8192, 99));
-        std::vector<glm::vec4> plane_values;
-        for (const float nearness : scene.nearness) plane_values.push_back({0, 0, nearness, 0});
-        plane_values.resize(plane_values.size() + 1);
-        const auto planes = put(plane_values);
-        const auto patches = put(std::vector<la_uint>(plane_values.size(), 77));
-        const auto numbers = put(std::vector<la_uint>{scene.numbers});
-        compute::DepthBuffer buffer{*depth, scene.depth_size, 1, scene.tolerance};
-        if (!scene.numbers.empty()) {
-            buffer.surfaces.emplace(compute::SurfaceTables{.numbers = *numbers,
-                                                           .planes = *planes,
-                                                           .patches = *patches,
-                                                           .parallel = false,
-                                                           .bend = 0});
-        }
         stages().atlas({.segment_count = frame.count(),
                         .atlas = {frame.clipped(), *alpha, scene.layout, scene.capacity},
-                        .depth = buffer,
+                        .depth = {*depth, scene.depth_size, 1, scene.tolerance},
                         .viewport = glm::vec2{hand_size},
                         .probes = scene.probes,
                         .tile = scene.tile});
@@ -183,44 +156,6 @@ TEST_P(AtlasStage, ASingleProbeStandsOutsideAFold) {
     EXPECT_EQ(folded(3, 2), 0) << "both faces on the left";
     EXPECT_EQ(folded(-3, -2), 255);
     EXPECT_EQ(folded(3, -2), 255);
-}
-
-/// By surface, of a line from 10.2 to 12.2 pixels without faces of its own.
-class AtlasBySurface : public AtlasStage {
-  protected:
-    std::uint8_t sample_at(Scene scene, float y) {
-        scene.lines = {{{10.2F, y, 0.5F, 1}, {12.2F, y, 0.5F, 1}, 1}};
-        scene.lines[0].own_a = scene.lines[0].own_b = LA_NO_NUMBER;
-        return alpha_of(scene)[0];
-    }
-};
-INSTANTIATE_TEST_SUITE_P(OnDevice, AtlasBySurface, testing::ValuesIn(test_devices()),
-                         [](const auto& info) { return info.param.name; });
-
-TEST_P(AtlasBySurface, ProbesGoByThePlaneOfWhatTheyHit) {
-    Scene scene;
-    scene.nearness = {2, 0.5F};
-    scene.add_surface({0, 20}, {64, 64}, 0);
-    EXPECT_EQ(sample_at(scene, 22), 0) << "one surface for all probes";
-    scene.add_surface({0, 20}, {64, 64}, 1);
-    EXPECT_EQ(sample_at(scene, 22), 255);
-    scene.add_surface({11, 20}, {64, 64}, 0);
-    EXPECT_EQ(sample_at(scene, 22), share(4, 9)); // probes at ninths of the line
-}
-
-TEST_P(AtlasBySurface, ASingleProbeWeighsTheTexelsAboutIt) {
-    Scene scene;
-    scene.probes = 1;
-    scene.nearness = {2};
-    scene.add_surface({0, 20}, {64, 64}, 0); // hides the line
-    EXPECT_EQ(sample_at(scene, 19.5F), 255);
-    EXPECT_EQ(sample_at(scene, 19.75F), share(3, 4));
-    EXPECT_EQ(sample_at(scene, 20.125F), share(3, 8));
-    EXPECT_EQ(sample_at(scene, 20.25F), share(1, 4));
-    EXPECT_EQ(sample_at(scene, 20.5F), 0);
-    scene.numbers.clear();
-    scene.add_surface({0, 20}, {11, 64}, 0); // 0.2 before the sample's middle
-    EXPECT_EQ(sample_at(scene, 20.25F), share(31, 40));
 }
 
 TEST_P(AtlasStage, SamplesLieWhereTheLayoutPutsThem) {
