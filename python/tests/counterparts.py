@@ -132,7 +132,7 @@ NOT_IN_PYTHON = {
     "not bound yet: what files say beside their mesh, and how they are read": """
         LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits""",
-    "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.* silhouettes_names",
+    "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.*",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
         DxfOptions.description VectorOptions.tolerance with_shown_height()""",
