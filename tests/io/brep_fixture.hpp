@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -16,6 +15,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/lines.hpp"
+#include "mesh_volume.hpp"
 
 namespace lineatlas::test {
 
@@ -50,6 +50,17 @@ class Brep : public testing::Test {
         }
     }
 
+    /// The same with every `what`, of which there must be some, made `by`.
+    void is_read_changed(const std::string& name, const std::string& content,
+                         const std::string& what, const std::string& by) const {
+        std::string text = content;
+        for (std::size_t at = text.find(what); at != text.npos;
+             at = text.find(what, at + by.size()))
+            text.replace(at, what.size(), by);
+        EXPECT_TRUE(text != content) << what;
+        is_read(name, text);
+    }
+
     fs::path folder_;
 };
 
@@ -61,16 +72,6 @@ inline EdgeCounts edges_of(const Mesh& mesh) {
     for (const KnownEdge& edge : mesh.known_edges)
         edges[static_cast<std::size_t>(edge.kind)].insert(edge.edge);
     return {edges[0].size(), edges[1].size(), edges[2].size(), edges[3].size()};
-}
-
-inline double volume(const Mesh& mesh) {
-    double sum = 0;
-    for (const glm::uvec3 t : mesh.triangles)
-        sum +=
-            glm::dot(glm::dvec3{mesh.positions[t.x]},
-                     glm::cross(glm::dvec3{mesh.positions[t.y]}, glm::dvec3{mesh.positions[t.z]})) /
-            6;
-    return sum;
 }
 
 } // namespace lineatlas::test

@@ -13,6 +13,7 @@
 
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
+#include "mesh_volume.hpp"
 #include "test_meshes.hpp"
 
 namespace lineatlas {
@@ -21,6 +22,7 @@ namespace {
 using test::cube;
 using test::cylinder;
 using test::sphere;
+using test::volume;
 
 SectionPlane plane(glm::dvec3 point, glm::dvec3 normal) {
     return {.point = point, .normal = normal};
@@ -55,15 +57,6 @@ std::vector<std::vector<glm::vec3>> polylines(const Mesh& mesh, PolylineKind kin
             found.back().push_back(mesh.positions[index]);
     }
     return found;
-}
-
-double volume(const Mesh& mesh) {
-    double six = 0;
-    for (const glm::uvec3 t : mesh.triangles) {
-        const glm::dvec3 a{mesh.positions[t.x]}, b{mesh.positions[t.y]}, c{mesh.positions[t.z]};
-        six += glm::dot(a, glm::cross(b, c));
-    }
-    return six / 6;
 }
 
 /// Area of what faces this way in the plane.

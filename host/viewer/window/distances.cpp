@@ -9,16 +9,8 @@ namespace lineatlas::viewer {
 
 void draw_distances(const Ui& ui, Area canvas) {
     const Session& session = ui.session;
-    const glm::vec2 scale = canvas.size / glm::vec2{glm::max(session.size(), 1)};
-    const auto place = [&](glm::dvec3 point) -> std::optional<ImVec2> {
-        const auto seen = seen_at(session.navigation.view(), point, session.size());
-        if (!seen) return {};
-        const glm::vec2 at = canvas.low + glm::vec2{*seen} * scale;
-        return ImVec2{at.x, at.y};
-    };
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.PushClipRect({canvas.low.x, canvas.low.y},
-                      {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
+    const auto place = [&](glm::dvec3 point) { return place_of(session, canvas, point); };
+    ImDrawList& list = list_over(canvas);
     const ImU32 color = theme::colors().accent;
     const auto end = [&](const ImVec2& at) { list.AddCircleFilled(at, ui.points(4), color); };
     if (const auto& from = session.measured_from()) {

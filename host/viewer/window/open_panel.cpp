@@ -72,14 +72,7 @@ void draw_open_panel(Ui& ui, Area canvas) {
     const glm::vec2 size =
         glm::min(canvas.size - ui.points(40), ui.points(1) * glm::vec2{520, 560});
     const glm::vec2 low = canvas.low + 0.5F * (canvas.size - size);
-    ImGui::SetNextWindowPos({low.x, low.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::Begin("open", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(2);
+    begin_floating(ui, "open", low, size);
     heading(ui, "Open");
     recent(ui);
     folder(ui);

@@ -130,19 +130,13 @@ void selection(const Ui& ui, Area canvas) {
     const Session& session = ui.session;
     if (!session.selected) return;
     const Parts::Part& part = session.model()->parts.all().at(*session.selected);
-    const glm::vec2 scale = canvas.size / glm::vec2{glm::max(session.size(), 1)};
-    const auto corner = [&](unsigned i) -> std::optional<ImVec2> {
+    const auto corner = [&](unsigned i) {
         const glm::dvec3 at{(i & 1U) != 0 ? part.bounds.max.x : part.bounds.min.x,
                             (i & 2U) != 0 ? part.bounds.max.y : part.bounds.min.y,
                             (i & 4U) != 0 ? part.bounds.max.z : part.bounds.min.z};
-        const auto seen = seen_at(session.navigation.view(), at, session.size());
-        if (!seen) return {};
-        const glm::vec2 place = canvas.low + glm::vec2{*seen} * scale;
-        return ImVec2{place.x, place.y};
+        return place_of(session, canvas, at);
     };
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.PushClipRect({canvas.low.x, canvas.low.y},
-                      {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
+    ImDrawList& list = list_over(canvas);
     for (unsigned i = 0; i < 8; ++i) {
         for (const unsigned axis : {1U, 2U, 4U}) {
             const std::optional<ImVec2> from = corner(i), to = corner(i | axis);

@@ -50,15 +50,8 @@ void draw_palette(Ui& ui, Area canvas) {
     const glm::vec2 room = canvas.size - ui.points(40) - glm::vec2{0, ui.points(40)};
     const glm::vec2 size =
         glm::min(room, glm::vec2{ui.points(440), std::min(rows, ui.points(420))});
-    ImGui::SetNextWindowPos(
-        {canvas.low.x + 0.5F * (canvas.size.x - size.x), canvas.low.y + ui.points(60)});
-    ImGui::SetNextWindowSize({size.x, size.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::Begin("palette", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(2);
+    const glm::vec2 below_the_bar{0.5F * (canvas.size.x - size.x), ui.points(60)};
+    begin_floating(ui, "palette", canvas.low + below_the_bar, size);
     ImGui::SetNextItemWidth(-1);
     if (!std::exchange(state.has_keyboard, true)) ImGui::SetKeyboardFocusHere();
     const std::string before = state.searched;

@@ -93,16 +93,8 @@ void draw_sections_section(Ui& ui) {
 
 void draw_cuts(Ui& ui, Area canvas) {
     const Session& session = ui.session;
-    const glm::vec2 scale = canvas.size / glm::vec2{glm::max(session.size(), 1)};
-    const auto place = [&](glm::dvec3 point) -> std::optional<ImVec2> {
-        const auto seen = seen_at(session.navigation.view(), point, session.size());
-        if (!seen) return {};
-        const glm::vec2 at = canvas.low + glm::vec2{*seen} * scale;
-        return ImVec2{at.x, at.y};
-    };
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.PushClipRect({canvas.low.x, canvas.low.y},
-                      {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
+    const auto place = [&](glm::dvec3 point) { return place_of(session, canvas, point); };
+    ImDrawList& list = list_over(canvas);
     const std::vector<Cut>& cuts = session.settings.shown.cuts;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         if (!cuts[i].on) continue;

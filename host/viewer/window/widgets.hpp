@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 
 #include "theme.hpp"
@@ -109,6 +110,35 @@ inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float widt
     const bool pressed = button(ui, id, text, width);
     if (on) ImGui::PopStyleColor(4);
     return pressed;
+}
+
+/// A panel that floats over the picture; ends with ImGui::End().
+inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::vec2 size) {
+    ImGui::SetNextWindowPos({low.x, low.y});
+    ImGui::SetNextWindowSize({size.x, size.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(2);
+}
+
+/// What is drawn over the picture and ends where it does; ends with PopClipRect().
+inline ImDrawList& list_over(Area canvas) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({canvas.low.x, canvas.low.y},
+                      {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
+    return list;
+}
+
+/// Where in the window a point of the model is seen, if it is.
+inline std::optional<ImVec2> place_of(const Session& session, Area canvas, glm::dvec3 point) {
+    const auto seen = seen_at(session.navigation.view(), point, session.size());
+    if (!seen) return {};
+    const glm::vec2 scale = canvas.size / glm::vec2{glm::max(session.size(), 1)};
+    const glm::vec2 at = canvas.low + glm::vec2{*seen} * scale;
+    return ImVec2{at.x, at.y};
 }
 
 /// A list to choose from: `choose(item)` is called with what was chosen. `name_of(item)` gives what
