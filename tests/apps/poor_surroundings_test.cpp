@@ -34,6 +34,15 @@ class PoorSurroundings : public Tool {
                      " " LINEATLAS_TOOL " draw --scene clevis --size 64x48 -o " + path("x.png") +
                      " " + options + "' 2>&1");
     }
+    /// What is there to draw with: each device runs a kernel, which takes less time than a picture
+    /// whose kernels are all compiled anew.
+    Result devices(const std::string& before) const {
+        return shell("bash -c '" + before + " " LINEATLAS_TOOL " devices' 2>&1");
+    }
+    static bool ran_a_kernel(const Result& result) {
+        return result.exit_code == 0 &&
+               result.output.find("a round trip succeeded") != std::string::npos;
+    }
     fs::path private_folder() const {
         return fs::path{path("tmp")} / ("lineatlas-" + std::to_string(::geteuid()));
     }
@@ -45,8 +54,8 @@ TEST_F(PoorSurroundings, AHomeThatCannotBeWrittenTo) {
          {"HOME=" + path("closed"), "HOME=" + path("closed/none"), std::string{"env -u HOME"},
           "HOME=" + path("tmp") + " XDG_CACHE_HOME=" + path("closed")}) {
         fs::remove_all(private_folder());
-        const Result result = draw(temporary + home);
-        EXPECT_EQ(result.exit_code, 0) << home << "\n" << result.output;
+        const Result result = devices(temporary + home);
+        EXPECT_TRUE(ran_a_kernel(result)) << home << "\n" << result.output;
         struct stat status {};
         ASSERT_EQ(::lstat(private_folder().c_str(), &status), 0) << home;
         EXPECT_EQ(status.st_mode & 0777U, 0700U);
@@ -73,7 +82,7 @@ TEST_F(PoorSurroundings, AFolderThatOthersCanWriteToIsNotUsed) {
     EXPECT_TRUE(fs::is_empty(path("cold")));
     const Result none = draw(home + path("none"));
     EXPECT_NE(none.output.find("no temporary directory"), std::string::npos) << none.output;
-    EXPECT_EQ(draw(home + path("none") + " POCL_CACHE_DIR=" + path("cold")).exit_code, 0);
+    EXPECT_TRUE(ran_a_kernel(devices(home + path("none") + " POCL_CACHE_DIR=" + path("cold"))));
 }
 
 TEST_F(PoorSurroundings, NoLinker) {
@@ -88,9 +97,8 @@ TEST_F(PoorSurroundings, NoLinker) {
     // Elsewhere than usual is good enough.
     fs::create_directory(path("bin"));
     fs::create_symlink("/usr/bin/ld", path("bin/ld"));
-    EXPECT_EQ(
-        draw("TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("bin")).exit_code,
-        0);
+    EXPECT_TRUE(ran_a_kernel(
+        devices("TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("bin"))));
 }
 
 TEST_F(PoorSurroundings, LittleMemory) {

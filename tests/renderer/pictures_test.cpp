@@ -1,5 +1,5 @@
-// Whole frames: every choice that must not change the picture, compared on the four scenes at
-// several cameras, one of them inside the model.
+// Whole frames: every choice that must not change the picture, compared on the four scenes,
+// the small ones at several cameras, one of them inside the model.
 
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"
@@ -47,7 +47,7 @@ class SamePicture : public Pictures, public testing::WithParamInterface<std::str
     template <class Compare>
     void compare_each(Renderer& a, const FrameOptions& a_options, Renderer& b,
                       const FrameOptions& b_options, Compare&& compare) {
-        for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
+        for (const NamedCamera& view : few_scene_cameras(GetParam(), canvas_.size())) {
             SCOPED_TRACE(view.name);
             const Drawn first = draw(a, view.camera, a_options);
             const Drawn second = draw(b, view.camera, b_options);
@@ -213,7 +213,7 @@ TEST_P(SamePicture, SpineHostPointerEqualsCopy) {
     Renderer host = renderer({.interop = "host-pointer"});
     Renderer copy = renderer({.interop = "copy"});
     const FrameOptions options{.method = Method::spine, .probes = 4};
-    for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
+    for (const NamedCamera& view : few_scene_cameras(GetParam(), canvas_.size())) {
         SCOPED_TRACE(view.name);
         EXPECT_TRUE(equal(draw(host, view.camera, options).pixels,
                           draw(copy, view.camera, options).pixels));
@@ -225,7 +225,7 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixelOfTheSpineTest) {
     const FrameOptions culled{.method = Method::spine, .probes = 4, .cull_hidden = true};
     FrameOptions kept = culled;
     kept.cull_hidden = false;
-    for (const NamedCamera& view : scene_cameras(GetParam(), canvas_.size())) {
+    for (const NamedCamera& view : few_scene_cameras(GetParam(), canvas_.size())) {
         SCOPED_TRACE(view.name);
         EXPECT_TRUE(equal(draw(r, view.camera, culled).pixels, draw(r, view.camera, kept).pixels));
     }
