@@ -13,6 +13,7 @@
 #include "io/atomic_file.hpp"
 #include "io/confinement.hpp"
 #include "lineatlas/error.hpp"
+#include "style/member_names.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -74,7 +75,7 @@ void list_devices(const DevicesOptions& options) {
     fmt::print("GL: {} ({})\n\n", gl_string(GL_RENDERER), gl_string(GL_VERSION));
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
     if (devices.empty()) {
-        fmt::print("{}\n", compute::no_device_message());
+        fmt::print("{}\n", in_words_of_the_tool(compute::no_device_message()));
     } else {
         const std::size_t chosen = interop::default_device(devices);
         for (std::size_t i = 0; i < devices.size(); ++i) {

@@ -94,6 +94,7 @@ TEST_F(PoorSurroundings, NoLinker) {
     EXPECT_EQ(std::ranges::count(result.output, '\n'), 1) << result.output;
     EXPECT_TRUE(fs::is_empty(path("tmp"))) << "the trial leaves nothing behind";
     EXPECT_EQ(draw(surroundings, "--compute cpp").exit_code, 0);
+    EXPECT_NE(devices(surroundings).output.find("; --compute cpp does without"), std::string::npos);
     // Elsewhere than usual is good enough.
     fs::create_directory(path("bin"));
     fs::create_symlink("/usr/bin/ld", path("bin/ld"));

@@ -158,7 +158,7 @@ bool drivers_lack_memory() {
 }
 
 std::string no_device_message() {
-    return why_no_device() + "; compute \"cpp\" does without";
+    return why_no_device() + "; DeviceOptions::compute cpp does without";
 }
 
 } // namespace lineatlas::compute
