@@ -158,6 +158,19 @@ TEST_P(AtlasStage, ASingleProbeStandsOutsideAFold) {
     EXPECT_EQ(folded(3, -2), 255);
 }
 
+TEST_P(AtlasStage, OfASlantedLineProbesStandAcrossItToo) {
+    // The wall begins at the line and goes on to its right: three quarters of a pixel to the left,
+    // half a pixel to the left and half a pixel up, nothing is before it.
+    Scene scene;
+    scene.probes = 1;
+    for (int x = 0; x < 64; ++x) scene.add_wall({x, 0}, {x + 1, x + 1}, 0.3F);
+    scene.lines = {{{19.6F, 19.6F, 0.5F, 1}, {20.6F, 20.6F, 0.5F, 1}, 1}};
+    EXPECT_EQ(alpha_of(scene)[0], 0);
+    scene.lines[0].own_a = pack_own_face(0, -3); // a fold whose faces are on the right
+    scene.lines[0].own_b = pack_own_face(0, -2);
+    EXPECT_EQ(alpha_of(scene)[0], 255);
+}
+
 TEST_P(AtlasStage, SamplesLieWhereTheLayoutPutsThem) {
     Scene scene{{{{10, 20.5F, 0.5F, 1}, {50, 20.5F, 0.5F, 1}, 20},
                  {{10, 30.5F, 0.5F, 1}, {20, 30.5F, 0.5F, 1}, 5}}};
