@@ -5,6 +5,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -355,7 +357,10 @@ struct DensityArgs {
     Density density;    ///< limit and priorities
     glm::vec4 focus;    ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
     float far_limit;    ///< factor of the limit far from the focus
-    Buffer& weights;    ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
+    /// Where segments come in chunks: what was drawn per cell and bin of those before,
+    /// nothing before the first (see Stages::read_density_grid()).
+    std::span<const std::uint32_t> drawn_before{};
+    Buffer& weights; ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
 };
 
 /// Visible and hidden pieces of segments, for the readback (§4.6).
@@ -520,6 +525,8 @@ class Stages {
     void halo(const HaloArgs& args); ///< waits: the host sizes a table of its own
     void filter(const FilterArgs& args);
     void density(const DensityArgs& args);
+    /// What the last density() has added up, with what was there before: for the next chunk.
+    void read_density_grid(std::vector<std::uint32_t>& drawn, glm::vec2 viewport);
 
   private:
     /// Launches `items` work-items in groups of `group`; nothing if there are none.
