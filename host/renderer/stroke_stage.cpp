@@ -374,7 +374,10 @@ void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
     frame.clock.gl("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         const gl::DensityWeights density =
-            limits_density_ ? gl::DensityWeights{weights_->gl(), cells_} : gl::DensityWeights{};
+            limits_density_
+                ? gl::DensityWeights{weights_->gl(), cells_,
+                                     static_cast<float>(compute::density_cell(frame.viewport()))}
+                : gl::DensityWeights{};
         const gl::RunBuffers runs{
             .runs = drawn().runs->gl(), .record = drawn().record->gl(), .alpha = alpha};
         const std::vector<Pen>& pens = pens_.pens();

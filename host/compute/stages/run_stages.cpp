@@ -196,7 +196,10 @@ void Stages::density(const DensityArgs& args) {
     const auto plane = static_cast<std::uint32_t>(cells.x * cells.y);
     const std::size_t planes = std::size_t{LA_DENSITY_BINS} * plane;
     const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+    const auto cell = static_cast<float>(density_cell(args.viewport));
     DensityParameters parameters{.cells = cells,
+                                 .cell = cell,
+                                 .per_cell = 1 / cell,
                                  .density = args.density,
                                  .focus = args.focus,
                                  .far_limit = args.far_limit,

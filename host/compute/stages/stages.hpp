@@ -341,9 +341,18 @@ struct FilterArgs {
     Buffer& filtered_record; ///< out: one `FrameRecord`
 };
 
+/// Pixels per axis of a cell of the density grid: LA_DENSITY_CELL, or so many times that that no
+/// picture has more than 1024 cells a side. So the grid of a poster takes no more than 64 MiB.
+inline int density_cell(glm::vec2 viewport) {
+    constexpr int most = 1024 * LA_DENSITY_CELL;
+    const int longer = static_cast<int>(std::max(viewport.x, viewport.y));
+    return LA_DENSITY_CELL * std::max((longer + most - 1) / most, 1);
+}
+
 /// Cells of the density grid per axis.
 inline glm::ivec2 density_cells(glm::vec2 viewport) {
-    return (glm::ivec2{viewport} + (LA_DENSITY_CELL - 1)) / LA_DENSITY_CELL;
+    const int cell = density_cell(viewport);
+    return (glm::ivec2{viewport} + (cell - 1)) / cell;
 }
 
 /// Line density (§4.5): how much of each line is drawn where.
