@@ -152,6 +152,7 @@ void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const 
         glBindTextureUnit(4, weights_.id());
         program.set("weights", 4);
         program.set("cells", glm::vec2{density.cells});
+        program.set("cell_size", density.cell);
     }
     glVertexArrayVertexBuffer(array.id(), 0, runs.runs, 0, sizeof(Run));
     glBindVertexArray(array.id());

@@ -45,6 +45,7 @@ struct StrokeParams {
 struct DensityWeights {
     GLuint buffer = 0; ///< floats, LA_DENSITY_BINS planes of `cells`; 0: all lines are drawn
     glm::ivec2 cells{0, 0};
+    float cell = 0; ///< pixels per axis
 };
 
 /// What the shader has to know of a focus (Focus in style.hpp).

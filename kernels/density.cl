@@ -102,7 +102,7 @@ KERNEL(density_lines, DensityParameters) {
             const float to = fmin((float)(j + 1), last);
             const float drawn = (to - from) * per_sample * opacity;
             const float share = ((from + to) * 0.5f - first) / (last - first);
-            const float2 place = (start + way * share) * (1.0f / LA_DENSITY_CELL) - 0.5f;
+            const float2 place = (start + way * share) * args.per_cell - 0.5f;
             const float2 corner = floor(place);
             const float2 up = place - corner, down = 1.0f - up;
             const int2 here = convert_int2(corner);
@@ -158,11 +158,11 @@ static float mean_weight(const float before, const float own, const float allowe
 }
 
 /* The limit of a cell, in units of length per cell, as smoothed sums are. */
-static float allowed_in(const int x, const int y, const float limit, const float4 focus,
-                        const float far_limit) {
-    const float2 place = (float2((float)x, (float)y) + 0.5f) * LA_DENSITY_CELL;
+static float allowed_in(const int x, const int y, const float cell, const float limit,
+                        const float4 focus, const float far_limit) {
+    const float2 place = (float2((float)x, (float)y) + 0.5f) * cell;
     return limit * limit_factor(place, focus, far_limit) *
-           (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * LA_DENSITY_CELL * LA_DENSITY_CELL);
+           (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * cell * cell);
 }
 
 /* The most of the excesses about a cell: what is too much there is drawn in all of these cells. */
@@ -189,7 +189,7 @@ KERNEL(density_weights, DensityParameters) {
     const float too_much = args.again != 0 ? excess_about(excess, cells, x, y) : 0.0f;
     if (args.again != 0 && too_much == 0.0f) return;
     const float allowed =
-        allowed_in(x, y, args.density.limit, focus, args.far_limit) / (1.0f + too_much);
+        allowed_in(x, y, args.cell, args.density.limit, focus, args.far_limit) / (1.0f + too_much);
     const float soft = allowed * LA_DENSITY_SOFTNESS;
     float before = 0.0f, left = 0.0f;
     for (int bin = (int)LA_DENSITY_BINS - 1; bin >= 0; --bin) {
@@ -219,6 +219,6 @@ KERNEL(density_excess, DensityParameters) {
             left += share * row[clamp(x + dx, 0, cells.x - 1)];
         }
     }
-    const float allowed = allowed_in(x, y, args.density.limit, focus, args.far_limit);
+    const float allowed = allowed_in(x, y, args.cell, args.density.limit, focus, args.far_limit);
     excess[cell] = fmax(left / (allowed * LA_DENSITY_TOLERATED) - 1.0f, 0.0f);
 }

@@ -195,6 +195,7 @@ typedef struct HaloParameters {
 
 typedef struct DensityParameters {
     la_ivec2 cells;
+    float cell, per_cell; /* pixels per axis of each, and its inverse */
     Density density;
     la_vec4 focus;   /* centre x and y, radius and falloff in pixels; falloff 0: no focus */
     float far_limit; /* factor of the limit far from the focus */

@@ -18,8 +18,7 @@ float profile_at(float profile[most_profile_values], uint count, float share) {
 #ifdef DENSITY
 uniform samplerBuffer weights;  // of `density`: planes of cells by priority
 uniform vec2 cells;             // per axis
-
-const float cell_size = 8.0;    // pixels
+uniform float cell_size;        // pixels
 
 float cell_weight(ivec2 cell, uint bin) {
     cell = clamp(cell, ivec2(0), ivec2(cells) - 1);

@@ -28,8 +28,9 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 
 /// Beside frame_settings(), options that say what is drawn and how; none names a file that is
 /// written.
-constexpr std::array<std::string_view, 8> other_options{
-    "size", "crease", "smooth-edges", "deflection", "only", "hide", "section", "hatching"};
+constexpr std::array<std::string_view, 9> other_options{"size",         "crease",     "silhouettes",
+                                                        "smooth-edges", "deflection", "only",
+                                                        "hide",         "section",    "hatching"};
 
 bool is_option(std::string_view key) {
     return std::ranges::find(other_options, key) != other_options.end() ||
@@ -58,6 +59,7 @@ void check(const SessionFile::Option& option) {
     for (const std::string& value : option.values) {
         if (option.key == "size") parse_size("size", value);
         if (option.key == "crease") parse_crease("crease", value);
+        if (option.key == "silhouettes") parse_silhouettes("silhouettes", value);
         if (option.key == "section") parse_section(value, {{0, 0, 0}, {1, 1, 1}});
     }
     if (option.key == "section" && option.values.size() > most_sections)

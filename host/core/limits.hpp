@@ -36,9 +36,6 @@ inline constexpr Purpose segments{"the table of line segments",
 // What looks at all line segments together, where they come in chunks:
 inline constexpr Purpose all_halos{"a halo", "use StrokeFilter::halo 0, another "
                                              "DeviceOptions::device or DeviceOptions::compute cpp"};
-inline constexpr Purpose all_density{"a limit on line density",
-                                     "use Density::limit 0, another DeviceOptions::device or "
-                                     "DeviceOptions::compute cpp"};
 inline constexpr Purpose all_items{"an item buffer",
                                    "use FrameOptions::method atlas, another DeviceOptions::device "
                                    "or DeviceOptions::compute cpp"};

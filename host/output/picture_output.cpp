@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "core/limits.hpp"
+#include "core/line_pens.hpp"
 #include "describe_camera.hpp"
 
 namespace lineatlas {
@@ -26,11 +27,31 @@ PictureFrame with_tiles(PictureFrame frame, const Renderer& renderer) {
     return frame;
 }
 
+/// Where the style has a pen for outlines that is drawn nowhere: why. Else empty.
+std::string outline_note(const PictureFrame& frame) {
+    const Method method = frame.options.method;
+    const bool in_tiles = method == Method::atlas && frame.tile_size != 0;
+    const bool known = method == Method::exact || (method == Method::atlas && !in_tiles);
+    if (known || !tells_outlines(frame.options.style)) return {};
+    return fmt::format("outlines are drawn as other lines: {} does not tell them; --method exact "
+                       "does",
+                       in_tiles ? "a picture in tiles by atlas" : "this method");
+}
+
 } // namespace
 
 PictureOutput::PictureOutput(PictureFrame frame, Renderer& renderer, ImageWriter& writer)
     : frame_(with_tiles(std::move(frame), renderer)), renderer_(renderer), writer_(writer),
-      canvas_(canvas_size(frame_), canvas_bits(frame_)) {}
+      canvas_(canvas_size(frame_), canvas_bits(frame_)) {
+    say_outlines();
+}
+
+void PictureOutput::say_outlines() {
+    const std::string text = outline_note(frame_);
+    if (said_outlines_ || text.empty() || !frame_.note) return;
+    frame_.note(text);
+    said_outlines_ = true;
+}
 
 void PictureOutput::clear() {
     canvas_.clear(frame_.transparent ? glm::vec4{0}
@@ -104,6 +125,7 @@ std::optional<FrameStats> PictureOutput::draw_smaller(const Camera& camera,
             if (frame_.note)
                 frame_.note(fmt::format("drawn in tiles of {0}x{0} pixels: in one piece {1}", side,
                                         why.substr(0, why.find("; use "))));
+            say_outlines();
             return stats;
         } catch (const OutOfMemory&) {
             if (begun_) throw; // a part of it is with the writer

@@ -22,7 +22,8 @@ struct PictureFrame {
     glm::dvec3 origin{0};   ///< of the lines, in the file's coordinates
     bool transparent = false;
     int tile_size = 0; ///< 0: tiles only for what cannot be drawn in one piece
-    /// Told why a picture is drawn by tiles that no limit of the device demands.
+    /// Told why a picture is drawn by tiles that no limit of the device demands, and where a
+    /// style's pens for outlines are of no use.
     std::function<void(const std::string&)> note{};
 };
 
@@ -42,6 +43,7 @@ class PictureOutput final : public FrameOutput {
 
   private:
     void clear();
+    void say_outlines();
     FrameStats draw_whole(const Camera& camera, const std::filesystem::path& path,
                           const ImageSettings& settings);
     FrameStats draw_tiles(const Camera& camera, const std::filesystem::path& path,
@@ -61,7 +63,8 @@ class PictureOutput final : public FrameOutput {
     ImageWriter& writer_;
     gl::Canvas canvas_;              ///< for the picture, or for a tile
     std::vector<std::uint8_t> band_; ///< a row of tiles
-    bool begun_ = false;             ///< some of the current picture's tiles are with the writer
+    bool said_outlines_ = false;
+    bool begun_ = false; ///< some of the current picture's tiles are with the writer
 };
 
 } // namespace lineatlas

@@ -303,9 +303,8 @@ class Renderer::State {
     void check_chunks(const FrameOptions& options) const {
         if (options.method == Method::item_buffer) throw needs_whole_table(purpose::all_items);
         const bool has_strokes = options.method == Method::atlas || options.method == Method::exact;
-        if (!has_strokes || !options.draw) return;
-        if (options.style.filter.halo > 0) throw needs_whole_table(purpose::all_halos);
-        if (options.style.density.limit > 0) throw needs_whole_table(purpose::all_density);
+        if (has_strokes && options.draw && options.style.filter.halo > 0)
+            throw needs_whole_table(purpose::all_halos);
     }
 
     /// New tables in place of those that a frame has left half made.

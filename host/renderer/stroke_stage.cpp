@@ -207,6 +207,7 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input) {
                          .density = style.density,
                          .focus = focus_on_screen(frame),
                          .far_limit = style.focus.on ? style.focus.density : 1,
+                         .drawn_before = kept_density_,
                          .weights = weights_->compute()});
     });
 }
@@ -307,6 +308,7 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
 void StrokeStage::begin_frame(const Frame& frame) {
     pens_.prepare(frame);
     kept_.clear();
+    kept_density_.clear();
     chunks_kept_ = false;
     kept_samples_ = kept_runs_ = 0;
 }
@@ -316,6 +318,7 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
     kept_runs_ += visible_.totals.run_total;
     chunks_kept_ = true;
     if (!frame.options.draw) return;
+    if (limits_density_) stages_.read_density_grid(kept_density_, frame.viewport());
     const auto read_back = [&](RunTable& table) {
         std::vector<Run> runs(table.totals.points[0]);
         device_.download(table.runs->compute(), std::as_writable_bytes(std::span{runs}));
@@ -371,7 +374,10 @@ void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
     frame.clock.gl("strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         const gl::DensityWeights density =
-            limits_density_ ? gl::DensityWeights{weights_->gl(), cells_} : gl::DensityWeights{};
+            limits_density_
+                ? gl::DensityWeights{weights_->gl(), cells_,
+                                     static_cast<float>(compute::density_cell(frame.viewport()))}
+                : gl::DensityWeights{};
         const gl::RunBuffers runs{
             .runs = drawn().runs->gl(), .record = drawn().record->gl(), .alpha = alpha};
         const std::vector<Pen>& pens = pens_.pens();

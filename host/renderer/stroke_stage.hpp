@@ -113,7 +113,8 @@ class StrokeStage {
     std::uint32_t raw_capacity_ = 0;
     std::unique_ptr<interop::SharedBuffer> weights_; ///< of `density`
     glm::ivec2 cells_{0, 0};
-    std::vector<Kept> kept_; ///< of the frame's chunks, if it is drawn
+    std::vector<Kept> kept_;                  ///< of the frame's chunks, if it is drawn
+    std::vector<std::uint32_t> kept_density_; ///< of the same, what they drew where
     bool chunks_kept_ = false;
     std::uint32_t kept_samples_ = 0, kept_runs_ = 0;
     gl::StrokePass pass_;

@@ -280,6 +280,22 @@ TEST_F(Tool, DrawsBigPicturesByTiles) {
     expect_refused(scene + "-o " + path("x.png") + " --tile 5", 2, "--tile");
 }
 
+TEST_F(Tool, SaysWhereOutlinesAreNotTold) {
+    const std::string draw = "draw --scene clevis --size 64x48 -o " + path("x.png");
+    const auto says = [&](const std::string& options) {
+        const Result result = run(draw + options);
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        return result.output.find("outlines are drawn as other lines") != std::string::npos;
+    };
+    for (const char* method : {"spine", "opengl", "itembuffer"}) {
+        EXPECT_TRUE(says(std::string{" --method "} + method)) << method;
+        EXPECT_FALSE(says(std::string{" --style technical --method "} + method)) << method;
+    }
+    EXPECT_TRUE(says(" --method atlas --tile 40"));
+    EXPECT_FALSE(says(" --method atlas"));
+    EXPECT_FALSE(says(" --method exact --tile 40"));
+}
+
 TEST_F(Tool, SaysWhichModuleIsMissing) {
     const std::string draw = "draw --scene clevis --size 64x48 -o " + path("x.png");
     ::setenv("LINEATLAS_MODULE_DIR", path("nowhere").c_str(), 1);

@@ -196,7 +196,10 @@ void Stages::density(const DensityArgs& args) {
     const auto plane = static_cast<std::uint32_t>(cells.x * cells.y);
     const std::size_t planes = std::size_t{LA_DENSITY_BINS} * plane;
     const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+    const auto cell = static_cast<float>(density_cell(args.viewport));
     DensityParameters parameters{.cells = cells,
+                                 .cell = cell,
+                                 .per_cell = 1 / cell,
                                  .density = args.density,
                                  .focus = args.focus,
                                  .far_limit = args.far_limit,
@@ -205,7 +208,10 @@ void Stages::density(const DensityArgs& args) {
     Buffer& smooth = scratch(density_rows_, planes);
     Buffer& drawn = scratch(density_drawn_, plane);
     Buffer& excess = scratch(density_excesses_, plane);
-    device_.clear(grid, planes * sizeof(la_uint));
+    if (args.drawn_before.empty())
+        device_.clear(grid, planes * sizeof(la_uint));
+    else
+        device_.upload(grid, std::as_bytes(args.drawn_before));
     launch<kernels::density_lines>(items, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,
                                     .arcs = args.atlas.clipped.arcs,
@@ -228,6 +234,12 @@ void Stages::density(const DensityArgs& args) {
                                     {.drawn = drawn, .excess = excess});
     parameters.again = 1;
     share_out();
+}
+
+void Stages::read_density_grid(std::vector<std::uint32_t>& drawn, glm::vec2 viewport) {
+    const glm::ivec2 cells = density_cells(viewport);
+    drawn.resize(std::size_t{LA_DENSITY_BINS} * static_cast<std::size_t>(cells.x * cells.y));
+    device_.download(*density_grid_, std::as_writable_bytes(std::span{drawn}));
 }
 
 } // namespace lineatlas::compute

@@ -5,6 +5,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -339,9 +341,18 @@ struct FilterArgs {
     Buffer& filtered_record; ///< out: one `FrameRecord`
 };
 
+/// Pixels per axis of a cell of the density grid: LA_DENSITY_CELL, or so many times that that no
+/// picture has more than 1024 cells a side. So the grid of a poster takes no more than 64 MiB.
+inline int density_cell(glm::vec2 viewport) {
+    constexpr int most = 1024 * LA_DENSITY_CELL;
+    const int longer = static_cast<int>(std::max(viewport.x, viewport.y));
+    return LA_DENSITY_CELL * std::max((longer + most - 1) / most, 1);
+}
+
 /// Cells of the density grid per axis.
 inline glm::ivec2 density_cells(glm::vec2 viewport) {
-    return (glm::ivec2{viewport} + (LA_DENSITY_CELL - 1)) / LA_DENSITY_CELL;
+    const int cell = density_cell(viewport);
+    return (glm::ivec2{viewport} + (cell - 1)) / cell;
 }
 
 /// Line density (§4.5): how much of each line is drawn where.
@@ -355,7 +366,10 @@ struct DensityArgs {
     Density density;    ///< limit and priorities
     glm::vec4 focus;    ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
     float far_limit;    ///< factor of the limit far from the focus
-    Buffer& weights;    ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
+    /// Where segments come in chunks: what was drawn per cell and bin of those before,
+    /// nothing before the first (see Stages::read_density_grid()).
+    std::span<const std::uint32_t> drawn_before{};
+    Buffer& weights; ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
 };
 
 /// Visible and hidden pieces of segments, for the readback (§4.6).
@@ -520,6 +534,8 @@ class Stages {
     void halo(const HaloArgs& args); ///< waits: the host sizes a table of its own
     void filter(const FilterArgs& args);
     void density(const DensityArgs& args);
+    /// What the last density() has added up, with what was there before: for the next chunk.
+    void read_density_grid(std::vector<std::uint32_t>& drawn, glm::vec2 viewport);
 
   private:
     /// Launches `items` work-items in groups of `group`; nothing if there are none.

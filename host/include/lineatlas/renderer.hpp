@@ -237,7 +237,8 @@ class LINEATLAS_API Renderer {
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible
         std::vector<Run> runs;              ///< what was drawn
         /// What density control leaves of lines, 0 to 1: for each priority (LA_DENSITY_BINS) the
-        /// picture's cells of LA_DENSITY_CELL pixels row by row. Empty without it.
+        /// picture's cells of LA_DENSITY_CELL pixels (larger ones above 8192 pixels a side) row by
+        /// row. Empty without it.
         std::vector<float> density{};
     };
     /// The samples of the last frame: for tests and studies; waits for the device. With
