@@ -72,6 +72,29 @@ TEST_F(QualityProgram, MeasuresEveryMethod) {
     EXPECT_LT(methods["SAhi"]["mean_error"], 0.5 * methods["IBlo"]["mean_error"].get<double>());
 }
 
+TEST_F(QualityProgram, OrthographicViewsAreAsTrue) {
+    const std::string orthographic = "--scene clevis --projection orthographic ";
+    const nlohmann::json samples =
+        measure("", orthographic + "--at 0.3 --burst 1 --methods SAhi,SThi")["scenes"]["clevis"];
+    for (const char* name : {"SAhi", "SThi"}) {
+        EXPECT_LT(samples["methods"][name]["mean_error"], 0.005) << name;
+        EXPECT_LT(samples["methods"][name]["wrong"], 0.0005) << name;
+    }
+    const nlohmann::json paths = measure("", orthographic + "--paths")["paths"];
+    ASSERT_EQ(paths.size(), 2U);
+    for (const char* view : {"clevis, isometric", "clevis, front"}) {
+        for (const char* method : {"SAhi", "EX"}) {
+            const nlohmann::json& f = paths[view][method];
+            EXPECT_GT(f["visible"], 9000) << view << ", " << method;
+            EXPECT_LT(f["missed"], 0.0005) << view << ", " << method;
+            EXPECT_LT(f["false"], 0.0001) << view << ", " << method;
+            EXPECT_LT(f["missed_ink"], 0.0002) << view << ", " << method;
+            EXPECT_LT(f["false_ink"], 0.001) << view << ", " << method;
+        }
+        EXPECT_LT(paths[view]["EX"]["strict_hidden"], 0.0001) << view;
+    }
+}
+
 TEST_F(QualityProgram, FindsAPlantedTolerance) {
     // Where everything touches the line nothing is ever hidden.
     const fs::path kernels = with_planted("kernels", "#define LA_NEARNESS_ROUNDING 4.8e-7f",

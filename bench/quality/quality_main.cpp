@@ -30,6 +30,7 @@ struct Arguments {
     int frames = 6;
     std::size_t burst = 4;
     std::vector<float> distances{1};
+    std::string projection{name_of(Projection::perspective)};
     std::vector<int> size{1024, 768};
     std::vector<std::string> methods;
     std::string quality;
@@ -105,6 +106,10 @@ void set_up(CLI::App& app, Arguments& a) {
                    "Times the eye's distance from its target, e.g. 0.5,1,2")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
+    app.add_option("--projection", a.projection,
+                   "perspective or orthographic; with --paths the latter looks isometric and from "
+                   "the front")
+        ->capture_default_str();
     app.add_option("--size", a.size, "WIDTHxHEIGHT")->delimiter('x')->expected(2);
     auto* methods =
         app.add_option("--methods", a.methods,
@@ -243,7 +248,8 @@ std::vector<std::string> model_names(const std::vector<std::string>& paths) {
 
 /// Ways to make the subjects, one after the other: all at once would fill the memory.
 std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 size) {
-    const Places places{a.at.empty() ? even_places(a.frames) : a.at, a.distances};
+    const Projection projection = parse_projection(a.projection);
+    const Places places{a.at.empty() ? even_places(a.frames) : a.at, a.distances, projection};
     std::vector<std::function<Subject()>> result;
     std::vector<std::string> scenes = a.scenes;
     if (scenes.empty() && a.models.empty()) {
@@ -256,7 +262,7 @@ std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 si
         }
         result.emplace_back([=, still = a.paths] {
             Subject subject = scene_subject(name, places);
-            if (still) subject.views = still_views(subject, {0, 1, 0}, size);
+            if (still) subject.views = still_views(subject, {0, 1, 0}, size, projection);
             return subject;
         });
     }
@@ -271,7 +277,7 @@ std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 si
         const glm::vec3 up = axis(a.ups[a.ups.size() == 1 ? 0 : i]);
         result.emplace_back([=, still = a.paths] {
             Subject subject = model_subject(path, up, size, places);
-            if (still) subject.views = still_views(subject, up, size);
+            if (still) subject.views = still_views(subject, up, size, projection);
             subject.name = name;
             return subject;
         });

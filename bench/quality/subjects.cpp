@@ -17,15 +17,15 @@ std::vector<PathView> views_along(const std::function<View(double)>& path, const
     for (const double at : places.at) {
         for (const float factor : places.distances) {
             PathView view{fmt::format("at {:.3f}", at), at, path};
-            if (factor != 1) {
-                view.name += fmt::format(" x{:g}", factor);
-                view.path = [path, factor](double t) {
-                    View moved = path(t);
-                    moved.eye = moved.target + (moved.eye - moved.target) * factor;
-                    moved.near = moved.far = 0;
-                    return moved;
-                };
-            }
+            if (factor != 1) view.name += fmt::format(" x{:g}", factor);
+            view.path = [path, factor, projection = places.projection](double t) {
+                View own = path(t);
+                if (factor == 1 && projection == own.projection) return own;
+                own.eye = own.target + (own.eye - own.target) * factor;
+                own.projection = projection;
+                own.near = own.far = 0;
+                return own;
+            };
             views.push_back(view);
         }
     }
@@ -51,11 +51,19 @@ std::optional<View> inside(const std::string& scene) {
 
 } // namespace
 
-std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size) {
+std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size,
+                                  Projection projection) {
     const auto still = [](const char* name, const View& view) {
         return PathView{name, 0, [view](double) { return view; }};
     };
     const std::vector<glm::vec3>& points = subject.lines.vertices;
+    if (projection == Projection::orthographic) {
+        std::vector<PathView> views;
+        for (const char* name : {"isometric", "front"})
+            views.push_back(still(name, frame_points_from(view_direction(name, up), points, size,
+                                                          View{}.fov_y, projection)));
+        return views;
+    }
     const View front = frame_points(points, size, up);
     if (const std::optional<View> within = inside(subject.name))
         return {still("outside", front), still("inside", *within)};

@@ -26,14 +26,17 @@ struct Subject {
     std::vector<PathView> views;
 };
 
-/// Two views for drawings that stand still. Of a built-in scene: all of it, and from within; of
-/// others: all of it from the front, and from behind.
-std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size);
+/// Two views for drawings that stand still. In perspective, of a built-in scene: all of it, and
+/// from within; of others: all of it from the front, and from behind. In orthographic projection,
+/// of both: isometric and front.
+std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size,
+                                  Projection projection);
 
 /// Where to look from.
 struct Places {
     std::vector<double> at;          ///< along the path
     std::vector<float> distances{1}; ///< times the eye's distance from its target
+    Projection projection = Projection::perspective;
 };
 
 /// `count` places, evenly along the path.

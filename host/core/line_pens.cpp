@@ -33,6 +33,11 @@ bool has_kind(const PenMatch& match, std::string_view kind) {
     return std::ranges::find(match.kinds, kind) != match.kinds.end();
 }
 
+/// What is hidden is none.
+bool is_for_outlines(const PenMatch& match) {
+    return !match.hidden && has_kind(match, outline_name);
+}
+
 bool fits(const PenMatch& match, const LineClasses& classes, const LineClasses::Class& line,
           bool outline) {
     const std::string_view kind = line_kind_names[static_cast<std::size_t>(line.kind)];
@@ -123,35 +128,42 @@ bool LinePens::tell_outlines() const {
                                [](const OfClass& own) { return own.inner != own.outline; });
 }
 
-float LinePens::widest() const {
+float widest(const std::vector<Pen>& pens) {
     return std::ranges::max_element(pens, {}, &Pen::width)->width;
 }
 
 LinePens line_pens(const LineClasses& classes, const Style& style) {
     LinePens result;
     result.pens.push_back(style.pen);
+    result.hidden.push_back(style.hidden_pen);
     result.of_class.resize(classes.classes.size());
-    const auto pen_of = [&](const LineClasses::Class& line, bool outline) {
-        Pen pen = style.pen;
+    enum class Look { inner, outline, hidden };
+    const auto pen_of = [&](const LineClasses::Class& line, Look look) {
+        std::vector<Pen>& pens = look == Look::hidden ? result.hidden : result.pens;
+        const Pen& own = look == Look::hidden ? style.hidden_pen : style.pen;
+        Pen pen = own;
         for (const PenRule& rule : style.pens)
-            if (fits(rule.match, classes, line, outline))
-                pen = with_rule(std::move(pen), rule, style.pen);
+            if (rule.match.hidden == (look == Look::hidden) &&
+                fits(rule.match, classes, line, look == Look::outline))
+                pen = with_rule(std::move(pen), rule, own);
         const auto known =
-            std::ranges::find_if(result.pens, [&](const Pen& other) { return other == pen; });
-        if (known != result.pens.end())
-            return static_cast<std::uint32_t>(known - result.pens.begin());
-        result.pens.push_back(pen);
-        return static_cast<std::uint32_t>(result.pens.size() - 1);
+            std::ranges::find_if(pens, [&](const Pen& other) { return other == pen; });
+        if (known != pens.end()) return static_cast<std::uint32_t>(known - pens.begin());
+        pens.push_back(pen);
+        return static_cast<std::uint32_t>(pens.size() - 1);
     };
-    for (std::size_t i = 0; i < classes.classes.size(); ++i)
-        result.of_class[i].inner = pen_of(classes.classes[i], false);
+    for (std::size_t i = 0; i < classes.classes.size(); ++i) {
+        result.of_class[i].inner = pen_of(classes.classes[i], Look::inner);
+        result.of_class[i].hidden = pen_of(classes.classes[i], Look::hidden);
+    }
     for (std::size_t i = 0; i < classes.classes.size(); ++i) {
         const LineClasses::Class& line = classes.classes[i];
         result.of_class[i].outline =
-            can_be_outline(line.kind) ? pen_of(line, true) : result.of_class[i].inner;
+            can_be_outline(line.kind) ? pen_of(line, Look::outline) : result.of_class[i].inner;
     }
-    if (result.pens.size() > LA_RUN_PEN_MASK + 1) {
-        throw UsageError("the style's rules make " + std::to_string(result.pens.size()) +
+    const std::size_t most = std::max(result.pens.size(), result.hidden.size());
+    if (most > LA_RUN_PEN_MASK + 1) {
+        throw UsageError("the style's rules make " + std::to_string(most) +
                          " different pens for these lines; there may be " +
                          std::to_string(LA_RUN_PEN_MASK + 1));
     }
@@ -159,14 +171,14 @@ LinePens line_pens(const LineClasses& classes, const Style& style) {
 }
 
 bool tells_outlines(const Style& style) {
-    return std::ranges::any_of(
-        style.pens, [](const PenRule& rule) { return has_kind(rule.match, outline_name); });
+    return std::ranges::any_of(style.pens,
+                               [](const PenRule& rule) { return is_for_outlines(rule.match); });
 }
 
 float outline_depth(const Style& style, glm::ivec2 size) {
     float widest = 0;
     for (const PenRule& rule : style.pens) {
-        if (!has_kind(rule.match, outline_name)) continue;
+        if (!is_for_outlines(rule.match)) continue;
         const float width = rule.width.value_or(style.pen.width);
         widest = std::max(widest, rule.width_factor ? style.pen.width * *rule.width_factor : width);
     }
@@ -180,6 +192,10 @@ std::vector<std::string> idle_rules(const LineClasses& classes, const Style& sty
         if (!group.material.empty()) materials.insert(group.material);
     }
     std::vector<std::string> lines;
+    const auto is_for_hidden = [](const PenRule& rule) { return rule.match.hidden; };
+    if (!style.hidden && std::ranges::any_of(style.pens, is_for_hidden))
+        lines.emplace_back("pens: there are rules for hidden lines, which are not drawn; "
+                           "hidden = true draws them");
     for (const PenRule& rule : style.pens) {
         const PenMatch& match = rule.match;
         const auto fits_one = [&](const MeshGroup& group) { return fits(match, group); };

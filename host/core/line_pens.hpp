@@ -38,18 +38,21 @@ LineClasses line_classes(const LineSet& lines);
 struct LinePens {
     /// Each once, the style's own first, those of outlines last: in the order of drawing.
     std::vector<Pen> pens;
+    std::vector<Pen> hidden; ///< of hidden lines, likewise
     /// Per class, into `pens`.
     struct OfClass {
         std::uint32_t inner;
         std::uint32_t outline; ///< of what is beside the background
+        std::uint32_t hidden;  ///< into `hidden`
         bool operator==(const OfClass&) const = default;
     };
     std::vector<OfClass> of_class;
 
     /// Whether a class has another pen for outlines.
     bool tell_outlines() const;
-    float widest() const;
 };
+
+float widest(const std::vector<Pen>& pens);
 
 /// Throws UsageError for more pens than a run can name.
 LinePens line_pens(const LineClasses& classes, const Style& style);

@@ -10,33 +10,37 @@ void RunPens::prepare(const Frame& frame) {
     if (style.pens.empty()) {
         pens_.pens.resize(1);
         pens_.pens[0] = style.pen; // assigned in place: a frame allocates nothing
+        pens_.hidden.resize(1);
+        pens_.hidden[0] = style.hidden_pen;
         pens_.of_class.clear();
         return;
     }
     pens_ = line_pens(frame.scene.classes(), style);
 }
 
-compute::Buffer& RunPens::of_segments(const Frame& frame) {
+compute::Buffer& RunPens::of_segments(const Frame& frame, bool hidden) {
     const LineClasses& classes = frame.scene.classes();
     const std::uint32_t first = frame.scene.first_segment();
     const std::uint32_t count = frame.scene.candidate_table().segment_count;
     const Uploaded now{&classes, first, count, pens_.of_class};
-    if (uploaded_ == now) return *table_;
+    Table& table = tables_[hidden ? 1 : 0];
+    if (table.holds == now) return *table.values;
     std::vector<la_uint> values;
     values.reserve(count);
     const std::span<const std::uint32_t> own = std::span{classes.of_segment}.subspan(first, count);
     for (const std::uint32_t line : own) {
         const LinePens::OfClass pens = pens_.of_class[line];
-        values.push_back(pens.inner | pens.outline << 16U);
+        const std::uint32_t inner = hidden ? pens.hidden : pens.inner;
+        values.push_back(inner | (hidden ? inner : pens.outline) << 16U);
     }
     const std::size_t bytes = values.size() * sizeof(la_uint);
-    if (!table_ || table_->size() < bytes) {
-        table_.reset(); // it may not fit beside another
-        table_ = compute::allocate(device_, bytes, purpose::strokes);
+    if (!table.values || table.values->size() < bytes) {
+        table.values.reset(); // it may not fit beside another
+        table.values = compute::allocate(device_, bytes, purpose::strokes);
     }
-    device_.upload(*table_, std::as_bytes(std::span{values}));
-    uploaded_ = now;
-    return *table_;
+    device_.upload(*table.values, std::as_bytes(std::span{values}));
+    table.holds = now;
+    return *table.values;
 }
 
 } // namespace lineatlas

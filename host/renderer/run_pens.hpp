@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,20 +17,21 @@ class RunPens {
 
     /// Before a frame: the pens for the lines of its scene.
     void prepare(const Frame& frame);
+    /// Of hidden lines, or of visible ones.
+    const std::vector<Pen>& pens(bool hidden) const { return hidden ? pens_.hidden : pens_.pens; }
     /// Whether there are several; else the style's own draws all.
-    bool several() const { return pens_.pens.size() > 1; }
-    /// Whether the frame needs to know what is outline.
-    bool tell_outlines() const { return several() && pens_.tell_outlines(); }
-    const std::vector<Pen>& pens() const { return pens_.pens; }
-    float widest() const { return pens_.widest(); }
+    bool several(bool hidden) const { return pens(hidden).size() > 1; }
+    float widest(bool hidden) const { return lineatlas::widest(pens(hidden)); }
     /// Other lines have come.
-    void forget() { uploaded_.reset(); }
+    void forget() {
+        for (Table& table : tables_) table.holds.reset();
+    }
     /// Of the scene's current chunk: a uint32 per segment of the line set, see compute::PensArgs.
-    compute::Buffer& of_segments(const Frame& frame);
+    compute::Buffer& of_segments(const Frame& frame, bool hidden);
 
   private:
     compute::Device& device_;
-    /// What `table_` holds: the pens of whose segments.
+    /// The pens of whose segments.
     struct Uploaded {
         const LineClasses* classes;
         std::uint32_t first, count;
@@ -37,9 +39,13 @@ class RunPens {
         bool operator==(const Uploaded&) const = default;
     };
 
+    struct Table {
+        std::optional<Uploaded> holds;
+        std::unique_ptr<compute::Buffer> values;
+    };
+
     LinePens pens_;
-    std::optional<Uploaded> uploaded_;
-    std::unique_ptr<compute::Buffer> table_;
+    std::array<Table, 2> tables_; ///< of visible lines, and of hidden ones
 };
 
 } // namespace lineatlas

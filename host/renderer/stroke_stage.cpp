@@ -75,7 +75,7 @@ void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_
 void StrokeStage::prepare(const Frame& frame) {
     const Style& style = frame.options.style;
     has_hidden_ = draws_hidden(frame);
-    filters_ = frame.options.draw && needs_filter(style, pens_.pens());
+    filters_ = frame.options.draw && needs_filter(style, pens_.pens(false));
     if (has_hidden_ && !hidden_.runs) {
         make_table(hidden_);
         handover_.to_compute({hidden_.runs.get(), hidden_.record.get()});
@@ -88,9 +88,11 @@ void StrokeStage::prepare(const Frame& frame) {
         const std::size_t cut_bytes = std::size_t{raw_capacity_} * sizeof(RunCuts);
         if (style.filter.halo > 0) make_room(cuts_, cut_bytes, purpose::halos);
     }
-    if (pens_.several() && !penned_.runs) {
-        make_table(penned_);
-        handover_.to_compute({penned_.runs.get(), penned_.record.get()});
+    for (const bool hidden : {false, true}) {
+        RunTable& table = penned(hidden);
+        if (!tells_pens(hidden) || table.runs) continue;
+        make_table(table);
+        handover_.to_compute({table.runs.get(), table.record.get()});
     }
     limits_density_ = frame.options.draw && style.density.limit > 0;
     if (limits_density_) {
@@ -109,8 +111,7 @@ void StrokeStage::prepare(const Frame& frame) {
 void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
                           const compute::SpanTable* spans, bool hidden, compute::Buffer& runs,
                           std::uint32_t capacity, compute::Buffer& record) {
-    const Style& style = frame.options.style;
-    const float half_width = 0.5F * (hidden ? style.hidden_pen.width : pens_.widest());
+    const float half_width = 0.5F * pens_.widest(hidden);
     if (spans != nullptr) {
         return stages_.span_runs({.table = frame.scene.table(),
                                   .clipped = input.clipped,
@@ -150,13 +151,14 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
                     hidden_.record->compute());
             device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
+        if (tells_pens(true)) tell_pens(frame, true, nullptr);
     }
     if (filters_) {
         if (frame.options.style.filter.halo > 0) halo(frame, input);
         filter(frame, input);
     }
     if (limits_density_) density(frame, input);
-    if (pens_.several()) tell_pens(frame, outline);
+    if (tells_pens(false)) tell_pens(frame, false, outline);
     frame.clock(stage,
                 [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
 }
@@ -171,7 +173,7 @@ void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
                       .run_capacity = raw_capacity_,
                       .viewport = frame.viewport(),
                       .halo = style.filter.halo,
-                      .half_width = 0.5F * pens_.widest(),
+                      .half_width = 0.5F * pens_.widest(false),
                       .tolerance = frame.depth_tolerance(),
                       .cuts = *cuts_});
     });
@@ -183,7 +185,7 @@ void StrokeStage::filter(Frame& frame, const compute::SegmentAtlas& input) {
         stages_.filter({.table = frame.scene.table(),
                         .atlas = input,
                         .viewport = frame.viewport(),
-                        .half_width = 0.5F * pens_.widest(),
+                        .half_width = 0.5F * pens_.widest(false),
                         .filter = lengths,
                         .runs = *raw_runs_,
                         .record = *raw_record_,
@@ -212,18 +214,19 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input) {
     });
 }
 
-void StrokeStage::tell_pens(Frame& frame, const compute::OutlineTable* outline) {
+void StrokeStage::tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline) {
     frame.clock("pens", [&] {
+        RunTable &runs = made(hidden), &told = penned(hidden);
         stages_.pens({.table = frame.scene.table(),
-                      .segment_pens = pens_.of_segments(frame),
+                      .segment_pens = pens_.of_segments(frame, hidden),
                       .outline = outline,
-                      .runs = visible_.runs->compute(),
-                      .record = visible_.record->compute(),
-                      .run_capacity = visible_.capacity,
-                      .drawn = penned_.runs->compute(),
-                      .drawn_capacity = penned_.capacity,
-                      .drawn_record = penned_.record->compute()});
-        device_.download(penned_.record->compute(), bytes_of(penned_.totals));
+                      .runs = runs.runs->compute(),
+                      .record = runs.record->compute(),
+                      .run_capacity = runs.capacity,
+                      .drawn = told.runs->compute(),
+                      .drawn_capacity = told.capacity,
+                      .drawn_record = told.record->compute()});
+        device_.download(told.record->compute(), bytes_of(told.totals));
     });
 }
 
@@ -240,7 +243,8 @@ bool StrokeStage::grow(RunTable& table) {
 bool StrokeStage::grow() {
     bool grown = grow(visible_);
     if (has_hidden_ && grow(hidden_)) grown = true;
-    if (pens_.several() && grow(penned_)) grown = true;
+    for (const bool hidden : {false, true})
+        if (tells_pens(hidden) && grow(penned(hidden))) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
         raw_capacity_ = compute::capacity_for<Run>(device_, raw_total);
@@ -252,7 +256,7 @@ bool StrokeStage::grow() {
 StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> others) const {
     Tables shared{};
     auto* next = std::ranges::copy(others, shared.begin()).out;
-    for (const RunTable* table : {&visible_, &hidden_, &penned_}) {
+    for (const RunTable* table : {&visible_, &hidden_, &penned_, &penned_hidden_}) {
         *next++ = table->runs.get();
         *next++ = table->record.get();
     }
@@ -267,7 +271,8 @@ void StrokeStage::note_written() {
     };
     note(visible_);
     if (has_hidden_) note(hidden_);
-    if (pens_.several()) note(penned_);
+    for (const bool hidden : {false, true})
+        if (tells_pens(hidden)) note(penned(hidden));
     if (limits_density_) weights_->wrote(weights_->size());
 }
 
@@ -325,18 +330,18 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
         return runs;
     };
     Kept& kept = kept_.emplace_back();
-    kept.visible = read_back(drawn());
-    kept.visible_record = drawn().totals;
+    kept.visible = read_back(drawn(false));
+    kept.visible_record = drawn(false).totals;
     if (has_hidden_) {
-        kept.hidden = read_back(hidden_);
-        kept.hidden_record = hidden_.totals;
+        kept.hidden = read_back(drawn(true));
+        kept.hidden_record = drawn(true).totals;
     }
     kept.alpha.resize(alpha_bytes);
     if (alpha_bytes > 0) device_.download(alpha->compute(), kept.alpha);
 }
 
 void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha) {
-    RunTable& table = hidden ? hidden_ : drawn();
+    RunTable& table = drawn(hidden);
     const std::span<const Run> runs{hidden ? kept.hidden : kept.visible};
     handover_.to_compute({table.runs.get(), table.record.get(), &alpha});
     table.totals = hidden ? kept.hidden_record : kept.visible_record;
@@ -361,28 +366,19 @@ void StrokeStage::draw(Frame& frame, interop::SharedBuffer& alpha) {
 }
 
 void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
-    const Style& style = frame.options.style;
-    if (hidden) {
-        frame.clock.gl("strokes hidden", [&] {
-            glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-            pass_.draw({.runs = hidden_.runs->gl(), .record = hidden_.record->gl(), .alpha = alpha},
-                       frame.stroke_params(style.hidden_pen),
-                       stroke_style(frame, style.hidden_pen, true));
-        });
-        return;
-    }
-    frame.clock.gl("strokes", [&] {
+    frame.clock.gl(hidden ? "strokes hidden" : "strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         const gl::DensityWeights density =
-            limits_density_
+            limits_density_ && !hidden
                 ? gl::DensityWeights{weights_->gl(), cells_,
                                      static_cast<float>(compute::density_cell(frame.viewport()))}
                 : gl::DensityWeights{};
+        const RunTable& table = drawn(hidden);
         const gl::RunBuffers runs{
-            .runs = drawn().runs->gl(), .record = drawn().record->gl(), .alpha = alpha};
-        const std::vector<Pen>& pens = pens_.pens();
+            .runs = table.runs->gl(), .record = table.record->gl(), .alpha = alpha};
+        const std::vector<Pen>& pens = pens_.pens(hidden);
         for (std::uint32_t i = 0; i < pens.size(); ++i) {
-            gl::StrokeStyle of_pen = stroke_style(frame, pens[i], false);
+            gl::StrokeStyle of_pen = stroke_style(frame, pens[i], hidden);
             if (pens.size() > 1) of_pen.only_pen = i;
             pass_.draw(runs, frame.stroke_params(pens[i]), of_pen, density);
         }
@@ -394,7 +390,7 @@ std::uint64_t StrokeStage::bytes() const {
         return buffer ? buffer->size() : 0;
     };
     return size_of(visible_.runs) + size_of(hidden_.runs) + size_of(penned_.runs) +
-           size_of(raw_runs_) + size_of(cuts_) + size_of(weights_);
+           size_of(penned_hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) + size_of(weights_);
 }
 
 std::vector<Run> StrokeStage::read_runs() {

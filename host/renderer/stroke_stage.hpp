@@ -26,7 +26,7 @@ class StrokeStage {
 
     /// What it shares with GL, after `others`, of which there are at most three; null where there
     /// is none yet.
-    using Tables = std::array<interop::Shared*, 10>;
+    using Tables = std::array<interop::Shared*, 12>;
     Tables tables(std::initializer_list<interop::Shared*> others) const;
     /// Other lines have come.
     void forget_lines() { pens_.forget(); }
@@ -93,10 +93,15 @@ class StrokeStage {
     void halo(Frame& frame, const compute::SegmentAtlas& input);
     void filter(Frame& frame, const compute::SegmentAtlas& input);
     void density(Frame& frame, const compute::SegmentAtlas& input);
-    void tell_pens(Frame& frame, const compute::OutlineTable* outline);
-    /// The visible runs that are drawn.
-    RunTable& drawn() { return pens_.several() ? penned_ : visible_; }
-    const RunTable& drawn() const { return pens_.several() ? penned_ : visible_; }
+    void tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline);
+    /// The runs of visible or hidden lines.
+    RunTable& made(bool hidden) { return hidden ? hidden_ : visible_; }
+    /// The same by their pens, where there are several.
+    RunTable& penned(bool hidden) { return hidden ? penned_hidden_ : penned_; }
+    /// Those that are drawn.
+    RunTable& drawn(bool hidden) { return pens_.several(hidden) ? penned(hidden) : made(hidden); }
+    /// Whether runs are told by their pens.
+    bool tells_pens(bool hidden) const { return pens_.several(hidden) && (!hidden || has_hidden_); }
     gl::StrokeStyle stroke_style(Frame& frame, const Pen& pen, bool hidden) const;
 
     compute::Stages& stages_;
@@ -104,7 +109,7 @@ class StrokeStage {
     interop::SharingMode mode_;
     interop::Handover handover_;
     RunTable visible_, hidden_;
-    RunTable penned_; ///< the visible runs by their pens, where there are several
+    RunTable penned_, penned_hidden_;
     RunPens pens_;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, limits_density_ = false, by_spans_ = false;

@@ -26,12 +26,11 @@ double area_of(std::span<const glm::dvec2> points) {
 class LoopFinder {
   public:
     LoopFinder(std::span<const CutStep> steps, const std::vector<glm::vec3>& positions,
-               const std::vector<std::uint32_t>& places, const PlaneFrame& plane)
-        : steps_(steps), positions_(positions), places_(places), plane_(plane),
-          used_(steps.size(), false) {
+               const PlaneFrame& plane)
+        : steps_(steps), positions_(positions), plane_(plane), used_(steps.size(), false) {
         for (std::uint32_t i = 0; i < steps.size(); ++i) {
-            at_[places[steps[i].from]].push_back(i);
-            at_[places[steps[i].to]].push_back(i);
+            at_[steps[i].from].push_back(i);
+            at_[steps[i].to].push_back(i);
         }
     }
 
@@ -58,8 +57,8 @@ class LoopFinder {
 
     CutLoop walk(std::uint32_t first) {
         CutLoop loop;
-        const std::uint32_t start = places_[steps_[first].from];
-        std::uint32_t before = start, here = places_[steps_[first].to];
+        const std::uint32_t start = steps_[first].from;
+        std::uint32_t before = start, here = steps_[first].to;
         used_[first] = true;
         loop.points.push_back(start);
         while (here != start) {
@@ -68,8 +67,8 @@ class LoopFinder {
             if (next == none) break; // can't be: every place has an even number of steps
             used_[next] = true;
             before = here;
-            const std::uint32_t from = places_[steps_[next].from];
-            here = from == here ? places_[steps_[next].to] : from;
+            const std::uint32_t from = steps_[next].from;
+            here = from == here ? steps_[next].to : from;
         }
         for (const std::uint32_t point : loop.points) loop.flat.push_back(flat(point));
         loop.area = area_of(loop.flat);
@@ -84,9 +83,8 @@ class LoopFinder {
         const glm::dvec2 came = flat(here) - flat(before);
         for (const std::uint32_t i : at_.at(here)) {
             if (used_[i]) continue;
-            const bool forwards = places_[steps_[i].from] == here;
-            const glm::dvec2 goes =
-                flat(forwards ? places_[steps_[i].to] : places_[steps_[i].from]) - flat(here);
+            const bool forwards = steps_[i].from == here;
+            const glm::dvec2 goes = flat(forwards ? steps_[i].to : steps_[i].from) - flat(here);
             const double turn = std::atan2(came.x * goes.y - came.y * goes.x, glm::dot(came, goes));
             const double rank = (forwards ? 10 : 0) + turn + 4;
             if (rank <= best_rank) continue;
@@ -100,31 +98,25 @@ class LoopFinder {
 
     std::span<const CutStep> steps_;
     const std::vector<glm::vec3>& positions_;
-    const std::vector<std::uint32_t>& places_;
     const PlaneFrame& plane_;
     std::vector<bool> used_;
     std::map<std::uint32_t, std::vector<std::uint32_t>> at_; ///< steps per place
 };
 
-/// Each step once. A surface of two sides, one upon the other, has every step in both directions,
-/// and is one as well.
-std::vector<CutStep> single_steps(std::span<const CutStep> steps,
-                                  const std::vector<std::uint32_t>& places) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> known;
-    std::vector<CutStep> once;
-    for (const CutStep& step : steps)
-        if (known.emplace(places[step.from], places[step.to]).second) once.push_back(step);
-    const auto has_reverse = [&](const CutStep& step) {
-        return known.contains({places[step.to], places[step.from]});
-    };
-    if (std::ranges::all_of(once, has_reverse)) {
-        std::erase_if(once, [&](const CutStep& step) {
-            if (!known.contains({places[step.from], places[step.to]})) return true;
-            known.erase({places[step.to], places[step.from]});
-            return false;
-        });
+/// Steps between the same two places are one if their number is odd, and none if it is even: there
+/// the surface only touches the plane, with an edge. A surface of two sides, one upon the other,
+/// has every step in both directions.
+std::vector<CutStep> single_steps(std::span<const CutStep> steps) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> counts;
+    for (const CutStep& step : steps) ++counts[std::minmax(step.from, step.to)];
+    const bool is_sheet = std::ranges::all_of(steps, &CutStep::two_sided);
+    std::vector<CutStep> single;
+    for (const CutStep& step : steps) {
+        std::size_t& count = counts[std::minmax(step.from, step.to)];
+        if ((is_sheet ? count / 2 : count) % 2 == 1) single.push_back(step);
+        count = 0;
     }
-    return once;
+    return single;
 }
 
 /// A part whose steps do not close.
@@ -222,14 +214,13 @@ bool CutLoop::holds(glm::dvec2 at) const {
 
 CutFaces find_faces(const PlaneCut& cut, const PlaneFrame& plane) {
     const std::vector<glm::vec3>& positions = cut.mesh.positions;
-    const std::vector<std::uint32_t> places = place_numbers(positions);
     std::map<std::uint32_t, std::vector<CutStep>> of_part;
     for (const CutStep& step : cut.steps) of_part[step.part].push_back(step);
     CutFaces found;
     std::vector<OpenPart> open;
     for (const auto& [part, all] : of_part) {
-        std::vector<CutStep> steps = single_steps(all, places);
-        LoopFinder finder{steps, positions, places, plane};
+        std::vector<CutStep> steps = single_steps(all);
+        LoopFinder finder{steps, positions, plane};
         std::set<std::uint32_t> ends = finder.ends();
         if (!ends.empty()) {
             open.push_back({std::move(steps), std::move(ends)});
@@ -240,7 +231,7 @@ CutFaces find_faces(const PlaneCut& cut, const PlaneFrame& plane) {
     join_open_parts(open);
     for (const OpenPart& part : open) {
         const CutStep& first = part.steps.front();
-        LoopFinder finder{part.steps, positions, places, plane};
+        LoopFinder finder{part.steps, positions, plane};
         if (!part.ends.empty()) {
             found.gaps.push_back({first.part, positions[*part.ends.begin()], part.ends.size()});
             std::ranges::copy(part.steps, std::back_inserter(found.open));

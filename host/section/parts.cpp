@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <map>
 #include <numeric>
 #include <unordered_map>
+
+#include "place_grid.hpp"
 
 namespace lineatlas {
 namespace {
@@ -54,17 +55,20 @@ std::vector<std::uint32_t> objects_of(const Mesh& mesh) {
 
 } // namespace
 
-std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions) {
-    std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, TripleHash> known;
-    known.reserve(positions.size());
-    std::vector<std::uint32_t> numbers(positions.size());
-    for (std::uint32_t i = 0; i < positions.size(); ++i) {
-        const glm::vec3 at = positions[i] + 0.0F; // -0 becomes 0
-        const std::array<std::uint32_t, 3> bits{std::bit_cast<std::uint32_t>(at.x),
-                                                std::bit_cast<std::uint32_t>(at.y),
-                                                std::bit_cast<std::uint32_t>(at.z)};
-        numbers[i] = known.emplace(bits, i).first->second;
+std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions, double rounding) {
+    const auto count = static_cast<std::uint32_t>(positions.size());
+    PlaceGrid grid{positions, rounding};
+    Unions unions{count};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        bool is_known = false; // exactly; it has met all others there
+        grid.visit(positions[i], [&](std::uint32_t near) {
+            unions.join(near, i);
+            return is_known = positions[near] == positions[i];
+        });
+        if (!is_known) grid.add(i);
     }
+    std::vector<std::uint32_t> numbers(count);
+    for (std::uint32_t i = 0; i < count; ++i) numbers[i] = unions.root(i);
     return numbers;
 }
 

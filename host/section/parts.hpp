@@ -18,7 +18,8 @@ struct Parts {
 /// `places`: per position a number of its place (place_numbers).
 Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places);
 
-/// Positions at one place have one number, that of the first of them.
-std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions);
+/// Positions at one place (see PlaceGrid) have one number, that of the first of them; so have those
+/// that are joined by others between them.
+std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions, double rounding);
 
 } // namespace lineatlas

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include <glm/common.hpp>
 
 #include "parts.hpp"
+#include "place_grid.hpp"
 
 namespace lineatlas {
 namespace {
@@ -16,10 +18,12 @@ class PlaneCutter {
   public:
     PlaneCutter(const Mesh& mesh, const std::vector<std::uint32_t>& parts, const PlaneFrame& plane,
                 double rounding)
-        : mesh_(mesh), parts_(parts), plane_(plane), places_(place_numbers(mesh.positions)) {
+        : mesh_(mesh), parts_(parts), plane_(plane),
+          places_(place_numbers(mesh.positions, rounding)),
+          on_plane_(cut_.mesh.positions, rounding) {
         distances_.reserve(mesh.positions.size());
-        for (const glm::vec3 position : mesh.positions) {
-            const double distance = plane.distance(position);
+        for (const std::uint32_t place : places_) {
+            const double distance = plane.distance(mesh.positions[place]);
             distances_.push_back(std::abs(distance) <= rounding ? 0 : distance);
         }
         cut_.mesh.positions = mesh.positions;
@@ -29,7 +33,8 @@ class PlaneCutter {
     PlaneCut cut() {
         bool any_below = false, any_above = false;
         for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-            const glm::uvec3 corners = mesh_.triangles[i];
+            const glm::uvec3 given = mesh_.triangles[i];
+            const glm::uvec3 corners{places_[given.x], places_[given.y], places_[given.z]};
             const int count = is_beyond(corners.x) + is_beyond(corners.y) + is_beyond(corners.z);
             any_below |= count < 3;
             any_above |= count > 0;
@@ -60,15 +65,28 @@ class PlaneCutter {
 
     /// Where an edge goes through the plane: one position for all triangles that share it.
     std::uint32_t cut_point(std::uint32_t below, std::uint32_t beyond) {
-        if (distances_[beyond] == 0) return beyond;
-        const std::uint64_t key = std::uint64_t{places_[below]} << 32U | places_[beyond];
-        const auto fresh = static_cast<std::uint32_t>(cut_.mesh.positions.size());
-        const auto [found, is_new] = points_.emplace(key, fresh);
+        below = places_[below];
+        beyond = places_[beyond];
+        const bool is_corner = distances_[beyond] == 0;
+        const std::uint64_t key = std::uint64_t{is_corner ? beyond : below} << 32U | beyond;
+        const auto [found, is_new] = points_.emplace(key, beyond);
         if (!is_new) return found->second;
         const glm::dvec3 p{mesh_.positions[below]}, q{mesh_.positions[beyond]};
         const double share = distances_[below] / (distances_[below] - distances_[beyond]);
-        cut_.mesh.positions.push_back(plane_.placed(glm::mix(p, q, share)));
-        return fresh;
+        const glm::vec3 at =
+            is_corner ? mesh_.positions[beyond] : plane_.placed(glm::mix(p, q, share));
+        bool is_known = false;
+        on_plane_.visit(at, [&](std::uint32_t point) {
+            found->second = point;
+            return is_known = true;
+        });
+        if (is_known) return found->second;
+        if (!is_corner) {
+            found->second = static_cast<std::uint32_t>(cut_.mesh.positions.size());
+            cut_.mesh.positions.push_back(at);
+        }
+        on_plane_.add(found->second);
+        return found->second;
     }
 
     void clip(glm::uvec3 corners, std::uint32_t triangle) {
@@ -87,9 +105,23 @@ class PlaneCutter {
         const auto first = static_cast<std::uint32_t>(cut_.mesh.triangles.size());
         keep({polygon[0], polygon[1], polygon[2]}, triangle);
         if (size == 4) keep({polygon[0], polygon[2], polygon[3]}, triangle);
-        if (out == in || cut_.mesh.positions[out] == cut_.mesh.positions[in]) return;
+        if (out == in) return;
+        const std::uint32_t part = parts_[triangle];
+        const auto step = static_cast<std::uint32_t>(cut_.steps.size());
+        if (!step_of_.emplace(key_of(part, corners), step).second) return;
         // The cut's own face goes the other way along this edge.
-        cut_.steps.push_back({in, out, parts_[triangle], first});
+        cut_.steps.push_back({in, out, part, first});
+        const auto other = step_of_.find(key_of(part, {corners.y, corners.x, corners.z}));
+        if (other != step_of_.end())
+            cut_.steps[other->second].two_sided = cut_.steps.back().two_sided = true;
+    }
+
+    /// The same for triangles of the same corners, the same way round.
+    using TriangleKey = std::array<std::uint32_t, 4>;
+    static TriangleKey key_of(std::uint32_t part, glm::uvec3 corners) {
+        while (corners.x > corners.y || corners.x > corners.z)
+            corners = {corners.y, corners.z, corners.x};
+        return {part, corners.x, corners.y, corners.z};
     }
 
     void clip_polyline(std::size_t index) {
@@ -118,6 +150,8 @@ class PlaneCutter {
     }
 
     void clip_known_edge(KnownEdge edge) {
+        edge.from = places_[edge.from];
+        edge.to = places_[edge.to];
         if (is_beyond(edge.from) && is_beyond(edge.to)) return;
         if (is_beyond(edge.to)) edge.to = cut_point(edge.from, edge.to);
         if (is_beyond(edge.from)) edge.from = cut_point(edge.to, edge.from);
@@ -130,7 +164,9 @@ class PlaneCutter {
     std::vector<std::uint32_t> places_;
     std::vector<double> distances_;
     std::unordered_map<std::uint64_t, std::uint32_t> points_;
+    std::map<TriangleKey, std::uint32_t> step_of_;
     PlaneCut cut_;
+    PlaceGrid on_plane_;
 };
 
 } // namespace

@@ -16,7 +16,8 @@
 namespace lineatlas {
 namespace {
 
-/// Corners nearer to a plane than this share of the model's size lie on it: floats are no finer.
+/// Corners nearer to a plane than this share of the model's size lie on it, and those nearer to
+/// each other are at one place: floats are no finer.
 constexpr double rounding = 1e-6;
 constexpr double usual_spacing = 1.0 / 40; ///< share of the diagonal
 
@@ -54,8 +55,8 @@ std::string name_of(const SectionPlane& plane) {
 class Sectioner {
   public:
     Sectioner(const Mesh& mesh, const Hatching& hatching)
-        : hatching_(hatching), bounds_(bounds_of(mesh)),
-          parts_(find_parts(mesh, place_numbers(mesh.positions))),
+        : hatching_(hatching), bounds_(bounds_of(mesh)), rounding_(rounding * reach_of(bounds_)),
+          parts_(find_parts(mesh, place_numbers(mesh.positions, rounding_))),
           part_of_triangle_(parts_.of_triangle) {
         if (hatching_.spacing == 0) hatching_.spacing = usual_spacing * diagonal_of(bounds_);
         section_.mesh = mesh;
@@ -63,8 +64,7 @@ class Sectioner {
 
     void cut(const SectionPlane& plane) {
         const PlaneFrame frame{plane.point, plane.normal};
-        PlaneCut cut =
-            cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding * reach_of(bounds_));
+        PlaneCut cut = cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding_);
         if (cut.misses) refuse(plane, frame);
         const CutFaces faces = find_faces(cut, frame);
         mesh_ = &cut.mesh;
@@ -152,6 +152,7 @@ class Sectioner {
 
     Hatching hatching_;
     Bounds bounds_;
+    double rounding_; ///< in the model's unit
     Parts parts_;
     std::vector<std::uint32_t> part_of_triangle_;
     std::map<std::uint32_t, std::size_t> numbers_; ///< of looks, in the order in which they are met

@@ -1,6 +1,7 @@
 #include "pen_rules.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -49,6 +50,17 @@ std::vector<std::string> known_kinds() {
     return kinds;
 }
 
+const std::vector<std::string>& checked_kinds(const std::vector<std::string>& given) {
+    const std::vector<std::string> kinds = known_kinds();
+    for (const std::string& kind : given) {
+        if (std::ranges::find(kinds, kind) != kinds.end()) continue;
+        std::string advice = suggestion(kind, kinds);
+        if (advice.empty()) advice = fmt::format("; there is {}", fmt::join(kinds, ", "));
+        throw UsageError(fmt::format("pens: there is no kind \"{}\"{}", kind, advice));
+    }
+    return given;
+}
+
 void set_factor(PenRule& rule, const SettingValue& value) {
     const double* given = std::get_if<double>(&value);
     if (given == nullptr || !(*given >= 0.01) || !(*given <= 100))
@@ -67,6 +79,7 @@ std::string match_to_toml(const PenMatch& match) {
     }
     if (!match.object.empty()) parts.push_back("object = " + text(match.object));
     if (!match.material.empty()) parts.push_back("material = " + text(match.material));
+    if (match.hidden) parts.emplace_back("hidden = true");
     return parts.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(parts, ", "));
 }
 
@@ -88,25 +101,27 @@ void set_pen_key(PenRule& rule, std::string_view key, const SettingValue& value)
     });
 }
 
-void set_match_key(PenMatch& match, std::string_view key, const std::vector<std::string>& values) {
-    if (key == "kind") {
-        const std::vector<std::string> kinds = known_kinds();
-        for (const std::string& kind : values) {
-            if (std::ranges::find(kinds, kind) != kinds.end()) continue;
-            std::string advice = suggestion(kind, kinds);
-            if (advice.empty()) advice = fmt::format("; there is {}", fmt::join(kinds, ", "));
-            throw UsageError(fmt::format("pens: there is no kind \"{}\"{}", kind, advice));
-        }
-        match.kinds = values;
-        return;
-    }
-    if (key != "object" && key != "material") {
+void set_match_key(PenMatch& match, std::string_view key,
+                   const std::variant<bool, std::vector<std::string>>& value) {
+    constexpr std::array keys{"kind", "object", "material", "hidden"};
+    if (std::ranges::find(keys, key) == keys.end())
         throw UsageError(
-            fmt::format("pens: match knows no \"{}\"; there is kind, object and material", key));
+            fmt::format("pens: match knows no \"{}\"; there is {}", key, fmt::join(keys, ", ")));
+    const bool* flag = std::get_if<bool>(&value);
+    const auto* values = std::get_if<std::vector<std::string>>(&value);
+    if (key == "hidden") {
+        if (flag == nullptr) throw UsageError("pens: hidden must be true or false");
+        match.hidden = *flag;
+    } else if (key == "kind") {
+        if (values == nullptr) throw UsageError("pens: kind must be a text");
+        match.kinds = checked_kinds(*values);
+    } else {
+        if (values == nullptr || values->size() != 1 || values->front().empty())
+            throw UsageError(fmt::format("pens: {} must be a name, with * and ? if need be", key));
+        (key == "object" ? match.object : match.material) = values->front();
     }
-    if (values.size() != 1 || values.front().empty())
-        throw UsageError(fmt::format("pens: {} must be a name, with * and ? if need be", key));
-    (key == "object" ? match.object : match.material) = values.front();
+    if (match.hidden && std::ranges::find(match.kinds, outline_name) != match.kinds.end())
+        throw UsageError("pens: what is hidden is no outline");
 }
 
 std::vector<std::pair<std::string, SettingValue>> pen_values(const PenRule& rule) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "lineatlas/style.hpp"
@@ -18,9 +19,11 @@ void set_pen_key(PenRule& rule, std::string_view key, const SettingValue& value)
 /// rules.
 const SettingOf<Style>& pen_setting(std::string_view key);
 
-/// Sets what a rule asks of a line: "kind" (of which there may be several), "object" or "material".
-/// Throws UsageError for another key or an unknown kind.
-void set_match_key(PenMatch& match, std::string_view key, const std::vector<std::string>& values);
+/// Sets what a rule asks of a line: "kind" (of which there may be several), "object" or "material"
+/// by texts, "hidden" by true or false. Throws UsageError for another key or value, an unknown
+/// kind, and hidden outlines.
+void set_match_key(PenMatch& match, std::string_view key,
+                   const std::variant<bool, std::vector<std::string>>& value);
 
 /// What a rule says of its pen, by the keys that set_pen_key() takes.
 std::vector<std::pair<std::string, SettingValue>> pen_values(const PenRule& rule);

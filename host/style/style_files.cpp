@@ -288,6 +288,10 @@ class StyleLoader {
         if (table == nullptr)
             throw UsageError("pens: match must be a table: { kind = \"crease\" }");
         for (const auto& [key, value] : *table) {
+            if (const auto flag = value.value_exact<bool>()) {
+                set_match_key(match, key.str(), *flag);
+                continue;
+            }
             std::vector<std::string> texts;
             const auto add = [&](const toml::node& one) {
                 const auto text = one.value_exact<std::string>();

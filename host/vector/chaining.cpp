@@ -35,7 +35,7 @@ class PathMaker {
     /// The polylines of a stroke, of which each has a pen of its own.
     void add(const Stroke& stroke, std::vector<VectorPath>& paths) const {
         const std::vector<Stretch> parts =
-            pens_ != nullptr && stroke.visible ? parts_by_pen(stroke) : std::vector<Stretch>{};
+            pens_ != nullptr ? parts_by_pen(stroke) : std::vector<Stretch>{};
         if (parts.size() < 2) {
             add_whole(stroke, 0.5 * (stroke.from + stroke.to), paths);
             return;
@@ -61,7 +61,7 @@ class PathMaker {
         return strip_.closed ? place - std::floor(place / strip_.length) * strip_.length : place;
     }
 
-    Look look_at(double place) const {
+    Look look_at(double place, bool visible) const {
         if (pens_ == nullptr) return {};
         const double at = in_first_lap(place);
         const auto after = std::ranges::upper_bound(strip_.steps, at, {}, &StripStep::start);
@@ -70,6 +70,7 @@ class PathMaker {
             strip_.outlines, [&](Stretch one) { return one.from <= at && at <= one.to; });
         const LinePens::OfClass pens =
             pens_->pens.of_class[pens_->classes.of_segment[step.segment]];
+        if (!visible) return {.pen = pens.hidden, .outline = false};
         const bool outline = beside && pens_->pens.tell_outlines() && can_be_outline(strip_.kind);
         return {.pen = outline ? pens.outline : pens.inner, .outline = outline};
     }
@@ -93,7 +94,7 @@ class PathMaker {
         Look before;
         for (std::size_t i = 0; i + 1 < places.size(); ++i) {
             if (places[i + 1] - places[i] <= rounding) continue;
-            const Look look = look_at(0.5 * (places[i] + places[i + 1]));
+            const Look look = look_at(0.5 * (places[i] + places[i + 1]), stroke.visible);
             if (parts.empty() || !(look == before))
                 parts.push_back({places[i], places[i + 1]});
             else
@@ -110,11 +111,9 @@ class PathMaker {
     void add_whole(const Stroke& stroke, double middle, std::vector<VectorPath>& paths) const {
         VectorPath path = make(stroke);
         if (path.points.size() < 2) return;
-        if (stroke.visible) {
-            const Look look = look_at(middle);
-            path.pen = look.pen;
-            path.outline = look.outline;
-        }
+        const Look look = look_at(middle, stroke.visible);
+        path.pen = look.pen;
+        path.outline = look.outline;
         paths.push_back(std::move(path));
     }
 

@@ -53,7 +53,7 @@ Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonO
               {"closed", path.closed},
               {"outline", path.outline},
               {"alpha", rounded(static_cast<double>(path.alpha), 1000)}};
-    if (drawing.pens.size() > 1 && path.visible) json["pen"] = path.pen;
+    if ((path.visible ? drawing.pens : drawing.hidden_pens).size() > 1) json["pen"] = path.pen;
     Json points = Json::array();
     Json depths = Json::array();
     Json world = Json::array();
@@ -101,6 +101,7 @@ Json head_json(const VectorDrawing& drawing, const JsonOptions& options) {
                               {"after", pixels(drawing.travel->after)}};
     }
     if (drawing.pens.size() > 1) json["pens"] = pens_json(drawing.pens);
+    if (drawing.hidden_pens.size() > 1) json["hidden_pens"] = pens_json(drawing.hidden_pens);
     if (!options.tags) return json;
     json["groups"] = Json::array();
     for (const MeshGroup& group : drawing.groups) {

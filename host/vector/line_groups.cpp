@@ -19,7 +19,8 @@ std::string LineGroup::name() const {
 namespace {
 
 const Pen& pen_of(const VectorDrawing& drawing, const VectorPath& path) {
-    if (!path.visible) return drawing.style.hidden_pen;
+    if (!path.visible)
+        return path.pen == 0 ? drawing.style.hidden_pen : drawing.hidden_pens.at(path.pen);
     return path.pen == 0 ? drawing.style.pen : drawing.pens.at(path.pen);
 }
 

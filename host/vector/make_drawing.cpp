@@ -71,7 +71,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     Style style = given;
     scale_lengths(style, camera.size);
     LineClasses classes;
-    LinePens pens{.pens = {style.pen}, .of_class = {}};
+    LinePens pens{.pens = {style.pen}, .hidden = {style.hidden_pen}, .of_class = {}};
     if (!style.pens.empty()) {
         classes = line_classes(lines);
         pens = line_pens(classes, style);
@@ -84,10 +84,11 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture.y);
     if (!style.hidden) drop_hidden(strips);
-    apply_filter(lines, camera, style, pens.widest(), pieces, strips);
+    apply_filter(lines, camera, style, widest(pens.pens), pieces, strips);
 
     VectorDrawing drawing{.size = camera.size, .style = style, .groups = {}, .paths = {}};
     drawing.pens = pens.pens;
+    drawing.hidden_pens = pens.hidden;
     drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
     simplify(drawing.paths, options.tolerance);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture);

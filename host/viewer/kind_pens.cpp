@@ -8,8 +8,9 @@
 namespace lineatlas::viewer {
 namespace {
 
+/// Of visible lines, which is what the sliders are for.
 bool is_for_kinds_alone(const PenRule& rule) {
-    return rule.match.object.empty() && rule.match.material.empty();
+    return rule.match.object.empty() && rule.match.material.empty() && !rule.match.hidden;
 }
 
 bool names(const PenRule& rule, std::string_view kind) {

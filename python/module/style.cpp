@@ -23,9 +23,11 @@ std::string key_of(std::string name) {
     return name;
 }
 
-/// One text or several.
-std::vector<std::string> texts_of(const std::string& key, const py::handle& value) {
-    if (py::isinstance<py::str>(value)) return {value.cast<std::string>()};
+/// True or false, one text or several.
+std::variant<bool, std::vector<std::string>> match_value(const std::string& key,
+                                                         const py::handle& value) {
+    if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+    if (py::isinstance<py::str>(value)) return std::vector{value.cast<std::string>()};
     try {
         return value.cast<std::vector<std::string>>();
     } catch (const py::cast_error&) {
@@ -46,7 +48,7 @@ PenRule rule_of(const py::handle& given) {
         if (key == "match") {
             for (const auto& [asked, names] : table_of("match", value))
                 set_match_key(rule.match, std::string{py::str(asked)},
-                              texts_of(py::str(asked), names));
+                              match_value(py::str(asked), names));
             continue;
         }
         const auto object = py::reinterpret_borrow<py::object>(value);
@@ -72,6 +74,7 @@ py::list list_of(const std::vector<PenRule>& rules) {
         if (!rule.match.kinds.empty()) match["kind"] = rule.match.kinds;
         if (!rule.match.object.empty()) match["object"] = rule.match.object;
         if (!rule.match.material.empty()) match["material"] = rule.match.material;
+        if (rule.match.hidden) match["hidden"] = true;
         own["match"] = match;
         for (const auto& [key, value] : pen_values(rule)) own[py::str(key)] = python_value(value);
         list.append(own);

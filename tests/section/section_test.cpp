@@ -1,10 +1,13 @@
 #include "lineatlas/section.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -152,6 +155,107 @@ TEST(Sections, ThroughCornersAndAlongFaces) {
     EXPECT_EQ(open_edges(along.mesh), 0U);
     EXPECT_NEAR(volume(along.mesh), 8, 1e-6);
     EXPECT_FALSE(polylines(along.mesh, PolylineKind::hatching).empty());
+}
+
+/// Edges with an odd number of triangles: none where all is closed, even of what meets in edges.
+std::size_t odd_edges(const Mesh& mesh) {
+    using Corner = std::array<float, 3>;
+    std::map<std::pair<Corner, Corner>, int> counts;
+    for (const glm::uvec3& t : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec3 p = mesh.positions[t[i]], q = mesh.positions[t[(i + 1) % 3]];
+            ++counts[std::minmax(Corner{p.x, p.y, p.z}, Corner{q.x, q.y, q.z})];
+        }
+    }
+    return static_cast<std::size_t>(
+        std::ranges::count_if(counts, [](const auto& entry) { return entry.second % 2 == 1; }));
+}
+
+/// Blocks of a grid, closed together: corners, edges and faces lie where planes of the grid go.
+Mesh blocks(test::Random& random, int size) {
+    std::vector<bool> solid;
+    for (int i = 0; i < size * size * size; ++i) solid.push_back(random.below(5) != 0);
+    const auto is_solid = [&](glm::ivec3 at) {
+        if (std::min({at.x, at.y, at.z}) < 0 || std::max({at.x, at.y, at.z}) >= size) return false;
+        return bool{solid[static_cast<std::size_t>((at.z * size + at.y) * size + at.x)]};
+    };
+    Mesh mesh;
+    for (int i = 0; i < size * size * size; ++i) {
+        const glm::ivec3 at{i % size, i / size % size, i / size / size};
+        for (int side = 0; is_solid(at) && side < 6; ++side) {
+            const int axis = side / 2;
+            glm::ivec3 out{0}, along{0}, across{0};
+            out[axis] = side % 2 == 0 ? 1 : -1;
+            along[(axis + 1) % 3] = 1;
+            across[(axis + 2) % 3] = out[axis];
+            if (is_solid(at + out)) continue;
+            const glm::vec3 corner{2 * at + 1 + out - along - across};
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (const glm::vec3 more :
+                 {glm::vec3{0}, 2.0F * glm::vec3{along}, 2.0F * glm::vec3{along + across},
+                  2.0F * glm::vec3{across}})
+                mesh.positions.push_back(corner + more);
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+            mesh.triangles.emplace_back(first, first + 2, first + 3);
+        }
+    }
+    return mesh;
+}
+
+TEST(Sections, WhatIsClosedClosesWhereverThePlaneGoes) {
+    test::Random random{29};
+    int cuts = 0;
+    for (int round = 0; round < 60; ++round) {
+        const Mesh mesh = blocks(random, 4);
+        const auto corner = [&] {
+            return glm::dvec3{
+                mesh.positions[random.below(static_cast<std::uint32_t>(mesh.positions.size()))]};
+        };
+        const glm::dvec3 a = corner(), b = corner(), c = corner();
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        if (normal == glm::dvec3{0}) continue;
+        const std::vector both{plane(a, normal), plane(a, -normal)};
+        try {
+            double left = 0;
+            for (const SectionPlane& one : both) {
+                const Section half = cut_mesh(mesh, std::vector{one}, {.none = true});
+                EXPECT_EQ(half.notes, std::vector<std::string>{}) << "round " << round;
+                EXPECT_EQ(odd_edges(half.mesh), 0U) << "round " << round;
+                left += volume(half.mesh);
+            }
+            EXPECT_NEAR(left, volume(mesh), 1e-3) << "round " << round;
+            ++cuts;
+        } catch (const UsageError&) { // along the outside
+        }
+    }
+    EXPECT_GT(cuts, 40);
+}
+
+TEST(Sections, CornersOfOnePlaceButForTheirRounding) {
+    // As exporters compute them: each triangle has its own corners, a hair off those beside it.
+    test::Random random{31};
+    Mesh mesh = test::with_own_corners(sphere(3));
+    for (glm::vec3& position : mesh.positions) position += 2e-7F * random.point(1);
+    ASSERT_GT(open_edges(mesh), 0U);
+    for (int i = 0; i < 20; ++i) {
+        const Section half = cut(mesh, glm::dvec3{random.point(0.4F)}, random.direction());
+        EXPECT_EQ(half.notes, std::vector<std::string>{});
+        EXPECT_EQ(open_edges(half.mesh), 0U);
+    }
+    // Through corners of which some lie on the plane, and others nearly do.
+    for (int i = 0; i < 30; ++i) {
+        const Section half = cut(mesh, {0, 0, 2e-7 * i}, {0, 0, 1});
+        EXPECT_EQ(half.notes, std::vector<std::string>{}) << i;
+        EXPECT_EQ(open_edges(half.mesh), 0U) << i;
+    }
+}
+
+TEST(Sections, ATriangleThatStandsTwiceIsCutOnce) {
+    Mesh mesh = cube();
+    for (std::size_t i = 0; i < 12; i += 3) mesh.triangles.push_back(mesh.triangles[i]);
+    const Section half = cut(mesh, {0, 0.1, 0.25}, {0, 0.2, 1});
+    EXPECT_EQ(half.notes, std::vector<std::string>{});
+    EXPECT_EQ(polylines(half.mesh, PolylineKind::section).size(), 1U);
 }
 
 TEST(Sections, HollowsAndHolesStayEmpty) {

@@ -415,10 +415,14 @@ TEST_F(StyleFiles, PensByRule) {
                                                      "[[pens]]\n"
                                                      "match = { object = \"Bolt*\", "
                                                      "material = \"steel\" }\n"
-                                                     "color = \"navy\"\n"));
+                                                     "color = \"navy\"\n"
+                                                     "[[pens]]\n"
+                                                     "match = { kind = \"crease\", "
+                                                     "hidden = true }\n"
+                                                     "width-factor = 2\n"));
     const std::size_t plain = default_style().pens.size();
     EXPECT_GT(plain, 0U);
-    ASSERT_EQ(style.pens.size(), plain + 2);
+    ASSERT_EQ(style.pens.size(), plain + 3);
     const PenRule& outline = style.pens[plain];
     EXPECT_EQ(outline.match.kinds, std::vector<std::string>{"outline"});
     EXPECT_EQ(outline.width, 4.0F);
@@ -426,6 +430,8 @@ TEST_F(StyleFiles, PensByRule) {
     EXPECT_FALSE(outline.color);
     EXPECT_EQ(style.pens[plain + 1].match.object, "Bolt*");
     EXPECT_EQ(style.pens[plain + 1].match.material, "steel");
+    EXPECT_FALSE(style.pens[plain + 1].match.hidden);
+    EXPECT_TRUE(style.pens[plain + 2].match.hidden);
     const std::string text = write_style(style);
     EXPECT_EQ(write_style(load_style(file("again.toml", text))), text);
     // An empty list takes away what is included.
@@ -435,10 +441,16 @@ TEST_F(StyleFiles, PensByRule) {
 TEST_F(StyleFiles, RulesThatAreRefused) {
     expect_refused("[[pens]]\nmatch = { kind = \"outlin\" }\n", {"line 2", "\"outline\"?"});
     expect_refused("[[pens]]\nmatch = { kind = \"xyzxyz\" }\n", {"line 2", "there is crease"});
-    expect_refused("[[pens]]\nmatch = { part = \"a\" }\n", {"line 2", "kind, object and material"});
+    expect_refused("[[pens]]\nmatch = { part = \"a\" }\n",
+                   {"line 2", "kind, object, material, hidden"});
     expect_refused("[[pens]]\nmatch = { object = \"\" }\n", {"line 2", "object must be a name"});
     expect_refused("[[pens]]\nmatch = \"outline\"\n", {"line 2", "match must be a table"});
     expect_refused("[[pens]]\nmatch = { kind = 3 }\n", {"line 2", "kind must be a text"});
+    expect_refused("[[pens]]\nmatch = { kind = true }\n", {"line 2", "kind must be a text"});
+    expect_refused("[[pens]]\nmatch = { hidden = \"yes\" }\n",
+                   {"line 2", "hidden must be true or false"});
+    expect_refused("[[pens]]\nmatch = { hidden = true, kind = \"outline\" }\n",
+                   {"line 2", "what is hidden is no outline"});
     expect_refused("[[pens]]\nwidht = 3\n", {"line 2", "\"widht\"", "\"width\"?"});
     expect_refused("[[pens]]\nhalo = 3\n", {"line 2", "\"halo\"", "width-factor"});
     expect_refused("[[pens]]\nwidth = 0\n", {"line 2", "above 0"});

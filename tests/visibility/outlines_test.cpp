@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/line_pens.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/error.hpp"
@@ -269,6 +270,99 @@ TEST(Pens, OfPicturesAreThoseOfTheRules) {
     ruled.pens.push_back({.match = {}, .width = 5});
     plain.pen.width = 5;
     EXPECT_EQ(ink(Method::exact, ruled), ink(Method::exact, plain));
+}
+
+/// A cube drawn with hidden lines: creases behind it green, all other hidden lines dotted.
+Style with_hidden_rules() {
+    Style style;
+    style.hidden = true;
+    style.hidden_pen = {.mark = "solid", .width = 2, .color = {0, 0, 1}};
+    style.pens = {{.match = {.kinds = {"crease"}}, .width = 3},
+                  {.match = {.kinds = {"crease"}, .object = "right", .hidden = true},
+                   .width_factor = 2,
+                   .color = glm::vec3{0, 1, 0}},
+                  {.match = {.kinds = {"crease"}, .hidden = true}, .opacity = 0.5F}};
+    return style;
+}
+
+/// Two boxes side by side, of which "right" has another object's name.
+LineSet two_boxes() {
+    Mesh mesh;
+    add_box(mesh, {-3, -1, -1}, {-1, 1, 1}, {.object = "left", .material = ""});
+    add_box(mesh, {1, -1, -1}, {3, 1, 1}, {.object = "right", .material = ""});
+    return extract_lines(mesh);
+}
+
+TEST(Pens, HiddenLinesHaveRulesOfTheirOwn) {
+    const LineSet lines = two_boxes();
+    const VectorDrawing drawing = drawing_of(lines, corner_view(lines), with_hidden_rules());
+    std::size_t hidden = 0;
+    for (const VectorPath& path : drawing.paths) {
+        const Pen& pen = (path.visible ? drawing.pens : drawing.hidden_pens).at(path.pen);
+        const bool right = path.points.front().world.x > 0;
+        EXPECT_EQ(pen.width, path.visible ? 3 : right ? 4 : 2);
+        EXPECT_EQ(pen.opacity, path.visible ? 1 : 0.5F);
+        if (path.visible) continue;
+        EXPECT_EQ(pen.color, right ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1));
+        ++hidden;
+    }
+    EXPECT_EQ(hidden, 6U);
+    std::vector<std::string> names;
+    std::vector<float> widths;
+    for (const LineGroup& group : line_groups(drawing)) {
+        names.push_back(group.name());
+        widths.push_back(group.pen.width);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"crease-hidden", "crease-hidden-2", "crease"}));
+    EXPECT_EQ(widths, (std::vector<float>{2, 4, 3}));
+    // Rules for hidden lines alone leave visible ones as they are, and the other way round.
+    Style style = with_hidden_rules();
+    style.pens.erase(style.pens.begin());
+    EXPECT_EQ(drawing_of(lines, corner_view(lines), style).pens.size(), 1U);
+    style = with_hidden_rules();
+    style.pens.resize(1);
+    EXPECT_EQ(drawing_of(lines, corner_view(lines), style).hidden_pens.size(), 1U);
+    // A rule for what is not drawn says so.
+    EXPECT_TRUE(idle_rules(line_classes(lines), with_hidden_rules()).empty());
+    style = with_hidden_rules();
+    style.hidden = false;
+    ASSERT_EQ(idle_rules(line_classes(lines), style).size(), 1U);
+    EXPECT_NE(idle_rules(line_classes(lines), style)[0].find("hidden = true"), std::string::npos);
+}
+
+TEST(Pens, OfHiddenLinesOfPicturesAreThoseOfTheRules) {
+    const gl::HeadlessContext context;
+    Renderer renderer;
+    const LineSet lines = two_boxes();
+    renderer.set_lines(lines);
+    const Camera camera = corner_view(lines);
+    gl::Canvas canvas{size};
+    Style style = with_hidden_rules();
+    style.pens.pop_back(); // all opaque: lengths can be told from ink
+    style.pen.color = {1, 1, 1};
+    const VectorDrawing drawing = drawing_of(lines, camera, style);
+    for (const Method method : {Method::exact, Method::atlas}) {
+        SCOPED_TRACE(static_cast<int>(method));
+        canvas.clear(glm::vec4{1});
+        FrameOptions options;
+        options.method = method;
+        options.style = style;
+        renderer.draw(camera, options, canvas.framebuffer());
+        const std::vector<std::uint8_t> pixels = canvas.read();
+        std::array<double, 3> ink{};
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            if (i % 4 < 3) ink[i % 4] += (255 - pixels[i]) / 255.0;
+        double green = 0, blue = 0;
+        for (const VectorPath& path : drawing.paths) {
+            if (path.visible) continue;
+            const bool right = path.points.front().world.x > 0;
+            (right ? green : blue) += (right ? 4 : 2) * length_of(path);
+        }
+        // Green takes red and blue away, blue takes red and green; ends of visible lines cover
+        // some.
+        EXPECT_NEAR(ink[2], green, 0.1 * green);
+        EXPECT_NEAR(ink[1], blue, 0.1 * blue);
+    }
 }
 
 TEST(Pens, LengthsGrowWithThePicture) {

@@ -94,14 +94,15 @@ struct PenMatch {
     std::vector<std::string> kinds{};
     std::string object{};   ///< MeshGroup::object of a face beside the line; * and ? as in files
     std::string material{}; ///< MeshGroup::material of the same face, likewise
+    bool hidden = false;    ///< hidden lines (Style::hidden); else visible ones
 };
 
-/// A pen for some of the visible lines: what it names is so, the rest is as without it.
+/// A pen for some of the lines: what it names is so, the rest is as without it.
 struct PenRule {
     PenMatch match{};                         ///< which lines it is for
     std::optional<std::string> mark{};        ///< Pen::mark
     std::optional<float> width{};             ///< Pen::width
-    std::optional<float> width_factor{};      ///< of the width of Style::pen, in place of `width`
+    std::optional<float> width_factor{};      ///< of the style's own width, in place of `width`
     std::optional<glm::vec3> color{};         ///< Pen::color
     std::optional<float> opacity{};           ///< Pen::opacity
     std::optional<Join> join{};               ///< Pen::join
@@ -125,7 +126,8 @@ struct Style {
     Fill fill{};           ///< under the lines
     Paper paper{};         ///< what is drawn on
     Focus focus{};         ///< what stands out
-    /// Of visible lines: every rule that is for a line changes its pen, in this order.
+    /// Every rule that is for a line changes its pen, in this order: `pen`, and of hidden lines
+    /// `hidden_pen`.
     std::vector<PenRule> pens{};
     /// Shorter side, in pixels, of the picture that the lengths are for: in a larger one they are
     /// longer in proportion, in a smaller one as they are. 0: they are pixels of every picture.

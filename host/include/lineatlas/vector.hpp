@@ -45,7 +45,7 @@ struct VectorPath {
     bool visible = true;              ///< else it is hidden, all along
     bool closed = false;              ///< the last point is where the first one is
     bool outline = false;             ///< beside the background all along
-    std::uint32_t pen = 0;            ///< index into VectorDrawing::pens, of a visible path
+    std::uint32_t pen = 0;            ///< index into VectorDrawing::pens, or hidden_pens
     float alpha = 1;                  ///< mean visibility
     std::vector<VectorPoint> points;  ///< two at least
     /// In order; several of one point where segments in a row lie on one straight line.
@@ -63,9 +63,11 @@ struct PenTravel {
 /// A drawing as paths, in the order in which they are drawn: hidden lines before visible ones, and
 /// within both by kind.
 struct VectorDrawing {
-    glm::ivec2 size{1, 1};             ///< of the picture in pixels
-    Style style{};                     ///< pen of hidden paths, colour of the paper
-    std::vector<Pen> pens{Pen{}};      ///< of visible paths; the first is the style's own
+    glm::ivec2 size{1, 1};        ///< of the picture in pixels
+    Style style{};                ///< colour of the paper
+    std::vector<Pen> pens{Pen{}}; ///< of visible paths; the first is the style's own
+    /// Of hidden paths, likewise.
+    std::vector<Pen> hidden_pens{Style{}.hidden_pen};
     std::vector<MeshGroup> groups;     ///< what pieces belong to; empty where none are known
     std::vector<VectorPath> paths;     ///< in the order in which they are drawn
     std::optional<PenTravel> travel{}; ///< of a drawing for a plotter
