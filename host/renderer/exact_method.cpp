@@ -98,7 +98,8 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     try {
         find(frame, progress.part(0, 0.5F));
     } catch (const Cancelled&) {
-        pass_to_strokes(frame); // what the next frame takes from GL must be GL's
+        // What the next frame takes from GL must be GL's, whatever has been written.
+        handover_.to_gl(strokes_.tables({alpha_.get()}));
         throw;
     }
     pass_to_strokes(frame);

@@ -122,7 +122,7 @@ void draw_parts_section(Ui& ui) {
     constexpr std::size_t most = 8;
     const float height = ImGui::GetFrameHeightWithSpacing() *
                          static_cast<float>(std::clamp<std::size_t>(listed.size(), 1, most));
-    ImGui::BeginChild("parts", {0, height});
+    ImGui::BeginChild("parts.list", {0, height}, false, ImGuiWindowFlags_NavFlattened);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(listed.size()), ImGui::GetFrameHeightWithSpacing());
     while (clipper.Step()) {
