@@ -11,6 +11,7 @@
 
 #include "certifier.hpp"
 #include "command_line/device_options.hpp"
+#include "command_line/joined_models.hpp"
 #include "command_line/part_filter.hpp"
 #include "command_line/read_options.hpp"
 #include "command_line/session_file.hpp"
@@ -27,7 +28,6 @@
 #include "glpasses/headless_context.hpp"
 #include "io/extension.hpp"
 #include "io/image_writer.hpp"
-#include "io/isolated.hpp"
 #include "io/odd_triangles.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/compute_device.hpp"
@@ -54,7 +54,8 @@ namespace {
 /// The command line of `draw` as written; what is empty was not given.
 struct DrawArguments {
     std::string model, scene, output;
-    std::string session; ///< that MODEL named
+    std::string session;                       ///< that MODEL named
+    std::vector<std::filesystem::path> models; ///< that are drawn: MODEL, or those of the session
     std::string size = "1024x768";
     ViewOptions view;
     float at = 0;
@@ -121,7 +122,7 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<
                 std::vector<std::string>& notes) {
     if (arguments.view.says_up()) return arguments.view.up({});
     if (of_file) return *of_file;
-    const glm::vec3 up = guess_up(mesh, usual_up(arguments.model));
+    const glm::vec3 up = guess_up(mesh, usual_up(arguments.models.front()));
     const bool matters = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (up.z > 0 && matters) notes.push_back("z is taken as upwards; --up y takes y");
     return up;
@@ -177,14 +178,14 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .view = view,
                 .sections = std::move(sections)};
     }
-    LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits(),
-                                           {.deflection = arguments.deflection});
+    LoadedMesh loaded = load_models_isolated(arguments.models, arguments.read.limits(),
+                                             {.deflection = arguments.deflection});
     arguments.parts.apply(loaded);
     const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
     std::vector<std::string> sections =
         cut(arguments, loaded.mesh, loaded.origin,
             arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
-    Subject subject{.name = arguments.model,
+    Subject subject{.name = arguments.models.front().string(),
                     .mesh = std::move(loaded.mesh),
                     .lines = {},
                     .framed = {},
@@ -244,7 +245,7 @@ void check_range(std::string_view option, float value, float least, float most) 
 
 /// Everything that can be wrong on the command line alone is found before any work starts.
 void check_arguments(const DrawArguments& arguments, const FrameSettings& settings) {
-    if (arguments.model.empty() == arguments.scene.empty()) {
+    if (arguments.models.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     if (!arguments.scene.empty() && arguments.parts.given())
@@ -277,7 +278,7 @@ OutputPlaces output_places(const DrawArguments& arguments,
                            const std::map<std::string, Image>& pen_images) {
     OutputPlaces places;
     places.reads(arguments.session);
-    places.reads(arguments.model);
+    for (const std::filesystem::path& model : arguments.models) places.reads(model);
     places.reads(arguments.style.name());
     places.reads(arguments.sequence.camera_path());
     for (const auto& [file, image] : pen_images) places.reads(file);
@@ -439,7 +440,7 @@ void draw_without_gl(const Drawing& drawing) {
 
 /// Takes what a session says and the command line does not. Throws Error.
 void take_session(DrawArguments& arguments, CLI::App& app) {
-    arguments.session = std::exchange(arguments.model, {});
+    arguments.session = arguments.model;
     const SessionFile session = read_session(arguments.session);
     const auto give = [&](const std::string& key, const std::vector<std::string>& values) {
         CLI::Option* option = app.get_option("--" + key);
@@ -447,7 +448,7 @@ void take_session(DrawArguments& arguments, CLI::App& app) {
         for (const std::string& value : values) option->add_result(value);
         option->run_callback();
     };
-    arguments.model = session.model.string();
+    arguments.models = session.models;
     if (arguments.scene.empty()) arguments.scene = session.scene;
     arguments.style.set_usual(session.style);
     for (const SessionFile::Option& option : session.options) give(option.key, option.values);
@@ -487,14 +488,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         options.profile = arguments.profile.given();
     }
 
-    const Drawing drawing{
-        arguments,
-        describe_drawing(app, arguments.session.empty() ? arguments.model : arguments.session,
-                         subject.sections),
-        subject,
-        size,
-        options,
-        frames};
+    const Drawing drawing{arguments, describe_drawing(app, arguments.model, subject.sections),
+                          subject,   size,
+                          options,   frames};
     if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
     const gl::HeadlessContext context;
     Renderer renderer{arguments.device};
@@ -598,7 +594,10 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20\n"
                "  lineatlas draw --scene ship -o ship.png --profile trace.json --profile -");
     return [arguments, &app] {
-        if (lower_extension(arguments->model) == ".toml") take_session(*arguments, app);
+        if (lower_extension(arguments->model) == ".toml")
+            take_session(*arguments, app);
+        else if (!arguments->model.empty())
+            arguments->models = {arguments->model};
         draw(*arguments, app);
     };
 }

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "io/source_file.hpp"
+#include "joined_models.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/section.hpp"
 #include "lineatlas/style_files.hpp"
@@ -96,7 +97,7 @@ class Reader {
                 throw at(node, named ? cause : fmt::format("{}: {}", key.str(), cause));
             }
         }
-        if (session_.model.empty() == session_.scene.empty())
+        if (session_.models.empty() == session_.scene.empty())
             throw FileError(quoted(file_) + ": it needs a \"model\" or a \"scene\", not both");
         return std::move(session_);
     }
@@ -110,8 +111,10 @@ class Reader {
     void take(std::string_view key, const toml::node& node) {
         if (key == mark) return;
         if (key == "model") {
-            const fs::path model = as_word(node);
-            session_.model = model.empty() ? model : (file_.parent_path() / model);
+            for (const std::string& model : words(node))
+                if (!model.empty()) session_.models.push_back(file_.parent_path() / model);
+            if (session_.models.size() > most_models)
+                throw UsageError(fmt::format("{} files at most", most_models));
         } else if (key == "scene") {
             session_.scene = as_word(node);
         } else if (key == "views") {
@@ -215,6 +218,23 @@ std::string list(const std::vector<std::string>& words) {
     return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
+/// A line of the file.
+std::string entry(const std::string& key, const std::vector<std::string>& values) {
+    return fmt::format("{} = {}\n", key, values.size() == 1 ? text(values.front()) : list(values));
+}
+
+/// Paths from a folder on, where they are below it.
+std::vector<std::string> named_from(const fs::path& folder, const std::vector<fs::path>& files) {
+    std::vector<std::string> result;
+    for (const fs::path& file : files) {
+        const fs::path whole = fs::absolute(file).lexically_normal();
+        const fs::path near = whole.lexically_relative(fs::absolute(folder).lexically_normal());
+        const bool below = !near.empty() && *near.begin() != "..";
+        result.push_back((below ? near : whole).string());
+    }
+    return result;
+}
+
 std::string vector(glm::dvec3 v) {
     return fmt::format("[{}, {}, {}]", shortest(v.x), shortest(v.y), shortest(v.z));
 }
@@ -247,18 +267,12 @@ SessionFile read_session(const fs::path& file) {
 std::string write_session(const SessionFile& session, const fs::path& folder) {
     std::string result = fmt::format(
         "# What lineatlas view shows; lineatlas draw draws it.\n{} = {}\n", mark, version);
-    if (session.model.empty()) {
+    if (session.models.empty())
         result += fmt::format("scene = {}\n", text(session.scene));
-    } else {
-        const fs::path model = fs::absolute(session.model).lexically_normal();
-        const fs::path near = model.lexically_relative(fs::absolute(folder).lexically_normal());
-        const bool below = !near.empty() && *near.begin() != "..";
-        result += fmt::format("model = {}\n", text((below ? near : model).string()));
-    }
+    else
+        result += entry("model", named_from(folder, session.models));
     for (const SessionFile::Option& option : session.options) {
-        result += fmt::format("{} = {}\n", option.key,
-                              option.values.size() == 1 ? text(option.values.front())
-                                                        : list(option.values));
+        result += entry(option.key, option.values);
     }
     if (!session.sections_off.empty())
         result += fmt::format("sections-off = {}\n", list(session.sections_off));

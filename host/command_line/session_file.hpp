@@ -29,7 +29,7 @@ struct SessionFile {
         bool operator==(const NamedView&) const = default;
     };
 
-    std::filesystem::path model{}; ///< empty: `scene`
+    std::vector<std::filesystem::path> models{}; ///< side by side, see join_models(); none: `scene`
     std::string scene{};
     std::vector<Option> options{};
     std::vector<std::string> sections_off{}; ///< as --section has them; they don't cut

@@ -1,5 +1,7 @@
 #include "exact_method.hpp"
 
+#include <algorithm>
+
 #include "backdrop.hpp"
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
@@ -17,7 +19,7 @@ void ExactMethod::set_scene(const SceneBuffers& scene) {
     lines_.make_tables(scene.triangle_count(), scene.tables().most_segments());
 }
 
-void ExactMethod::find(Frame& frame) {
+void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
     strokes_.begin_frame(frame);
     intervals_.begin_frame(frame);
     const LineView view{.camera = frame.camera,
@@ -32,9 +34,20 @@ void ExactMethod::find(Frame& frame) {
     };
     const bool of_intervals = IntervalStage::wants_outlines(frame);
     const bool of_strokes = StrokeStage::wants_outlines(frame);
+    // Stages of a chunk, as they usually are; some run again where a table was too small.
+    constexpr float usual_stages = 8;
+    float done = 0;
+    const auto clock = [&](const char* name, const auto& action) {
+        if (progress) {
+            device_.finish(); // else only what was submitted would be told
+            progress(done);
+            done += std::min((1 - done) / 2, 1 / (usual_stages * static_cast<float>(chunks)));
+        }
+        frame.clock(name, action);
+    };
     const float depth = outline_depth(frame.options.style, frame.camera.size);
     lines_.find(
-        view, chunks, table, frame.clock,
+        view, chunks, table, clock,
         [&](std::size_t, const compute::SegmentTable& segments, const compute::SpanTable& spans) {
             frame.scene.set_order(segments);
             std::optional<compute::OutlineTable> outline;
@@ -69,7 +82,7 @@ void ExactMethod::pass_to_strokes(Frame& frame) {
 
 FrameStats ExactMethod::draw(Frame& frame) {
     frame.clock.handover([&] { take_tables(); });
-    find(frame);
+    find(frame, ProgressPart::none());
     if (frame.options.draw) frame.backdrop.draw_fill(frame, frame.options.style.fill);
     pass_to_strokes(frame);
     if (frame.options.draw) strokes_.draw(frame, *alpha_);
@@ -82,7 +95,13 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     const ProgressPart drawing = progress.part(0.5F, 1);
     progress(0);
     frame.clock.handover([&] { take_tables(); });
-    find(frame);
+    try {
+        find(frame, progress.part(0, 0.5F));
+    } catch (const Cancelled&) {
+        // What the next frame takes from GL must be GL's, whatever has been written.
+        handover_.to_gl(strokes_.tables({alpha_.get()}));
+        throw;
+    }
     pass_to_strokes(frame);
     const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
     float done = 0;

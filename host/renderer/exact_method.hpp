@@ -30,8 +30,8 @@ class ExactMethod {
     std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
 
   private:
-    /// Finds what is visible, and makes intervals and runs of it.
-    void find(Frame& frame);
+    /// Finds what is visible, and makes intervals and runs of it. Throws Cancelled.
+    void find(Frame& frame, const ProgressPart& progress);
     bool grow();
     /// Takes its tables from GL.
     void take_tables();

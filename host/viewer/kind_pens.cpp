@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/line_pens.hpp"
+#include "core/name_pattern.hpp"
+#include "parts.hpp"
 
 namespace lineatlas::viewer {
 namespace {
@@ -44,15 +47,53 @@ PenRule& own_rule(Style& style, std::string_view kind) {
     return *rules.insert(place, PenRule{.match = {.kinds = {std::string{kind}}}});
 }
 
+void take(Pen& pen, const PenRule& rule, const Style& style) {
+    if (rule.width) pen.width = *rule.width;
+    if (rule.width_factor) pen.width = style.pen.width * *rule.width_factor;
+    if (rule.color) pen.color = *rule.color;
+}
+
+/// The object's own rule, behind all others.
+PenRule& own_rule_of_object(Style& style, const std::string& object) {
+    const std::string pattern = literal_pattern(object);
+    const auto own = std::ranges::find_if(style.pens, [&](const PenRule& rule) {
+        return rule.match.object == pattern && rule.match.kinds.empty() &&
+               rule.match.material.empty();
+    });
+    PenRule rule;
+    rule.match.object = pattern;
+    if (own != style.pens.end()) {
+        rule = *own;
+        style.pens.erase(own);
+    }
+    return style.pens.emplace_back(std::move(rule));
+}
+
 } // namespace
+
+Pen pen_of_object(const Style& style, const std::string& object) {
+    Pen pen = style.pen;
+    for (const PenRule& rule : style.pens)
+        if (rule.match.kinds.empty() && rule.match.material.empty() &&
+            (rule.match.object.empty() || matches(rule.match.object, object)))
+            take(pen, rule, style);
+    return pen;
+}
+
+void set_width_of_object(Style& style, const std::string& object, float width) {
+    PenRule& rule = own_rule_of_object(style, object);
+    rule.width = width;
+    rule.width_factor.reset();
+}
+
+void set_color_of_object(Style& style, const std::string& object, glm::vec3 color) {
+    own_rule_of_object(style, object).color = color;
+}
 
 Pen pen_of_kind(const Style& style, std::string_view kind) {
     Pen pen = style.pen;
     for (const PenRule& rule : style.pens) {
-        if (!is_for_kinds_alone(rule) || !names(rule, kind)) continue;
-        if (rule.width) pen.width = *rule.width;
-        if (rule.width_factor) pen.width = style.pen.width * *rule.width_factor;
-        if (rule.color) pen.color = *rule.color;
+        if (is_for_kinds_alone(rule) && names(rule, kind)) take(pen, rule, style);
     }
     return pen;
 }

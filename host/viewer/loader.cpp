@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "command_line/joined_models.hpp"
 #include "command_line/values.hpp"
 #include "core/far_part.hpp"
 #include "core/up_axis.hpp"
@@ -58,7 +59,8 @@ std::shared_ptr<Model> model_of(const ModelSource& source, LoadedMesh loaded) {
     model->notes = std::move(loaded.notes);
     model->unit = loaded.unit;
     if (!source.up)
-        model->source.up = loaded.up.value_or(guess_up(loaded.mesh, usual_up(source.file)));
+        model->source.up =
+            loaded.up.value_or(guess_up(loaded.mesh, usual_up(source.files.front())));
     model->mesh = model->whole = std::make_shared<const Mesh>(std::move(loaded.mesh));
     return model;
 }
@@ -84,6 +86,11 @@ std::shared_ptr<Model> showing(const Model& model, const Shown& shown) {
     return result;
 }
 
+const char* what_is_done(const ModelSource& source) {
+    if (source.files.empty()) return "Building the scene";
+    return source.files.size() == 1 ? "Reading the file" : "Reading the files";
+}
+
 void find_lines(Model& model, const Progress& progress) {
     LineOptions options = model.source.lines;
     if (model.shown.crease)
@@ -96,8 +103,19 @@ void find_lines(Model& model, const Progress& progress) {
 
 } // namespace
 
+std::string ModelSource::name() const {
+    if (files.empty()) return scene;
+    const std::string first = files.front().filename().string();
+    return files.size() == 1 ? first : fmt::format("{} + {}", first, files.size() - 1);
+}
+
+std::string ModelSource::stem() const {
+    return files.empty() ? scene : files.front().stem().string();
+}
+
 std::shared_ptr<Model> Loader::read(const ModelSource& source) {
-    if (!source.file.empty()) return model_of(source, load_mesh_isolated(source.file, source.read));
+    if (!source.files.empty())
+        return model_of(source, load_models_isolated(source.files, source.read));
     Scene scene = make_scene(source.scene);
     const View view = scene.view(0);
     std::shared_ptr<Model> model = model_of(source, {.mesh = std::move(scene.mesh), .notes = {}});
@@ -113,13 +131,14 @@ void Loader::run(const std::shared_ptr<Job>& job) {
             job->say("Finding the lines of what is shown");
             model = showing(*job->model, job->shown);
         } else {
-            job->say(job->source.file.empty() ? "Building the scene" : "Reading the file");
+            job->say(what_is_done(job->source));
             model = job->reader(job->source);
             if (!job->cancelled) job->say("Finding its lines");
         }
         if (!job->cancelled) {
             find_lines(*model, [&](float) { return !job->cancelled; });
-            if (!job->model && !job->source.file.empty()) add_notes(model->lines.odd, model->notes);
+            if (!job->model && !job->source.files.empty())
+                add_notes(model->lines.odd, model->notes);
         }
         result = model;
     } catch (const std::bad_alloc&) {
@@ -170,6 +189,10 @@ void Loader::cancel() {
 
 std::string Loader::name() const {
     return job_ ? job_->source.name() : "";
+}
+
+const Shown* Loader::shown() const {
+    return job_ && job_->model ? &job_->shown : nullptr;
 }
 
 std::string Loader::stage() const {

@@ -17,14 +17,15 @@ namespace lineatlas::viewer {
 
 /// What is to be shown: a file or a built-in scene.
 struct ModelSource {
-    std::filesystem::path file;
-    std::string scene;             ///< if there is no file
+    std::vector<std::filesystem::path> files; ///< side by side, see join_models()
+    std::string scene;                        ///< if there is no file
     std::optional<glm::vec3> up{}; ///< none: as the model stands; once loaded there is one
     LineOptions lines{};
 
-    ReadLimits read{}; ///< of the file
+    ReadLimits read{}; ///< of each file
 
-    std::string name() const { return file.empty() ? scene : file.filename().string(); }
+    std::string name() const; ///< for people
+    std::string stem() const; ///< of files that are saved
 };
 
 struct Model {
@@ -66,7 +67,9 @@ class Loader {
     bool busy() const { return job_ != nullptr; }
     /// Whether that takes so long that people should know: a file, or what has taken a while.
     bool shows_progress() const;
-    std::string name() const;  ///< of what is being read
+    std::string name() const; ///< of what is being read
+    /// What lines are being found for; null while a model is read or nothing is done.
+    const Shown* shown() const;
     std::string stage() const; ///< for people, as in "Reading the file"
 
     /// The model, or why there is none; once, when it is there.

@@ -16,16 +16,6 @@ constexpr const char* unnamed = "(no name)";
 /// What ends the pattern of a part that holds others.
 constexpr std::string_view all_within = "/*";
 
-/// A pattern that means these letters alone.
-std::string literal(const std::string& name) {
-    std::string pattern;
-    for (const char letter : name) {
-        if (std::string_view{"*?[\\"}.find(letter) != std::string_view::npos) pattern += '\\';
-        pattern += letter;
-    }
-    return pattern;
-}
-
 /// Each part followed by those in it.
 std::vector<std::uint32_t> order_of_tree(const std::vector<ModelPart>& parts) {
     std::vector<std::vector<std::uint32_t>> held(parts.size());
@@ -41,6 +31,15 @@ std::vector<std::uint32_t> order_of_tree(const std::vector<ModelPart>& parts) {
 }
 
 } // namespace
+
+std::string literal_pattern(const std::string& name) {
+    std::string pattern;
+    for (const char letter : name) {
+        if (std::string_view{"*?[\\"}.find(letter) != std::string_view::npos) pattern += '\\';
+        pattern += letter;
+    }
+    return pattern;
+}
 
 Parts::Parts(const LoadedMesh& loaded) : paths_(part_paths(loaded)) {
     if (paths_.paths.size() < 2) return;
@@ -67,7 +66,11 @@ Parts::Parts(const LoadedMesh& loaded) : paths_(part_paths(loaded)) {
     for (Part& part : all_)
         if (part.name.empty()) part.name = unnamed;
     const Mesh& mesh = loaded.mesh;
+    objects_of_path_.resize(paths_.paths.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (!mesh.triangle_group.empty())
+            objects_of_path_[paths_.of_triangle[i]].insert(
+                mesh.groups[mesh.triangle_group[i]].object);
         for (std::uint32_t part = part_of_path_[paths_.of_triangle[i]]; part != none;
              part = all_[part].parent) {
             Bounds& bounds = all_[part].bounds;
@@ -77,6 +80,14 @@ Parts::Parts(const LoadedMesh& loaded) : paths_(part_paths(loaded)) {
             }
         }
     }
+}
+
+std::vector<std::string> Parts::objects_of(std::uint32_t part) const {
+    std::set<std::string> objects;
+    for (std::size_t path = 0; path < part_of_path_.size(); ++path)
+        if (is_in(part_of_path_[path], part))
+            objects.insert(objects_of_path_[path].begin(), objects_of_path_[path].end());
+    return {objects.begin(), objects.end()};
 }
 
 std::string Parts::path_of(std::uint32_t part) const {
@@ -131,7 +142,7 @@ std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray,
 }
 
 std::string Parts::pattern_of(std::uint32_t part) const {
-    return literal(path_of(part)) + std::string{all_[part].holds_others ? all_within : ""};
+    return literal_pattern(path_of(part)) + std::string{all_[part].holds_others ? all_within : ""};
 }
 
 HiddenParts Parts::matching(std::span<const std::string> patterns,

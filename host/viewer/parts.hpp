@@ -16,6 +16,9 @@ namespace lineatlas::viewer {
 /// Numbers of parts that are not shown; what is in them isn't either.
 using HiddenParts = std::set<std::uint32_t>;
 
+/// A pattern that means a name's letters alone.
+std::string literal_pattern(const std::string& name);
+
 /// The parts of a model: a tree with triangles at its leaves.
 class Parts {
   public:
@@ -36,6 +39,8 @@ class Parts {
     /// The names of a part and of what it is in, as in `lineatlas draw --hide`.
     std::string path_of(std::uint32_t part) const;
     bool is_hidden(std::uint32_t part, const HiddenParts& hidden) const;
+    /// MeshGroup::object of its triangles, each once: what rules for pens name.
+    std::vector<std::string> objects_of(std::uint32_t part) const;
     /// What hides all but the part.
     HiddenParts all_but(std::uint32_t part) const;
     /// The mesh without hidden parts, its positions as they are.
@@ -58,6 +63,7 @@ class Parts {
     std::vector<Part> all_;
     PartPaths paths_;
     std::vector<std::uint32_t> part_of_path_;
+    std::vector<std::set<std::string>> objects_of_path_;
 };
 
 } // namespace lineatlas::viewer

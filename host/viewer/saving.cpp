@@ -36,7 +36,7 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     VectorFrame frame;
     frame.style = picture.options.style;
     frame.paths.mesh = picture.model.mesh.get();
-    frame.svg.title = std::filesystem::path{picture.model.source.name()}.stem().string();
+    frame.svg.title = picture.model.source.stem();
     frame.json.origin = picture.model.origin;
     frame.description = command_of(picture);
     VectorOutput output{std::move(frame), picture.model.lines,
@@ -64,8 +64,9 @@ void save_pixels(const SavedPicture& picture, const Camera& camera,
 std::string command_of(const SavedPicture& picture) {
     const FrameOptions& options = picture.options;
     const ModelSource& source = picture.model.source;
-    std::string text =
-        source.file.empty() ? "draw --scene " + source.scene : "draw " + word(source.name());
+    std::string text = source.files.empty() ? "draw --scene " + source.scene : "draw";
+    for (const std::filesystem::path& file : source.files)
+        text += fmt::format(" {}", word(file.filename().string()));
     text += fmt::format(" --method {} --probes {} --depth-scale {} --step {:g} --size {}x{}",
                         name_of(options.method), options.probes, options.depth_scale, options.step,
                         picture.size.x, picture.size.y);

@@ -1,11 +1,14 @@
 #include "session.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "cameras/camera_path.hpp"
+#include "command_line/joined_models.hpp"
 #include "command_line/style_options.hpp"
 #include "io/extension.hpp"
 #include "io/isolated.hpp"
@@ -16,6 +19,22 @@
 #include "style/member_names.hpp"
 
 namespace lineatlas::viewer {
+
+namespace {
+
+/// Of each file when it was written; none where one is not there.
+std::vector<std::filesystem::file_time_type>
+write_times_of(const std::vector<std::filesystem::path>& files) {
+    std::vector<std::filesystem::file_time_type> times;
+    for (const std::filesystem::path& file : files) {
+        std::error_code failure;
+        times.push_back(std::filesystem::last_write_time(file, failure));
+        if (failure) return {};
+    }
+    return times;
+}
+
+} // namespace
 
 bool same(const View& a, const View& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y &&
@@ -42,16 +61,38 @@ bool Session::attempt(const std::function<void()>& action) {
     return false;
 }
 
-void Session::open(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    if (extension == ".toml") {
-        bool session = false;
-        if (!attempt([&] { session = is_session(file); })) return;
-        return session ? open_session(file) : use_style(file.string());
+void Session::open(const std::vector<std::filesystem::path>& files) {
+    std::vector<std::filesystem::path> models;
+    for (const std::filesystem::path& file : files) {
+        const std::string extension = lower_extension(file);
+        if (extension == ".toml") {
+            bool session = false;
+            if (!attempt([&] { session = is_session(file); })) continue;
+            session ? open_session(file) : use_style(file.string());
+        } else if (extension == ".json") {
+            open_camera(file);
+        } else {
+            models.push_back(file);
+        }
     }
-    if (extension == ".json") return open_camera(file);
+    if (!models.empty()) open_models(models);
+}
+
+void Session::open_models(const std::vector<std::filesystem::path>& files) {
+    ModelSource source{
+        .files = {}, .scene = {}, .up = up, .lines = line_options, .read = read_limits};
+    const bool added = adds && model_ != nullptr && !model_->source.files.empty();
+    if (added) source = model_->source;
+    source.files.insert(source.files.end(), files.begin(), files.end());
+    if (source.files.size() > most_models)
+        return messages.error(fmt::format("There may be {} files in a scene", most_models));
     forget_awaited();
-    loader.start({.file = file, .scene = {}, .up = up, .lines = line_options, .read = read_limits});
+    if (added) await_the_same();
+    // What was the only file is a part of its name from now on.
+    if (added && model_->source.files.size() == 1)
+        for (std::string& pattern : awaited_->hidden)
+            pattern = literal_pattern(model_->source.name()) + "/" + pattern;
+    loader.start(std::move(source));
 }
 
 /// A model that is read from now on stands alone.
@@ -64,25 +105,29 @@ void Session::forget_awaited() {
 void Session::reload() {
     if (model_ == nullptr) return;
     forget_awaited();
-    keeps_view_ = true;
-    awaited_ = in_words();
+    await_the_same();
     loader.start(model_->source);
 }
 
+/// What is shown of the model that is there is shown of the one that is read now.
+void Session::await_the_same() {
+    keeps_view_ = true;
+    awaited_ = in_words();
+}
+
 void Session::look_at_file() {
-    if (model_ == nullptr || model_->source.file.empty() || loader.busy()) return;
-    std::error_code failure;
-    const auto time = std::filesystem::last_write_time(model_->source.file, failure);
-    if (failure) return; // it may come back
-    const bool at_rest = std::exchange(looked_time_, time) == time;
-    if (time == read_time_ || !at_rest) return;
-    read_time_ = time;
+    if (model_ == nullptr || model_->source.files.empty() || loader.busy()) return;
+    const WriteTimes times = write_times_of(model_->source.files);
+    if (times.empty()) return; // they may come back
+    const bool at_rest = std::exchange(looked_times_, times) == times;
+    if (times == read_times_ || !at_rest) return;
+    read_times_ = times;
     reload();
 }
 
 void Session::open_scene(const std::string& name) {
     forget_awaited();
-    loader.start({.file = {}, .scene = name, .up = glm::vec3{0, 1, 0}, .lines = line_options});
+    loader.start({.files = {}, .scene = name, .up = glm::vec3{0, 1, 0}, .lines = line_options});
 }
 
 void Session::open_camera(const std::filesystem::path& file) {
@@ -156,12 +201,10 @@ void Session::show(std::shared_ptr<Model> model) {
     if (!done) return;
     const bool new_parts = before == nullptr || before->whole != model_->whole;
     if (new_parts) {
-        if (!model_->source.file.empty()) {
-            recent.add(model_->source.file);
-            std::error_code failure;
-            read_time_ = std::filesystem::last_write_time(model_->source.file, failure);
-        }
+        for (const std::filesystem::path& file : model_->source.files) recent.add(file);
+        read_times_ = write_times_of(model_->source.files);
         selected.reset();
+        refine_seconds_ = unknown_seconds;
         settings.shown = model_->shown;
         whole_bounds_ = bounds_of(*model_->whole);
         steps_.clear();
@@ -190,6 +233,8 @@ void Session::show(std::shared_ptr<Model> model) {
     if (first) {
         navigation.set_view(*first);
         views_.clear();
+    } else if (before && before->source.files.size() != model_->source.files.size()) {
+        fit(); // what has come may be out of sight
     }
     for (const std::string& note : model_->notes) messages.notice(note);
     timings.clear();
@@ -289,6 +334,17 @@ bool Session::save_camera(const std::filesystem::path& path) {
     });
 }
 
+bool Session::save_trace(const std::filesystem::path& path) {
+    if (timings.profiles().empty()) {
+        messages.notice("There are no timings yet (T)");
+        return false;
+    }
+    return attempt([&] {
+        save_text(profile_trace(timings.profiles(), renderer_->description()), path);
+        messages.notice("Saved " + path.string());
+    });
+}
+
 void Session::resize(glm::ivec2 pixels) {
     if (pixels == size_) return;
     size_ = pixels;
@@ -299,7 +355,10 @@ void Session::advance(double seconds) {
     messages.advance(seconds);
     navigation.advance(seconds);
     std::optional<Loader::Result> result = loader.take();
-    if (!result) return show_wanted();
+    if (!result) {
+        restart_stale_job(seconds);
+        return show_wanted();
+    }
     if (auto* model = std::get_if<std::shared_ptr<Model>>(&*result)) {
         show(std::move(*model));
     } else {
@@ -328,12 +387,33 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     FrameOptions options = frame_options(settings, side);
     save_time(options, economy());
     options.steady = options.steady && moving_; // at rest nothing of the frames before is left
-    if (refined_) options.method = Method::exact;
-    // Two methods in one graph would be none.
-    options.profile = profile && side == 0 && !refined_;
+    options.profile = profile && side == 0;
     const FrameStats stats = renderer_->draw(camera, options, canvas->framebuffer());
     if (side == 0) stats_ = stats;
     if (options.profile) ++timings_due_;
+}
+
+/// The first side by `exact`, where nothing happens before it is done.
+void Session::draw_refined(const Camera& camera) {
+    const auto start = std::chrono::steady_clock::now();
+    gl::Canvas& canvas = *canvases_[0];
+    FrameOptions options = frame_options(settings, 0);
+    options.method = Method::exact;
+    options.steady = false;
+    const auto clear = [&](const PictureTile&) { canvas.clear({settings.style.paper.color, 1}); };
+    try {
+        stats_ = renderer_->draw_tiles(
+            camera, options,
+            {.framebuffer = canvas.framebuffer(),
+             .tile_size = std::max(size_.x, size_.y),
+             .begin = clear,
+             .end = [](const PictureTile&) {},
+             .progress = [&](float) { return !interrupted || !interrupted(); }});
+        refine_seconds_ =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    } catch (const Cancelled&) {
+        refined_ = false;
+    }
 }
 
 void Session::draw() {
@@ -343,6 +423,7 @@ void Session::draw() {
     drawn_view_ = navigation.view();
     attempt([&] {
         const Camera seen = camera();
+        if (refined_) return draw_refined(seen);
         if (settings.split) draw_side(1, seen);
         draw_side(0, seen);
     });

@@ -46,7 +46,10 @@ class Session {
     ReadLimits read_limits{};      ///< of files, those of pens too
 
     /// A model, a session or a style (.toml) or a camera (.json), by extension.
-    void open(const std::filesystem::path& file);
+    void open(const std::filesystem::path& file) { open(std::vector{file}); }
+    /// Several at once: models side by side in one scene, what else there is in turn.
+    void open(const std::vector<std::filesystem::path>& files);
+    bool adds = false; ///< models that are opened come to those that are there
     void open_scene(const std::string& name);
     /// The file of the model once more, seen as now.
     void reload();
@@ -114,6 +117,8 @@ class Session {
     bool save_picture(const std::filesystem::path& path, int scale = 1);
     bool save_style(const std::filesystem::path& path);
     bool save_camera(const std::filesystem::path& path);
+    /// What `timings` keeps, as Trace Event Format.
+    bool save_trace(const std::filesystem::path& path);
     /// All of it, as a file that open() and `lineatlas draw` take.
     bool save_session(const std::filesystem::path& path);
     /// Where the session was opened or saved last; empty: nowhere yet.
@@ -149,6 +154,11 @@ class Session {
     bool can_refine() const;
     /// The next picture is exact, unless something moves or changes before.
     void refine() { refine_due_ = true; }
+    bool refining() const { return refine_due_; }
+    /// Whether that may take so long that people should know.
+    bool refines_slowly() const { return refine_seconds_ > 0.3; }
+    /// Asked all along while a picture becomes exact; true: it stays as it was. May be none.
+    std::function<bool()> interrupted{};
     /// Whether the picture that is shown is drawn by `exact` in place of the segment atlas.
     bool refined() const { return refined_; }
     /// How long the last picture took until it was shown: what the next ones of a movement leave
@@ -167,11 +177,14 @@ class Session {
   private:
     void show(std::shared_ptr<Model> model);
     void show_wanted();
+    void restart_stale_job(double seconds);
     void forget_awaited();
+    void await_the_same();
     ShownInWords in_words() const;
     void take_words(const ShownInWords& words);
     void take(const Settings* step);
     void glide_to(const View* step);
+    void open_models(const std::vector<std::filesystem::path>& files);
     void open_session(const std::filesystem::path& file);
     SessionFile session_file() const;
     void take_session(const SessionFile& session);
@@ -179,6 +192,7 @@ class Session {
     std::optional<View> take_first_camera();
     void load_pens(const Style& style);
     void draw_side(std::size_t side, const Camera& camera);
+    void draw_refined(const Camera& camera);
     bool attempt(const std::function<void()>& action);
 
     ImageWriter& writer_;
@@ -197,7 +211,8 @@ class Session {
     std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
     FrameStats stats_;
     std::filesystem::path first_camera_;
-    std::filesystem::file_time_type read_time_{}, looked_time_{}; ///< of the model's file
+    using WriteTimes = std::vector<std::filesystem::file_time_type>;
+    WriteTimes read_times_{}, looked_times_{}; ///< of the model's files
     std::optional<View> drawn_view_;
     bool stale_ = true, step_due_ = true;
     bool keeps_view_ = false; ///< of what is being loaded
@@ -209,6 +224,10 @@ class Session {
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false, refined_ = false;
+    static constexpr double unknown_seconds = 1;
+    double refine_seconds_ = unknown_seconds; ///< what it took last, of this model
+    double wanted_rest_ = 0;                  ///< seconds since what is to be shown was changed
+    Shown wanted_{};                          ///< as it was then
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

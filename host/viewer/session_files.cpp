@@ -41,13 +41,13 @@ void Session::open_session(const std::filesystem::path& file) {
                 words.crease = std::stof(option.values.front());
         }
         for (const std::string& text : session.sections_off) words.cuts.push_back({text, false});
-        ModelSource source{.file = session.model,
+        ModelSource source{.files = session.models,
                            .scene = session.scene,
                            .up = up,
                            .lines = line_options,
                            .read = read_limits};
         if (!session.views.empty()) source.up = session.views.front().up;
-        if (source.file.empty() && !source.up) source.up = glm::vec3{0, 1, 0};
+        if (source.files.empty() && !source.up) source.up = glm::vec3{0, 1, 0};
         forget_awaited();
         awaited_ = std::move(words);
         awaited_session_ = {file, std::move(session)};
@@ -87,7 +87,7 @@ void Session::take_session(const SessionFile& session) {
 }
 
 SessionFile Session::session_file() const {
-    SessionFile session{.model = model_->source.file,
+    SessionFile session{.models = model_->source.files,
                         .scene = model_->source.scene,
                         .options = options_of(settings, size_),
                         .style_name = settings.style_name,

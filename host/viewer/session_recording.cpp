@@ -15,12 +15,11 @@ void Session::start_recording(Move move, const std::filesystem::path& folder, in
         kept.push_back(view_of(view, origin()));
     if (move == Move::kept_views && kept.size() < 2)
         return messages.notice("Keep two views at least (B): the camera goes from one to the next");
-    const std::string stem = std::filesystem::path{model_->source.name()}.stem().string();
     attempt([&] {
         recording_.emplace(move == Move::turntable
                                ? turntable_views(navigation.goal(), model_->lines.bounds, frames)
                                : views_between(kept, frames),
-                           make_free_folder(folder, stem + "-pictures"));
+                           make_free_folder(folder, model_->source.stem() + "-pictures"));
     });
 }
 

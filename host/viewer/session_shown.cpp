@@ -131,6 +131,16 @@ void Session::frame_part(std::uint32_t part) {
                                           view.projection));
 }
 
+/// Lines of what is wanted no more are found to their end while it is changed on and on, as by a
+/// drag, so that there is something to see; but nobody waits for them when that rests.
+void Session::restart_stale_job(double seconds) {
+    constexpr double rest = 0.15;
+    wanted_rest_ = wanted_ == settings.shown ? wanted_rest_ + seconds : 0;
+    wanted_ = settings.shown;
+    const Shown* found = loader.shown();
+    if (found != nullptr && !(*found == settings.shown) && wanted_rest_ > rest) loader.cancel();
+}
+
 /// Finds the lines of what is to be shown, where that is something else than what is.
 void Session::show_wanted() {
     if (model_ == nullptr || loader.busy() || settings.shown == model_->shown) return;

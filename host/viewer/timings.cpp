@@ -36,12 +36,29 @@ void Timings::add(std::span<const FrameProfile> frames) {
         }
         frames_.push_back(std::move(frame));
         if (frames_.size() > kept) frames_.pop_front();
+        profiles_.push_back(profile);
+        if (profiles_.size() > kept) profiles_.erase(profiles_.begin());
     }
 }
 
 void Timings::clear() {
     stages_.clear();
     frames_.clear();
+    profiles_.clear();
+}
+
+std::vector<Timings::Kernel> Timings::kernels() const {
+    std::vector<Kernel> kernels;
+    if (profiles_.empty()) return kernels;
+    for (const ProfileEvent& event : profiles_.back().events) {
+        if (event.track != ProfileTrack::compute || event.bytes == 0) continue;
+        const auto known = std::ranges::find(kernels, event.name, &Kernel::name);
+        Kernel& kernel = known != kernels.end() ? *known : kernels.emplace_back(Kernel{event.name});
+        kernel.milliseconds +=
+            static_cast<double>(event.end - event.start) * milliseconds_per_nanosecond;
+        kernel.megabytes += static_cast<double>(event.bytes) * 1e-6;
+    }
+    return kernels;
 }
 
 double Timings::median_total() const {

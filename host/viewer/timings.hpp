@@ -25,6 +25,17 @@ class Timings {
         double of(std::size_t stage) const { return stage < stages.size() ? stages[stage] : 0; }
     };
     const std::deque<Frame>& frames() const { return frames_; }
+    /// The same frames, whole.
+    const std::vector<FrameProfile>& profiles() const { return profiles_; }
+    /// What a kernel did in the last frame.
+    struct Kernel {
+        std::string name;
+        double milliseconds = 0, megabytes = 0; ///< 10^6 bytes: of its tables, see ProfileEvent
+        double gigabytes_per_second() const {
+            return milliseconds > 0 ? megabytes / milliseconds : 0;
+        }
+    };
+    std::vector<Kernel> kernels() const;
     /// Medians over the last frames, milliseconds.
     double median_total() const;
     double median_of(std::size_t stage) const;
@@ -32,6 +43,7 @@ class Timings {
   private:
     std::vector<std::string> stages_;
     std::deque<Frame> frames_;
+    std::vector<FrameProfile> profiles_;
 };
 
 } // namespace lineatlas::viewer

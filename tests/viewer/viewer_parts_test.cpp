@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "viewer/kind_pens.hpp"
 #include "viewer_support.hpp"
 
 namespace lineatlas::test {
@@ -43,6 +44,25 @@ TEST_F(ViewerParts, AreHiddenAndTheCameraStays) {
     hand_.click("parts.all");
     EXPECT_EQ(lines(), all);
     EXPECT_EQ(picture(), picture_of_all);
+}
+
+TEST_F(ViewerParts, HaveAPenOfTheirOwn) {
+    const auto plain = picture();
+    const Style before = session().settings.style;
+    click_at(0.65, "right");
+    hand_.reveal("part.width");
+    const glm::dvec2 place = hand_.middle_of("part.width");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place + glm::dvec2{20, 0});
+    const Style& style = session().settings.style;
+    ASSERT_EQ(style.pens.size(), before.pens.size() + 1) << "however far it is dragged";
+    EXPECT_EQ(style.pens.back().match.object, "Bolt M8");
+    EXPECT_GT(*style.pens.back().width, 5);
+    EXPECT_EQ(viewer::pen_of_object(style, "Base").width,
+              viewer::pen_of_object(before, "Base").width);
+    EXPECT_NE(picture(), plain);
+    hand_.screenshot("part_pen");
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_EQ(picture(), plain);
 }
 
 TEST_F(ViewerParts, AreSelectedByAClickAndNotByADrag) {

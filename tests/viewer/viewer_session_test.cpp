@@ -222,6 +222,23 @@ TEST_F(ViewerSession, ThePictureIsExactAtRestAlone) {
     EXPECT_EQ(picture(), sampled) << "two methods side by side are those that are named";
 }
 
+TEST_F(ViewerSession, WhatHappensMeanwhileKeepsAPictureFromBecomingExact) {
+    hand_.open_scene("house");
+    const auto sampled = picture();
+    int asked = 0;
+    session().interrupted = [&] { return ++asked == 3; };
+    session().settings.exact_at_rest = true;
+    session().changed();
+    for (int i = 0; i < 20 && asked < 3; ++i) app_.step(0);
+    ASSERT_EQ(asked, 3);
+    EXPECT_FALSE(session().refined());
+    EXPECT_EQ(picture(), sampled) << "as it was";
+    hand_.rest();
+    EXPECT_TRUE(session().refined()) << "the next time";
+    EXPECT_NE(picture(), sampled);
+    EXPECT_EQ(error(), "");
+}
+
 TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     const auto click = [&](glm::dvec3 corner) {
         // A few pixels inside of the face.
@@ -269,6 +286,14 @@ TEST_F(ViewerSession, ATurnIsRecordedAsPictures) {
               read_image(path("m-pictures-2/0003.png")).pixels)
         << "from the first kept view to the last";
     EXPECT_EQ(error(), "");
+}
+
+TEST_F(ViewerSession, ATurnIsAVideoWhereThereIsFfmpeg) {
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs ffmpeg";
+    app_.ui().record_frames = 3;
+    hand_.click("record.turntable");
+    EXPECT_EQ(error(), "");
+    EXPECT_GT(std::filesystem::file_size(path("m-pictures.mp4")), 1000U);
 }
 
 TEST_F(ViewerSession, CommandsAreFoundByTyping) {

@@ -224,5 +224,14 @@ TEST_F(Viewer, PanelsAreLightOrDarkAndFold) {
     EXPECT_TRUE(hand_.has("width"));
 }
 
+TEST_F(Viewer, ThePictureFollowsTheWindow) {
+    glfwSetWindowSize(app_.window().handle(), 1000, 700);
+    for (int i = 0; i < 200 && app_.window().points() != glm::ivec2{1000, 700}; ++i)
+        app_.step(0.02);
+    hand_.rest();
+    EXPECT_EQ(session().size(), (glm::ivec2{1000 - 312, 700}));
+    EXPECT_EQ(session().picture(0)->size(), session().size());
+}
+
 } // namespace
 } // namespace lineatlas::test

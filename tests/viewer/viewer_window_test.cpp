@@ -8,6 +8,8 @@
 
 #include "lineatlas/scenes.hpp"
 #include "viewer_support.hpp"
+// After imgui.h.
+#include <imgui_internal.h>
 
 namespace lineatlas::test {
 namespace {
@@ -156,6 +158,42 @@ TEST_F(Viewer, ShowsTimingsPerStage) {
     }
     EXPECT_GT(session().timings.frames().size(), 20U);
     EXPECT_GT(session().timings.median_total(), 0);
+    hand_.click("timings.kernels");
+    hand_.screenshot("kernels");
+    const auto kernels = session().timings.kernels();
+    ASSERT_FALSE(kernels.empty());
+    for (const auto& kernel : kernels) EXPECT_GT(kernel.megabytes, 0) << kernel.name;
+    hand_.click("timings.trace");
+    EXPECT_NE(text_of(path("clevis.trace.json")).find("\"strokes\""), std::string::npos);
+    EXPECT_EQ(error(), "");
+}
+
+TEST_F(Viewer, TheSidebarIsUsedByKeys) {
+    const auto tap = [&](int key) {
+        hand_.press(key);
+        hand_.panel_frames(2);
+        hand_.release(key);
+        hand_.rest();
+    };
+    tap(GLFW_KEY_F6);
+    const ImGuiContext& gui = *ImGui::GetCurrentContext();
+    ASSERT_NE(gui.NavWindow, nullptr);
+    for (int i = 0; i < 10 && gui.NavId != gui.NavWindow->GetID("parts"); ++i) tap(GLFW_KEY_DOWN);
+    EXPECT_TRUE(ImGui::GetIO().NavVisible) << "one sees where one is";
+    hand_.screenshot("keyboard");
+    tap(GLFW_KEY_SPACE);
+    EXPECT_TRUE(app_.ui().folded.contains("parts"));
+}
+
+TEST_F(Viewer, AQueueKeepsWhatHappensForLater) {
+    viewer::InputQueue queue;
+    queue.on_key(GLFW_KEY_X, 0, GLFW_PRESS, 0);
+    queue.on_key(GLFW_KEY_X, 0, GLFW_RELEASE, 0);
+    hand_.rest();
+    EXPECT_FALSE(session().settings.split);
+    queue.pass_to(app_);
+    EXPECT_TRUE(queue.empty());
+    EXPECT_TRUE(session().settings.split);
 }
 
 TEST_F(Viewer, ShowsItsKeys) {

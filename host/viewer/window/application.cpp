@@ -20,6 +20,7 @@ Application::Gui::Gui(GLFWwindow* window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // nothing is to be remembered
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_InitForOpenGL(window, false);
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }
@@ -35,6 +36,7 @@ Application::Application(const ApplicationOptions& options, ImageWriter& writer)
       session_(options.device, writer, Window::wake), ui_{session_}, mouse_(session_) {
     ui_.theme = options.theme.value_or(theme_of_desktop());
     window_.listen(this);
+    session_.interrupted = [this] { return something_happens(); };
     show_soon();
 }
 
@@ -44,6 +46,14 @@ Application::~Application() {
 
 void Application::show_soon() {
     frames_due_ = frames_after_event;
+}
+
+/// Looks without doing anything about it: a picture is being drawn.
+bool Application::something_happens() {
+    window_.listen(&queue_);
+    Window::wait(0);
+    window_.listen(this);
+    return !queue_.empty() || window_.should_close();
 }
 
 void Application::run() {
@@ -72,7 +82,7 @@ double Application::seconds_to_wait() const {
     if (session_.messages.passing() || session_.timings_due()) return soon;
     if (ImGui::GetIO().WantTextInput) return blinking;
     const Model* model = session_.model();
-    return model != nullptr && !model->source.file.empty() ? looking : -1;
+    return model != nullptr && !model->source.files.empty() ? looking : -1;
 }
 
 void Application::step(double longest_wait) {
@@ -92,8 +102,14 @@ void Application::step(double longest_wait) {
             ui_.do_later("Making a video",
                          [this, folder = *folder] { session_.make_video_of(folder); });
     }
-    if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0)
+    if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0) {
         session_.refine();
+        if (session_.refines_slowly()) { // the picture that there is says so
+            make_frame();
+            paint();
+            window_.show_frame();
+        }
+    }
     if (frames_due_ == 0 && !session_.stale()) return;
     frames_due_ = std::max(frames_due_ - 1, 0);
     const bool announced = ui_.later.has_value();
@@ -178,6 +194,7 @@ void Application::show_frame() {
     const bool drawn = session_.stale();
     if (drawn) {
         session_.draw();
+        queue_.pass_to(*this);
         if (session_.timings_due()) session_.take_timings();
     }
     paint();

@@ -71,9 +71,11 @@ class Application final : public InputListener {
     void press_key(int key, int mods);
     void press_escape();
     void show_soon();
+    bool something_happens();
 
     ApplicationOptions options_;
     Window window_;
+    InputQueue queue_; ///< what happens while a picture becomes exact
     Gui gui_;
     Session session_;
     Ui ui_;

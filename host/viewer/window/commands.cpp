@@ -89,6 +89,10 @@ void remove_distances(Ui& ui) {
     ui.session.changed();
 }
 
+void keyboard_to_sidebar(Ui& ui) {
+    ui.sidebar = ui.keyboard_to_sidebar = true;
+}
+
 void switch_theme(Ui& ui) {
     ui.theme = ui.theme == Theme::light ? Theme::dark : Theme::light;
 }
@@ -142,7 +146,9 @@ constexpr std::array all{
 
     Command{"Find a command", GLFW_KEY_P, ctrl, show_palette},
     Command{"Sidebar", GLFW_KEY_TAB, 0, [](Ui& ui) { ui.sidebar = !ui.sidebar; }},
+    Command{"Keyboard into the sidebar", GLFW_KEY_F6, 0, keyboard_to_sidebar},
     Command{"Timings", GLFW_KEY_T, 0, [](Ui& ui) { ui.timings = !ui.timings; }},
+    Command{"Save the timings as a trace", 0, 0, save<SavedKind::trace>},
     Command{"Light or dark panels", GLFW_KEY_L, 0, switch_theme},
     Command{"Keys", GLFW_KEY_F1, 0, [](Ui& ui) { ui.help = !ui.help; }},
     Command{"Quit", GLFW_KEY_Q, ctrl, [](Ui& ui) { ui.quit = true; }},
@@ -167,6 +173,8 @@ std::string name_of_key(int key) {
         return "Tab";
     case GLFW_KEY_F1:
         return "F1";
+    case GLFW_KEY_F6:
+        return "F6";
     default:
         return "?";
     }

@@ -90,7 +90,7 @@ void Application::on_scroll(glm::dvec2 amount) {
 
 void Application::on_drop(const std::vector<std::filesystem::path>& files) {
     show_soon();
-    for (const std::filesystem::path& file : files) session_.open(file);
+    session_.open(files);
 }
 
 void Application::on_mouse_leave() {

@@ -22,11 +22,11 @@ bool pen_row(Ui& ui, std::string_view kind) {
     const std::string id = fmt::format("lines.{}", kind);
     float width = pen.width;
     glm::vec3 color = pen.color;
-    column(ui, 150);
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.points(32));
-    const bool wider = ImGui::SliderFloat(("##" + id + ".width").c_str(), &width, 0.3F, 12,
-                                          "%.1f px", ImGuiSliderFlags_AlwaysClamp);
-    ui.spots.note(id + ".width");
+    column(ui, 142);
+    const float swatch_and_gap = ui.points(32);
+    const float room = (ImGui::GetContentRegionAvail().x - swatch_and_gap) / ui.scale;
+    const bool wider = slider_with_number(ui, id + ".width", width, 0.3F, 12.0F, "%.1f", room, 32);
+    tip("Width in pixels");
     ImGui::SameLine(0, ui.points(8));
     const bool other = swatch(ui, (id + ".color").c_str(), color);
     if (wider) set_width_of_kind(style, kind, width);
@@ -37,7 +37,7 @@ bool pen_row(Ui& ui, std::string_view kind) {
 void crease_row(Ui& ui) {
     const std::optional<float> now = ui.session.settings.shown.crease;
     float degrees = now.value_or(0);
-    if (slider(ui, "crease", "Creases from", degrees, 0, 120, now ? "%.0f degrees" : "as it looks"))
+    if (slider(ui, "crease", "Creases from", degrees, 0.0F, 120.0F, now ? "%.0f°" : "auto"))
         ui.session.set_crease(degrees > 0 ? std::optional{std::round(degrees)} : std::nullopt);
     tip("Every edge bent by more is a crease; at the left end noise and seams are left out");
 }

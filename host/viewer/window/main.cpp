@@ -19,14 +19,17 @@ namespace {
 using namespace lineatlas;
 
 struct Arguments {
-    std::string model, scene, style, camera, up = "auto", theme = "auto";
+    std::vector<std::filesystem::path> models;
+    std::string scene, style, camera, up = "auto", theme = "auto";
     std::string size = "1280x800";
     viewer::ApplicationOptions options;
     ReadOptions read;
 };
 
 void declare(CLI::App& app, Arguments& a) {
-    app.add_option("MODEL", a.model, "OBJ, PLY, STL, OFF or OM file; default the clevis scene");
+    app.add_option("MODEL", a.models,
+                   "Files that `draw` takes, sessions too; several stand side by side; default the "
+                   "clevis scene");
     app.add_option("--scene", a.scene,
                    "A built-in scene in place of MODEL: clevis, house, ship, office");
     app.add_option("--style", a.style, "Name of a style, or a TOML file");
@@ -59,8 +62,8 @@ void view(Arguments& arguments, ImageWriter& writer) {
     if (arguments.up != "auto") session.up = parse_up("--up", arguments.up);
     if (!arguments.style.empty()) session.use_style(arguments.style);
     if (!arguments.camera.empty()) session.open_first_camera(arguments.camera);
-    if (!arguments.model.empty())
-        session.open(arguments.model);
+    if (!arguments.models.empty())
+        session.open(arguments.models);
     else
         session.open_scene(arguments.scene.empty() ? "clevis" : arguments.scene);
     application.run();
@@ -71,7 +74,7 @@ int run(int argc, char** argv) {
     Arguments arguments;
     declare(app, arguments);
     if (const std::optional<int> code = parse(app, argc, argv)) return *code;
-    if (!arguments.model.empty() && !arguments.scene.empty()) {
+    if (!arguments.models.empty() && !arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     {

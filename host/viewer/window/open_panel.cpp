@@ -60,8 +60,8 @@ void show_open_panel(Ui& ui) {
     std::error_code failure;
     if (ui.open_folder.empty()) {
         const Model* model = ui.session.model();
-        const bool of_model = model != nullptr && !model->source.file.empty();
-        ui.open_folder = of_model ? fs::absolute(model->source.file, failure).parent_path()
+        const bool of_model = model != nullptr && !model->source.files.empty();
+        ui.open_folder = of_model ? fs::absolute(model->source.files.front(), failure).parent_path()
                                   : fs::current_path(failure);
     }
     go_to(ui, ui.open_folder);

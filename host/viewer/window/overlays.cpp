@@ -13,9 +13,7 @@ constexpr ImGuiWindowFlags overlay_flags =
 
 void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
                    glm::vec2 padding = {14, 12}) {
-    constexpr float alpha = 0.98F;
     ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
-    ImGui::SetNextWindowBgAlpha(alpha);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(padding.x), ui.points(padding.y)});
@@ -162,6 +160,8 @@ void status(const Ui& ui, Area canvas) {
         label_of(session.refined() ? Method::exact : session.settings.sides[0].method);
     if (session.loader.busy() && !session.loader.shows_progress())
         text = session.loader.stage() + " ...";
+    else if (session.refining())
+        text += ", becoming exact ...";
     else if (session.economy() != Economy::none)
         text += ", less while it moves";
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());

@@ -5,6 +5,7 @@
 // After imgui.h.
 #include <imgui_stdlib.h>
 
+#include "viewer/kind_pens.hpp"
 #include "widgets.hpp"
 
 namespace lineatlas::viewer {
@@ -87,6 +88,27 @@ void buttons(Ui& ui) {
     ImGui::EndDisabled();
 }
 
+/// Width and colour of the selected part's lines.
+void pen(Ui& ui, const Parts& parts) {
+    if (!ui.session.selected) return;
+    const std::vector<std::string> objects = parts.objects_of(*ui.session.selected);
+    constexpr std::size_t most = 64; // each is a rule of the style
+    if (objects.empty() || objects.front().empty() || objects.size() > most) return;
+    Style& style = ui.session.settings.style;
+    Pen pen = pen_of_object(style, objects.front());
+    label(ui, "Its lines");
+    const float room = ImGui::GetContentRegionAvail().x / ui.scale - 32;
+    const bool wider =
+        slider_with_number(ui, "part.width", pen.width, 0.3F, 12.0F, "%.1f px", room, 64);
+    ImGui::SameLine(0, ui.points(8));
+    const bool other = swatch(ui, "part.color", pen.color);
+    for (const std::string& object : objects) {
+        if (wider) set_width_of_object(style, object, pen.width);
+        if (other) set_color_of_object(style, object, pen.color);
+    }
+    if (wider || other) ui.session.changed();
+}
+
 } // namespace
 
 void draw_parts_section(Ui& ui) {
@@ -100,7 +122,7 @@ void draw_parts_section(Ui& ui) {
     constexpr std::size_t most = 8;
     const float height = ImGui::GetFrameHeightWithSpacing() *
                          static_cast<float>(std::clamp<std::size_t>(listed.size(), 1, most));
-    ImGui::BeginChild("parts", {0, height});
+    ImGui::BeginChild("parts.list", {0, height}, false, ImGuiWindowFlags_NavFlattened);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(listed.size()), ImGui::GetFrameHeightWithSpacing());
     while (clipper.Step()) {
@@ -110,6 +132,7 @@ void draw_parts_section(Ui& ui) {
     if (listed.empty()) ImGui::TextDisabled("No part is called so");
     ImGui::EndChild();
     buttons(ui);
+    pen(ui, model->parts);
 }
 
 } // namespace lineatlas::viewer

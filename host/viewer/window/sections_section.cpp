@@ -43,11 +43,7 @@ bool position_row(Ui& ui, const std::string& id, Cut& cut) {
     const Reach reach =
         reach_along(sign * cut.normal, ui.session.whole_bounds(), ui.session.origin());
     double at = sign * cut.at;
-    ImGui::SetNextItemWidth(-1);
-    const bool changed =
-        ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &at, &reach.low, &reach.high,
-                            "%.4g", ImGuiSliderFlags_AlwaysClamp);
-    ui.spots.note(id);
+    const bool changed = slider_with_number(ui, id, at, reach.low, reach.high, "%.4g", 0, 84);
     if (changed) cut.at = sign * at;
     return changed;
 }

@@ -30,12 +30,16 @@ void model_section(Ui& ui) {
     }
     ImGui::SetNextItemWidth(-1);
     const bool entered =
-        ImGui::InputTextWithHint("##open", "Drop a file here, or type its path", &ui.open_path,
+        ImGui::InputTextWithHint("##open", "Drop files, or type a path", &ui.open_path,
                                  ImGuiInputTextFlags_EnterReturnsTrue);
     ui.spots.note("open");
     if (entered && !ui.open_path.empty()) {
         session.open(ui.open_path);
         ui.open_path.clear();
+    }
+    if (model != nullptr && !model->source.files.empty()) {
+        checkbox(ui, "adds", "Add to what is open", session.adds);
+        tip("Files that are opened stand beside those that are there, each in its own coordinates");
     }
     const std::string shown = model != nullptr ? model->source.scene : "";
     choice(
@@ -87,11 +91,9 @@ bool fine_quality(Ui& ui, Side& side) {
             side.probes = n;
             changed = true;
         });
-    label(ui, "Depth scale");
-    changed |= ImGui::SliderInt("##depth", &side.depth_scale, 1, finest_depth_scale, "%dx",
-                                ImGuiSliderFlags_AlwaysClamp);
-    ui.spots.note("depth-scale");
-    changed |= slider(ui, "step", "Step", side.step, 0.5F, 8, "%.1f px");
+    changed |=
+        slider(ui, "depth-scale", "Depth scale", side.depth_scale, 1, finest_depth_scale, "%dx");
+    changed |= slider(ui, "step", "Step", side.step, 0.5F, 8.0F, "%.1f px");
     return changed;
 }
 
@@ -154,7 +156,7 @@ float sidebar_width(const Ui& ui) {
 void save_as(Ui& ui, SavedKind kind) {
     Session& session = ui.session;
     if (session.model() == nullptr) return;
-    const std::string stem = std::filesystem::path{session.model()->source.name()}.stem().string();
+    const std::string stem = session.model()->source.stem();
     const auto path = [&](const char* extension) { return free_path(ui.folder, stem, extension); };
     switch (kind) {
     case SavedKind::session:
@@ -174,6 +176,9 @@ void save_as(Ui& ui, SavedKind kind) {
     case SavedKind::camera:
         session.save_camera(path("json"));
         return;
+    case SavedKind::trace:
+        session.save_trace(path("trace.json"));
+        return;
     }
 }
 
@@ -186,7 +191,15 @@ void draw_sidebar(Ui& ui, Area area) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
     // What is saved stays in sight, whatever is scrolled.
     const float footer = 5 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
-    ImGui::BeginChild("settings", {0, -footer});
+    // The scroll bar lies in the margin, so that it leaves a gap.
+    const float gap = ui.points(8);
+    const float width = ImGui::GetContentRegionAvail().x + 2 * gap;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - gap);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {gap, 0});
+    if (std::exchange(ui.keyboard_to_sidebar, false)) ImGui::SetNextWindowFocus();
+    ImGui::BeginChild("settings", {width, -footer}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
+    ImGui::PopStyleVar();
     model_section(ui);
     draw_parts_section(ui);
     draw_sections_section(ui);

@@ -70,7 +70,7 @@ bool fill(Ui& ui, Fill& fill) {
 
 bool pen_rows(Ui& ui, Style& style) {
     bool changed = mark(ui, style.pen);
-    changed |= slider(ui, "width", "Width", style.pen.width, 0.3F, 12, "%.1f px");
+    changed |= slider(ui, "width", "Width", style.pen.width, 0.3F, 12.0F, "%.1f px");
     changed |= color(ui, "color", "Colour", style.pen.color);
     column(ui, 140);
     ImGui::TextUnformatted("Paper");
@@ -80,16 +80,16 @@ bool pen_rows(Ui& ui, Style& style) {
 
 bool effect_rows(Ui& ui, Style& style) {
     StrokeFilter& filter = style.filter;
-    bool changed = slider(ui, "overshoot", "Overshoot", filter.overshoot, 0, 40, "%.0f px");
-    changed |= slider(ui, "halo", "Halo", filter.halo, 0, 20, "%.1f px");
-    changed |= slider(ui, "density", "Density", style.density.limit, 0, 1,
+    bool changed = slider(ui, "overshoot", "Overshoot", filter.overshoot, 0.0F, 40.0F, "%.0f px");
+    changed |= slider(ui, "halo", "Halo", filter.halo, 0.0F, 20.0F, "%.1f px");
+    changed |= slider(ui, "density", "Density", style.density.limit, 0.0F, 1.0F,
                       style.density.limit > 0 ? "%.2f" : "no limit");
     changed |= fill(ui, style.fill);
-    changed |= slider(ui, "grain", "Grain", style.paper.grain, 0, 1, "%.2f");
+    changed |= slider(ui, "grain", "Grain", style.paper.grain, 0.0F, 1.0F, "%.2f");
     changed |= checkbox(ui, "hidden", "Hidden lines", style.hidden);
     if (!style.hidden) return changed;
     changed |=
-        slider(ui, "hidden-width", "  their width", style.hidden_pen.width, 0.3F, 6, "%.1f px");
+        slider(ui, "hidden-width", "  their width", style.hidden_pen.width, 0.3F, 6.0F, "%.1f px");
     changed |= color(ui, "hidden-color", "  their colour", style.hidden_pen.color);
     return changed;
 }

@@ -86,9 +86,8 @@ void set_colors(ImGuiStyle& style) {
     c[ImGuiCol_HeaderHovered] = accent(0.24F);
     c[ImGuiCol_HeaderActive] = accent(0.32F);
     c[ImGuiCol_CheckMark] = accent(1);
-    // A grip lies over the number: it must be read through it.
-    c[ImGuiCol_SliderGrab] = accent(0.4F);
-    c[ImGuiCol_SliderGrabActive] = accent(0.6F);
+    c[ImGuiCol_SliderGrab] = accent(0.75F);
+    c[ImGuiCol_SliderGrabActive] = accent(1);
     c[ImGuiCol_TextSelectedBg] = accent(0.3F);
     c[ImGuiCol_ScrollbarBg] = ink(0.08F);
     c[ImGuiCol_ScrollbarGrab] = ink(0.42F);

@@ -86,6 +86,30 @@ void legend(const Ui& ui, const Timings& timings) {
     }
 }
 
+/// What kernels read and write, and how fast: the slowest of them.
+void kernel_table(const Ui& ui, const Timings& timings) {
+    std::vector<Timings::Kernel> kernels = timings.kernels();
+    std::ranges::sort(kernels, std::ranges::greater{}, &Timings::Kernel::milliseconds);
+    constexpr std::size_t most = 12;
+    if (kernels.size() > most) kernels.resize(most);
+    const auto row = [&](const std::string& name, const std::array<std::string, 3>& cells) {
+        ImGui::TextUnformatted(name.c_str());
+        float right = ui.points(210);
+        for (const std::string& cell : cells) {
+            ImGui::SameLine(right - ImGui::CalcTextSize(cell.c_str()).x +
+                            ImGui::GetStyle().WindowPadding.x);
+            ImGui::TextDisabled("%s", cell.c_str());
+            right += ui.points(72);
+        }
+    };
+    row("kernel", {"ms", "MB", "GB/s"});
+    for (const Timings::Kernel& kernel : kernels)
+        row(kernel.name,
+            {fmt::format("{:.3f}", kernel.milliseconds), fmt::format("{:.2f}", kernel.megabytes),
+             fmt::format("{:.1f}", kernel.gigabytes_per_second())});
+    if (kernels.empty()) ImGui::TextDisabled("No kernel has run");
+}
+
 } // namespace
 
 void draw_timings(Ui& ui, Area canvas) {
@@ -94,7 +118,6 @@ void draw_timings(Ui& ui, Area canvas) {
     ImGui::SetNextWindowPos(
         {canvas.low.x + ui.points(12), canvas.low.y + canvas.size.y - ui.points(12)},
         ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowBgAlpha(0.98F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(12), ui.points(10)});
@@ -110,8 +133,18 @@ void draw_timings(Ui& ui, Area canvas) {
     ImGui::PopFont();
     graph(ui, timings);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(6), ui.points(2)});
-    legend(ui, timings);
+    if (ui.kernels)
+        kernel_table(ui, timings);
+    else
+        legend(ui, timings);
     ImGui::PopStyleVar();
+    if (toggle(ui, "timings.kernels", "Kernels", ui.kernels)) ui.kernels = !ui.kernels;
+    tip("Bytes that each kernel reads and writes in the last frame, and how fast");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(timings.profiles().empty());
+    if (button(ui, "timings.trace", "Save a trace")) save_as(ui, SavedKind::trace);
+    tip("These frames for Perfetto or chrome://tracing");
+    ImGui::EndDisabled();
     ImGui::End();
 }
 

@@ -35,6 +35,7 @@ class Spots {
         const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
         areas_[name] = {{low.x, low.y}, {size.x, size.y}};
     }
+    const std::map<std::string, Area>& all() const { return areas_; }
     std::optional<Area> find(const std::string& name) const {
         const auto found = areas_.find(name);
         if (found == areas_.end()) return {};
@@ -69,8 +70,10 @@ struct Ui {
     bool sidebar = true, help = false, timings = false;
     std::vector<DeviceChoice> devices{};
     std::optional<PaletteState> palette{};
-    bool quit = false;    ///< the window is to be closed
-    bool opening = false; ///< the panel of files is there
+    bool quit = false;                ///< the window is to be closed
+    bool keyboard_to_sidebar = false; ///< arrows and Enter are for its items from now on
+    bool kernels = false;             ///< in the panel of timings, in place of stages
+    bool opening = false;             ///< the panel of files is there
     std::filesystem::path open_folder{};
     std::vector<FileEntry> open_entries{};  ///< of it
     std::string open_path{};                ///< what is being typed
@@ -89,7 +92,7 @@ struct Ui {
 };
 
 /// Saves under a name made of the model's that no file has yet; a session where it was.
-enum class SavedKind { session, png, svg, style, camera };
+enum class SavedKind { session, png, svg, style, camera, trace };
 void save_as(Ui& ui, SavedKind kind);
 
 float sidebar_width(const Ui& ui);

@@ -22,17 +22,15 @@ void draw_views_section(Ui& ui) {
     }
     if (button(ui, "views.add", "Keep this view", -1)) session.add_bookmark();
     tip("Kept in the session; a click goes there (B)");
-    label(ui, "Record");
-    ImGui::SliderInt("##frames", &ui.record_frames, 2, 500, "%d pictures");
-    ui.spots.note("record.frames");
+    slider(ui, "record.frames", "Pictures", ui.record_frames, 2, 500, "%d");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     using Move = Session::Move;
-    if (button(ui, "record.turntable", "Turntable", half))
+    if (button(ui, "record.turntable", "Record a turn", half))
         session.start_recording(Move::turntable, ui.folder, ui.record_frames);
     tip("A turn about the model as pictures, and as video where ffmpeg is installed");
     ImGui::SameLine(0, gap);
-    if (button(ui, "record.views", "Through the views", half))
+    if (button(ui, "record.views", "Record the views", half))
         session.start_recording(Move::kept_views, ui.folder, ui.record_frames);
     tip("From each kept view to the next one");
 }

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <string>
+#include <type_traits>
+
+#include <imgui_internal.h>
 
 #include "theme.hpp"
 #include "ui.hpp"
@@ -66,13 +70,39 @@ inline void tip(const char* text) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
 
-inline bool slider(Ui& ui, const char* id, const char* text, float& value, float low, float high,
-                   const char* format = "%.1f") {
-    label(ui, text);
-    const bool changed = ImGui::SliderFloat((std::string{"##"} + id).c_str(), &value, low, high,
-                                            format, ImGuiSliderFlags_AlwaysClamp);
+/// A slider so many points wide, 0 for all there are; its number stands on the right of it, in
+/// `room` points, where no grip is over it. Ctrl and a click lets one type it.
+template <class Number>
+bool slider_with_number(Ui& ui, const std::string& id, Number& value, Number low, Number high,
+                        const char* format, float width, float room) {
+    constexpr ImGuiDataType type = std::is_same_v<Number, float>    ? ImGuiDataType_Float
+                                   : std::is_same_v<Number, double> ? ImGuiDataType_Double
+                                                                    : ImGuiDataType_S32;
+    const std::string name = "##" + id;
+    const float all = width > 0 ? ui.points(width) : ImGui::GetContentRegionAvail().x;
+    ImGui::SetNextItemWidth(all - ui.points(room));
+    const bool typed = ImGui::TempInputIsActive(ImGui::GetID(name.c_str()));
+    if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, 0); // the number that lies under the grip
+    const bool changed = ImGui::SliderScalar(name.c_str(), type, &value, &low, &high, format,
+                                             ImGuiSliderFlags_AlwaysClamp);
+    if (!typed) ImGui::PopStyleColor();
     ui.spots.note(id);
+    std::array<char, 64> text{};
+    ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), type, &value, format);
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.points(room) -
+                         ImGui::CalcTextSize(text.data()).x);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.data());
     return changed;
+}
+
+template <class Number>
+bool slider(Ui& ui, const char* id, const char* text, Number& value, Number low, Number high,
+            const char* format = "%.1f") {
+    label(ui, text);
+    constexpr float room = 64;
+    return slider_with_number(ui, id, value, low, high, format, 0, room);
 }
 
 /// A colour. With a border: it may be the panel's own.

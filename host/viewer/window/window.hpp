@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,27 @@ class InputListener {
     virtual void on_mouse_leave() = 0;
     virtual void on_focus(bool focused) = 0;
     virtual void on_refresh() = 0; ///< the window's size has changed, or it must be shown again
+};
+
+/// Keeps what happens for later.
+class InputQueue final : public InputListener {
+  public:
+    void on_key(int key, int scancode, int action, int mods) override;
+    void on_character(unsigned code) override;
+    void on_mouse_button(int button, int action, int mods) override;
+    void on_mouse_move(glm::dvec2 place) override;
+    void on_scroll(glm::dvec2 amount) override;
+    void on_drop(const std::vector<std::filesystem::path>& files) override;
+    void on_mouse_leave() override;
+    void on_focus(bool focused) override;
+    void on_refresh() override;
+
+    bool empty() const { return events_.empty(); }
+    /// Tells all of it to who wants to hear it now.
+    void pass_to(InputListener& listener);
+
+  private:
+    std::vector<std::function<void(InputListener&)>> events_;
 };
 
 /// A window with a GL 4.5 core context, current on the thread that made it.

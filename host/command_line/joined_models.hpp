@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/isolated.hpp"
+
+namespace lineatlas {
+
+/// As many files make one scene.
+inline constexpr std::size_t most_models = 100;
+
+struct NamedModel {
+    std::string name;
+    LoadedMesh loaded;
+};
+
+/// Several models as one, each where its own coordinates place it. Each is a part of its name that
+/// holds the parts of its file. Lengths are in the first unit that a file says; files of another
+/// one are scaled to it, with a note. Where some files say what their edges are (KnownEdge), the
+/// creases and boundaries of the others are those of extract_lines() without options.
+LoadedMesh join_models(std::vector<NamedModel> models);
+
+/// load_mesh_isolated() of a file; of several that, joined. Two files of one name are told apart by
+/// a number.
+LoadedMesh load_models_isolated(std::span<const std::filesystem::path> files,
+                                const ReadLimits& limits = {}, const LoadOptions& options = {});
+
+} // namespace lineatlas
