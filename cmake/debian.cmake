@@ -58,6 +58,17 @@ describe_package(io-development liblineatlas-io-dev libdevel
                  "${io} ${same}, liblineatlas-dev ${same}"
                  "line drawings of 3D models - to develop with files")
 describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D models")
+if(TARGET lineatlas-view)
+    describe_package(viewer lineatlas-viewer graphics "lineatlas ${same}"
+                     "line drawings of 3D models - viewer")
+    set(CPACK_DEBIAN_VIEWER_PACKAGE_RECOMMENDS "${drivers}")
+    set(tool_recommends ", lineatlas-viewer")
+endif()
+if(bench_programs)
+    describe_package(bench lineatlas-bench graphics "lineatlas ${same}"
+                     "line drawings of 3D models - benchmarks")
+    list(APPEND tool_suggests lineatlas-bench)
+endif()
 
 if(TARGET lineatlas-rays)
     describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
@@ -87,7 +98,7 @@ endif()
 list(JOIN tool_suggests ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${drivers}")
-set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "${drivers}")
+set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "${drivers}${tool_recommends}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "liblineatlas-io-dev, libepoxy-dev, pkg-config")
 foreach(component RUNTIME IO)
     set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/triggers)

@@ -3,6 +3,25 @@ if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
     set(Python_EXECUTABLE /usr/bin/python3)
 endif()
 find_package(Python 3.9 COMPONENTS Interpreter QUIET)
+set(bench_programs)
+foreach(name frames kernels interop quality tune)
+    if(TARGET lineatlas-bench-${name})
+        list(APPEND bench_programs lineatlas-bench-${name})
+    endif()
+endforeach()
+
+# In packages of their own, since the tool needs neither: it runs those that are beside it.
+if(bench_programs)
+    install(TARGETS ${bench_programs} RUNTIME COMPONENT bench)
+endif()
+if(TARGET lineatlas-view)
+    install(TARGETS lineatlas-view RUNTIME COMPONENT viewer)
+    install(FILES packaging/lineatlas.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT viewer)
+    install(FILES packaging/lineatlas.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT viewer)
+    install(FILES packaging/lineatlas.svg COMPONENT viewer
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+endif()
+
 set(manual_pages)
 # NAME.1 of the component, as the program, and what follows it, describes itself.
 function(add_manual_page name component program)
@@ -16,17 +35,27 @@ function(add_manual_page name component program)
 endfunction()
 if(Python_Interpreter_FOUND)
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/man)
-    foreach(command draw check info styles devices scene bench)
+    foreach(command draw check info styles devices scene)
         add_manual_page(lineatlas-${command} tool lineatlas ${command})
+    endforeach()
+    if(TARGET lineatlas-view)
+        add_manual_page(lineatlas-view viewer lineatlas-view)
+    endif()
+    if(LINEATLAS_BENCH)
+        add_manual_page(lineatlas-bench bench lineatlas bench)
+    endif()
+    foreach(program ${bench_programs})
+        add_manual_page(${program} bench ${program})
     endforeach()
 else()
     message(STATUS "No manual pages of commands: they are made by python3")
 endif()
 add_custom_target(manuals ALL DEPENDS ${manual_pages})
 
-# All that is installed; tests and benchmarks need not be there.
+# All that is installed; tests need not be there.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
                                     lineatlas-images lineatlas manuals
+                                    ${bench_programs} $<TARGET_NAME_IF_EXISTS:lineatlas-view>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas_python>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-gltf>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-3mf>

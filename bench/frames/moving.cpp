@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include "lineatlas/assembly.hpp"
 #include "lineatlas/scenes.hpp"
 #include "subjects.hpp"
 
@@ -95,6 +97,24 @@ std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
                                            : std::span<const std::uint32_t>{});
     };
 
+    // A clevis comes and goes. In frames before the first one the other parts come.
+    Subject changing{"office adding", moving.lines, still.kinds, still.viewpoints};
+    changing.animate = [scene = std::shared_ptr<Assembly>{}, number = 0U, is_there = false,
+                        office = moving.lines,
+                        clevis = extract_lines(make_scene("clevis").mesh, {.kinds = still.kinds})](
+                           Renderer& renderer, std::size_t) mutable {
+        if (!scene) {
+            scene = std::make_shared<Assembly>();
+            scene->add(office);
+        }
+        if (is_there)
+            scene->remove(number);
+        else
+            number = scene->add(clevis).front();
+        is_there = !is_there;
+        renderer.set_lines(*scene);
+    };
+
     Subject flat = orbit_subject("cloth still", cloth(), all_line_kinds, {0, 1, 0}, size, frames);
     Subject waving = flat;
     waving.name = "cloth waving";
@@ -104,8 +124,8 @@ std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
         move_vertices(lines, positions);
         renderer.set_positions(0, lines.vertices);
     };
-    return {std::move(still), std::move(moving), std::move(blinking), std::move(flat),
-            std::move(waving)};
+    return {std::move(still),    std::move(moving), std::move(blinking),
+            std::move(changing), std::move(flat),   std::move(waving)};
 }
 
 } // namespace lineatlas::bench

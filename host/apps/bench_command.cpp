@@ -19,8 +19,9 @@ Command setup_bench(CLI::App& app) {
     }
     return [&app] {
         const CLI::App* chosen = app.get_subcommands().front();
-        run_sibling("lineatlas-bench-" + chosen->get_name(), chosen->remaining(),
-                    "the benchmarks are built with the option LINEATLAS_BENCH");
+        run_sibling(
+            "lineatlas-bench-" + chosen->get_name(), chosen->remaining(),
+            "install the package lineatlas-bench; in a build of your own set LINEATLAS_BENCH");
     };
 }
 

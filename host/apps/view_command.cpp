@@ -9,8 +9,8 @@ Command setup_view(CLI::App& app) {
     app.prefix_command()->set_help_flag();
     return [&app] {
         run_sibling("lineatlas-view", app.remaining(),
-                    "the viewer is built where GLFW and Dear ImGui are found: install libglfw3-dev "
-                    "and libimgui-dev, and build again");
+                    "install the package lineatlas-viewer; in a build of your own libglfw3-dev and "
+                    "libimgui-dev, and build again");
     };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include <glm/common.hpp>
 
@@ -49,7 +50,10 @@ TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
         const glm::uvec3 t = triangles[i];
         items[i] = {vertices[t.x] + vertices[t.y] + vertices[t.z], i};
     }
-    // A vertex belongs to one object, and objects' vertices stand one after the other.
+    // A vertex belongs to one object, whose vertices stand together.
+    std::vector<std::uint32_t> order(objects.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return objects[i].first_vertex; });
     std::uint32_t object = 0;
     const auto is_before = [&](const Item& item) {
         return triangles[item.triangle].x <
@@ -83,7 +87,8 @@ TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
                                    .count = static_cast<std::uint32_t>(piece.size())});
     };
     std::span<Item> rest = items;
-    for (; object < objects.size(); ++object) {
+    for (const std::uint32_t next : order) {
+        object = next;
         const auto end = std::ranges::partition_point(rest, is_before);
         const auto count = static_cast<std::size_t>(end - rest.begin());
         split(rest.first(count), cluster_size, add);

@@ -75,32 +75,36 @@ bool can_be_outline(LineKind kind) {
     return kind != LineKind::file && kind != LineKind::section && kind != LineKind::hatching;
 }
 
-LineClasses line_classes(const LineSet& lines) {
-    LineClasses result;
-    result.groups = lines.groups;
-    result.of_segment.reserve(lines.segments.size());
+void LineClasses::update(const LineSet& lines, std::uint32_t first, std::uint32_t count) {
+    groups.insert(groups.end(), lines.groups.begin() + static_cast<std::ptrdiff_t>(groups.size()),
+                  lines.groups.end());
     const auto group_of = [&](std::uint32_t face) {
         const std::uint32_t triangle = face & LA_FACE_INDEX;
         return face == LA_NO_FACE || triangle >= lines.triangle_group.size()
                    ? LineClasses::no_group
                    : lines.triangle_group[triangle];
     };
-    std::map<LineClasses::Class, std::uint32_t> known;
-    for (const Segment& segment : lines.segments) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        const Segment& segment = lines.segments[i];
         std::uint32_t a = group_of(segment.face_a), b = group_of(segment.face_b);
         if (a > b) std::swap(a, b);
         const LineClasses::Class own{static_cast<LineKind>(segment.tag & LA_TAG_KIND_MASK), a, b};
-        const bool as_before =
-            !result.of_segment.empty() && result.classes[result.of_segment.back()] == own;
-        if (as_before) {
-            result.of_segment.push_back(result.of_segment.back());
+        if (i > first && classes[of_segment[i - 1]] == own) {
+            of_segment[i] = of_segment[i - 1];
             continue;
         }
         const auto [found, is_new] =
-            known.emplace(own, static_cast<std::uint32_t>(result.classes.size()));
-        if (is_new) result.classes.push_back(own);
-        result.of_segment.push_back(found->second);
+            numbers.emplace(own, static_cast<std::uint32_t>(classes.size()));
+        if (is_new) classes.push_back(own);
+        of_segment[i] = found->second;
     }
+}
+
+LineClasses line_classes(const LineSet& lines) {
+    LineClasses result;
+    const auto count = static_cast<std::uint32_t>(lines.segments.size());
+    result.of_segment.resize(count);
+    result.update(lines, 0, count);
     return result;
 }
 

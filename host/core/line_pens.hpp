@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct LineClasses {
     std::vector<std::uint32_t> of_segment; ///< into `classes`
     std::vector<Class> classes;
     std::vector<MeshGroup> groups;
+    std::map<Class, std::uint32_t> numbers; ///< of `classes`
+
+    /// Other segments stand from `first` on, so many, perhaps of new groups.
+    void update(const LineSet& lines, std::uint32_t first, std::uint32_t count);
 };
 
 LineClasses line_classes(const LineSet& lines);

@@ -25,6 +25,11 @@ class AtlasMethod {
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release_scene();
     /// Makes tables for another line set, and for chunks as large as those of `tables`.
+    /// The scene has other lines in the same tables.
+    void forget_lines() {
+        chains_.forget_lines();
+        strokes_.forget_lines();
+    }
     void set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables);
     FrameStats draw(Frame& frame);
     /// See Renderer::draw_tiles().

@@ -313,7 +313,8 @@ void DepthStage::add_drawn(std::span<const Cluster> clusters,
     for (std::size_t i = 0; i < clusters.size(); ++i) {
         if (selected[i] == 0) continue;
         triangles_drawn_ += clusters[i].count;
-        const bool follows = i > 0 && selected[i - 1] != 0;
+        const bool follows = i > 0 && selected[i - 1] != 0 &&
+                             clusters[i - 1].first + clusters[i - 1].count == clusters[i].first;
         if (follows)
             ranges_.back().count += clusters[i].count;
         else

@@ -23,6 +23,11 @@ class ExactMethod {
     void release_scene() { lines_.release(); }
     /// Makes tables for another line set.
     void set_scene(const SceneBuffers& scene);
+    /// The scene has other lines in the same tables.
+    void forget_lines() {
+        lines_.forget_lines();
+        strokes_.forget_lines();
+    }
     FrameStats draw(Frame& frame);
     /// See Renderer::draw_tiles(); only strokes are drawn by tiles.
     FrameStats draw_tiles(Frame& frame, const TileTarget& target);

@@ -36,13 +36,23 @@ MovingTables::MovingTables(compute::Stages& stages, interop::SharingMode mode, c
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
       objects_(upload<std::uint32_t>(device_, object_of_vertices(shape))),
       cluster_objects_(upload(device_, shape.cluster_objects)),
-      matrices_(compute::allocate(device_, shape.objects.size() * matrix_floats * sizeof(float),
+      matrices_(compute::allocate(device_, shape.object_room * matrix_floats * sizeof(float),
                                   purpose::motion)),
-      jumped_(compute::allocate(device_, shape.objects.size(), purpose::motion)),
+      jumped_(compute::allocate(device_, shape.object_room, purpose::motion)),
       vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
       clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)),
       drawn_(interop::make_shared_buffer(device_, mode, vertex_count_ * sizeof(glm::vec3),
                                          purpose::motion)) {}
+
+void MovingTables::set_object(std::uint32_t object, std::uint32_t first_vertex,
+                              std::uint32_t vertices, std::uint32_t first_cluster,
+                              std::uint32_t clusters) {
+    const std::vector<std::uint32_t> numbers(std::max(vertices, clusters), object);
+    const auto bytes = std::as_bytes(std::span{numbers});
+    constexpr std::size_t size = sizeof(std::uint32_t);
+    device_.upload(*objects_, bytes.first(vertices * size), first_vertex * size);
+    device_.upload(*cluster_objects_, bytes.first(clusters * size), first_cluster * size);
+}
 
 void MovingTables::transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
                              std::span<const glm::mat4> world_from_object) {

@@ -21,10 +21,15 @@ class MovingTables {
     struct Shape {
         std::uint32_t vertex_count;
         std::span<const LineObject> objects;
+        std::size_t object_room;                        ///< at least as many
         std::span<const std::uint32_t> cluster_objects; ///< per cluster
     };
     /// Throws DeviceError when memory runs out.
     MovingTables(compute::Stages& stages, interop::SharingMode mode, const Shape& shape);
+
+    /// Vertices and clusters from these on are of that object.
+    void set_object(std::uint32_t object, std::uint32_t first_vertex, std::uint32_t vertices,
+                    std::uint32_t first_cluster, std::uint32_t clusters);
 
     /// Moves what is made as in `rest` and `rest_clusters`.
     void transform(compute::Buffer& rest, compute::Buffer& rest_clusters,

@@ -10,6 +10,7 @@
 #include "backdrop.hpp"
 #include "compute/compare/comparing_device.hpp"
 #include "compute/kernels.hpp"
+#include "core/assembly_state.hpp"
 #include "core/limits.hpp"
 #include "core/picture_size.hpp"
 #include "exact_method.hpp"
@@ -18,6 +19,7 @@
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/objects.hpp"
 #include "glpasses/state_guard.hpp"
+#include "lineatlas/assembly.hpp"
 #include "lineatlas/error.hpp"
 #include "opengl_method.hpp"
 #include "pen_textures.hpp"
@@ -164,7 +166,23 @@ class Renderer::State {
 
     const std::string& note() const { return connection_.note; }
 
-    void set_lines(const LineSet& lines) {
+    void set_parts(const AssemblyState& parts) {
+        bool updated = false;
+        try {
+            updated = scene_ && !broken_ && scene_->update_parts(parts);
+        } catch (...) {
+            scene_.reset(); // half a scene is none
+            throw;
+        }
+        if (!updated) return set_lines(parts.lines, &parts);
+        samples_drawn_ = has_frame_ = false;
+        atlas_->forget_lines();
+        if (exact_) exact_->forget_lines();
+        if (picking_) picking_->forget_lines();
+    }
+
+    /// `parts`: whose lines these are, if they come and go.
+    void set_lines(const LineSet& lines, const AssemblyState* parts = nullptr) {
         scene_.reset();
         samples_drawn_ = false;
         mend();
@@ -173,7 +191,7 @@ class Renderer::State {
         has_frame_ = false;
         atlas_->release_scene();
         if (exact_) exact_->release_scene();
-        scene_.emplace(*connection_.stages, connection_.mode, lines);
+        scene_.emplace(*connection_.stages, connection_.mode, lines, parts);
         try {
             atlas_->set_scene(*scene_, scene_->tables());
             if (spine_) spine_->set_scene(*scene_);
@@ -460,6 +478,10 @@ void Renderer::set_pen_image(const std::string& mark, Image image) {
 void Renderer::set_lines(const LineSet& lines) {
     const gl::StateGuard guard = state_->enter();
     state_->set_lines(lines);
+}
+void Renderer::set_lines(const Assembly& parts) {
+    const gl::StateGuard guard = state_->enter();
+    state_->set_parts(*parts.state_);
 }
 void Renderer::set_transforms(std::span<const glm::mat4> world_from_object) {
     const gl::StateGuard guard = state_->enter();

@@ -10,6 +10,7 @@
 
 #include "core/clusters.hpp"
 #include "core/meshlets.hpp"
+#include "core/part_clusters.hpp"
 #include "core/patches.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
@@ -26,31 +27,36 @@ std::span<const std::byte> bytes_of(const std::vector<T>& values) {
     return std::as_bytes(std::span{values});
 }
 
-gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose) {
+gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose,
+                     GLbitfield flags = 0) {
     gl::Buffer buffer = gl::Buffer::create();
     const std::byte nothing{};
     gl::allocate(buffer, std::max<std::size_t>(data.size(), 1),
-                 data.empty() ? &nothing : data.data(), 0, purpose);
+                 data.empty() ? &nothing : data.data(), flags, purpose);
     return buffer;
 }
 
 } // namespace
 
-SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines)
+SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines,
+                           const AssemblyState* parts)
     : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), classes_(line_classes(lines)),
       diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
       gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
-    TriangleClusters parts =
-        build_clusters(lines.vertices, lines.triangles, cluster_size, lines.objects);
-    gl_indices_ = upload_gl(bytes_of(parts.triangles), purpose::model);
-    clusters_ = std::move(parts.clusters);
-    cluster_objects_ = std::move(parts.objects);
-    upload_colors(lines, parts.order);
-    triangle_order_ = std::move(parts.order);
+    const GLbitfield flags = parts != nullptr ? GL_DYNAMIC_STORAGE_BIT : 0;
+    TriangleClusters made = parts != nullptr ? all_part_clusters(*parts)
+                                             : build_clusters(lines.vertices, lines.triangles,
+                                                              cluster_size, lines.objects);
+    gl_indices_ = upload_gl(bytes_of(made.triangles), purpose::model, flags);
+    clusters_ = std::move(made.clusters);
+    cluster_objects_ = std::move(made.objects);
+    triangle_order_ = std::move(made.order);
+    upload_colors(lines);
     tables_.clusters = upload(device(), bytes_of(clusters_), purpose::model);
+    if (parts != nullptr) follow(*parts);
 }
 
 bool SceneBuffers::is_cut_up() const {
@@ -76,8 +82,8 @@ std::vector<glm::uvec3> SceneBuffers::download_gl_triangles() const {
 
 compute::MeshletTables SceneBuffers::meshlets() {
     if (!tables_.meshlets) {
-        const Meshlets built =
-            build_meshlets(download_gl_triangles(), clusters_, motion_.vertex_count());
+        Meshlets built = build_meshlets(download_gl_triangles(), clusters_, motion_.vertex_count());
+        if (followed_) built = spread_out(built, 0);
         auto vertex_list = upload(device(), bytes_of(built.vertices), purpose::model);
         auto corners = upload(device(), bytes_of(built.corners), purpose::model);
         tables_.meshlets = upload(device(), bytes_of(built.meshlets), purpose::model);
@@ -161,6 +167,8 @@ std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
         stages, mode,
         MovingTables::Shape{.vertex_count = motion_.vertex_count(),
                             .objects = motion_.objects(),
+                            .object_room =
+                                followed_ ? followed_->object_room : motion_.objects().size(),
                             .cluster_objects = cluster_objects_});
 }
 
@@ -185,7 +193,7 @@ void SceneBuffers::forget_jumps(std::span<const glm::mat4> transforms_from, cons
     if (!jumped.empty()) tables_.moving->forget(candidate_table(), jumped, ranges);
 }
 
-void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint32_t> order) {
+void SceneBuffers::upload_colors(const LineSet& lines) {
     if (lines.triangle_color.empty()) return;
     // The table's last entry stands for no colour; a pass knows it by its alpha.
     std::vector<glm::u8vec4> table;
@@ -197,9 +205,8 @@ void SceneBuffers::upload_colors(const LineSet& lines, std::span<const std::uint
     const auto upload_indices = [&]<class Index>(Index) {
         std::vector<Index> indices(lines.triangle_color.size());
         for (std::size_t i = 0; i < indices.size(); ++i) {
-            const std::size_t source = order.empty() ? i : order[i];
-            const std::size_t index =
-                std::min<std::size_t>(lines.triangle_color[source], lines.colors.size());
+            const std::size_t index = std::min<std::size_t>(
+                lines.triangle_color[triangle_order_[i]], lines.colors.size());
             indices[i] = static_cast<Index>(index);
         }
         gl_color_indices_ = upload_gl(bytes_of(indices), purpose::fill);
@@ -228,9 +235,15 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
                       purpose::model);
     };
     const LineSet contours = download_contours();
+    std::vector<LineTables::Chunk> chunks =
+        upload_segments(stages.device(), download_segments(), &contours);
+    if (followed_ && chunks.size() == 1) { // lists of parts stand where they are
+        chunks.front().end_offsets = copy(*tables_.chunks.front().end_offsets);
+        chunks.front().ends = copy(*tables_.chunks.front().ends);
+    }
     return {{.vertices = copy(*tables_.vertices),
              .triangles = copy(*tables_.triangles),
-             .chunks = upload_segments(stages.device(), download_segments(), &contours)},
+             .chunks = std::move(chunks)},
             copy(*tables_.clusters),
             tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
             tables_.moving ? make_moving(stages, mode) : nullptr};

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "compute/stages/stages.hpp"
+#include "core/assembly_state.hpp"
 #include "core/line_pens.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/fill_pass.hpp"
@@ -32,7 +33,13 @@ namespace lineatlas {
 class SceneBuffers {
   public:
     /// Throws DeviceError when memory runs out, or where there is more than GL can count.
-    SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines);
+    /// `parts`: whose lines these are, if they come and go.
+    SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines,
+                 const AssemblyState* parts = nullptr);
+
+    /// Takes over what has changed in the assembly, once move() is called. False where that needs
+    /// tables of another size, or these are of another scene: then nothing is changed.
+    bool update_parts(const AssemblyState& parts);
 
     /// See Renderer. What they change is there after move().
     void set_transforms(std::span<const glm::mat4> world_from_object);
@@ -130,10 +137,17 @@ class SceneBuffers {
     std::uint64_t segment_bytes() const { return std::uint64_t{segment_count_} * sizeof(Segment); }
 
   private:
+    // Of parts: host/renderer/scene_parts.cpp.
+    void follow(const AssemblyState& parts);
+    void update_part(const AssemblyState& parts, const AssemblyState::Change& change);
+    void upload_part_lines(const LineSet& lines, const PartRooms& rooms);
+    void upload_part_ends(const PartRooms& rooms, const LineSet& part);
+    void upload_part_triangles(std::uint32_t object, const PartRooms& rooms, const LineSet& part);
+    void upload_part_surfaces(const PartRooms& rooms, const LineSet& part);
+
     bool is_cut_up() const;
     std::vector<glm::uvec3> download_gl_triangles() const;
-    /// `order`: where each of gl_triangles() stands among the line set's; empty: there too.
-    void upload_colors(const LineSet& lines, std::span<const std::uint32_t> order);
+    void upload_colors(const LineSet& lines);
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
@@ -159,6 +173,14 @@ class SceneBuffers {
     LineClasses classes_;
     float diagonal_;
     bool moved_ = false; ///< since the last move()
+    /// Of parts: what of the assembly is here.
+    struct Followed {
+        std::uint64_t layout;
+        std::size_t changes;     ///< that were taken over
+        std::size_t object_room; ///< see AssemblyState, and the next
+        std::uint32_t first_candidate;
+    };
+    std::optional<Followed> followed_;
     std::vector<Cluster> clusters_;
     bool boxes_are_old_ = false; ///< in `clusters_`
     std::vector<std::uint32_t> cluster_objects_;

@@ -76,14 +76,43 @@ SceneMotion::SceneMotion(const LineSet& lines)
             include(box, lines.vertices[object.first_vertex + i]);
         }
     }
-    const std::size_t every = std::max<std::size_t>(1, lines.vertices.size() / most_landmarks);
-    std::uint32_t object = 0;
-    for (std::size_t i = 0; i < lines.vertices.size(); i += every) {
-        while (i >= std::size_t{objects_[object].first_vertex} + objects_[object].vertex_count) {
-            ++object;
-        }
-        landmarks_.push_back({static_cast<std::uint32_t>(i), object, lines.vertices[i]});
+    std::size_t vertices = 0;
+    for (const LineObject& object : objects_) vertices += object.vertex_count;
+    between_landmarks_ = std::max<std::size_t>(1, vertices / most_landmarks);
+    for (std::uint32_t i = 0; i < objects_.size(); ++i) add_landmarks(i, lines.vertices);
+}
+
+void SceneMotion::add_landmarks(std::uint32_t object, std::span<const glm::vec3> vertices) {
+    const LineObject& own = objects_[object];
+    for (; next_landmark_ < own.vertex_count; next_landmark_ += between_landmarks_) {
+        const auto vertex = static_cast<std::uint32_t>(own.first_vertex + next_landmark_);
+        landmarks_.push_back({vertex, object, vertices[vertex]});
+        if (landmarks_.size() < 2 * most_landmarks) continue;
+        std::size_t kept = 0; // the model has grown: half of them will do
+        for (std::size_t i = 0; i < landmarks_.size(); i += 2) landmarks_[kept++] = landmarks_[i];
+        landmarks_.resize(kept);
+        between_landmarks_ *= 2;
     }
+    next_landmark_ -= own.vertex_count;
+}
+
+void SceneMotion::set_object(std::uint32_t number, const LineSet& lines, const Bounds& box) {
+    if (number >= objects_.size()) {
+        objects_.resize(number + 1);
+        transforms_.resize(number + 1);
+        hidden_.resize(number + 1);
+        shown_.resize(number + 1);
+        boxes_.resize(number + 1);
+    }
+    objects_[number] = lines.objects[number];
+    transforms_[number] = glm::mat4{1};
+    hidden_[number] = 0;
+    boxes_[number] = box;
+    std::erase_if(landmarks_, [&](const Landmark& one) { return one.object == number; });
+    add_landmarks(number, lines.vertices);
+    away_ = matrix_away(lines.bounds);
+    ++shape_version_;
+    update();
 }
 
 void SceneMotion::set_transforms(std::span<const glm::mat4> world_from_object) {
@@ -137,7 +166,8 @@ void SceneMotion::update() {
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         shown_[i] = hidden_[i] != 0 ? away_ : transforms_[i];
         if (objects_[i].vertex_count == 0) continue;
-        const Bounds box = moved(boxes_[i], transforms_[i]);
+        const bool as_made = transforms_[i] == glm::mat4{1};
+        const Bounds box = as_made ? boxes_[i] : moved(boxes_[i], transforms_[i]);
         include(bounds_, box.min);
         include(bounds_, box.max);
     }

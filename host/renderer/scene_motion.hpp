@@ -22,6 +22,8 @@ class SceneMotion {
     void set_transforms(std::span<const glm::mat4> world_from_object);
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
     void set_hidden(std::span<const std::uint32_t> objects);
+    /// Another one stands there, shown and where it was made, or none; it may be the next.
+    void set_object(std::uint32_t number, const LineSet& lines, const Bounds& box);
 
     std::span<const LineObject> objects() const { return objects_; }
     std::uint32_t vertex_count() const { return vertex_count_; }
@@ -50,6 +52,8 @@ class SceneMotion {
         glm::vec3 position;
     };
     void update();
+    /// Of the object's vertices some, as far apart as those of others.
+    void add_landmarks(std::uint32_t object, std::span<const glm::vec3> vertices);
 
     std::vector<LineObject> objects_; ///< one if nothing moves on its own
     std::uint32_t vertex_count_;
@@ -59,6 +63,7 @@ class SceneMotion {
     std::vector<glm::mat4> shown_;     ///< transforms()
     glm::mat4 away_;                   ///< of hidden ones
     std::vector<Landmark> landmarks_;
+    std::size_t between_landmarks_ = 1, next_landmark_ = 0; ///< vertices
     Bounds bounds_;
     std::uint64_t shape_version_ = 0;
 };

@@ -32,6 +32,9 @@ class ExactIntervals {
     /// With tables for such lines, which may move.
     ExactIntervals(compute::Stages& stages, const PlacedLines& lines);
 
+    /// The lines are others, in the same tables.
+    void forget_lines() { lines_.forget_lines(); }
+
     /// What find() looks for.
     struct Wanted {
         bool hidden = false;                          ///< hidden pieces too

@@ -32,6 +32,8 @@ class ExactLines {
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release();
+    /// The lines are others, in the same tables.
+    void forget_lines() { chains_.forget_lines(); }
     /// Makes tables for another line set.
     void make_tables(std::uint32_t triangle_count, std::uint32_t most_segments);
 

@@ -28,9 +28,10 @@ PictureTile around(glm::vec2 position, float radius, glm::ivec2 size) {
 
 /// The object that a vertex belongs to.
 std::uint32_t object_of(std::span<const LineObject> objects, std::uint32_t vertex) {
-    const auto after = std::ranges::upper_bound(objects, vertex, {}, &LineObject::first_vertex);
-    // Of several that begin at one vertex all but the last are empty.
-    return after == objects.begin() ? 0 : static_cast<std::uint32_t>(after - objects.begin()) - 1;
+    const auto found = std::ranges::find_if(objects, [vertex](const LineObject& object) {
+        return vertex - object.first_vertex < object.vertex_count; // below the first: wraps around
+    });
+    return found == objects.end() ? 0 : static_cast<std::uint32_t>(found - objects.begin());
 }
 
 /// The point of an interval that is nearest to a window position.

@@ -1,7 +1,10 @@
 #include "drawer.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
+#include "assembling.hpp"
 #include "compute/choose_device.hpp"
 #include "core/line_pens.hpp"
 #include "images/pixels.hpp"
@@ -26,7 +29,7 @@ std::vector<std::uint8_t> to_bytes(std::span<const std::byte> values) {
 ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options,
                       const Progress& progress) {
     LineSet lines = extract_lines(model->mesh, options, progress);
-    return {std::move(model), std::move(lines), options.kinds};
+    return {std::move(model), std::move(lines), options};
 }
 
 /// From here to its end this thread has the drawer, and the context of its renderer, once there is
@@ -77,7 +80,10 @@ Drawer::~Drawer() {
 Drawer::Pictures& Drawer::make_pictures() {
     auto pictures = std::make_unique<Pictures>(state_->device);
     state_->visibility.reset(); // the model's memory goes to the renderer
-    pictures->renderer.set_lines(made_->lines);
+    if (assembly_)
+        pictures->renderer.set_lines(*assembly_);
+    else
+        pictures->renderer.set_lines(made_->lines);
     place(pictures->renderer, placement_);
     state_->note = pictures->renderer.note();
     state_->pictures = std::move(pictures);
@@ -119,6 +125,7 @@ void Drawer::set_subject(ModelLines subject) {
         state_->visibility->set_lines(subject.lines);
     made_ = subject_ = std::make_shared<ModelLines>(std::move(subject));
     placement_ = {};
+    assembly_.reset();
 }
 
 /// The lines where they are now, as those that know no placement are to see them.
@@ -151,6 +158,10 @@ void Drawer::set_transforms(std::vector<glm::mat4> world_from_object) {
 
 void Drawer::set_positions(std::span<const glm::vec3> positions) {
     const InUse use{*this};
+    if (assembly_) {
+        throw UsageError("positions: parts were added or removed; make a new Renderer of the "
+                         "whole to change its shape");
+    }
     LineSet shape; // what move_vertices() needs, and no more
     shape.vertices = made_->lines.vertices;
     shape.vertex_sources = made_->lines.vertex_sources;
@@ -177,6 +188,63 @@ void Drawer::take(Placement next, std::shared_ptr<const ModelLines> moved) {
     if (state_->visibility) state_->visibility->set_lines(moved->lines);
     placement_ = std::move(next);
     subject_ = std::move(moved);
+}
+
+void Drawer::start_assembly() {
+    if (assembly_) return;
+    if (!placement_.vertices.empty()) {
+        throw UsageError("parts come and go only while positions are those of the model; make a "
+                         "new Renderer of what has changed its shape");
+    }
+    Assembly assembly;
+    assembly.add(made_->lines);
+    assembly_.emplace(std::move(assembly));
+    if (state_->pictures) {
+        state_->pictures->renderer.set_lines(*assembly_);
+        place(state_->pictures->renderer, placement_);
+    }
+}
+
+std::vector<std::uint32_t> Drawer::add(const Model& part, const Progress& progress) {
+    LineSet lines = extract_lines(part.mesh, subject()->options, progress);
+    const InUse use{*this};
+    start_assembly();
+    auto model = std::make_shared<Model>(*made_->model);
+    shift_sources(lines, static_cast<std::uint32_t>(model->mesh.positions.size()),
+                  static_cast<std::uint32_t>(model->mesh.triangles.size()));
+    append(model->mesh, part.mesh);
+    std::vector<std::uint32_t> numbers = assembly_->add(lines);
+    take_parts(std::move(model), numbers);
+    return numbers;
+}
+
+void Drawer::remove(std::uint32_t object) {
+    const InUse use{*this};
+    const std::size_t count = std::max<std::size_t>(made_->lines.objects.size(), 1);
+    if (object >= count) {
+        throw UsageError("there is no object " + std::to_string(object) + " to remove, but " +
+                         std::to_string(count));
+    }
+    start_assembly();
+    assembly_->remove(object);
+    take_parts(made_->model, std::span{&object, 1});
+}
+
+void Drawer::take_parts(std::shared_ptr<const Model> model,
+                        std::span<const std::uint32_t> changed) {
+    made_ = std::make_shared<ModelLines>(
+        ModelLines{std::move(model), assembly_->lines(), made_->options});
+    Placement next = placement_;
+    if (!next.transforms.empty()) {
+        next.transforms.resize(made_->lines.objects.size(), glm::mat4{1});
+        for (const std::uint32_t object : changed) next.transforms[object] = glm::mat4{1};
+    }
+    std::erase_if(next.hidden, [&](std::uint32_t object) {
+        return std::ranges::find(changed, object) != changed.end();
+    });
+    if (state_->pictures) state_->pictures->renderer.set_lines(*assembly_);
+    std::shared_ptr<const ModelLines> moved = placed(next);
+    take(std::move(next), std::move(moved));
 }
 
 std::optional<Pick> Drawer::pick(const Camera& camera, glm::vec2 position, float radius,

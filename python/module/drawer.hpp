@@ -9,6 +9,7 @@
 
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
+#include "lineatlas/assembly.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/visibility.hpp"
 #include "model.hpp"
@@ -19,7 +20,7 @@ namespace lineatlas::python {
 struct ModelLines {
     std::shared_ptr<const Model> model;
     LineSet lines;
-    LineKindMask kinds = all_line_kinds;
+    LineOptions options{}; ///< that they were found with
 };
 
 ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options,
@@ -67,6 +68,11 @@ class Drawer {
     void set_positions(std::span<const glm::vec3> positions); ///< of all of the mesh
     void set_hidden(std::vector<std::uint32_t> objects);
 
+    /// Adds a model's objects, found as those of the subject were; gives their numbers. What
+    /// lines refer to of its mesh stands behind that of the models before.
+    std::vector<std::uint32_t> add(const Model& part, const Progress& progress);
+    void remove(std::uint32_t object);
+
     void close(); ///< gives back all that it holds; later calls throw UsageError
 
   private:
@@ -99,6 +105,9 @@ class Drawer {
     std::shared_ptr<const ModelLines> placed(const Placement& placement) const;
     static void place(Renderer& renderer, const Placement& placement);
     void take(Placement next, std::shared_ptr<const ModelLines> moved);
+    void start_assembly();
+    /// The assembly has changed: shows it, with these objects where they were made.
+    void take_parts(std::shared_ptr<const Model> model, std::span<const std::uint32_t> changed);
 
     std::unique_lock<std::mutex> lock() const;
     Pictures& make_pictures();
@@ -111,10 +120,11 @@ class Drawer {
     std::shared_ptr<const ModelLines> made_;    ///< as it was made
     std::shared_ptr<const ModelLines> subject_; ///< where it is now
     Placement placement_;
+    std::optional<Assembly> assembly_; ///< from the first add() or remove() on
     std::unique_ptr<State> state_;
 };
 
-/// set_transforms(), set_positions(), hide(), objects.
+/// set_transforms(), set_positions(), hide(), add(), remove(), objects.
 void bind_motion(pybind11::class_<Drawer>& renderer);
 /// pick().
 void bind_picking(pybind11::module_& module, pybind11::class_<Drawer>& renderer);

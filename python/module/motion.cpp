@@ -1,10 +1,13 @@
 #include <algorithm>
 
+#include <pybind11/stl.h>
+
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "drawer.hpp"
 #include "lineatlas/error.hpp"
 #include "process.hpp"
+#include "progress.hpp"
 
 // What of a renderer's model moves, changes its shape and is hidden.
 namespace lineatlas::python {
@@ -34,6 +37,19 @@ void hide(Drawer& drawer, const py::object& objects) {
     drawer.set_hidden(std::move(hidden));
 }
 
+std::vector<std::uint32_t> add(Drawer& drawer, const ModelArgument& model,
+                               const py::object& progress) {
+    const std::shared_ptr<const Model> part = model_of(model);
+    return released(progress, [&](const Progress& asked) { return drawer.add(*part, asked); });
+}
+
+using ObjectNumber = Argument<std::uint32_t, "object", "the number of an object">;
+
+void remove(Drawer& drawer, const ObjectNumber& object) {
+    const Released released;
+    drawer.remove(*object);
+}
+
 py::list objects(Drawer& drawer) {
     py::list names;
     for (const LineObject& object : drawer.subject()->lines.objects)
@@ -56,6 +72,12 @@ void bind_motion(py::class_<Drawer>& renderer) {
         .def("hide", &hide, py::arg("objects"),
              "Shows all objects but these, by their numbers in `objects`; [] shows all. The\n"
              "others' lines are not drawn and hide nothing.")
+        .def("add", &add, py::arg("model"), py::kw_only(), py::arg("progress") = py::none(),
+             "Adds another model, found with the same options, and gives the numbers of its\n"
+             "objects. It costs what it has, not what was there before. Positions, triangles and\n"
+             "groups of its mesh are counted on from those before.")
+        .def("remove", &remove, py::arg("object"),
+             "Takes an object out; the others keep their numbers, and add() gives its own again.")
         .def_property_readonly("objects", &objects,
                                "Names of what moves on its own; empty without separate_objects.");
 }

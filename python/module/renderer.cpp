@@ -78,7 +78,7 @@ py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
         note = drawer.take_note();
         const bool shows_lines =
             picture.shows_lines ? *picture.shows_lines : any_in_view(subject->lines, camera);
-        if (!shows_lines) flaw = why_no_line(subject->lines, subject->kinds, camera);
+        if (!shows_lines) flaw = why_no_line(subject->lines, subject->options.kinds, camera);
     }
     warn(note);
     warn_user(of_framing);
@@ -129,7 +129,7 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         const VectorDrawing drawing = make_vector_drawing(
             lines, camera, found.intervals, frame.style,
             {.mesh = mesh, .outlines = found.outlines, .plotter = arguments.plotter});
-        if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->kinds, camera);
+        if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->options.kinds, camera);
         return written(drawing);
     });
     warn_user(of_framing);

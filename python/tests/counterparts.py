@@ -59,6 +59,8 @@ ELSEWHERE = {
     "Renderer.pick()": "Renderer.pick()", "LineVisibility.pick()": "Renderer.pick()",
     "Renderer.set_transforms()": "Renderer.set_transforms()", "move_objects()": "Renderer.set_transforms()",
     "Renderer.set_positions()": "Renderer.set_positions()", "move_vertices()": "Renderer.set_positions()",
+    "Assembly": "Renderer.add()", "Assembly.add()": "Renderer.add()", "Assembly.remove()": "Renderer.remove()",
+    "Assembly.lines()": "Renderer.objects",
     "Renderer.set_hidden()": "Renderer.hide()", "hide_objects()": "Renderer.hide()",
     "LineOptions.separate_objects": "Renderer(separate_objects)", "LineObject": "Renderer.objects",
     "LineObject.name": "Renderer.objects",

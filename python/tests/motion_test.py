@@ -57,6 +57,55 @@ class Hiding(unittest.TestCase):
                 renderer.hide("all")
 
 
+class Parts(unittest.TestCase):
+    def other(self) -> lineatlas.Mesh:
+        """The second of two_cubes()."""
+        return lineatlas.Mesh(CUBE_POSITIONS + (2, 0, 0), CUBE_TRIANGLES)
+
+    def expect_same(self, renderer: lineatlas.Renderer, wanted: lineatlas.Renderer) -> None:
+        np.testing.assert_allclose(places(renderer.intervals(**SEEN)), places(wanted.intervals(**SEEN)), atol=0.01)
+        np.testing.assert_array_equal(renderer.draw(**SEEN), wanted.draw(**SEEN))
+
+    def test_come_and_go(self) -> None:
+        for drawn_before in (False, True):
+            with two() as both, lineatlas.Renderer(cube(), separate_objects=True, compute="cpp") as renderer:
+                if drawn_before:
+                    renderer.draw(**SEEN)
+                self.assertEqual(renderer.add(self.other()), [1])
+                self.expect_same(renderer, both)
+                self.assertGreater(renderer.intervals(**SEEN)["edge"].max(), len(CUBE_POSITIONS))
+                renderer.remove(0)
+                both.hide([0])
+                self.expect_same(renderer, both)
+                both.hide([])
+                self.assertEqual(renderer.add(cube()), [0])
+                self.expect_same(renderer, both)
+                found = renderer.pick(160, 120, **SEEN)
+                self.assertIsNotNone(found)
+
+    def test_stay_where_they_were_put(self) -> None:
+        with two() as both, lineatlas.Renderer(cube(), separate_objects=True, compute="cpp") as renderer:
+            up = np.eye(4)
+            up[1, 3] = 0.5
+            renderer.set_transforms([up])
+            renderer.add(self.other())
+            both.set_transforms([up, np.eye(4)])
+            self.expect_same(renderer, both)
+
+    def test_what_there_is_not(self) -> None:
+        with two() as renderer:
+            for number in (2, 1000):
+                with self.assertRaises(lineatlas.UsageError):
+                    renderer.remove(number)
+            renderer.remove(1)
+            with self.assertRaises(lineatlas.UsageError):
+                renderer.remove(1)
+            with self.assertRaises(lineatlas.UsageError):
+                renderer.set_positions(two_cubes().positions)
+            with self.assertRaises(TypeError):
+                renderer.remove("all")
+
+
 class Moving(unittest.TestCase):
     def test_transforms(self) -> None:
         aside = np.eye(4)

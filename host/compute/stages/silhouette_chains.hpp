@@ -23,6 +23,8 @@ class SilhouetteChains {
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
+    /// The table of segments has others in it.
+    void forget_lines() { fixed_of_ = nullptr; }
 
     /// The table of a frame in which no candidate is drawn.
     SegmentTable without(const SegmentTable& table);

@@ -25,6 +25,8 @@
 
 namespace lineatlas {
 
+class Assembly;
+
 /// How visibility is computed and strokes are drawn (Table 1).
 enum class Method {
     atlas, ///< the segment atlas (§4)
@@ -197,6 +199,11 @@ class LINEATLAS_API Renderer {
 
     /// Uploads the lines and triangles to draw; they replace what was there.
     void set_lines(const LineSet& lines);
+    /// The same of the parts of an assembly, which may change and be set again: what it had when it
+    /// was set last stays, where it was moved to and hidden, too, and costs nothing; new parts
+    /// stand where they were made. Objects are its parts; numbers that stand for none count among
+    /// those of set_transforms(), whatever their matrix. What a frame left to read is gone.
+    void set_lines(const Assembly& parts);
 
     /// Moves the objects (LineSet::objects; the whole model, if it has none): a matrix for each,
     /// world from object as it was made. The next frame shows it; nothing is rebuilt. Which edges

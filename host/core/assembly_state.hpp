@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+
+/// A piece of a table that belongs to one part.
+struct PartRoom {
+    std::uint32_t first = 0;
+    std::uint32_t size = 0;
+    bool operator==(const PartRoom&) const = default;
+};
+
+/// The pieces of all tables that belong to one part.
+struct PartRooms {
+    PartRoom vertices;   ///< one more than it has, so that its last one's lists have an end
+    PartRoom triangles;  ///< as many as it has
+    PartRoom fixed;      ///< of LineSet::segments
+    PartRoom candidates; ///< the same, silhouettes; counted from the first of all
+    PartRoom clusters;   ///< of SceneBuffers
+    bool operator==(const PartRooms&) const = default;
+};
+
+/// What an Assembly consists of.
+struct AssemblyState {
+    struct Part {
+        PartRooms rooms{}; ///< kept when it is gone, for one that fits
+        bool is_there = false;
+        std::uint32_t vertices = 0, triangles = 0, fixed = 0, candidates = 0; ///< that it has
+        Bounds box{};
+    };
+    /// A part that has come, gone or both.
+    struct Change {
+        std::uint32_t object;
+        PartRooms rooms; ///< that it had then
+    };
+
+    LineSet lines;
+    std::vector<Part> parts; ///< as LineSet::objects
+    PartRooms used{};        ///< sizes only: what is given away of each table
+    std::uint32_t first_candidate = 0, cluster_count = 0, object_room = 0;
+    /// Of this layout of the tables, which no other assembly has; after another one nothing is
+    /// where it was.
+    std::uint64_t layout = 0;
+    std::vector<Change> changes{}; ///< since then
+
+    std::map<std::array<float, 3>, std::uint16_t> colors{};
+    using GroupKey = std::tuple<std::string, std::string, std::optional<std::array<float, 3>>>;
+    std::map<GroupKey, std::uint32_t> groups{};
+};
+
+/// A part by itself: its indices count from 0, its segments are its fixed ones, then candidates.
+/// Of groups and colours it has numbers of the whole.
+LineSet part_lines(const AssemblyState& state, std::uint32_t object);
+
+} // namespace lineatlas
