@@ -9,6 +9,7 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/clusters.hpp"
+#include "core/contact.hpp"
 #include "core/meshlets.hpp"
 #include "core/patches.hpp"
 #include "glpasses/storage.hpp"
@@ -39,7 +40,7 @@ gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose) {
 SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines)
     : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), classes_(line_classes(lines)),
-      diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
+      diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)), contact_(contact_of(lines)),
       gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
