@@ -31,7 +31,7 @@ struct Found {
           visibility(stages) {
         const Camera camera{
             .view = glm::mat4{1}, .projection = terrain.clip_from_world, .size = size};
-        visibility.begin(table(), camera, {{-1, 0, -1}, {1, 1, 1}}, 3);
+        visibility.begin(table(), camera, {{-1, 0, -1}, {1, 1, 1}}, 6e-6F);
         stages.project_clip(
             {.table = table(),
              .front = *front,

@@ -7,14 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "command_line/session_file.hpp"
+
 namespace lineatlas::apps {
 namespace {
 
 /// They say where the picture goes and which of many it is; the camera stands for itself.
-constexpr std::array<std::string_view, 18> not_of_the_picture{
-    "MODEL",  "--output",     "--eye",   "--target",    "--up",          "--fov",
-    "--view", "--projection", "--at",    "--turntable", "--camera-path", "--frames",
-    "--unit", "--resume",     "--stats", "--repeat",    "--tile",        "--certify"};
+constexpr std::array<std::string_view, 19> not_of_the_picture{
+    "MODEL",        "--output", "--eye",       "--target",      "--up",        "--fov",  "--view",
+    "--projection", "--at",     "--turntable", "--camera-path", "--frames",    "--unit", "--resume",
+    "--stats",      "--repeat", "--tile",      "--certify",     "--deflection"};
 
 std::string one_word(const std::string& text) {
     const bool plain = text.find_first_of(" \t\r\n'\"") == std::string::npos;
@@ -27,7 +29,7 @@ std::string one_word(const std::string& text) {
 } // namespace
 
 std::string describe_drawing(const CLI::App& app, const std::string& model,
-                             const std::vector<std::string>& sections) {
+                             const std::vector<std::string>& sections, double deflection) {
     std::string text = "draw";
     // Without its folders, which are nobody's business.
     if (!model.empty()) text += " " + one_word(std::filesystem::path{model}.filename().string());
@@ -41,6 +43,7 @@ std::string describe_drawing(const CLI::App& app, const std::string& model,
             text += fmt::format(" {}={}", name, one_word(value));
         }
     }
+    if (deflection > 0) text += fmt::format(" --deflection={}", shortest(deflection));
     return text;
 }
 

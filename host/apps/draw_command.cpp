@@ -22,6 +22,7 @@
 #include "core/far_part.hpp"
 #include "core/line_pens.hpp"
 #include "core/up_axis.hpp"
+#include "curve_fineness.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
 #include "empty_frames.hpp"
@@ -109,6 +110,8 @@ struct Subject {
     glm::dvec3 origin{0};                ///< of the mesh and the view, in the file's coordinates
     std::optional<double> unit{};        ///< of the file, in millimetres
     std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
+    double deflection = 0;               ///< of exact surfaces; else 0
+    std::vector<std::string> notes{};
 };
 
 Axis vertical_axis(const Subject& subject, glm::vec3 up) {
@@ -151,7 +154,9 @@ std::string framing_note(const FarPart& far, glm::dvec3 origin) {
                        note_of(far), middle.x, middle.y, middle.z);
 }
 
-Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
+/// `deflection`: of exact surfaces; 0: as the size of the picture alone says.
+Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
+                     double deflection) {
     const LineOptions line_options{.kinds = kinds,
                                    .crease_angle = crease_angle(arguments),
                                    .smooth_edges = arguments.smooth_edges,
@@ -164,7 +169,6 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
                 : scene.view(arguments.at);
         std::vector<std::string> sections = cut(arguments, scene.mesh, {}, whole, notes);
-        print_notes(notes);
         LineSet lines = extract_lines(scene.mesh, line_options);
         const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
         const glm::vec3 up = arguments.view.up({0, 1, 0});
@@ -176,10 +180,12 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .lines = std::move(lines),
                 .framed = std::move(points),
                 .view = view,
-                .sections = std::move(sections)};
+                .sections = std::move(sections),
+                .notes = std::move(notes)};
     }
+    const double pixels = glm::length(glm::dvec2{size});
     LoadedMesh loaded = load_models_isolated(arguments.models, arguments.read.limits(),
-                                             {.deflection = arguments.deflection});
+                                             {.deflection = deflection, .pixels = pixels});
     arguments.parts.apply(loaded);
     const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
     std::vector<std::string> sections =
@@ -192,13 +198,14 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                     .view = {},
                     .origin = loaded.origin,
                     .unit = loaded.unit,
-                    .sections = std::move(sections)};
+                    .sections = std::move(sections),
+                    .deflection = loaded.deflection};
     subject.lines = extract_lines(subject.mesh, line_options);
     add_notes(subject.lines.odd, loaded.notes);
     const std::optional<FarPart> far = find_far_part(subject.lines);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
     if (far && frames) loaded.notes.push_back(framing_note(*far, loaded.origin));
-    print_notes(loaded.notes);
+    subject.notes = std::move(loaded.notes);
     subject.framed = points_to_frame(subject.lines, far);
     const std::vector<glm::vec3>& points = subject.framed;
     subject.view =
@@ -241,6 +248,40 @@ std::optional<std::vector<SequenceFrame>> sequence_frames(const DrawArguments& a
 void check_range(std::string_view option, float value, float least, float most) {
     if (value >= least && value <= most) return; // NaN is not
     throw UsageError(fmt::format("{} must be from {} to {}, not {}", option, least, most, value));
+}
+
+/// What is drawn, and the pictures of it.
+struct Pictures {
+    Subject subject;
+    std::optional<std::vector<SequenceFrame>> frames; ///< nothing: a single one
+};
+
+Pictures find_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
+                       double deflection) {
+    Pictures pictures{load_subject(arguments, kinds, size, deflection), {}};
+    apply_camera(arguments, pictures.subject, size);
+    pictures.frames = sequence_frames(arguments, pictures.subject, size);
+    return pictures;
+}
+
+/// The same with curved faces as fine as the pictures show them: the model is read again where it
+/// turns out to be seen from nearer than as a whole.
+Pictures find_fine_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
+    Pictures pictures = find_pictures(arguments, kinds, size, arguments.deflection);
+    const Subject& subject = pictures.subject;
+    if (arguments.deflection > 0 || subject.deflection == 0) return pictures;
+    std::vector<Camera> cameras;
+    if (pictures.frames) {
+        for (const SequenceFrame& frame : *pictures.frames) cameras.push_back(frame.camera);
+    } else {
+        cameras.push_back(make_camera(subject.view, size, subject.lines.bounds));
+    }
+    std::string note;
+    const std::optional<double> finer =
+        finer_deflection(subject.mesh, cameras, subject.deflection, note);
+    if (finer) pictures = find_pictures(arguments, kinds, size, *finer);
+    if (!note.empty()) pictures.subject.notes.push_back(note);
+    return pictures;
 }
 
 /// Everything that can be wrong on the command line alone is found before any work starts.
@@ -476,11 +517,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);
 
-    Subject subject = load_subject(arguments, options.lines, size);
+    const auto [subject, frames] = find_fine_pictures(arguments, options.lines, size);
+    print_notes(subject.notes);
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
-    apply_camera(arguments, subject, size);
-    const std::optional<std::vector<SequenceFrame>> frames =
-        sequence_frames(arguments, subject, size);
     // A frame of a sequence is the same whatever was drawn before it.
     if (frames) {
         for (const SequenceFrame& frame : *frames) places.check(output_option, frame.path);
@@ -488,9 +527,14 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         options.profile = arguments.profile.given();
     }
 
-    const Drawing drawing{arguments, describe_drawing(app, arguments.model, subject.sections),
-                          subject,   size,
-                          options,   frames};
+    const Drawing drawing{
+        arguments,
+        describe_drawing(app, arguments.session.empty() ? arguments.model : arguments.session,
+                         subject.sections, subject.deflection),
+        subject,
+        size,
+        options,
+        frames};
     if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
     const gl::HeadlessContext context;
     Renderer renderer{arguments.device};
@@ -541,7 +585,7 @@ Command setup_draw(CLI::App& app) {
     app.add_option(
            "--deflection", a.deflection,
            "How far chords may be off the curved faces of STEP, IGES and BREP files, in mm; by "
-           "default a thousandth of the model's diagonal")
+           "default a quarter of a pixel")
         ->group(model);
     app.add_flag("--smooth-edges", a.smooth_edges,
                  "Of STEP, IGES and BREP files draw edges where faces go over into each other, too")

@@ -102,6 +102,10 @@ class Joining {
         add_positions(model);
         add_groups(model);
         const auto corners = static_cast<std::uint32_t>(first_position_);
+        result_.mesh.precision =
+            std::max(result_.mesh.precision,
+                     static_cast<float>(scale_of(loaded) * double{loaded.mesh.precision}));
+        add_normals(loaded.mesh);
         const std::uint32_t objects = objects_;
         objects_ += count_of_objects(loaded.mesh);
         add_parts(loaded, objects);
@@ -137,6 +141,15 @@ class Joining {
         const glm::dvec3 moved = scale * model.loaded.origin - result_.origin;
         for (const glm::vec3 p : model.loaded.mesh.positions)
             positions.emplace_back(scale * glm::dvec3{p} + moved);
+    }
+
+    /// Before the triangles: of what has none they are zero.
+    void add_normals(const Mesh& mesh) {
+        std::vector<glm::vec3>& normals = result_.mesh.corner_normals;
+        if (normals.empty() && mesh.corner_normals.empty()) return;
+        normals.resize(3 * result_.mesh.triangles.size());
+        append(normals, mesh.corner_normals);
+        normals.resize(3 * (result_.mesh.triangles.size() + mesh.triangles.size()));
     }
 
     void add_groups(NamedModel& model) {

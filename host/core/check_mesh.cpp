@@ -25,6 +25,10 @@ void check_indices(const Mesh& mesh) {
     if (!mesh.polyline_kind.empty() && mesh.polyline_kind.size() != mesh.polylines.size())
         throw UsageError("mesh: there are " + std::to_string(mesh.polylines.size()) +
                          " polylines, but kinds for " + std::to_string(mesh.polyline_kind.size()));
+    if (!mesh.corner_normals.empty() && mesh.corner_normals.size() != 3 * mesh.triangles.size())
+        throw UsageError("mesh: there are " + std::to_string(mesh.triangles.size()) +
+                         " triangles, which have three corners each, but normals of " +
+                         std::to_string(mesh.corner_normals.size()) + " corners");
     for (std::size_t i = 0; i < mesh.polylines.size(); ++i) {
         for (const std::uint32_t index : mesh.polylines[i])
             check_index(index, count, "polyline", i);

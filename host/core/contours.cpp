@@ -133,7 +133,15 @@ class ContourFinder {
 
     bool is_smooth(std::uint32_t face) { return smooth_[patches_.find(face)]; }
 
-    /// Normals of corners: those of the triangles about them, by the angles that they have there.
+    /// What the file says of the surface at a corner; zero where it says nothing.
+    glm::dvec3 known_normal(std::uint32_t corner) const {
+        if (in_.corner_normals.empty()) return glm::dvec3{0};
+        return glm::dvec3{
+            in_.corner_normals[3 * in_.mesh.triangle_source[corner / 3] + corner % 3]};
+    }
+
+    /// Normals of corners: the surface's own where the file has them, else those of the triangles
+    /// about them, by the angles that they have there.
     void add_corners(Contours& contours) {
         std::vector<glm::dvec3> normals(corners_size(), glm::dvec3{0});
         for (std::uint32_t c = 0; c < corners_size(); ++c) {
@@ -143,7 +151,9 @@ class ContourFinder {
             const glm::dvec3 normal = glm::cross(u, v);
             const double sine = glm::length(normal);
             if (!(sine > 0)) continue;
-            normals[corners_.find(c)] += normal * (std::atan2(sine, glm::dot(u, v)) / sine);
+            const double angle = std::atan2(sine, glm::dot(u, v));
+            const glm::dvec3 known = known_normal(c);
+            normals[corners_.find(c)] += angle * (known != glm::dvec3{0} ? known : normal / sine);
         }
         number_.assign(corners_size(), none);
         for (std::uint32_t c = 0; c < corners_size(); ++c) {

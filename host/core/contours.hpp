@@ -18,6 +18,7 @@ struct ContourInput {
     std::span<const double> bends;                  ///< of edges
     std::span<const std::optional<LineKind>> kinds; ///< of edges
     double most_bend;                               ///< of edges within a patch, radians
+    std::span<const glm::vec3> corner_normals;      ///< Mesh::corner_normals
 };
 
 /// Where silhouettes are smooth.

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "chain.hpp"
+#include "contact.hpp"
 #include "diagonal.hpp"
 
 namespace lineatlas {
@@ -22,7 +23,6 @@ const double coplanar_cosine = std::cos(2 * 0.017453292519943295); ///< 2 degree
 const double shallow_cosine = std::cos(15 * 0.017453292519943295);
 
 // Shares of the model's diagonal.
-constexpr double contact = 2e-6; ///< what lies no deeper behind a face only touches it
 constexpr double shallow = 3e-4; ///< two faces less deep in each other only touch at a small angle
 constexpr double same_place = 1e-6; ///< of ends of intersections
 constexpr double shortest = 2e-7;   ///< of an intersection
@@ -36,7 +36,8 @@ using Heights = std::array<double, 3>; ///< of a triangle's corners over a plane
 class Crossing {
   public:
     Crossing(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals)
-        : mesh_(mesh), normals_(normals), diagonal_(diagonal_of(mesh.vertices)) {}
+        : mesh_(mesh), normals_(normals), diagonal_(diagonal_of(mesh.vertices)),
+          contact_(contact_of(diagonal_, mesh.precision)) {}
 
     std::optional<Intersection> of(std::uint32_t a, std::uint32_t b) const {
         const glm::dvec3 normal_a = normals_[a], normal_b = normals_[b];
@@ -77,7 +78,7 @@ class Crossing {
         Heights result{};
         for (int k = 0; k < 3; ++k) {
             const double height = glm::dot(normals_[plane], at(mesh_.triangles[face][k]) - origin);
-            result[k] = std::abs(height) < contact * diagonal_ ? 0 : height;
+            result[k] = std::abs(height) < contact_ ? 0 : height;
         }
         return result;
     }
@@ -110,6 +111,7 @@ class Crossing {
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
     double diagonal_;
+    double contact_; ///< what lies no deeper behind a face only touches it
 };
 
 /// Makes places that are as good as equal one. Where an edge passes through an edge it meets two
@@ -175,7 +177,7 @@ class Doubles {
     Doubles(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
             std::span<const DrawnLine> lines)
         : mesh_(mesh), normals_(normals), lines_(lines), diagonal_(diagonal_of(mesh.vertices)),
-          tree_(boxes(mesh, lines)) {}
+          contact_(contact_of(diagonal_, mesh.precision)), tree_(boxes(mesh, lines)) {}
 
     bool has(const Intersection& one) {
         const glm::dvec3 p = place(one.p), way = place(one.q) - p;
@@ -242,7 +244,7 @@ class Doubles {
     }
 
     bool is_behind(std::uint32_t face, glm::dvec3 point) const {
-        return glm::dot(normals_[face], point - at(mesh_.triangles[face].x)) < -contact * diagonal_;
+        return glm::dot(normals_[face], point - at(mesh_.triangles[face].x)) < -contact_;
     }
 
     double free_length(double length) {
@@ -258,7 +260,7 @@ class Doubles {
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
     std::span<const DrawnLine> lines_;
-    double diagonal_;
+    double diagonal_, contact_;
     BoxTree tree_;
     std::vector<Span> spans_;
 };

@@ -266,7 +266,8 @@ class Extraction {
                                  .edges = edges_,
                                  .bends = bends_,
                                  .kinds = kinds_,
-                                 .most_bend = by_kind ? std::numbers::pi : crease},
+                                 .most_bend = by_kind ? std::numbers::pi : crease,
+                                 .corner_normals = mesh_.corner_normals},
                                 options_.silhouettes);
     }
 
@@ -385,6 +386,7 @@ class Extraction {
         result.triangle_sources = std::move(welded_.triangle_source);
         result.cut_vertices = added_.cuts();
         result.contours = std::move(smooth_.contours);
+        result.precision = mesh_.precision;
         for (std::size_t i = 0; i < objects_.names.size(); ++i) {
             const std::uint32_t first = i > 0 ? welded_.object_ends[i - 1] : 0;
             result.objects.push_back({objects_.names[i], first, welded_.object_ends[i] - first});

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "contact.hpp"
 #include "diagonal.hpp"
 
 namespace lineatlas {
@@ -73,7 +74,8 @@ class SeamFinder {
     SeamFinder(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals, const BoxTree& tree,
                const SeamSurfaces& surfaces)
         : mesh_(mesh), normals_(normals), tree_(tree), surfaces_(surfaces),
-          diagonal_(diagonal_of(mesh.vertices)) {}
+          diagonal_(diagonal_of(mesh.vertices)),
+          same_plane_(std::max(same_plane * diagonal_, contact_of(diagonal_, mesh.precision))) {}
 
     /// Where the edge is a seam.
     Spans of_boundary(const MeshEdge& edge) {
@@ -169,7 +171,7 @@ class SeamFinder {
         const glm::dvec3 normal = normals_[face];
         const double height_a = glm::dot(normal, a - at(t.x));
         const double height_b = glm::dot(normal, b - at(t.x));
-        const double most = same_plane * diagonal_;
+        const double most = same_plane_;
         Span span{0, 1};
         keep_above(span, most - height_a, most - height_b);
         keep_above(span, most + height_a, most + height_b);
@@ -186,6 +188,7 @@ class SeamFinder {
     const BoxTree& tree_;
     const SeamSurfaces& surfaces_;
     double diagonal_;
+    double same_plane_; ///< how far apart faces may lie that are one
     std::vector<std::uint32_t> near_;
 };
 

@@ -6,10 +6,6 @@
 
 namespace lineatlas {
 
-/// What touches a plane: a share of the model's diagonal. That is all that coordinates of a file
-/// can tell.
-inline constexpr float contact_share = 2e-6F;
-
 /// How a camera sees planes. Nearness is what grows towards the eye and is linear on the screen for
 /// every plane: 1/w, or 1 - z of a parallel view.
 struct SurfaceView {

@@ -129,6 +129,7 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
     check_indices(mesh);
     check_groups(mesh);
     WeldedMesh result;
+    result.precision = mesh.precision;
     VertexWelder weld_vertex{mesh, objects.names.size() > 1};
     FirstSeen seen{mesh.triangles.size()};
     std::vector<glm::uvec3> keys;

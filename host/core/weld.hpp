@@ -24,6 +24,7 @@ struct WeldedMesh {
     std::vector<std::uint32_t> vertex_sources; ///< index into Mesh::positions
     std::vector<std::uint32_t> object_ends;    ///< per object the end of its vertices
     OddTriangles odd;                          ///< but not those without area
+    double precision = 0;                      ///< Mesh::precision
 };
 
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and

@@ -35,6 +35,8 @@ void send(ReaderOutput& output, const Mesh& mesh) {
     output.values(mesh.triangle_object);
     output.values(mesh.polyline_object);
     output.values(mesh.known_edges);
+    output.values(mesh.corner_normals);
+    output.value(mesh.precision);
 }
 
 void send(ReaderOutput& output, const LoadedMesh& loaded) {
@@ -46,6 +48,7 @@ void send(ReaderOutput& output, const LoadedMesh& loaded) {
     output.value(loaded.up.has_value());
     output.value(loaded.up.value_or(glm::vec3{0}));
     output.value(loaded.unit.value_or(0));
+    output.value(loaded.deflection);
     output.value(std::uint64_t{loaded.parts.size()});
     for (const ModelPart& part : loaded.parts) {
         output.text(part.name);
@@ -65,7 +68,9 @@ void send(ReaderOutput& output, const Image& image) {
 
 ReaderKind::Parse open_mesh(const std::filesystem::path& path, std::string_view settings) {
     LoadOptions options;
-    std::from_chars(settings.data(), settings.data() + settings.size(), options.deflection);
+    const char* const end = settings.data() + settings.size();
+    const auto deflection = std::from_chars(settings.data(), end, options.deflection);
+    if (deflection.ptr != end) std::from_chars(deflection.ptr + 1, end, options.pixels);
     return [source = read_mesh_source(path), options](ReaderOutput& output) mutable {
         send(output, parse_mesh(std::move(source), options));
     };
@@ -96,6 +101,8 @@ Mesh receive_mesh(ReaderProcess& process) {
     mesh.triangle_object = process.values<std::uint32_t>();
     mesh.polyline_object = process.values<std::uint32_t>();
     mesh.known_edges = process.values<KnownEdge>();
+    mesh.corner_normals = process.values<glm::vec3>();
+    mesh.precision = process.value<float>();
     return mesh;
 }
 
@@ -111,13 +118,11 @@ bool fits(const std::vector<std::uint32_t>& objects, std::size_t count) {
 /// What load_mesh() promises.
 bool is_sound(const Mesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
+    const auto is_finite = [](glm::vec3 v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
     const auto is_vertex = [&](std::uint32_t index) { return index < vertices; };
-    return !mesh.empty() &&
-           std::ranges::all_of(mesh.positions,
-                               [](glm::vec3 p) {
-                                   return std::isfinite(p.x) && std::isfinite(p.y) &&
-                                          std::isfinite(p.z);
-                               }) &&
+    return !mesh.empty() && std::ranges::all_of(mesh.positions, is_finite) &&
            std::ranges::all_of(mesh.triangles,
                                [&](glm::uvec3 corners) {
                                    return is_vertex(corners.x) && is_vertex(corners.y) &&
@@ -132,17 +137,23 @@ bool is_sound(const Mesh& mesh) {
                                [&](std::uint32_t group) { return group < mesh.groups.size(); }) &&
            fits(mesh.triangle_object, mesh.triangles.size()) &&
            fits(mesh.polyline_object, mesh.polylines.size()) &&
-           std::ranges::all_of(mesh.known_edges, [&](const KnownEdge& edge) {
-               return is_vertex(edge.from) && is_vertex(edge.to) &&
-                      edge.kind <= KnownEdge::Kind::free;
-           });
+           std::ranges::all_of(mesh.known_edges,
+                               [&](const KnownEdge& edge) {
+                                   return is_vertex(edge.from) && is_vertex(edge.to) &&
+                                          edge.kind <= KnownEdge::Kind::free;
+                               }) &&
+           (mesh.corner_normals.empty() ||
+            mesh.corner_normals.size() == 3 * mesh.triangles.size()) &&
+           std::ranges::all_of(mesh.corner_normals, is_finite) && mesh.precision >= 0 &&
+           std::isfinite(mesh.precision);
 }
 
 bool is_sound(const LoadedMesh& loaded) {
     const std::vector<ModelPart>& parts = loaded.parts;
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (parts[i].parent != ModelPart::none && parts[i].parent >= i) return false;
-    return is_sound(loaded.mesh) && (!loaded.unit || std::isfinite(*loaded.unit));
+    return is_sound(loaded.mesh) && (!loaded.unit || std::isfinite(*loaded.unit)) &&
+           std::isfinite(loaded.deflection);
 }
 
 bool is_sound(const Image& image) {
@@ -177,10 +188,11 @@ LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimit
 
 LoadedMesh load_mesh_by(const std::filesystem::path& program, const std::filesystem::path& path,
                         const ReadLimits& limits, const LoadOptions& options) {
-    // As text: %.17g gives back the same number.
-    std::array<char, 32> deflection{};
-    std::snprintf(deflection.data(), deflection.size(), "%.17g", options.deflection);
-    ReaderProcess process{mesh_kind, path, limits, deflection.data(), program};
+    // As text: %.17g gives back the same numbers.
+    std::array<char, 64> settings{};
+    std::snprintf(settings.data(), settings.size(), "%.17g %.17g", options.deflection,
+                  options.pixels);
+    ReaderProcess process{mesh_kind, path, limits, settings.data(), program};
     LoadedMesh loaded;
     for (auto left = process.value<std::uint64_t>(); left > 0; --left)
         loaded.notes.push_back(process.text());
@@ -190,6 +202,7 @@ LoadedMesh load_mesh_by(const std::filesystem::path& program, const std::filesys
     const auto up = process.value<glm::vec3>();
     if (says_up) loaded.up = up;
     if (const auto unit = process.value<double>(); unit > 0) loaded.unit = unit;
+    loaded.deflection = process.value<double>();
     for (auto left = process.value<std::uint64_t>(); left > 0; --left) {
         ModelPart part{.name = process.text()};
         part.parent = process.value<std::uint32_t>();

@@ -54,6 +54,8 @@ ReadLimits limits_of(const LoadOptions& options) {
         throw UsageError(std::string{member} + " must be from 0 to " + most);
     };
     check("LoadOptions::deflection", options.deflection, "1e15");
+    if (!(options.pixels >= 1 && options.pixels <= 1e6))
+        throw UsageError("LoadOptions::pixels must be from 1 to 1e6");
     check("LoadOptions::read_memory", options.read_memory, "1e6");
     check("LoadOptions::read_seconds", options.read_seconds, "1e6");
     constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;

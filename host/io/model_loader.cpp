@@ -132,7 +132,8 @@ Soup read_by_module(const SourceFile& model, std::string_view extension,
     const models::Request request{.extension = extension,
                                   .bytes = model.bytes,
                                   .named = named,
-                                  .deflection = options.deflection};
+                                  .deflection = options.deflection,
+                                  .pixels = options.pixels};
     try {
         return find(extension)->module().read(request);
     } catch (const std::bad_alloc&) {

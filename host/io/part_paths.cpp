@@ -82,6 +82,12 @@ void keep_parts(Mesh& mesh, const PartPaths& paths, const std::vector<bool>& wan
     keep(mesh.triangles, triangles);
     keep(mesh.triangle_group, triangles);
     keep(mesh.triangle_object, triangles);
+    if (!mesh.corner_normals.empty()) {
+        std::vector<bool> corners;
+        corners.reserve(3 * triangles.size());
+        for (const bool triangle : triangles) corners.insert(corners.end(), 3, triangle);
+        keep(mesh.corner_normals, corners);
+    }
     keep(mesh.polylines, lines);
     keep(mesh.polyline_object, lines);
     keep(mesh.polyline_kind, lines);

@@ -111,6 +111,9 @@ FaceCounts triangulate_faces(const Soup& soup, const std::vector<std::uint32_t>&
             mesh.triangle_group.resize(mesh.triangles.size(), soup.face_group[i]);
         if (!soup.face_object.empty())
             mesh.triangle_object.resize(mesh.triangles.size(), soup.face_object[i]);
+        if (!soup.corner_normals.empty() && mesh.triangles.size() > before)
+            mesh.corner_normals.insert(mesh.corner_normals.end(), &soup.corner_normals[3 * i],
+                                       &soup.corner_normals[3 * i] + 3);
     }
     return counts;
 }
@@ -223,6 +226,8 @@ LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
     loaded.format = std::move(soup.format);
     loaded.up = soup.up;
     loaded.unit = soup.unit;
+    loaded.deflection = soup.deflection;
+    mesh.precision = static_cast<float>(soup.precision);
     loaded.parts = std::move(soup.parts);
     add_notes(loaded, counts, lost_lines);
     if (mesh.empty()) throw read_error(path, why_empty(soup, counts, loaded.notes));

@@ -25,10 +25,14 @@ struct Soup {
     std::vector<std::uint32_t> face_object{};     ///< per face, or empty
     std::vector<std::uint32_t> polyline_object{}; ///< per polyline, or empty
     std::vector<KnownEdge> known_edges{};
+    std::vector<glm::vec3>
+        corner_normals{}; ///< three per face, all of which are triangles; or empty
     std::vector<ModelPart> parts{};
     std::string format{};
     std::optional<glm::vec3> up{};
     std::optional<double> unit{}; ///< millimetres
+    double deflection = 0;        ///< as LoadedMesh::deflection
+    double precision = 0;         ///< as Mesh::precision
     std::vector<std::string> notes;
     std::size_t not_finite_faces = 0; ///< left out by the reader already
 

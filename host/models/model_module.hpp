@@ -19,8 +19,9 @@ struct Request {
     std::string_view extension;       ///< of the model's file: lower case, with its dot
     std::string_view bytes;           ///< all of it
     std::span<const NamedFile> named; ///< those of the files it names that may be read
-    /// How far a chord may be off a curved face, in the model's units; 0: by the model's size.
+    /// How far a chord may be off a curved face, in the model's units; 0: a quarter of a pixel.
     double deflection = 0;
+    double pixels = 1; ///< that the model's diagonal is drawn over
 };
 
 /// What a module for a family of models offers. Each links libraries that who never reads such a
@@ -33,12 +34,12 @@ struct Module {
 };
 
 // The modules' one symbol each. Their numbers change with `Module` and all that it names.
-inline constexpr const char* gltf_symbol = "lineatlas_gltf_1";
-inline constexpr const char* brep_symbol = "lineatlas_brep_1";
-inline constexpr const char* threemf_symbol = "lineatlas_3mf_1";
+inline constexpr const char* gltf_symbol = "lineatlas_gltf_2";
+inline constexpr const char* brep_symbol = "lineatlas_brep_2";
+inline constexpr const char* threemf_symbol = "lineatlas_3mf_2";
 
 } // namespace lineatlas::models
 
-extern "C" const lineatlas::models::Module lineatlas_gltf_1;
-extern "C" const lineatlas::models::Module lineatlas_brep_1;
-extern "C" const lineatlas::models::Module lineatlas_3mf_1;
+extern "C" const lineatlas::models::Module lineatlas_gltf_2;
+extern "C" const lineatlas::models::Module lineatlas_brep_2;
+extern "C" const lineatlas::models::Module lineatlas_3mf_2;

@@ -24,7 +24,7 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
     intervals_.begin_frame(frame);
     const LineView view{.camera = frame.camera,
                         .bounds = frame.scene.bounds(),
-                        .diagonal = frame.scene.diagonal(),
+                        .contact = frame.scene.contact(),
                         .lines = frame.options.lines,
                         .step = frame.options.step};
     const std::size_t chunks = frame.scene.chunk_count();

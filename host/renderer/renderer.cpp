@@ -295,7 +295,7 @@ class Renderer::State {
         if (scene_->has_moved()) scene_->move();
         const LineView view{.camera = camera,
                             .bounds = scene_->bounds(),
-                            .diagonal = scene_->diagonal(),
+                            .contact = scene_->contact(),
                             .lines = kinds,
                             .step = finest_step};
         const PlacedLines lines = scene_->placed();

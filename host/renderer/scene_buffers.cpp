@@ -9,6 +9,7 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "core/clusters.hpp"
+#include "core/contact.hpp"
 #include "core/meshlets.hpp"
 #include "core/part_clusters.hpp"
 #include "core/patches.hpp"
@@ -42,7 +43,7 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, c
                            const AssemblyState* parts)
     : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), classes_(line_classes(lines)),
-      diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)),
+      diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)), contact_(contact_of(lines)),
       gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {

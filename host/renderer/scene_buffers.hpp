@@ -131,6 +131,7 @@ class SceneBuffers {
     const Bounds& bounds() const { return motion_.bounds(); }
     /// Of the model as it was made: a measure that stays.
     float diagonal() const { return diagonal_; }
+    float contact() const { return contact_; } ///< contact_of() it
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; } ///< of all chunks
     std::uint64_t mesh_bytes() const;
@@ -171,7 +172,7 @@ class SceneBuffers {
     std::optional<compute::SegmentTable> ordered_;
     SceneMotion motion_;
     LineClasses classes_;
-    float diagonal_;
+    float diagonal_, contact_;
     bool moved_ = false; ///< since the last move()
     /// Of parts: what of the assembly is here.
     struct Followed {

@@ -39,7 +39,7 @@ void SurfaceStage::find_planes(Frame& frame, compute::Buffer* seen) {
         stages_.planes({.model = frame.scene.meshlets(),
                         .vertices = frame.scene.table().vertices,
                         .view = view_,
-                        .contact = contact_share * frame.scene.diagonal(),
+                        .contact = frame.scene.contact(),
                         .seen = seen,
                         .planes = planes_->compute()});
     });

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "parts.hpp"
 #include "place_grid.hpp"
@@ -28,6 +29,7 @@ class PlaneCutter {
         }
         cut_.mesh.positions = mesh.positions;
         cut_.mesh.groups = mesh.groups;
+        cut_.mesh.precision = mesh.precision;
     }
 
     PlaneCut cut() {
@@ -39,7 +41,7 @@ class PlaneCutter {
             any_below |= count < 3;
             any_above |= count > 0;
             if (count == 0) {
-                keep(corners, i);
+                keep({corner(i, 0), corner(i, 1), corner(i, 2)}, i);
             } else if (count < 3) {
                 clip(corners, i);
             }
@@ -53,14 +55,36 @@ class PlaneCutter {
   private:
     bool is_beyond(std::uint32_t position) const { return distances_[position] >= 0; }
 
-    void keep(glm::uvec3 corners, std::uint32_t triangle) {
-        if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x) return;
-        cut_.mesh.triangles.push_back(corners);
+    /// Of a triangle before or after the cut.
+    struct Corner {
+        std::uint32_t position = 0;
+        glm::vec3 normal{0}; ///< of Mesh::corner_normals
+    };
+
+    Corner corner(std::uint32_t triangle, int number) const {
+        Corner result{.position = places_[mesh_.triangles[triangle][number]]};
+        if (!mesh_.corner_normals.empty())
+            result.normal = mesh_.corner_normals[3 * triangle + static_cast<std::uint32_t>(number)];
+        return result;
+    }
+
+    void keep(const std::array<Corner, 3>& corners, std::uint32_t triangle) {
+        const glm::uvec3 positions{corners[0].position, corners[1].position, corners[2].position};
+        if (positions.x == positions.y || positions.y == positions.z || positions.z == positions.x)
+            return;
+        cut_.mesh.triangles.push_back(positions);
+        if (!mesh_.corner_normals.empty())
+            for (const Corner& each : corners) cut_.mesh.corner_normals.push_back(each.normal);
         cut_.part_of_triangle.push_back(parts_[triangle]);
         if (!mesh_.triangle_group.empty())
             cut_.mesh.triangle_group.push_back(mesh_.triangle_group[triangle]);
         if (!mesh_.triangle_object.empty())
             cut_.mesh.triangle_object.push_back(mesh_.triangle_object[triangle]);
+    }
+
+    /// How far along an edge the plane is, from its end below.
+    double share(std::uint32_t below, std::uint32_t beyond) const {
+        return distances_[below] / (distances_[below] - distances_[beyond]);
     }
 
     /// Where an edge goes through the plane: one position for all triangles that share it.
@@ -72,9 +96,8 @@ class PlaneCutter {
         const auto [found, is_new] = points_.emplace(key, beyond);
         if (!is_new) return found->second;
         const glm::dvec3 p{mesh_.positions[below]}, q{mesh_.positions[beyond]};
-        const double share = distances_[below] / (distances_[below] - distances_[beyond]);
-        const glm::vec3 at =
-            is_corner ? mesh_.positions[beyond] : plane_.placed(glm::mix(p, q, share));
+        const glm::vec3 at = is_corner ? mesh_.positions[beyond]
+                                       : plane_.placed(glm::mix(p, q, share(below, beyond)));
         bool is_known = false;
         on_plane_.visit(at, [&](std::uint32_t point) {
             found->second = point;
@@ -89,17 +112,28 @@ class PlaneCutter {
         return found->second;
     }
 
+    Corner cut_corner(const Corner& below, const Corner& beyond) {
+        Corner result{.position = cut_point(below.position, beyond.position)};
+        if (below.normal == glm::vec3{0} || beyond.normal == glm::vec3{0}) return result;
+        const auto way = static_cast<float>(share(below.position, beyond.position));
+        const glm::vec3 normal = glm::mix(below.normal, beyond.normal, way);
+        const float length = glm::length(normal);
+        if (length > 0) result.normal = normal / length;
+        return result;
+    }
+
     void clip(glm::uvec3 corners, std::uint32_t triangle) {
-        std::array<std::uint32_t, 4> polygon{};
+        std::array<Corner, 4> polygon{};
         std::size_t size = 0;
         std::uint32_t out = 0,
                       in = 0; // where the way around it leaves what is kept, and comes back
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t p = corners[corner], q = corners[(corner + 1) % 3];
-            if (!is_beyond(p)) polygon[size++] = p;
-            if (is_beyond(p) == is_beyond(q)) continue;
-            const std::uint32_t point = is_beyond(q) ? cut_point(p, q) : cut_point(q, p);
-            (is_beyond(q) ? out : in) = point;
+        for (int i = 0; i < 3; ++i) {
+            const Corner p = corner(triangle, i), q = corner(triangle, (i + 1) % 3);
+            const bool leaves = is_beyond(q.position);
+            if (!is_beyond(p.position)) polygon[size++] = p;
+            if (is_beyond(p.position) == leaves) continue;
+            const Corner point = leaves ? cut_corner(p, q) : cut_corner(q, p);
+            (leaves ? out : in) = point.position;
             polygon[size++] = point;
         }
         const auto first = static_cast<std::uint32_t>(cut_.mesh.triangles.size());

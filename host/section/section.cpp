@@ -120,6 +120,8 @@ class Sectioner {
                 mesh.triangle_group.push_back(mesh.triangle_group[face.triangle]);
             if (!mesh.triangle_object.empty())
                 mesh.triangle_object.push_back(mesh.triangle_object[face.triangle]);
+            if (!mesh.corner_normals.empty())
+                mesh.corner_normals.insert(mesh.corner_normals.end(), 3, glm::vec3{0});
         }
         for (const CutLoop& loop : face.loops) {
             std::vector<std::uint32_t> line = loop.points;

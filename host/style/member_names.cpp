@@ -19,6 +19,7 @@ std::map<std::string, std::string> make_keys() {
                                             {"LineOptions::crease_angle", "crease"},
                                             {"LineOptions::kinds", "lines"},
                                             {"LoadOptions::deflection", "deflection"},
+                                            {"LoadOptions::pixels", "pixels"},
                                             {"LoadOptions::read_memory", "read-memory"},
                                             {"LoadOptions::read_seconds", "read-seconds"},
                                             {"Paper::grain", "paper-grain"},

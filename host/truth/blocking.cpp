@@ -20,7 +20,8 @@ bool contains(const std::vector<std::uint32_t>& values, std::uint32_t value) {
 
 Blocking::Blocking(const RayScene& scene, const PreciseCamera& projection, const BlockingRule& rule,
                    std::uint32_t segment)
-    : scene_(scene), projection_(projection), contact_(rule.contact * scene.extent()),
+    : scene_(scene), projection_(projection),
+      contact_(std::max(rule.contact * scene.extent(), 2.0 * scene.lines().precision)),
       patch_pixels_(rule.patch_pixels) {
     const Segment& line = scene.lines().segments[segment];
     const auto add = [&](std::uint32_t triangle) {

@@ -4,15 +4,17 @@
 #include <optional>
 #include <vector>
 
+#include "core/contact.hpp"
 #include "ray_scene.hpp"
 
 namespace lineatlas {
 
 /// When a triangle before a line hides it (docs/quality.md).
 struct BlockingRule {
-    /// A triangle whose plane is nearer to the line's point than this share of the model's extent
-    /// touches it and does not hide it: that is all that coordinates of a file can tell.
-    double contact = 2e-6;
+    /// A triangle whose plane is nearer to the line's point than this share of the model's extent,
+    /// or than twice LineSet::precision, touches it and does not hide it: that is all that
+    /// coordinates of a file can tell.
+    double contact = contact_share;
     /// A smooth surface bends before its own outline: hits on the patches of the line's own
     /// triangles nearer to the end than this many pixels there do not hide it. Of points 0.
     double patch_pixels = 0;

@@ -58,7 +58,7 @@ PenRule& own_rule_of_object(Style& style, const std::string& object) {
     const std::string pattern = literal_pattern(object);
     const auto own = std::ranges::find_if(style.pens, [&](const PenRule& rule) {
         return rule.match.object == pattern && rule.match.kinds.empty() &&
-               rule.match.material.empty();
+               rule.match.material.empty() && !rule.match.hidden;
     });
     PenRule rule;
     rule.match.object = pattern;
@@ -74,7 +74,7 @@ PenRule& own_rule_of_object(Style& style, const std::string& object) {
 Pen pen_of_object(const Style& style, const std::string& object) {
     Pen pen = style.pen;
     for (const PenRule& rule : style.pens)
-        if (rule.match.kinds.empty() && rule.match.material.empty() &&
+        if (rule.match.kinds.empty() && rule.match.material.empty() && !rule.match.hidden &&
             (rule.match.object.empty() || matches(rule.match.object, object)))
             take(pen, rule, style);
     return pen;

@@ -27,7 +27,7 @@ void ExactLines::make_tables(std::uint32_t triangle_count, std::uint32_t most_se
 void ExactLines::begin(const LineView& view, const compute::SegmentTable& table,
                        std::size_t chunk) {
     if (chunk > 0) return visibility_.go_on(table);
-    visibility_.begin(table, view.camera, view.bounds, view.diagonal);
+    visibility_.begin(table, view.camera, view.bounds, view.contact);
 }
 
 void ExactLines::facing(const LineView& view, const compute::SegmentTable& table) {

@@ -14,7 +14,7 @@ namespace lineatlas {
 struct LineView {
     const Camera& camera; ///< a standard camera
     const Bounds& bounds; ///< of the model as it stands
-    float diagonal;       ///< of the model as it was made
+    float contact;        ///< contact_of() the model as it was made
     LineKindMask lines;
     float step; ///< FrameOptions::step: a line of one segment that is shorter is left out
 

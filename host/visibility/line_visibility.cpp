@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "compute/choose_device.hpp"
+#include "core/contact.hpp"
 #include "core/picture_size.hpp"
 #include "core/standard_camera.hpp"
 #include "lineatlas/error.hpp"
@@ -34,7 +35,7 @@ class LineVisibility::State {
     LineView view_by(const StandardCamera& standard, LineKindMask kinds, float step) const {
         return {.camera = standard.camera,
                 .bounds = bounds_,
-                .diagonal = glm::distance(bounds_.min, bounds_.max),
+                .contact = contact_,
                 .lines = kinds,
                 .step = step};
     }
@@ -65,6 +66,7 @@ class LineVisibility::State {
         triangle_count_ = static_cast<std::uint32_t>(lines.triangles.size());
         objects_ = lines.objects;
         bounds_ = lines.bounds;
+        contact_ = contact_of(lines);
     }
 
     std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options,
@@ -105,6 +107,7 @@ class LineVisibility::State {
     std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
     std::vector<LineObject> objects_;
     Bounds bounds_;
+    float contact_ = 0;
     std::vector<OutlinePart> outlines_;  ///< of the last find()
     std::optional<ExactIntervals> work_; ///< for the lines; made when they are first looked at
 };

@@ -116,7 +116,7 @@ std::optional<Pick> pick(ExactIntervals& found, compute::Device& device, const P
     // Of a line that the part cuts short nothing is left out for being short.
     const LineView near{.camera = camera,
                         .bounds = view.bounds,
-                        .diagonal = view.diagonal,
+                        .contact = view.contact,
                         .lines = view.lines,
                         .step = finest_step};
     const std::vector<Interval> intervals = found.find(lines, near, {}, ProgressPart::none());

@@ -317,6 +317,7 @@ def load(
     path: _Path,
     *,
     deflection: float = 0.0,
+    pixels: float = 1280.0,
     read_memory: float = 0.0,
     read_seconds: float = 0.0,
     progress: Optional[_Progress] = None,

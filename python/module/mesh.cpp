@@ -324,20 +324,24 @@ void bind_mesh(py::module_& module) {
     module.def(
         "load",
         [](const Argument<std::filesystem::path, "path", "a path">& path,
-           Real<"deflection"> deflection, Real<"read_memory"> read_memory,
+           Real<"deflection"> deflection, Real<"pixels"> pixels, Real<"read_memory"> read_memory,
            Real<"read_seconds"> read_seconds, const py::object& progress) {
             return load(path,
                         {.deflection = deflection,
+                         .pixels = pixels,
                          .read_memory = read_memory,
                          .read_seconds = read_seconds},
                         progress);
         },
-        py::arg("path"), py::kw_only(), py::arg("deflection") = 0.0F, py::arg("read_memory") = 0.0F,
-        py::arg("read_seconds") = 0.0F, py::arg("progress") = py::none(),
+        py::arg("path"), py::kw_only(), py::arg("deflection") = 0.0F, py::arg("pixels") = 1280.0F,
+        py::arg("read_memory") = 0.0F, py::arg("read_seconds") = 0.0F,
+        py::arg("progress") = py::none(),
         "Reads an OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file. Raises\n"
         "FileError.\n\n"
         "STEP, IGES and BREP: deflection is how far chords may be off curved faces, in\n"
-        "millimetres; 0: a thousandth of the model's diagonal. They are read by a process of\n"
+        "millimetres; 0: a quarter of a pixel, where pixels are what the model's diagonal is "
+        "drawn\n"
+        "over. They are read by a process of\n"
         "their own, so that damaged ones cannot end this one; read_memory (GiB) and read_seconds\n"
         "limit it, 0: 2 GiB and 32 times the file's size, a minute and a second for each MB.\n\n"
         "progress: called with the share that is done, 0 to 1; Cancelled is raised once it "

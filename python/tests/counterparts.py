@@ -28,7 +28,7 @@ ELSEWHERE = {
     "ImageSettings": "save()", "ImageSettings.description": "save(description)", "ImageSettings.dpi": "save(dpi)",
     "LoadedMesh": "Mesh", "LoadedMesh.mesh": "Mesh", "LoadedMesh.notes": "Mesh.notes", "LoadedMesh.origin": "Mesh.origin",
     "load_mesh()": "load()",
-    "LoadOptions": "load()", "LoadOptions.deflection": "load(deflection)",
+    "LoadOptions": "load()", "LoadOptions.deflection": "load(deflection)", "LoadOptions.pixels": "load(pixels)",
     "LoadOptions.read_memory": "load(read_memory)", "LoadOptions.read_seconds": "load(read_seconds)",
     "write_image()": "save()", "check_image_path()": "save(path)",
     "check_image_settings()": "save(dpi)",
@@ -132,9 +132,9 @@ NOT_IN_PYTHON = {
         LineTimes.* LeftOut.* OddTriangles.*""",
     "numbers of vertices, which Python does not see": "LineObject.first_vertex LineObject.vertex_count",
     "not bound yet: what files say beside their mesh, and how they are read": """
-        LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
-        LineOptions.smooth_edges ImageSettings.bits""",
-    "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.*",
+        LoadedMesh.deflection LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
+        LineOptions.smooth_edges ImageSettings.bits Mesh.precision""",
+    "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.* Mesh.corner_normals",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
         DxfOptions.description VectorOptions.tolerance with_shown_height()""",

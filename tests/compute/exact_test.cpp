@@ -119,6 +119,9 @@ TEST_P(ExactTest, WhatTouchesAFaceIsSeen) {
     EXPECT_NEAR(seen(mesh, {40, 100, 0}, {160, 100, 0}), 120, exactly);
     EXPECT_NEAR(seen(mesh, {40, 100, -4e-4F}, {160, 100, -4e-4F}), 120, exactly);
     EXPECT_NEAR(seen(mesh, {40, 100, -2e-3F}, {160, 100, -2e-3F}), 0, 1e-6F);
+    mesh.precision = 2e-3F; // each of the two may be off by that
+    EXPECT_NEAR(seen(mesh, {40, 100, -2e-3F}, {160, 100, -2e-3F}), 120, exactly);
+    EXPECT_NEAR(seen(mesh, {40, 100, -5e-3F}, {160, 100, -5e-3F}), 0, 1e-6F);
 }
 
 TEST_P(ExactTest, ABoxOnAFloor) {

@@ -11,6 +11,7 @@
 #include "compute/opencl/opencl_backend.hpp"
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/clusters.hpp"
+#include "core/contact.hpp"
 #include "core/meshlets.hpp"
 #include "core/surface_view.hpp"
 #include "depth_model.hpp"
@@ -86,7 +87,7 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
     exact.make_tables(triangles, chunk.range.count);
     const LineView view{.camera = camera,
                         .bounds = lines.bounds,
-                        .diagonal = glm::distance(lines.bounds.min, lines.bounds.max),
+                        .contact = contact_of(lines),
                         .lines = all_line_kinds,
                         .step = 2};
     exact.find(

@@ -29,10 +29,11 @@ class Brep : public testing::Test {
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    LoadedMesh load(const std::string& name, std::string_view content) const {
+    LoadedMesh load(const std::string& name, std::string_view content,
+                    const LoadOptions& options = {}) const {
         const fs::path path = folder_ / name;
         std::ofstream(path, std::ios::binary) << content;
-        return load_mesh_isolated(path);
+        return load_mesh_isolated(path, {}, options);
     }
 
     /// Whether it is read; what is refused is refused in one line.

@@ -1,6 +1,8 @@
 // STEP and BREP files of shapes whose edges are known, and files that are none.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,8 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gp_Ax1.hxx>
 
 #include "brep_files.hpp"
@@ -76,6 +80,97 @@ TEST_F(Brep, ACircleHas24ChordsAtLeast) {
     const LineSet lines = extract_lines(loaded.mesh);
     EXPECT_GE(lines.kind_counts[LA_KIND_CREASE], 48U);
     EXPECT_NEAR(volume(loaded.mesh), 200 * 3.14159265, 10);
+}
+
+/// How far the chords of a circle about the z axis are off it at most, and how many there are.
+std::pair<double, std::size_t> chords(const Mesh& mesh, double radius, double z) {
+    double most = 0;
+    std::size_t count = 0;
+    for (const KnownEdge& edge : mesh.known_edges) {
+        const glm::dvec3 p{mesh.positions[edge.from]}, q{mesh.positions[edge.to]};
+        if (std::abs(p.z - z) > 1e-4 || std::abs(q.z - z) > 1e-4) continue;
+        most = std::max(most, radius - 0.5 * glm::length(glm::dvec2{p + q}));
+        ++count;
+    }
+    return {most, count};
+}
+
+TEST_F(Brep, ChordsAreOffByAQuarterPixelAtMost) {
+    constexpr double radius = 50;
+    const std::string disc = to_brep(BRepPrimAPI_MakeCylinder(radius, 1).Shape());
+    std::size_t before = 0;
+    for (const double pixels : {1000.0, 4000.0, 16000.0}) {
+        const LoadedMesh loaded = load("a.brep", disc, {.pixels = pixels});
+        const double quarter = 0.25 * std::sqrt(2 * 100 * 100 + 1) / pixels;
+        EXPECT_NEAR(loaded.deflection, quarter, 1e-3 * quarter);
+        const auto [off, count] = chords(loaded.mesh, radius, 1);
+        EXPECT_LE(off, 1.001 * quarter) << pixels;
+        EXPECT_GT(off, 0.2 * quarter) << pixels; // no finer than need be
+        EXPECT_GT(count, before);
+        before = count;
+    }
+    const LoadedMesh given = load("a.brep", disc, {.deflection = 0.1, .pixels = 16000});
+    EXPECT_EQ(given.deflection, 0.1);
+    EXPECT_LE(chords(given.mesh, radius, 1).first, 0.1);
+    EXPECT_GT(chords(given.mesh, radius, 1).first, 0.02);
+    EXPECT_THROW(load_mesh(folder_ / "a.brep", {.pixels = 0}), UsageError);
+}
+
+/// Calls `compare` with each corner of each triangle, its normal and the triangle's own.
+template <class Compare>
+void for_each_normal(const Mesh& mesh, const Compare& compare) {
+    ASSERT_EQ(mesh.corner_normals.size(), 3 * mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3 t = mesh.triangles[i];
+        const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
+        const glm::vec3 flat = glm::normalize(glm::cross(b - a, c - a));
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 normal = mesh.corner_normals[3 * i + static_cast<std::size_t>(k)];
+            EXPECT_GT(glm::dot(normal, flat), 0.9F);
+            compare(mesh.positions[t[k]], normal);
+        }
+    }
+}
+
+TEST_F(Brep, NormalsAreThoseOfTheSurface) {
+    static constexpr float close = 1e-5F;
+    // Beside the poles, which have none, what is near them counts.
+    for_each_normal(load("a.brep", to_brep(BRepPrimAPI_MakeSphere(1).Shape())).mesh,
+                    [](glm::vec3 place, glm::vec3 normal) {
+                        EXPECT_LT(glm::distance(place, normal),
+                                  std::abs(place.z) > 0.999F ? 2e-3F : close);
+                    });
+    const auto expect_round = [](glm::vec3 place, glm::vec3 normal) {
+        if (std::abs(normal.z) > 0.5F) return;
+        EXPECT_NEAR(normal.z, 0, close);
+        EXPECT_LT(glm::distance(glm::vec2{place}, glm::vec2{normal}), close);
+    };
+    for_each_normal(load("a.brep", to_brep(BRepPrimAPI_MakeCylinder(1, 2).Shape())).mesh,
+                    expect_round);
+    // Turned about its axis, and inside out.
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(), 1);
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 2).Shape();
+    for_each_normal(load("a.brep", to_brep(cylinder.Located(TopLoc_Location(turn)))).mesh,
+                    expect_round);
+    for_each_normal(load("a.brep", to_brep(cylinder.Reversed())).mesh,
+                    [&](glm::vec3 place, glm::vec3 normal) { expect_round(place, -normal); });
+}
+
+TEST_F(Brep, SmoothSilhouettesTakeThem) {
+    const Mesh mesh = load("a.brep", to_brep(BRepPrimAPI_MakeCone(2, 1, 3).Shape())).mesh;
+    const LineSet lines = extract_lines(mesh, {.silhouettes = Silhouettes::smooth});
+    const float slope = 1 / std::sqrt(10.0F);
+    int round = 0;
+    for (const auto& corner : lines.contours.corners) {
+        if (std::abs(corner.normal[2]) > 0.9F) continue; // of an end
+        EXPECT_NEAR(corner.normal[2], slope, 1e-5F);
+        const glm::vec2 place = glm::normalize(glm::vec2{lines.vertices[corner.vertex]});
+        EXPECT_NEAR(corner.normal[0], place.x * 3 * slope, 1e-5F);
+        EXPECT_NEAR(corner.normal[1], place.y * 3 * slope, 1e-5F);
+        ++round;
+    }
+    EXPECT_GE(round, 48);
 }
 
 TEST_F(Brep, AssembliesKeepNamesPlacesAndColours) {

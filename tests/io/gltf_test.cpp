@@ -213,8 +213,8 @@ TEST_F(Gltf, QuantizedPositionsAreNumbers) {
     std::vector<std::uint8_t> corners;
     for (const float number : cube_corners()) corners.push_back(number > 0 ? 255 : 0);
     const std::string bytes = GltfBytes{}.add(corners).add(cube_triangles()).bytes();
-    std::string json =
-        cube_json(R"([{"mesh":0}])", "", R"(,"extensionsRequired":["KHR_mesh_quantization"])");
+    std::string json = cube_json(R"([{"mesh":0,"scale":[1,1,2]}])", "",
+                                 R"(,"extensionsRequired":["KHR_mesh_quantization"])");
     const auto put = [&](const std::string& what, const std::string& by) {
         json.replace(json.find(what), what.size(), by);
     };
@@ -222,7 +222,10 @@ TEST_F(Gltf, QuantizedPositionsAreNumbers) {
     put(R"("byteLength":96},{"buffer":0,"byteOffset":96)",
         R"("byteLength":24},{"buffer":0,"byteOffset":24)");
     put(R"([{"byteLength":168)", R"([{"byteLength":96)");
-    EXPECT_DOUBLE_EQ(volume(load("a.glb", to_glb(json, bytes)).mesh), 1);
+    const LoadedMesh loaded = load("a.glb", to_glb(json, bytes));
+    EXPECT_DOUBLE_EQ(volume(loaded.mesh), 2);
+    // Half a step of 1/255 in each direction, doubled by the node.
+    EXPECT_FLOAT_EQ(loaded.mesh.precision, std::sqrt(3.0F) / 255);
 }
 
 TEST_F(Gltf, SkinsTakeTheirStoredPose) {

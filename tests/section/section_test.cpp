@@ -128,6 +128,33 @@ TEST(Sections, TheSectionOfACylinderIsACircle) {
     EXPECT_EQ(open_edges(across.mesh), 0U);
 }
 
+TEST(Sections, NormalsOfTheSurfaceAreCutToo) {
+    Mesh mesh = cylinder(64, false); // along y
+    for (const glm::uvec3 t : mesh.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 place = mesh.positions[t[k]];
+            mesh.corner_normals.push_back(glm::normalize(glm::vec3{place.x, 0, place.z}));
+        }
+    }
+    const Mesh half = cut(mesh, {0, 0.3, 0}, {0, 1, 0.3}).mesh;
+    ASSERT_EQ(half.corner_normals.size(), 3 * half.triangles.size());
+    std::size_t round = 0, of_cut = 0;
+    for (std::size_t i = 0; i < half.corner_normals.size(); ++i) {
+        const glm::vec3 normal = half.corner_normals[i];
+        const glm::vec3 place = half.positions[half.triangles[i / 3][static_cast<int>(i % 3)]];
+        if (normal == glm::vec3{0}) {
+            EXPECT_NEAR(place.y + 0.3F * place.z, 0.3F, 1e-5F);
+            ++of_cut;
+            continue;
+        }
+        // Between two corners a normal is that of the chord, near that of the circle.
+        EXPECT_NEAR(glm::dot(normal, glm::normalize(glm::vec3{place.x, 0, place.z})), 1, 2e-3);
+        ++round;
+    }
+    EXPECT_GT(round, 192U);
+    EXPECT_GT(of_cut, 60U);
+}
+
 TEST(Sections, AnyDirection) {
     test::Random random{11};
     const Mesh mesh = sphere(4);

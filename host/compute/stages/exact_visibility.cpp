@@ -48,7 +48,7 @@ glm::vec4 row_of(const glm::mat4& m, int row) {
 }
 
 ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
-                              float diagonal) {
+                              float contact) {
     const glm::mat4 clip_from_world = camera.clip_from_world();
     glm::vec4 eye = camera.eye();
     const bool parallel = eye.w == 0;
@@ -68,7 +68,7 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .viewport = glm::vec2{camera.size},
             .tiles = (camera.size + pixels - 1) / pixels,
             .tile_size = size,
-            .contact = contact_share * diagonal,
+            .contact = contact,
             .slack = place_rounding * static_cast<float>(std::max(camera.size.x, camera.size.y)),
             .depth_rate = parallel ? glm::length(glm::vec3{depth}) : 0,
             .rounding =
@@ -107,10 +107,10 @@ void ExactVisibility::make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t b
 }
 
 void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
-                            float diagonal) {
+                            float contact) {
     table_.emplace(table);
     const ExactParameters before = parameters_;
-    parameters_ = parameters_of(table, camera, bounds, diagonal);
+    parameters_ = parameters_of(table, camera, bounds, contact);
     using Group = std::array<float, LA_GROUP_FLOATS>;
     parameters_.entry_capacity =
         std::max(before.entry_capacity, first_capacity<Entry>(device_, first_entry_capacity));

@@ -20,9 +20,9 @@ class ExactVisibility {
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
     /// Before the stages of a frame. `camera`: a standard one; `bounds`: around the model as it
-    /// stands; `diagonal`: of the model as it was made, whose precision decides what touches.
+    /// stands; `contact`: what is nearer to a plane than that touches it (contact_of()).
     void begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
-               float diagonal);
+               float contact);
     /// To other segments of the same frame: visible() for these, by the lists of before.
     void go_on(const SegmentTable& table);
     // The stages of a frame, in this order; again where grow() says so.

@@ -39,13 +39,18 @@ struct LoadedMesh {
     std::optional<glm::vec3> up{};  ///< the upward axis, where the format or the file says it
     std::optional<double> unit{};   ///< millimetres in one unit of length, where it is said
     std::vector<ModelPart> parts{}; ///< a tree in the order of the file; empty where it has none
+    /// Of STEP, IGES and BREP: LoadOptions::deflection, as it was given or found; else 0.
+    double deflection = 0;
 };
 
 /// How models are read.
 struct LoadOptions {
     /// Of STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres
-    /// or the file's unit if it says none; 0: a thousandth of the model's diagonal.
+    /// or the file's unit if it says none; 0: a quarter of one of `pixels`.
     double deflection = 0;
+    /// Over how many pixels the diagonal of such a model is drawn, 1 to 1e6. As it stands, that of
+    /// a picture of 1024 x 768.
+    double pixels = 1280;
     /// Of STEP, IGES and BREP, which a process of its own reads: how much memory that may take, in
     /// GiB; 0: 2 and 32 times the file's size.
     double read_memory = 0;

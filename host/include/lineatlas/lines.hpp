@@ -167,6 +167,7 @@ struct LineSet {
     /// Behind the other vertices of their object.
     std::vector<CutVertex> cut_vertices{};
     Contours contours{}; ///< see LineOptions::silhouettes
+    float precision = 0; ///< Mesh::precision
 };
 
 /// A part of a visible line that has the background on one side: of the model's outline.

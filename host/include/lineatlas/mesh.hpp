@@ -68,6 +68,14 @@ struct Mesh {
     std::vector<KnownEdge> known_edges{};
     /// What each polyline is. Empty: all are PolylineKind::file.
     std::vector<PolylineKind> polyline_kind{};
+    /// Normals of the surface itself at the corners of triangles, three unit vectors to a triangle,
+    /// outwards as its winding says; zero where there is none, as at the tip of a cone. Files of
+    /// exact surfaces have them. Smooth silhouettes (Silhouettes) take them in place of means of
+    /// triangles. Empty: none are known.
+    std::vector<glm::vec3> corner_normals{};
+    /// How far a position may be off the place that was meant, as in files that round to a grid, in
+    /// model units: what is nearer than that touches. 0: as far as floats are.
+    float precision = 0;
 
     /// Whether it has nothing to draw.
     bool empty() const { return triangles.empty() && polylines.empty(); }

@@ -16,4 +16,4 @@ Soup read(const models::Request& request) {
 
 } // namespace
 
-const models::Module lineatlas_3mf_1{.prepare = [] {}, .read = read};
+const models::Module lineatlas_3mf_2{.prepare = [] {}, .read = read};

@@ -9,8 +9,8 @@
 #include <TopTools_ListIteratorOfListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
-#include <gp_Pnt.hxx>
-#include <gp_Vec.hxx>
+
+#include "surface_normal.hpp"
 
 namespace lineatlas::brep {
 
@@ -28,14 +28,9 @@ class Side {
 
     /// The face's outward normal at a share of the edge's length; nothing where it has none there.
     std::optional<gp_Vec> normal(double share) const {
-        const gp_Pnt2d at = curve_->Value(first_ + share * (last_ - first_));
-        gp_Pnt point;
-        gp_Vec along_u, along_v;
-        surface_->D1(at.X(), at.Y(), point, along_u, along_v);
-        gp_Vec normal = along_u.Crossed(along_v);
-        constexpr double smallest = 1e-12;
-        if (!(normal.Magnitude() > smallest)) return std::nullopt;
-        return normal.Normalized() * sign_;
+        const auto normal = normal_of(*surface_, curve_->Value(first_ + share * (last_ - first_)));
+        if (!normal) return std::nullopt;
+        return *normal * sign_;
     }
 
   private:

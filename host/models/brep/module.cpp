@@ -52,7 +52,8 @@ Soup read(const models::Request& request) {
     const std::scoped_lock lock{one_at_a_time};
     const Silence silence;
     try {
-        return brep::place(read_assembly(request), request.deflection);
+        return brep::place(read_assembly(request),
+                           {.deflection = request.deflection, .pixels = request.pixels});
     } catch (const Standard_OutOfMemory&) {
         throw std::bad_alloc();
     } catch (const Standard_Failure& failure) {
@@ -65,4 +66,4 @@ Soup read(const models::Request& request) {
 
 } // namespace
 
-const models::Module lineatlas_brep_1{.prepare = prepare, .read = read};
+const models::Module lineatlas_brep_2{.prepare = prepare, .read = read};

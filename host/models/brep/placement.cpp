@@ -29,11 +29,20 @@ double diagonal(const Assembly& assembly) {
     return std::sqrt(all.SquareExtent());
 }
 
+/// A normal where the shape is placed.
+glm::vec3 turned(const glm::dvec3& normal, const gp_Trsf& transform) {
+    if (normal == glm::dvec3{0}) return glm::vec3{0};
+    const gp_Vec moved = gp_Vec(normal.x, normal.y, normal.z).Transformed(transform).Normalized();
+    return {moved.X(), moved.Y(), moved.Z()};
+}
+
 class Placement {
   public:
-    Placement(Assembly&& assembly, double deflection) : assembly_(std::move(assembly)) {
-        constexpr double share = 0.001, chords = 24;
-        fineness_ = {.deflection = deflection > 0 ? deflection : share * diagonal(assembly_),
+    Placement(Assembly&& assembly, const Drawn& drawn) : assembly_(std::move(assembly)) {
+        constexpr double most_off = 0.25, chords = 24; // pixels; per circle
+        fineness_ = {.deflection = drawn.deflection > 0
+                                       ? drawn.deflection
+                                       : most_off * diagonal(assembly_) / drawn.pixels,
                      .angle = 2 * std::numbers::pi / chords};
     }
 
@@ -42,6 +51,7 @@ class Placement {
         soup_.notes = std::move(assembly_.notes);
         soup_.format = std::move(assembly_.format);
         soup_.unit = assembly_.unit;
+        soup_.deflection = fineness_.deflection;
         for (const Instance& instance : assembly_.instances) add(instance);
         for (const auto& [part, count] : failed_)
             soup_.notes.push_back(std::to_string(count) + (count == 1 ? " face" : " faces") +
@@ -106,6 +116,10 @@ class Placement {
             soup_.add_face(face);
             soup_.face_group.push_back(group_of_face[mesh.triangle_face[i]]);
             soup_.face_object.push_back(part.object);
+            const auto& normals = mesh.normals[i];
+            for (const std::size_t corner : mirrored ? std::array<std::size_t, 3>{0, 2, 1}
+                                                     : std::array<std::size_t, 3>{0, 1, 2})
+                soup_.corner_normals.push_back(turned(normals[corner], transform));
         }
         for (const KnownEdge& edge : mesh.edges)
             soup_.known_edges.push_back(
@@ -130,8 +144,8 @@ class Placement {
 
 } // namespace
 
-Soup place(Assembly&& assembly, double deflection) {
-    return Placement{std::move(assembly), deflection}.place();
+Soup place(Assembly&& assembly, const Drawn& drawn) {
+    return Placement{std::move(assembly), drawn}.place();
 }
 
 } // namespace lineatlas::brep

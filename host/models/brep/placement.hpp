@@ -5,8 +5,13 @@
 
 namespace lineatlas::brep {
 
-/// Meshes every shape once and puts its instances in their places. `deflection`: 0 is a thousandth
-/// of the whole assembly's diagonal.
-Soup place(Assembly&& assembly, double deflection);
+/// How closely triangles must follow curved faces.
+struct Drawn {
+    double deflection = 0; ///< how far a chord may be off; 0: a quarter of a pixel
+    double pixels = 1;     ///< that the whole assembly's diagonal is drawn over
+};
+
+/// Meshes every shape once and puts its instances in their places.
+Soup place(Assembly&& assembly, const Drawn& drawn);
 
 } // namespace lineatlas::brep

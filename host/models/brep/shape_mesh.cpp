@@ -20,6 +20,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "edge_kind.hpp"
+#include "surface_normal.hpp"
 
 namespace lineatlas::brep {
 
@@ -119,8 +120,26 @@ class Stitcher {
         add_triangles(*triangulation, positions, face);
     }
 
+    /// Normals of the face at the corners of a triangle.
+    static std::array<glm::dvec3, 3>
+    normals_of(const Geom_Surface& surface, const std::array<gp_Pnt2d, 3>& corners, double sign) {
+        const gp_XY middle = (corners[0].XY() + corners[1].XY() + corners[2].XY()) / 3;
+        std::array<glm::dvec3, 3> normals{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Where parameters meet, what is right is what the surface has beside it, on this side.
+            constexpr double beside = 1e-3;
+            std::optional<gp_Vec> normal = normal_of(surface, corners[i]);
+            if (!normal)
+                normal = normal_of(surface, corners[i].XY() * (1 - beside) + middle * beside);
+            if (normal) normals[i] = sign * glm::dvec3{normal->X(), normal->Y(), normal->Z()};
+        }
+        return normals;
+    }
+
     void add_triangles(const Poly_Triangulation& triangulation,
                        const std::vector<std::uint32_t>& positions, const TopoDS_Face& face) {
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+        const bool has_normals = !surface.IsNull() && triangulation.HasUVNodes();
         const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
         mesh_.faces.push_back(face);
         const bool reversed = face.Orientation() == TopAbs_REVERSED;
@@ -136,6 +155,12 @@ class Stitcher {
                 continue;
             mesh_.triangles.push_back(corners);
             mesh_.triangle_face.push_back(number);
+            mesh_.normals.push_back({});
+            if (has_normals)
+                mesh_.normals.back() = normals_of(
+                    *surface,
+                    {triangulation.UVNode(a), triangulation.UVNode(b), triangulation.UVNode(c)},
+                    reversed ? -1 : 1);
         }
     }
 

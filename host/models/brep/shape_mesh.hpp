@@ -23,6 +23,8 @@ struct ShapeMesh {
     std::vector<glm::dvec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> triangle_face; ///< per triangle, number of its face
+    /// Per triangle and corner the face's outward unit normal there, or zero where it has none.
+    std::vector<std::array<glm::dvec3, 3>> normals;
     std::vector<TopoDS_Shape> faces;
     std::vector<KnownEdge> edges; ///< KnownEdge::edge counts from 0
     std::uint32_t edge_count = 0;

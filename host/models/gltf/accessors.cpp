@@ -1,6 +1,7 @@
 #include "accessors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -117,6 +118,16 @@ Accessor open(const Document& document, std::uint64_t index, std::string_view ty
     return accessor;
 }
 
+double step_of(const Accessor& accessor) {
+    if (accessor.component == Component::float32) return 0;
+    const std::uint64_t bits = 8 * size_of(accessor.component);
+    const bool has_sign =
+        accessor.component == Component::int8 || accessor.component == Component::int16;
+    return accessor.normalized
+               ? 1 / (std::ldexp(1.0, static_cast<int>(bits - (has_sign ? 1 : 0))) - 1)
+               : 1;
+}
+
 /// Without a view all values are zero: a count alone must not take memory without end.
 void check_zeros(const Accessor& accessor) {
     constexpr std::uint64_t most = 1U << 24U;
@@ -176,15 +187,15 @@ Values read_values(const Document& document, Buffers& buffers, std::uint64_t ind
                 values.numbers[i * width + k] = (*elements)(i, k, accessor.normalized);
     }
     put_sparse(accessor, buffers, values);
+    values.step = step_of(accessor);
     return values;
 }
 
-std::vector<glm::dvec3> read_points(const Document& document, Buffers& buffers,
-                                    std::uint64_t index) {
+Points read_points(const Document& document, Buffers& buffers, std::uint64_t index) {
     const Values values = read_values(document, buffers, index, "VEC3", 3);
-    std::vector<glm::dvec3> points(values.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {values[i][0], values[i][1], values[i][2]};
+    Points points{.places = std::vector<glm::dvec3>(values.size()), .step = values.step};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        points.places[i] = {values[i][0], values[i][1], values[i][2]};
     return points;
 }
 

@@ -15,6 +15,7 @@ namespace lineatlas::gltf {
 struct Values {
     std::uint64_t width; ///< components of an element
     std::vector<double> numbers;
+    double step = 0; ///< from one whole number to the next; 0: they are floats
 
     std::size_t size() const { return numbers.size() / width; }
     const double* operator[](std::size_t i) const { return numbers.data() + i * width; }
@@ -24,8 +25,12 @@ struct Values {
 Values read_values(const Document& document, Buffers& buffers, std::uint64_t accessor,
                    std::string_view type, std::uint64_t width);
 
-std::vector<glm::dvec3> read_points(const Document& document, Buffers& buffers,
-                                    std::uint64_t accessor);
+struct Points {
+    std::vector<glm::dvec3> places;
+    double step = 0; ///< of the grid that they lie on; 0: on none
+};
+
+Points read_points(const Document& document, Buffers& buffers, std::uint64_t accessor);
 
 std::vector<std::uint32_t> read_indices(const Document& document, Buffers& buffers,
                                         std::uint64_t accessor);

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include <draco/attributes/attribute_quantization_transform.h>
 #include <draco/compression/decode.h>
 
 #include "document.hpp"
@@ -12,6 +13,8 @@ DracoMesh decode_draco(std::string_view packed, std::uint64_t position, const st
     draco::DecoderBuffer buffer;
     buffer.Init(packed.data(), packed.size());
     draco::Decoder decoder;
+    // Whole numbers stay what they are, so that it is known what grid they lie on.
+    decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok() || decoded.value() == nullptr)
         refuse(of + " is damaged: its Draco data cannot be decoded");
@@ -24,6 +27,16 @@ DracoMesh decode_draco(std::string_view packed, std::uint64_t position, const st
         refuse(of + " has no positions in its Draco data");
 
     DracoMesh result;
+    std::array<double, 3> least{};
+    draco::AttributeQuantizationTransform grid;
+    if (attribute->GetAttributeTransformData() != nullptr && grid.InitFromAttribute(*attribute)) {
+        const int bits = grid.quantization_bits();
+        if (bits < 1 || bits > 30) refuse(of + " is damaged: its Draco data has no grid");
+        result.step = double{grid.range()} / static_cast<double>((std::uint64_t{1} << bits) - 1);
+        for (int axis = 0; axis < 3; ++axis)
+            least[static_cast<std::size_t>(axis)] = grid.min_value(axis);
+    }
+    const double step = result.step > 0 ? result.step : 1;
     result.positions.resize(mesh.num_points());
     for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
         const draco::AttributeValueIndex value = attribute->mapped_index(draco::PointIndex(i));
@@ -31,7 +44,10 @@ DracoMesh decode_draco(std::string_view packed, std::uint64_t position, const st
         if (value.value() >= attribute->size() ||
             !attribute->ConvertValue<double, 3>(value, point.data()))
             refuse(of + " has positions that its Draco data does not hold");
-        result.positions[i] = {point[0], point[1], point[2]};
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            result.positions[i][axis] = least[k] + step * point[k];
+        }
     }
     result.triangles.reserve(mesh.num_faces());
     for (std::uint32_t i = 0; i < mesh.num_faces(); ++i) {

@@ -18,4 +18,4 @@ Soup read(const models::Request& request) {
 
 } // namespace
 
-const models::Module lineatlas_gltf_1{.prepare = [] {}, .read = read};
+const models::Module lineatlas_gltf_2{.prepare = [] {}, .read = read};

@@ -75,7 +75,7 @@ void morph(const Document& document, Buffers& buffers, const Json& json, const J
         if (weight == 0 || !(*targets)[i].is_object() || find((*targets)[i], "POSITION") == nullptr)
             continue;
         const std::vector<glm::dvec3> offsets =
-            read_points(document, buffers, whole((*targets)[i], "POSITION", of));
+            read_points(document, buffers, whole((*targets)[i], "POSITION", of)).places;
         if (offsets.size() != positions.size())
             refuse("a morph target of " + of + " has another number of positions");
         for (std::size_t k = 0; k < positions.size(); ++k) positions[k] += weight * offsets[k];
@@ -98,10 +98,13 @@ Primitive read_primitive(const Document& document, Buffers& buffers, const Json&
                                       whole(*ids, "POSITION", of), of);
         primitive.positions = std::move(mesh.positions);
         primitive.triangles = std::move(mesh.triangles);
+        primitive.step = mesh.step;
     } else {
         // Without positions there is nothing to draw (the standard allows it).
         if (find(*attributes, "POSITION") == nullptr) return primitive;
-        primitive.positions = read_points(document, buffers, whole(*attributes, "POSITION", of));
+        Points points = read_points(document, buffers, whole(*attributes, "POSITION", of));
+        primitive.positions = std::move(points.places);
+        primitive.step = points.step;
         std::vector<std::uint32_t> indices;
         if (find(json, "indices") != nullptr) {
             indices = read_indices(document, buffers, whole(json, "indices", of));

@@ -21,6 +21,7 @@ struct Primitive {
     std::optional<std::uint64_t> material;
     /// Which joints move each position, and by how much: in fours. Empty where none do.
     std::vector<Values> joints{}, weights{};
+    double step = 0;     ///< of the grid that positions lie on; 0: on none
     bool points = false; ///< it is points only, which are not drawn
 };
 

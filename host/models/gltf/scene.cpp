@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -225,6 +226,12 @@ class Scene {
         }
         // A mirror turns triangles inside out.
         const bool mirrored = !moved_by_joints && glm::determinant(glm::dmat3{node.matrix}) < 0;
+        // Half a step in each of three directions, where the node puts them.
+        const glm::dmat3 turn{node.matrix};
+        const double scale =
+            std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
+        soup_.precision =
+            std::max(soup_.precision, 0.5 * std::numbers::sqrt3 * primitive.step * scale);
         const std::uint32_t group = group_of(node, primitive.material);
         for (const auto& corners : primitive.triangles) {
             const std::array face{first + corners[0], first + corners[mirrored ? 2 : 1],

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include <Geom_Surface.hxx>
+#include <gp_Pnt2d.hxx>
+#include <gp_Vec.hxx>
+
+namespace lineatlas::brep {
+
+/// The unit normal of a surface, the way its parameters turn; nothing where it has none, as at the
+/// tip of a cone, or where its parameters meet, as at the pole of a sphere.
+std::optional<gp_Vec> normal_of(const Geom_Surface& surface, const gp_Pnt2d& at);
+
+} // namespace lineatlas::brep

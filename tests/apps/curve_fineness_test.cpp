@@ -1,0 +1,80 @@
+// Exact surfaces as the tool draws them: chords are a quarter of a pixel off at most, whatever the
+// picture's size and the camera.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "tool.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+class CurveFineness : public Tool {
+  protected:
+    nlohmann::json drawn(const std::string& options) const {
+        const std::string pin =
+            std::string{LINEATLAS_SOURCE_DIR} + "/tests/fuzz/inputs/step/pin.step";
+        const Result result = run("draw " + pin + " -o " + path("a.json") +
+                                  " --lines crease --projection orthographic " + options);
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        said_ = result.output;
+        return nlohmann::json::parse(std::ifstream{path("a.json")});
+    }
+
+    /// How far chords of the pin's upper end, a circle of radius 1, are off in model units.
+    static double most_off(const nlohmann::json& drawing) {
+        double most = 0;
+        for (const nlohmann::json& line : drawing.at("paths")) {
+            const nlohmann::json& world = line.at("world");
+            for (std::size_t i = 0; i + 1 < world.size(); ++i) {
+                const auto at = [&](std::size_t k) {
+                    return glm::dvec2{world[k][0].get<double>(), world[k][1].get<double>()};
+                };
+                most = std::max(most, 1 - glm::length(0.5 * (at(i) + at(i + 1))));
+            }
+        }
+        return most;
+    }
+
+    mutable std::string said_;
+};
+
+TEST_F(CurveFineness, AQuarterPixelWhateverTheSize) {
+    for (const int size : {200, 1000, 5000}) {
+        const nlohmann::json drawing =
+            drawn("--view top --size " + std::to_string(size) + "x" + std::to_string(size));
+        // The circle of radius 1 fills the picture but for its margin.
+        EXPECT_LE(most_off(drawing) * size / 2, 0.25) << size;
+        EXPECT_EQ(said_.find("pixels off"), std::string::npos) << said_;
+    }
+}
+
+TEST_F(CurveFineness, AQuarterPixelFromNear) {
+    // Parallel, 40 degrees: it shows a height of 2 tan 20 times the distance.
+    constexpr double distance = 0.2, shown = 2 * 0.36397 * distance;
+    const std::string near = "--size 1000x1000 --target 1,0,2 --up y --eye 1,0,2.2 ";
+    const double scale = 1000 / shown;
+    const nlohmann::json drawing = drawn(near);
+    const double off = most_off(drawing);
+    EXPECT_GT(off, 0);
+    EXPECT_LE(off * scale, 0.25);
+    // What it was read with stands in the drawing, so that it can be checked.
+    const std::string description = drawing.at("description").get<std::string>();
+    EXPECT_NE(description.find(" --deflection="), std::string::npos) << description;
+    // Where it is given, that is what is drawn; and as the whole model would need is too coarse.
+    EXPECT_GT(most_off(drawn(near + "--deflection 0.01")) * scale, 1);
+}
+
+TEST_F(CurveFineness, ALineSaysWhereItEnds) {
+    drawn("--size 4000x4000 --target 1,0,2 --up y --eye 1,0,2.001 ");
+    EXPECT_NE(said_.find("pixels off in this picture; --deflection"), std::string::npos) << said_;
+}
+
+} // namespace
+} // namespace lineatlas::test
