@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_line/device_options.hpp"
+#include "command_line/part_filter.hpp"
+#include "command_line/read_options.hpp"
+#include "command_line/setting_options.hpp"
+#include "command_line/style_options.hpp"
+#include "command_line/view_options.hpp"
+#include "lineatlas/lines.hpp"
+#include "path_options.hpp"
+#include "picture_options.hpp"
+#include "profile_output.hpp"
+#include "section_options.hpp"
+#include "sequence_options.hpp"
+#include "style/frame_settings.hpp"
+
+namespace lineatlas::apps {
+
+/// The command line of `draw` as written; what is empty was not given.
+struct DrawArguments {
+    std::string model, scene, output;
+    std::string session;                       ///< that MODEL named
+    std::vector<std::filesystem::path> models; ///< that are drawn: MODEL, or those of the session
+    std::string size = "1024x768";
+    ViewOptions view;
+    float at = 0;
+    std::string crease = "auto";
+    std::string silhouettes{silhouettes_names[static_cast<std::size_t>(LineOptions{}.silhouettes)]};
+    bool smooth_edges = false;
+    double deflection = 0; ///< 0: not given
+    SectionOptions sections;
+    SettingOptions<FrameSettings> frame;
+    StyleOptions style;
+    ReadOptions read;
+    PartFilter parts;
+    SequenceOptions sequence;
+    PictureOptions picture;
+    PathOptions paths;
+    DeviceOptions device;
+    bool stats = false;
+    ProfileOptions profile;
+    int repeat = 1;
+};
+
+/// As the command line says. Throw UsageError.
+Silhouettes silhouettes(const DrawArguments& arguments);
+std::optional<float> crease_angle(const DrawArguments& arguments);
+
+} // namespace lineatlas::apps

@@ -1,0 +1,190 @@
+#include "subject.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "command_line/joined_models.hpp"
+#include "command_line/values.hpp"
+#include "core/far_part.hpp"
+#include "core/up_axis.hpp"
+#include "curve_fineness.hpp"
+#include "io/extension.hpp"
+#include "io/odd_triangles.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/io.hpp"
+#include "lineatlas/scenes.hpp"
+#include "output/vector_output.hpp"
+#include "vector/sheet.hpp"
+
+namespace lineatlas::apps {
+
+Silhouettes silhouettes(const DrawArguments& arguments) {
+    return parse_silhouettes("--silhouettes", arguments.silhouettes);
+}
+
+std::optional<float> crease_angle(const DrawArguments& arguments) {
+    return parse_crease("--crease", arguments.crease);
+}
+
+namespace {
+
+Axis vertical_axis(const Subject& subject, glm::vec3 up) {
+    return {.point = 0.5F * (subject.lines.bounds.min + subject.lines.bounds.max),
+            .direction = glm::normalize(up)};
+}
+
+/// The upward axis: as given, as the file says, or as it looks; a note says so where it looks as if
+/// it is not y.
+glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<glm::vec3> of_file,
+                std::vector<std::string>& notes) {
+    if (arguments.view.says_up()) return arguments.view.up({});
+    if (of_file) return *of_file;
+    const glm::vec3 up = guess_up(mesh, usual_up(arguments.models.front()));
+    const bool matters = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
+    if (up.z > 0 && matters) notes.push_back("z is taken as upwards; --up y takes y");
+    return up;
+}
+
+/// Cuts the model where --section says so; says by what.
+std::vector<std::string> cut(const DrawArguments& arguments, Mesh& mesh, glm::dvec3 origin,
+                             View view, std::vector<std::string>& notes) {
+    if (!arguments.sections.given()) return {};
+    arguments.view.apply(view, origin, false);
+    std::vector<std::string> planes = arguments.sections.with_sides(mesh, origin, view);
+    Section section = arguments.sections.cut(mesh, origin, view);
+    mesh = std::move(section.mesh);
+    std::ranges::move(section.notes, std::back_inserter(notes));
+    return planes;
+}
+
+std::string framing_note(const FarPart& far, glm::dvec3 origin) {
+    if (is_left_out(far)) return note_of(far);
+    const glm::dvec3 middle = 0.5 * (glm::dvec3{far.rest.min} + glm::dvec3{far.rest.max}) + origin;
+    return fmt::format("{}; --eye and --target show the others, about {:.7g},{:.7g},{:.7g}",
+                       note_of(far), middle.x, middle.y, middle.z);
+}
+
+/// `deflection`: of exact surfaces; 0: as the size of the picture alone says.
+Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
+                     double deflection) {
+    const LineOptions line_options{.kinds = kinds,
+                                   .crease_angle = crease_angle(arguments),
+                                   .smooth_edges = arguments.smooth_edges,
+                                   .silhouettes = silhouettes(arguments)};
+    if (!arguments.scene.empty()) {
+        Scene scene = make_scene(arguments.scene);
+        std::vector<std::string> notes;
+        const View whole =
+            arguments.view.says_direction()
+                ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
+                : scene.view(arguments.at);
+        std::vector<std::string> sections = cut(arguments, scene.mesh, {}, whole, notes);
+        LineSet lines = extract_lines(scene.mesh, line_options);
+        const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
+        const glm::vec3 up = arguments.view.up({0, 1, 0});
+        const View view =
+            framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
+        std::vector<glm::vec3> points = lines.vertices;
+        return {.name = scene.name,
+                .mesh = std::move(scene.mesh),
+                .lines = std::move(lines),
+                .framed = std::move(points),
+                .view = view,
+                .sections = std::move(sections),
+                .notes = std::move(notes)};
+    }
+    const double pixels = glm::length(glm::dvec2{size});
+    LoadedMesh loaded = load_models_isolated(arguments.models, arguments.read.limits(),
+                                             {.deflection = deflection, .pixels = pixels});
+    arguments.parts.apply(loaded);
+    const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
+    std::vector<std::string> sections =
+        cut(arguments, loaded.mesh, loaded.origin,
+            arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
+    Subject subject{.name = arguments.models.front().string(),
+                    .mesh = std::move(loaded.mesh),
+                    .lines = {},
+                    .framed = {},
+                    .view = {},
+                    .origin = loaded.origin,
+                    .unit = loaded.unit,
+                    .sections = std::move(sections),
+                    .deflection = loaded.deflection};
+    subject.lines = extract_lines(subject.mesh, line_options);
+    add_notes(subject.lines.odd, loaded.notes);
+    const std::optional<FarPart> far = find_far_part(subject.lines);
+    const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();
+    if (far && frames) loaded.notes.push_back(framing_note(*far, loaded.origin));
+    subject.notes = std::move(loaded.notes);
+    subject.framed = points_to_frame(subject.lines, far);
+    const std::vector<glm::vec3>& points = subject.framed;
+    subject.view =
+        arguments.view.framed(arguments.sequence.turns() ? swept(points, vertical_axis(subject, up))
+                                                         : std::span<const glm::vec3>{points},
+                              size, up);
+    return subject;
+}
+
+/// Millimetres of paper that a pixel of the picture takes. Throws UsageError when nothing says so.
+double millimetres_per_pixel(const DrawArguments& arguments, glm::ivec2 size) {
+    if (is_path_file(arguments.output)) {
+        const SvgOptions svg = arguments.paths.svg();
+        return length_in({lay_out(size, svg).scale, svg.units}, Unit::mm);
+    }
+    const auto dpi = static_cast<double>(arguments.picture.settings().dpi);
+    if (dpi == 0) throw UsageError("--scale: a picture of pixels needs --dpi");
+    return length_in({1 / dpi, Unit::in}, Unit::mm);
+}
+
+void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 size) {
+    const bool up_is_guessed =
+        arguments.scene.empty() && !arguments.view.says_up() && !arguments.sequence.turns();
+    arguments.view.apply(subject.view, subject.origin, up_is_guessed);
+    if (!arguments.view.to_scale()) return;
+    subject.view = arguments.view.scaled(subject.view, millimetres_per_pixel(arguments, size), size,
+                                         subject.framed, subject.unit);
+}
+
+/// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
+std::optional<std::vector<SequenceFrame>> sequence_frames(const DrawArguments& arguments,
+                                                          const Subject& subject, glm::ivec2 size) {
+    if (!arguments.sequence.given(arguments.output)) return std::nullopt;
+    Axis axis = vertical_axis(subject, subject.view.up);
+    if (arguments.view.says_target()) axis.point = subject.view.target;
+    return arguments.sequence.frames(arguments.output, subject.view, axis, size,
+                                     subject.lines.bounds, subject.origin);
+}
+
+Pictures find_pictures_at(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
+                          double deflection) {
+    Pictures pictures{load_subject(arguments, kinds, size, deflection), {}};
+    apply_camera(arguments, pictures.subject, size);
+    pictures.frames = sequence_frames(arguments, pictures.subject, size);
+    return pictures;
+}
+
+} // namespace
+
+Pictures find_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
+    Pictures pictures = find_pictures_at(arguments, kinds, size, arguments.deflection);
+    const Subject& subject = pictures.subject;
+    if (arguments.deflection > 0 || subject.deflection == 0) return pictures;
+    std::vector<Camera> cameras;
+    if (pictures.frames) {
+        for (const SequenceFrame& frame : *pictures.frames) cameras.push_back(frame.camera);
+    } else {
+        cameras.push_back(make_camera(subject.view, size, subject.lines.bounds));
+    }
+    std::string note;
+    const std::optional<double> finer =
+        finer_deflection(subject.mesh, cameras, subject.deflection, note);
+    if (finer) pictures = find_pictures_at(arguments, kinds, size, *finer);
+    if (!note.empty()) pictures.subject.notes.push_back(note);
+    return pictures;
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw_arguments.hpp"
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas::apps {
+
+/// What is drawn, and the view on it unless the command line says another.
+struct Subject {
+    std::string name;
+    Mesh mesh;
+    LineSet lines;
+    std::vector<glm::vec3> framed; ///< points that the camera shows unless it is placed by hand
+    View view;
+    glm::dvec3 origin{0};                ///< of the mesh and the view, in the file's coordinates
+    std::optional<double> unit{};        ///< of the file, in millimetres
+    std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
+    double deflection = 0;               ///< of exact surfaces; else 0
+    std::vector<std::string> notes{};
+};
+
+/// What is drawn, and the pictures of it.
+struct Pictures {
+    Subject subject;
+    std::optional<std::vector<SequenceFrame>> frames; ///< nothing: a single one
+};
+
+/// Reads the model or makes the scene, cuts it, finds its lines and places the camera. Curved faces
+/// are as fine as the pictures show them: the model is read again where it turns out to be seen
+/// from nearer than as a whole.
+Pictures find_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size);
+
+} // namespace lineatlas::apps
