@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include "certifier.hpp"
