@@ -21,7 +21,6 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
-#include "lineatlas/scenes.hpp"
 #include "lineatlas/visibility.hpp"
 #include "output/picture_output.hpp"
 #include "output/vector_output.hpp"
