@@ -351,7 +351,7 @@ TEST_F(Frames, ScenesMayBeReplaced) {
     const Camera camera = scene_cameras("clevis", {400, 300})[0].camera;
     EXPECT_EQ(renderer_.draw(camera, {}, canvas_.framebuffer()).segments,
               scene_lines("clevis").segments.size());
-    renderer_.set_lines({});
+    renderer_.set_lines(LineSet{});
     EXPECT_EQ(renderer_.draw(camera, {}, canvas_.framebuffer()).runs, 0U);
 }
 
