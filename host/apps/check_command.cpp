@@ -52,6 +52,13 @@ float parse_degrees(const std::string& text) {
     return value * radians_per_degree;
 }
 
+/// Whether silhouettes were drawn as smooth surfaces have them, which the truth does not know.
+bool may_have_contours(const DrawingFile& drawing, const Mesh& mesh) {
+    const auto rule = described(drawing.description, "--silhouettes");
+    return rule ? *rule != silhouettes_names[static_cast<std::size_t>(Silhouettes::mesh)]
+                : !mesh.corner_normals.empty();
+}
+
 /// What the model's file is read with.
 LoadOptions load_options(const DrawingFile& drawing) {
     LoadOptions options;
@@ -132,6 +139,9 @@ void check(const CheckArguments& arguments) {
     const DrawnLines drawn = find_segments(drawing, lines);
     const Certificate certificate = certify(truth, drawn);
     fmt::print("{}", certificate_table(certificate, arguments.worst));
+    if (may_have_contours(drawing, mesh))
+        fmt::print("Silhouettes here run through triangles (--silhouettes). They are held against "
+                   "edges of the mesh beside them:\nwhat differs counts as missed and as false.\n");
     if (!arguments.picture.empty())
         write_image(arguments.picture,
                     error_picture(truth, drawn.legs, certificate.narrow, picture_scale));

@@ -30,7 +30,7 @@ struct DrawArguments {
     ViewOptions view;
     float at = 0;
     std::string crease = "auto";
-    std::string silhouettes{silhouettes_names[static_cast<std::size_t>(LineOptions{}.silhouettes)]};
+    std::string silhouettes; ///< empty: as the file has normals of its surfaces or not
     bool smooth_edges = false;
     double deflection = 0; ///< 0: not given
     SectionOptions sections;
@@ -48,7 +48,7 @@ struct DrawArguments {
 };
 
 /// As the command line says. Throw UsageError.
-Silhouettes silhouettes(const DrawArguments& arguments);
+Silhouettes silhouettes(const DrawArguments& arguments, const Mesh& mesh);
 std::optional<float> crease_angle(const DrawArguments& arguments);
 
 } // namespace lineatlas::apps

@@ -22,8 +22,10 @@
 
 namespace lineatlas::apps {
 
-Silhouettes silhouettes(const DrawArguments& arguments) {
-    return parse_silhouettes("--silhouettes", arguments.silhouettes);
+Silhouettes silhouettes(const DrawArguments& arguments, const Mesh& mesh) {
+    if (!arguments.silhouettes.empty())
+        return parse_silhouettes("--silhouettes", arguments.silhouettes);
+    return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
 }
 
 std::optional<float> crease_angle(const DrawArguments& arguments) {
@@ -71,10 +73,12 @@ std::string framing_note(const FarPart& far, glm::dvec3 origin) {
 /// `deflection`: of exact surfaces; 0: as the size of the picture alone says.
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
                      double deflection) {
-    const LineOptions line_options{.kinds = kinds,
-                                   .crease_angle = crease_angle(arguments),
-                                   .smooth_edges = arguments.smooth_edges,
-                                   .silhouettes = silhouettes(arguments)};
+    const auto lines_of = [&](const Mesh& mesh) {
+        return extract_lines(mesh, {.kinds = kinds,
+                                    .crease_angle = crease_angle(arguments),
+                                    .smooth_edges = arguments.smooth_edges,
+                                    .silhouettes = silhouettes(arguments, mesh)});
+    };
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         std::vector<std::string> notes;
@@ -83,7 +87,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
                 : scene.view(arguments.at);
         std::vector<std::string> sections = cut(arguments, scene.mesh, {}, whole, notes);
-        LineSet lines = extract_lines(scene.mesh, line_options);
+        LineSet lines = lines_of(scene.mesh);
         const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
         const glm::vec3 up = arguments.view.up({0, 1, 0});
         const View view =
@@ -114,7 +118,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                     .unit = loaded.unit,
                     .sections = std::move(sections),
                     .deflection = loaded.deflection};
-    subject.lines = extract_lines(subject.mesh, line_options);
+    subject.lines = lines_of(subject.mesh);
     add_notes(subject.lines.odd, loaded.notes);
     const std::optional<FarPart> far = find_far_part(subject.lines);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();

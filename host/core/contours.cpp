@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 #include <glm/geometric.hpp>
 
@@ -101,13 +102,15 @@ class ContourFinder {
     }
 
     void choose_patches(Silhouettes rule) {
-        std::vector<std::uint32_t> count(faces_, 0), flat(faces_, 0), slivers(faces_, 0);
+        std::vector<std::uint32_t> count(faces_, 0), flat(faces_, 0), slivers(faces_, 0),
+            known(faces_, 0);
         std::vector<bool> bends(faces_, false);
         for (std::uint32_t f = 0; f < faces_; ++f) {
             const std::uint32_t patch = patches_.find(f);
             ++count[patch];
             flat[patch] += is_flat_[f] ? 1 : 0;
             slivers[patch] += is_sliver(f) ? 1 : 0;
+            known[patch] += knows_normals(f) ? 1 : 0;
         }
         for (std::size_t i = 0; i < in_.edges.size(); ++i)
             if (joins_[i][0] != none && in_.bends[i] >= flat_bend)
@@ -116,8 +119,16 @@ class ContourFinder {
         for (std::uint32_t p = 0; p < faces_; ++p) {
             const bool organic = count[p] >= least_faces && flat[p] < most_flat * count[p] &&
                                  2 * slivers[p] < count[p];
-            smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic);
+            const bool exact = known[p] == count[p];
+            smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic || exact);
         }
+    }
+
+    /// Whether the file says of a face where its surface looks, but for a tip.
+    bool knows_normals(std::uint32_t face) const {
+        return std::ranges::any_of(std::views::iota(3 * face, 3 * face + 3), [&](auto corner) {
+            return known_normal(corner) != glm::dvec3{0};
+        });
     }
 
     bool is_sliver(std::uint32_t face) const {

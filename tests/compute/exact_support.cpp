@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "compute/stages/exact_visibility.hpp"
+#include "core/contact.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -46,7 +47,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
     const compute::ClippedTable no_samples{*clipped, *zeros, *arcs};
 
     compute::ExactVisibility exact{stages};
-    exact.begin(table, camera, lines.bounds, glm::distance(lines.bounds.min, lines.bounds.max));
+    exact.begin(table, camera, lines.bounds, contact_of(lines));
     stages.facing({.table = table, .eye = camera.eye(), .front = *front});
     const glm::mat4 m = camera.clip_from_world();
     stages.project_clip({.table = table,

@@ -311,6 +311,14 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
                     .contours.empty());
     EXPECT_FALSE(
         extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::smooth}).contours.empty());
+    // But a coarse body whose file knows its surface is smooth by itself.
+    Mesh exact = sphere(1);
+    for (const glm::uvec3& t : exact.triangles)
+        for (int k = 0; k < 3; ++k)
+            exact.corner_normals.push_back(glm::normalize(exact.positions[t[k]]));
+    EXPECT_FALSE(extract_lines(exact, {.silhouettes = Silhouettes::automatic}).contours.empty());
+    exact.corner_normals[0] = exact.corner_normals[1] = exact.corner_normals[2] = glm::vec3{0};
+    EXPECT_TRUE(extract_lines(exact, {.silhouettes = Silhouettes::automatic}).contours.empty());
     // Nor has what moves contours.
     EXPECT_TRUE(extract_lines(body, {.separate_objects = true, .silhouettes = Silhouettes::smooth})
                     .contours.empty());

@@ -22,8 +22,8 @@ class LINEATLAS_API Assembly {
   public:
     Assembly();
     ~Assembly();
-    Assembly(Assembly&&) noexcept;
-    Assembly& operator=(Assembly&&) noexcept;
+    Assembly(Assembly&&) noexcept;            ///< the other can only go or be set then
+    Assembly& operator=(Assembly&&) noexcept; ///< likewise
 
     /// Adds the objects of a line set, or all of it as one where it has none, and gives their
     /// numbers in lines().objects: those of parts that are gone first, then the next. `lines` comes
