@@ -122,7 +122,7 @@ TEST(LimitsOfTheTool, OfMemoryLeadToTilesByThemselves) {
     }
     // Without depth there is room, for paths too; ends of others are found in the depth of the
     // whole.
-    EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=9000000", exact).said, "");
+    EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=9000000", exact + " --density 0").said, "");
     EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=9000000", exact, ".svg").said, "");
     const ToolRun path = run_tool("LINEATLAS_TEST_MEMORY=2000000", atlas, ".svg");
     EXPECT_EQ(path.code, 1);
