@@ -117,8 +117,8 @@ class ContourFinder {
                 bends[patches_.find(joins_[i][0] / 3)] = true;
         smooth_.assign(faces_, false);
         for (std::uint32_t p = 0; p < faces_; ++p) {
-            const bool organic = count[p] >= least_faces && flat[p] < most_flat * count[p] &&
-                                 2 * slivers[p] < count[p];
+            const bool organic = in_.corner_normals.empty() && count[p] >= least_faces &&
+                                 flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p];
             const bool exact = known[p] == count[p];
             smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic || exact);
         }

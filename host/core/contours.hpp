@@ -31,8 +31,8 @@ struct FoundContours {
 /// Finds the smooth patches of a mesh: triangles that hang together across edges which may be
 /// silhouettes and are nothing else. Of Silhouettes::automatic one is smooth if it has at least 64
 /// triangles, less than 30 % of them flat (an edge bends by less than 0.5 degrees) and half of them
-/// no slivers (lowest altitude above a quarter of the longest edge), or if it bends and the normals
-/// of its surface are known; of Silhouettes::smooth if it bends at all.
+/// no slivers (lowest altitude above a quarter of the longest edge); where any normals of the
+/// surface are known, if it bends and all of its are; of Silhouettes::smooth if it bends at all.
 FoundContours find_contours(const ContourInput& input, Silhouettes rule);
 
 } // namespace lineatlas
