@@ -200,6 +200,25 @@ TEST(Contours, OfAConeGoUpAndDown) {
     }
 }
 
+TEST(Contours, OfAWallSeenEdgeOnStandAtItsNearEnd) {
+    Mesh body = capsule();
+    for (const glm::uvec3& t : body.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 p = body.positions[t[k]];
+            glm::vec3 normal = glm::normalize(p - glm::vec3{0, std::clamp(p.y, -1.0F, 1.0F), 0});
+            normal.y += t[k] % 2 == 0 ? 1e-6F : -1e-6F; // as rounding may have it
+            body.corner_normals.push_back(normal);
+        }
+    }
+    const LineSet lines = extract_lines(body, smooth);
+    for (const float way : {1.0F, -1.0F}) {
+        const std::vector<Chain> found = chains_of(lines, {0, way, 0, 0});
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_TRUE(found[0].closed);
+        EXPECT_NEAR(found[0].length, 2 * pi, 0.001 * 2 * pi);
+    }
+}
+
 TEST(Contours, OfASaddleAreALineFromBorderToBorder) {
     const LineSet lines = extract_lines(saddle(), smooth);
     Random random{64};
