@@ -60,6 +60,7 @@ exact surfaces surfaces.cl "enclose(&face, xy(c));" "enclose(&face, xy(b));"
 exact tile_lists tile_lists.cl "(count + LA_GROUP - 1u) / LA_GROUP" "count / LA_GROUP"
 exact visible visible.cl "fmin(high, root)" "fmax(high, root)"
 exact spans spans.cl "const bool visible = n % 2u != 0;" "const bool visible = n % 2u == 0;"
-plant outline outline.cl "(distance / length_px)" "(2.0f * distance / length_px)" outlines_test "Outlines.OfARenderer*"
+export LINEATLAS_DEVICE=opencl:Portable
+plant outline outline.cl "side == 0 ? inside : -inside" "side == 0 ? -inside : inside" outlines_test "Outlines.*"
 plant pens pens.cl "const float u = (from - run->start_sample) * scale;" "const float u = 0.0f;" outlines_test "Pens.*"
 exit $missed

@@ -272,6 +272,42 @@ TEST(Pens, OfPicturesAreThoseOfTheRules) {
     EXPECT_EQ(ink(Method::exact, ruled), ink(Method::exact, plain));
 }
 
+TEST(Pens, OfALineChangeWhereItsOutlineBegins) {
+    // The left half of a box has a larger one behind it, the right half the background.
+    Mesh mesh;
+    add_box(mesh, {-1, -1, -1}, {1, 1, 1}, {});
+    add_box(mesh, {-4, -4, -4}, {0, 4, -3}, {});
+    const LineSet lines = extract_lines(mesh);
+    const gl::HeadlessContext context;
+    Renderer renderer;
+    renderer.set_lines(lines);
+    const Camera camera =
+        make_camera({.eye = {0, 0, 30}, .target = {0, 0, 0}, .fov_y = 0.4F, .near = 1, .far = 60},
+                    size, lines.bounds);
+    FrameOptions options;
+    options.style = with_outline();
+    options.style.pens.front().color = glm::vec3{1, 0, 0};
+    for (const Method method : {Method::exact, Method::atlas}) {
+        SCOPED_TRACE(static_cast<int>(method));
+        options.method = method;
+        gl::Canvas canvas{size};
+        canvas.clear(glm::vec4{1});
+        renderer.draw(camera, options, canvas.framebuffer());
+        const std::vector<std::uint8_t> pixels = canvas.read();
+        const auto red_at = [&](glm::vec3 place) {
+            const glm::vec4 clip = camera.clip_from_world() * glm::vec4{place, 1};
+            const glm::ivec2 at{(glm::vec2{clip} / clip.w + 1.0F) * 0.5F * glm::vec2{size}};
+            return int{pixels[4 * static_cast<std::size_t>(at.y * size.x + at.x)]};
+        };
+        for (const float y : {-1.0F, 1.0F}) {
+            for (const float x : {0.2F, 0.5F, 0.8F}) {
+                EXPECT_GT(red_at({x, y, 1}), 200) << x << ", " << y;
+                EXPECT_LT(red_at({-x, y, 1}), 100) << -x << ", " << y;
+            }
+        }
+    }
+}
+
 /// A cube drawn with hidden lines: creases behind it green, all other hidden lines dotted.
 Style with_hidden_rules() {
     Style style;
