@@ -94,8 +94,12 @@ class ViewerDriver {
             if (place.x < session().size().x || footer || (place.y > top && place.y < bottom))
                 return;
             scroll(place.y > bottom ? -1 : 1, {x, 0.5 * bottom});
+            // Where there is nothing more to scroll, the last items stand above the footer.
+            const bool at_end = middle_of(spot) == place;
+            if (at_end && place.y > top && place.y < app_.window().points().y) return;
         }
-        throw std::runtime_error{"\"" + spot + "\" does not come in sight"};
+        throw std::runtime_error{"\"" + spot + "\" does not come in sight, but stands at " +
+                                 std::to_string(middle_of(spot).y)};
     }
     void click(const std::string& spot) {
         rest();
