@@ -56,7 +56,7 @@ float parse_degrees(const std::string& text) {
 bool may_have_contours(const DrawingFile& drawing, const Mesh& mesh) {
     const auto rule = described(drawing.description, "--silhouettes");
     return rule ? *rule != silhouettes_names[static_cast<std::size_t>(Silhouettes::mesh)]
-                : !mesh.corner_normals.empty();
+                : usual_silhouettes(mesh) != Silhouettes::mesh;
 }
 
 /// What the model's file is read with.

@@ -23,9 +23,9 @@
 namespace lineatlas::apps {
 
 Silhouettes silhouettes(const DrawArguments& arguments, const Mesh& mesh) {
-    if (!arguments.silhouettes.empty())
-        return parse_silhouettes("--silhouettes", arguments.silhouettes);
-    return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
+    return arguments.silhouettes.empty()
+               ? usual_silhouettes(mesh)
+               : parse_silhouettes("--silhouettes", arguments.silhouettes);
 }
 
 std::optional<float> crease_angle(const DrawArguments& arguments) {

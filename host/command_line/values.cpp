@@ -89,6 +89,10 @@ Silhouettes parse_silhouettes(std::string_view option, const std::string& text) 
         fmt::format("{} must be {}, not {}", option, fmt::join(silhouettes_names, ", "), text));
 }
 
+Silhouettes usual_silhouettes(const Mesh& mesh) {
+    return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
+}
+
 glm::vec3 parse_vector(std::string_view option, const std::string& text) {
     return parse_point(option, text);
 }

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -18,6 +16,7 @@
 
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
+#include "temporary_folder.hpp"
 
 // Mesh files, a few lines each, and what is said of them.
 namespace lineatlas::test {
@@ -26,14 +25,8 @@ namespace fs = std::filesystem;
 
 class MeshIo : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("lineatlas_mesh_io_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     fs::path file(const std::string& name, std::string_view content) const {
-        const fs::path path = folder_ / name;
+        const fs::path path = folder_.path() / name;
         std::ofstream(path, std::ios::binary) << content;
         return path;
     }
@@ -60,7 +53,7 @@ class MeshIo : public testing::Test {
         return error_of(file(name, content));
     }
 
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 inline testing::AssertionResult has(std::string_view text, std::string_view part) {

@@ -11,9 +11,9 @@ namespace {
 // What is wrong before any format comes into it.
 
 TEST_F(MeshIo, NamesWhatIsNoMeshFile) {
-    EXPECT_TRUE(has(error_of(folder_ / "none.obj"), "no such file"));
-    fs::create_directory(folder_ / "folder.obj");
-    EXPECT_TRUE(has(error_of(folder_ / "folder.obj"), "it is a folder"));
+    EXPECT_TRUE(has(error_of(folder_.path() / "none.obj"), "no such file"));
+    fs::create_directory(folder_.path() / "folder.obj");
+    EXPECT_TRUE(has(error_of(folder_.path() / "folder.obj"), "it is a folder"));
     EXPECT_TRUE(has(error_of("empty.off", ""), "the file is empty"));
     EXPECT_TRUE(has(error_of("mesh.xyz", "1 2 3"),
                     "known are .obj, .ply, .stl, .off, .om, .gltf, .glb, "
