@@ -1,0 +1,57 @@
+#pragma once
+
+// What stages take that find silhouettes and put them in chains.
+
+#include <cstdint>
+
+#include <glm/vec4.hpp>
+
+#include "tables.hpp"
+
+namespace lineatlas::compute {
+
+struct FacingArgs {
+    SegmentTable table;
+    glm::vec4 eye; ///< Camera::eye()
+    Buffer& front; ///< out: a byte per triangle
+};
+
+/// Which candidates of the table are silhouettes.
+struct ContourArgs {
+    ContourTables contours;
+    glm::vec4 eye;    ///< Camera::eye()
+    Buffer& vertices; ///< in: those of the mesh; out, behind them: 6 floats per edge
+    Buffer& crossed;  ///< scratch: a byte per edge
+    Buffer& ends;     ///< out: 2 uint32 per candidate, see kernels/contour.cl
+};
+
+/// Which candidates are silhouettes.
+struct SilhouetteArgs {
+    SegmentTable table;
+    Buffer* contour_ends; ///< of `contour`; null where there are no contours
+    Buffer& front;        ///< of `facing`
+    Buffer& numbers;      ///< out: per candidate the number of silhouettes before it, then of all
+};
+
+/// The silhouettes of a frame as paths: see kernels/chain.cl for what each table holds.
+struct ChainArgs {
+    SegmentTable table;
+    Buffer* contour_ends; ///< as in SilhouetteArgs
+    bool lifted;          ///< contours are drawn where visibility is asked of them
+    glm::vec4 eye;        ///< Camera::eye()
+    Buffer& numbers;      ///< of `silhouette`
+    std::uint32_t count;  ///< silhouettes, above 0
+    Buffer& chosen;       ///< scratch: a uint32 per silhouette
+    Buffer& ways;         ///< scratch: two `ChainWay` per silhouette
+    Buffer& longer;       ///< scratch: the same
+    Buffer& going;        ///< scratch: a uint32 for each of most_chain_steps
+    Buffer& places;       ///< scratch: `ChainPlace` per silhouette
+    Buffer& starts;       ///< scratch: a uint32 per silhouette and one more
+    Buffer& ordered;      ///< out: `Segment` each, from candidates.first on
+    Buffer& origins;      ///< out: a uint32 per silhouette, in their new order
+    Buffer& positions;    ///< out: a uint32 per candidate
+};
+/// Steps in which the ways of any number of silhouettes get to their ends.
+inline constexpr std::uint32_t most_chain_steps = 34;
+
+} // namespace lineatlas::compute

@@ -1,0 +1,101 @@
+#pragma once
+
+// What stages that move and draw triangles take.
+
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/screen_bounds.hpp"
+#include "core/surface_view.hpp"
+#include "tables.hpp"
+
+namespace lineatlas::compute {
+
+/// Where the objects of a model stand (§4.1).
+struct TransformArgs {
+    Buffer& rest;     ///< 3 floats per vertex: as the model was made
+    Buffer& objects;  ///< per vertex a uint32
+    Buffer& matrices; ///< per object three rows of 4 floats: world from object
+    std::uint32_t vertex_count;
+    Buffer& vertices; ///< out: moved
+    Buffer& drawn;    ///< out: the same, for GL
+    Buffer& rest_clusters;
+    Buffer& cluster_objects; ///< per cluster a uint32
+    std::uint32_t cluster_count;
+    Buffer& clusters; ///< out: with boxes around the moved ones
+};
+
+/// New boxes for clusters whose vertices have changed.
+struct BoundsArgs {
+    Buffer& vertices;
+    Buffer& triangles; ///< 3 uint32 each, in the order of the clusters
+    Buffer& clusters;  ///< in and out
+    std::uint32_t count;
+};
+
+/// What `temporal` is not to average: lines of objects that have moved far.
+struct ForgetArgs {
+    Buffer& segments;
+    std::uint32_t segment_count;
+    Buffer& objects; ///< as in TransformArgs
+    Buffer& jumped;  ///< per object a byte: 1 if it has
+    Buffer& ranges;  ///< in and out, of History
+};
+
+/// The triangles of a model as `depth` draws them.
+struct MeshletTables {
+    Buffer& clusters;    ///< `Cluster` each
+    Buffer& meshlets;    ///< `Meshlet` each
+    Buffer& vertex_list; ///< uint32: the lists of all meshlets
+    Buffer& corners;     ///< bytes: their triangles
+    std::uint32_t count; ///< clusters
+};
+
+/// The depth of the triangles.
+struct DepthArgs {
+    MeshletTables model;
+    Buffer& vertices; ///< as in SegmentTable
+    glm::mat4 clip_from_world;
+    glm::ivec2 whole_size;     ///< texels of the whole picture
+    glm::ivec2 origin;         ///< the first texel of `depth` in it
+    glm::ivec2 size;           ///< texels of `depth`
+    TexelRectangle covered;    ///< of these what is wanted; what lies beside may stay as it is
+    Buffer& depth;             ///< out: as in DepthBuffer
+    Buffer& tiles;             ///< out: as of `pyramid`, where something is wanted
+    Buffer& seen;              ///< out: a byte per cluster, 1 if any of it may be seen
+    Buffer* numbers = nullptr; ///< out: as of SurfaceTables; null: nobody asks
+};
+
+/// The planes of a model's triangles on the screen.
+struct PlanesArgs {
+    MeshletTables model;
+    Buffer& vertices; ///< as in SegmentTable
+    SurfaceView view;
+    float contact;  ///< what is nearer to a plane than this touches it; world units
+    Buffer* seen;   ///< of `depth`: clusters that matter; null: all
+    Buffer& planes; ///< out: 4 floats per triangle, in the order of the clusters
+};
+
+/// Tiles of the depth pyramid per axis.
+inline glm::ivec2 tiles_for(glm::ivec2 depth_size) {
+    return (depth_size + (LA_TILE - 1)) / LA_TILE;
+}
+
+struct PyramidArgs {
+    Buffer& depth;         ///< as in DepthBuffer
+    glm::ivec2 depth_size; ///< texels
+    Buffer& tiles;         ///< out: a float per tile, tiles_for(depth_size) of them, row by row
+};
+
+struct CullArgs {
+    Buffer& clusters; ///< `Cluster` each
+    std::uint32_t count;
+    glm::mat4 clip_from_world;
+    glm::ivec2 depth_size;
+    Buffer& tiles;   ///< of `pyramid`
+    Buffer& visible; ///< out: a byte per cluster, 1 if it may be seen
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,88 @@
+#pragma once
+
+// What the stages of the exact method take.
+
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "tables.hpp"
+
+namespace lineatlas::compute {
+
+/// What the exact method works on between its stages; see kernels/exact_tables.h for what each
+/// holds.
+struct ExactArgs {
+    SegmentTable table;
+    ClippedTable clipped;       ///< `offsets` is not read
+    ExactParameters parameters; ///< without `chunk` and `chunks`, which are the device's
+    Buffer& screen;             ///< 4 floats per vertex
+    Buffer& faces;              ///< `ScreenFace` per triangle
+    Buffer& planes;             ///< 4 floats per triangle
+    Buffer& occluders;          ///< a uint32 per tile
+    Buffer& ends;               ///< face_chunks uint32 per tile, and the number of entries
+    Buffer& groups;             ///< a uint32 per tile, and the number of groups
+    Buffer& entries;            ///< `Entry` each, entry_capacity of them
+    Buffer& blocks;             ///< LA_GROUP_FLOATS floats per group, group_capacity of them
+    Buffer& boxes;              ///< LA_BOX_FLOATS floats for group_capacity + LA_GROUP groups
+    Buffer& kept;               ///< 4 floats per segment
+    Buffer& span_offsets;       ///< out: a uint32 per segment, and the number of spans
+    Buffer& spans;              ///< out: 2 floats per span; none if span_capacity is too small
+};
+
+/// The visible parts of all segments, as `visible` leaves them.
+struct SpanTable {
+    Buffer& offsets;
+    Buffer& spans;
+    std::uint32_t capacity; ///< spans that there is room for
+};
+
+/// What lies beside every segment that is seen, for `visible` to look at.
+struct OutlineArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    SpanTable spans;    ///< what is seen of the segments
+    glm::vec2 viewport; ///< pixels
+    float depth;        ///< pixels that a body must be deep on the other side
+    bool parallel;      ///< a parallel view
+    glm::mat4 clip_from_world;
+    std::uint32_t lift; ///< as in ExactParameters
+    Buffer& pushed;     ///< out: `ClippedSegment`, 2 per segment, then LA_OUTLINE_WITHIN
+};
+
+/// Of what is seen of the ways beside segments, which parts are outline.
+struct OutlinePartsArgs {
+    std::uint32_t segment_count;
+    SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()
+    Buffer& offsets;          ///< out: segment_count + 1 uint32
+    Buffer& parts;            ///< out: 2 floats each; none if `part_capacity` is too small
+    std::uint32_t part_capacity;
+};
+
+/// Runs of spans, as CompactArgs of samples.
+struct SpanRunsArgs {
+    SegmentTable table;
+    ClippedTable clipped; ///< `offsets`: all 0
+    SpanTable spans;
+    glm::vec2 viewport; ///< pixels
+    float half_width;   ///< as in CompactArgs
+    bool hidden;        ///< runs of what is not visible instead
+    Buffer& runs;       ///< out: `Run` each
+    std::uint32_t run_capacity;
+    Buffer& record; ///< out: one `FrameRecord`
+};
+
+/// Intervals of spans, as IntervalsArgs of samples.
+struct SpanIntervalsArgs {
+    SegmentTable table;
+    ClippedTable clipped; ///< `offsets`: all 0
+    SpanTable spans;
+    glm::vec2 viewport; ///< pixels
+    bool hidden_too;    ///< hidden pieces too
+    Buffer& intervals;  ///< out: `Interval` each; none if there are more than it has room for
+    std::uint32_t interval_capacity;
+    Buffer& total; ///< out: one uint32, how many there are
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,121 @@
+#pragma once
+
+// What stages take that make runs and change them.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "tables.hpp"
+
+namespace lineatlas::compute {
+
+struct CompactArgs {
+    SegmentTable table;
+    SegmentAtlas atlas;
+    glm::vec2 viewport;  ///< pixels
+    float half_width;    ///< of the stroke, in pixels: decides where a join has room
+    bool hidden = false; ///< runs of hidden samples instead of visible ones
+    Buffer& runs;        ///< out: `Run` each
+    std::uint32_t run_capacity;
+    Buffer& record; ///< out: one `FrameRecord`
+};
+
+/// Gaps beside nearer lines (§4.5).
+struct HaloArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    Buffer& runs;   ///< `Run` each, of `compact`
+    Buffer& record; ///< its `FrameRecord`: points[0] runs
+    std::uint32_t run_capacity;
+    glm::vec2 viewport; ///< pixels
+    float halo;         ///< gap beside the nearer stroke, pixels
+    float half_width;   ///< of the nearer stroke, pixels
+    float tolerance;    ///< as in DepthBuffer: a line is nearer if it is so by more than that
+    Buffer& cuts;       ///< out: `RunCuts` per run
+};
+
+/// Changes to visible strokes (§4.5).
+struct FilterArgs {
+    SegmentTable table;
+    SegmentAtlas atlas;         ///< alpha: in and out; samples that become visible get 255
+    glm::vec2 viewport;         ///< pixels
+    float half_width;           ///< as in CompactArgs
+    StrokeFilter filter;        ///< what to do
+    Buffer& runs;               ///< in: `Run` each, of `compact`
+    Buffer& record;             ///< in: their `FrameRecord`
+    Buffer* cuts;               ///< in: of `halo`; null: none
+    std::uint32_t run_capacity; ///< of `runs`
+    Buffer& filtered;           ///< out: `Run` each
+    std::uint32_t filtered_capacity;
+    Buffer& filtered_record; ///< out: one `FrameRecord`
+};
+
+/// Pixels per axis of a cell of the density grid: LA_DENSITY_CELL, or so many times that that no
+/// picture has more than 1024 cells a side. So the grid of a poster takes no more than 64 MiB.
+inline int density_cell(glm::vec2 viewport) {
+    constexpr int most = 1024 * LA_DENSITY_CELL;
+    const int longer = static_cast<int>(std::max(viewport.x, viewport.y));
+    return LA_DENSITY_CELL * std::max((longer + most - 1) / most, 1);
+}
+
+/// Cells of the density grid per axis.
+inline glm::ivec2 density_cells(glm::vec2 viewport) {
+    const int cell = density_cell(viewport);
+    return (glm::ivec2{viewport} + (cell - 1)) / cell;
+}
+
+/// Line density (§4.5): how much of each line is drawn where.
+struct DensityArgs {
+    SegmentTable table;
+    SegmentAtlas atlas;
+    Buffer& runs;   ///< in and out: `Run` each; gets the bin of its line's priority
+    Buffer& record; ///< their `FrameRecord`
+    std::uint32_t run_capacity;
+    glm::vec2 viewport; ///< pixels
+    Density density;    ///< limit and priorities
+    glm::vec4 focus;    ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
+    float far_limit;    ///< factor of the limit far from the focus
+    /// Where segments come in chunks: what was drawn per cell and bin of those before,
+    /// nothing before the first (see Stages::read_density_grid()).
+    std::span<const std::uint32_t> drawn_before{};
+    Buffer& weights; ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
+};
+
+/// Parts of segments that have the background on one side. They may overlap.
+struct OutlineTable {
+    Buffer& offsets; ///< per segment and one more
+    Buffer& parts;   ///< two floats each, from and to, in the units of runs
+};
+
+/// The same of samples, by the depth buffer.
+struct OutlineSamplesArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    std::uint32_t sample_capacity; ///< as in SegmentAtlas
+    DepthBuffer depth;
+    glm::vec2 viewport; ///< pixels
+    float body;         ///< pixels that a body must be deep on the other side
+    Buffer& offsets;    ///< out: segment_count + 1 uint32
+    Buffer& parts;      ///< out: 2 floats each; none if `part_capacity` is too small
+    std::uint32_t part_capacity;
+};
+
+/// Which pen draws which run.
+struct PensArgs {
+    SegmentTable table;
+    /// Per segment of the line set a uint32: pen, and from bit 16 that of its outline.
+    Buffer& segment_pens;
+    const OutlineTable* outline; ///< null: nothing is one
+    Buffer& runs;                ///< in: `Run` each
+    Buffer& record;              ///< in: their `FrameRecord`
+    std::uint32_t run_capacity;
+    Buffer& drawn; ///< out: `Run` each
+    std::uint32_t drawn_capacity;
+    Buffer& drawn_record; ///< out: one `FrameRecord`
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,96 @@
+#pragma once
+
+// What the stages of a frame hand on to each other.
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "compute/kernels.hpp"
+#include "core/atlas_layout.hpp"
+#include "segment_table.h"
+
+namespace lineatlas::compute {
+
+/// Where silhouettes of smooth surfaces may run, as LineSet::contours has it.
+struct ContourTables {
+    Buffer* corners = nullptr; ///< `ContourCorner` each
+    Buffer* edges = nullptr;   ///< 2 uint32 each: corners
+    Buffer* faces = nullptr;   ///< 3 uint32 each: edges
+    std::uint32_t edge_count = 0;
+    std::uint32_t face_count = 0;   ///< the last candidates
+    std::uint32_t replaced = 0;     ///< candidates before them that they stand for
+    std::uint32_t vertex_count = 0; ///< of the mesh
+};
+
+/// Segments that are drawn where they are silhouettes: the last ones of a table.
+struct SilhouetteCandidates {
+    std::uint32_t first = 0; ///< in the segment table
+    std::uint32_t count = 0;
+    /// Per vertex a uint32: where its part of `ends` begins, and one more; null if there are none.
+    Buffer* end_offsets = nullptr;
+    Buffer* ends = nullptr; ///< 2 uint32 per candidate: 2 i + end, by the vertex there
+    std::optional<ContourTables> contours{};
+
+    /// Of them, how many are edges of the mesh that no contour stands for, and how many are edges.
+    std::uint32_t kept_edges() const { return edges() - (contours ? contours->replaced : 0); }
+    std::uint32_t edges() const { return count - (contours ? contours->face_count : 0); }
+};
+
+/// The constant input of the pipeline, as `LineSet` holds it.
+struct SegmentTable {
+    Buffer& vertices;  ///< 3 floats each
+    Buffer& triangles; ///< 3 uint32 each
+    Buffer& segments;  ///< `Segment` each
+    std::uint32_t triangle_count;
+    std::uint32_t segment_count;
+    SilhouetteCandidates candidates{};
+    /// Of the silhouettes of a frame's own table, as chain_write has them; null: it has them where
+    /// the line set has its candidates.
+    Buffer* origins = nullptr;
+};
+
+/// `project_clip`'s and `scan`'s results: the clipped segment table.
+struct ClippedTable {
+    Buffer& clipped; ///< `ClippedSegment` per segment, valid where its window length is not 0
+    Buffer& offsets; ///< segment_count + 1 uint32: counts l, after `scan` offsets s and the total
+    Buffer& arcs; ///< segment_count + 1 uint32: window lengths, after `scan` arc lengths; 1/256 px
+};
+
+/// The segments of a frame and the visibility of their samples.
+struct SegmentAtlas {
+    ClippedTable clipped;
+    Buffer& alpha; ///< a byte per texel, 0 hidden to 255 visible
+    AtlasLayout layout;
+    std::uint32_t capacity; ///< samples that `alpha` has room for in this layout
+
+    AtlasRows rows() const { return {layout.width, layout.pitch, capacity}; }
+};
+
+/// What a depth buffer shows, for probes that know surfaces.
+struct SurfaceTables {
+    Buffer& numbers; ///< a uint32 per texel: of a triangle in the order of its clusters, or
+                     ///< LA_NO_FACE
+    Buffer& planes;  ///< of `planes`
+    Buffer& patches; ///< a uint32 per triangle, in the same order: its smooth patch
+    bool parallel;   ///< the view
+    float bend;      ///< of SurfaceView
+};
+
+/// A depth buffer, and how much of it may stand before a line.
+struct DepthBuffer {
+    Buffer& texels;                          ///< floats in [0, 1], rows from the lower left
+    glm::ivec2 size;                         ///< that it holds: viewport times scale, or a tile's
+    float scale;                             ///< texels per pixel
+    float tolerance;                         ///< window depth that may stand before a line, times w
+    std::optional<SurfaceTables> surfaces{}; ///< then own faces are numbers in ClippedTable
+
+    /// As kernels take it.
+    SurfaceParameters surface_parameters() const {
+        if (!surfaces) return {.known = 0, .parallel = 0, .bend = 0};
+        return {.known = 1, .parallel = surfaces->parallel ? 1U : 0U, .bend = surfaces->bend};
+    }
+};
+
+} // namespace lineatlas::compute
