@@ -25,14 +25,19 @@ std::string content(const fs::path& path) {
 
 class QualityProgram : public testing::Test {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
+    static void TearDownTestSuite() { fs::remove_all(folder_); }
+    void SetUp() override { fs::create_directories(folder_ / "cache"); }
+    void TearDown() override {
+        for (const auto& entry : fs::directory_iterator{folder_}) {
+            if (entry.path() != folder_ / "cache") fs::remove_all(entry.path());
+        }
+    }
 
     nlohmann::json measure(const std::string& environment, const std::string& arguments) const {
         const fs::path json = folder_ / "figures.json";
-        const std::string command = "XDG_CACHE_HOME=" + folder_.string() + " " + environment + " " +
-                                    LINEATLAS_BENCH_QUALITY + " --json " + json.string() + " " +
-                                    arguments + " >/dev/null 2>&1";
+        const std::string command = "XDG_CACHE_HOME=" + (folder_ / "cache").string() + " " +
+                                    environment + " " + LINEATLAS_BENCH_QUALITY + " --json " +
+                                    json.string() + " " + arguments + " >/dev/null 2>&1";
         EXPECT_EQ(std::system(command.c_str()), 0) << command;
         return nlohmann::json::parse(content(json));
     }
@@ -54,7 +59,8 @@ class QualityProgram : public testing::Test {
         return folder_ / name;
     }
 
-    fs::path folder_ =
+    /// With programs and truths in `cache`, which all tests share.
+    inline static const fs::path folder_ =
         fs::path{testing::TempDir()} / ("lineatlas-quality-" + std::to_string(getpid()));
 };
 

@@ -44,6 +44,13 @@ std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
 /// is none only where it is noise (noisy_creases.hpp). 30 degrees.
 inline constexpr float least_crease_angle = 0.5235988F;
 
+/// Takes bends that lie so little below least_crease_angle that the file's coordinates cannot tell
+/// them from it (floats, or Mesh::precision where that is coarser) for a little above it. The sides
+/// of a prism with twelve corners bend by 30 degrees each: all of them are creases, not those that
+/// rounding chose.
+void settle_bends(std::vector<double>& bends, const WeldedMesh& mesh,
+                  const std::vector<MeshEdge>& edges);
+
 /// The kind of line that an edge with this bend is under `options`; nothing if it is never one.
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                  const LineOptions& options);

@@ -13,6 +13,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "compute/cpp/cpp_device.hpp"
@@ -240,6 +241,32 @@ TEST(ExtractLines, TheRimsOfACylinderAreLoops) {
         }
         EXPECT_EQ(paths.size(), 2U);
     }
+}
+
+TEST(ExtractLines, EqualBendsAtTheLimitAreAllCreases) {
+    // The sides of a prism with twelve corners bend by 30 degrees, give or take what floats, or the
+    // grid of a file, take away.
+    const Mesh prism = test::cylinder(12, true);
+    for (int turn = 0; turn < 20; ++turn) {
+        const glm::mat3 matrix{glm::rotate(glm::mat4{1}, 0.37F * static_cast<float>(turn),
+                                           glm::normalize(glm::vec3{1, 2, 3}))};
+        for (const float grid : {0.0F, 0.004F}) {
+            Mesh mesh = prism;
+            mesh.precision = grid / 2;
+            for (glm::vec3& p : mesh.positions) {
+                p = matrix * p;
+                if (grid > 0) p = grid * glm::round(p / grid);
+            }
+            EXPECT_EQ(count(extract_lines(mesh), LineKind::crease), 36U) << turn << ", " << grid;
+        }
+    }
+}
+
+TEST(ExtractLines, BendsBelowTheLimitAreNoCreases) {
+    Mesh mesh = test::cylinder(13, true); // 27.7 degrees
+    EXPECT_EQ(count(extract_lines(mesh), LineKind::crease), 26U);
+    mesh.precision = 0.002F; // 1 degree
+    EXPECT_EQ(count(extract_lines(mesh), LineKind::crease), 26U);
 }
 
 TEST(ExtractLines, ALineThatTouchesNoOtherIsLone) {
