@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -91,6 +92,9 @@ void confine() {
         allow_no_more_than(0, RLIMIT_FSIZE);
         if (offered.system_calls) restrict_system_calls();
     } catch (const std::system_error& error) {
+        if (error.code() == std::errc::not_enough_memory) {
+            if (const std::new_handler no_memory = std::get_new_handler()) no_memory();
+        }
         throw DeviceError("cannot confine the process that works on files by " +
                           std::string(error.what()));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -64,10 +65,15 @@ fs::path find_module(const ModuleFile& module) {
 const void* load_module(const ModuleFile& module, const char* symbol) {
     const fs::path path = find_module(module);
     void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    if (library == nullptr)
+    if (library == nullptr) {
+        const std::string cause = dlerror();
+        // Of a library that is there but has no room the linker says much, and not that.
+        constexpr std::size_t room_of_libraries = std::size_t{16} << 20U;
+        ::operator delete(::operator new(room_of_libraries));
         throw load_error(module, path,
-                         std::string(dlerror()) + "; is " + module.library +
+                         cause + "; is " + module.library +
                              " installed (on Debian: apt install " + module.package + ")?");
+    }
     const void* found = dlsym(library, symbol);
     if (found == nullptr)
         throw load_error(module, path, "it belongs to another version; build both anew");
