@@ -71,8 +71,8 @@ const void* load_module(const ModuleFile& module, const char* symbol) {
         constexpr std::size_t room_of_libraries = std::size_t{16} << 20U;
         ::operator delete(::operator new(room_of_libraries));
         throw load_error(module, path,
-                         cause + "; is " + module.library +
-                             " installed (on Debian: apt install " + module.package + ")?");
+                         cause + "; is " + module.library + " installed (on Debian: apt install " +
+                             module.package + ")?");
     }
     const void* found = dlsym(library, symbol);
     if (found == nullptr)
