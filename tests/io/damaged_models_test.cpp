@@ -85,11 +85,12 @@ TEST_F(DamagedModels, LimitsAreThoseOfTheOptions) {
               std::string::npos);
     // With less and less memory it is the whole model or one line, never a part: Open CASCADE goes
     // on without the faces that it had no memory for.
-    const std::size_t whole = load_mesh(pin).triangles.size();
+    const std::size_t whole = load_mesh(pin).mesh.triangles.size();
     for (const double memory : {1e-6, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3, 6e-3, 7e-3, 8e-3, 0.1}) {
         const std::string said = message(pin, {.read_memory = memory});
         if (said.empty())
-            EXPECT_EQ(load_mesh(pin, {.read_memory = memory}).triangles.size(), whole) << memory;
+            EXPECT_EQ(load_mesh(pin, {.read_memory = memory}).mesh.triangles.size(), whole)
+                << memory;
         else
             EXPECT_NE(said.find("LoadOptions::read_memory allows more"), said.npos) << said;
         EXPECT_EQ(said.empty(), memory == 0.1) << said;
