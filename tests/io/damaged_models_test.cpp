@@ -93,7 +93,7 @@ TEST_F(DamagedModels, LimitsAreThoseOfTheOptions) {
                 << memory;
         else
             EXPECT_NE(said.find("LoadOptions::read_memory allows more"), said.npos) << said;
-        EXPECT_EQ(said.empty(), memory == 0.1) << said;
+        EXPECT_TRUE(said.empty() || memory < 0.1) << said;
     }
     EXPECT_THROW(load_mesh(pin, {.read_seconds = -1}), UsageError);
     EXPECT_THROW(load_mesh(pin, {.read_memory = std::numeric_limits<double>::quiet_NaN()}),
