@@ -20,10 +20,14 @@ namespace {
 
 constexpr int most_frames = 1'000'000;
 
-std::vector<View> turntable(const ModelArgument& model, int frames, const SizeArgument& size,
-                            const UpArgument& up, Real<"fov"> fov, const std::string& projection,
-                            const std::optional<std::string>& view) {
-    if (frames < 1 || frames > most_frames)
+using FramesArgument = Argument<int, "frames", "a whole number">;
+using KeysArgument =
+    Argument<std::map<double, View>, "keys", "a dictionary with a View for each frame">;
+
+std::vector<View> turntable(const ModelArgument& model, FramesArgument frames,
+                            const SizeArgument& size, const UpArgument& up, Real<"fov"> fov,
+                            const std::string& projection, const std::optional<std::string>& view) {
+    if (*frames < 1 || *frames > most_frames)
         throw UsageError("frames must be from 1 to " + std::to_string(most_frames));
     std::vector<View> views;
     std::string note;
@@ -37,16 +41,16 @@ std::vector<View> turntable(const ModelArgument& model, int frames, const SizeAr
                         .direction = axis_of(up)};
         const View first =
             frame(swept(framing.points, axis), size, up, fov, parse_projection(projection), view);
-        for (int i = 0; i < frames; ++i)
-            views.push_back(turned(first, axis, static_cast<double>(i) / frames));
+        for (int i = 0; i < *frames; ++i)
+            views.push_back(turned(first, axis, static_cast<double>(i) / *frames));
     }
     warn_user(note);
     return views;
 }
 
-std::vector<View> camera_path(const std::map<double, View>& keys) {
+std::vector<View> camera_path(const KeysArgument& keys) {
     std::vector<CameraPath::Key> ordered;
-    for (const auto& [frame, view] : keys) ordered.push_back({frame, view});
+    for (const auto& [frame, view] : *keys) ordered.push_back({frame, view});
     const CameraPath path{std::move(ordered)};
     std::vector<View> views;
     for (int frame = path.first_frame(); frame <= path.last_frame(); ++frame)
