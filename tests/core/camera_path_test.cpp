@@ -39,7 +39,7 @@ TEST(Turned, GoesCounterClockwiseSeenFromAbove) {
 
 TEST(Swept, BoundsTheCirclesOfAllPoints) {
     const Axis axis{.point = {10, 0, 0}};
-    const std::vector<glm::vec3> points{{13, 1, 4}, {10, 6, 1}}; // 5 and 1 from the axis
+    const std::vector<glm::vec3> points{{13, 1, 4}, {10, 1, 1}, {10, 6, 1}}; // 5, 1, 1 away
     const std::vector<glm::vec3> found = swept(points, axis);
     ASSERT_FALSE(found.empty());
     float widest = 0, low = 100, high = -100;
