@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# ./run package-test [--blender]: a clean Debian 12 (debootstrap's smallest) gets the wheel and, in
+# ./run package-test [--blender]: a clean Debian 12 (mmdebstrap's smallest) gets the wheel and, in
 # another root, the packages; each is used as a new user would and taken off again, and nothing of
 # it is left. Needs root, a mirror of Debian, and what `./run package` and `./run wheel` have built.
 # Prints how long each step takes. With --blender, Blender's 300 packages are tried, too.
@@ -112,6 +112,22 @@ step "lineatlas bench" enter lineatlas bench kernels --help
 step "lineatlas view" enter lineatlas view --help
 if enter lineatlas view >"$log" 2>&1; then fail "a viewer without a display"; fi
 (($(wc -l <"$log") <= 2)) || fail "the viewer does not say in one line that there is no display"
+step "a display that nobody sees" install --no-install-recommends xvfb
+# What the display shows lies in a file: white paper with black lines once the window is there.
+# shellcheck disable=SC2016
+step "the viewer in a window" enter sh -ec 'cd /root
+mkdir screen
+Xvfb :7 -screen 0 900x600x24 -fbdir screen &
+until [ -e /tmp/.X11-unix/X7 ]; do sleep 0.1; done
+DISPLAY=:7 lineatlas view cube.obj --size 900x600 --theme light &
+viewer=$!
+pixels() { tail -c 2160000 screen/Xvfb_screen0 | od -An -v -tx4 -w4 | grep -c "$1"; }
+for try in $(seq 60); do
+    kill -0 $viewer
+    if [ "$(pixels ffffff)" -gt 200000 ] && [ "$(pixels 000000)" -gt 500 ]; then exit 0; fi
+    sleep 1
+done
+exit 1'
 for page in lineatlas lineatlas-draw lineatlas-view lineatlas-bench-frames; do
     [ -e "$root/usr/share/man/man1/$page.1.gz" ] || fail "no manual page of $page"
 done
@@ -151,8 +167,8 @@ if [ "${1:-}" = --blender ]; then
     step "apt install for Blender" install --no-install-recommends "${files[@]}"
     cp "$source"/integrations/blender/tests/package.py "$root/root"
     step "lines in Blender" enter sh -ec 'cd /root
-blender -b --factory-startup --python-exit-code 1 --python package.py'
-    is_png blender.png
+blender -b --factory-startup --python-exit-code 1 --python package.py -- /root'
+    is_png blender_0001_lines.png
 fi
 
 step "apt purge" enter sh -ec "apt-get purge -y -qq '~nlineatlas' && apt-get autoremove --purge -y -qq"

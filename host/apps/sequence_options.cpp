@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cameras/camera_path.hpp"
+#include "cameras/camera_file.hpp"
 #include "command_line/values.hpp"
 #include "lineatlas/error.hpp"
 #include "output_pattern.hpp"
@@ -70,7 +70,7 @@ std::vector<SequenceFrame> SequenceOptions::frames(const std::string& output, co
     };
     std::optional<CameraPath> path;
     if (!camera_path_.empty()) {
-        path.emplace(camera_path_, view, origin);
+        path = read_camera_path(camera_path_, view, origin);
         first = path->first_frame();
         last = path->last_frame();
         view_at = [&](int number) { return path->view(number); };

@@ -6,7 +6,7 @@
 
 #include <CLI/App.hpp>
 
-#include "cameras/turntable.hpp"
+#include "lineatlas/camera_path.hpp"
 #include "lineatlas/lines.hpp"
 #include "sequence.hpp"
 

@@ -9,9 +9,8 @@
 #include <glm/geometric.hpp>
 #include <unistd.h>
 
-#include "cameras/camera_path.hpp"
-#include "cameras/turntable.hpp"
 #include "command_line/child_process.hpp"
+#include "lineatlas/camera_path.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::viewer {
@@ -46,7 +45,9 @@ std::vector<View> turntable_views(const View& view, const Bounds& bounds, int fr
 
 std::vector<View> views_between(std::span<const View> views, int frames) {
     const int apart = std::max(frames / std::max(static_cast<int>(views.size()) - 1, 1), 1);
-    const CameraPath path{views, apart};
+    std::vector<CameraPath::Key> keys;
+    for (const View& view : views) keys.push_back({static_cast<double>(keys.size()) * apart, view});
+    const CameraPath path{std::move(keys)};
     std::vector<View> result;
     for (int i = path.first_frame(); i <= path.last_frame(); ++i) result.push_back(path.view(i));
     return result;

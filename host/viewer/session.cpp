@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "cameras/camera_path.hpp"
+#include "cameras/camera_file.hpp"
 #include "command_line/joined_models.hpp"
 #include "command_line/style_options.hpp"
 #include "io/extension.hpp"
@@ -132,14 +132,14 @@ void Session::open_scene(const std::string& name) {
 
 void Session::open_camera(const std::filesystem::path& file) {
     attempt([&] {
-        const CameraPath path{file, navigation.goal(), origin()};
+        const CameraPath path = read_camera_path(file, navigation.goal(), origin());
         navigation.glide_to(path.view(path.first_frame()));
     });
 }
 
 void Session::open_first_camera(const std::filesystem::path& file) {
     attempt([&] {
-        const CameraPath checked{file, View{.up = up.value_or(glm::vec3{0, 1, 0})}};
+        read_camera_path(file, View{.up = up.value_or(glm::vec3{0, 1, 0})});
         first_camera_ = file;
     });
 }
@@ -150,7 +150,8 @@ std::optional<View> Session::take_first_camera() {
     const std::filesystem::path file = std::exchange(first_camera_, {});
     if (file.empty()) return view;
     attempt([&] {
-        const CameraPath path{file, View{.up = up.value_or(glm::vec3{0, 1, 0})}, origin()};
+        const CameraPath path =
+            read_camera_path(file, View{.up = up.value_or(glm::vec3{0, 1, 0})}, origin());
         view = path.view(path.first_frame());
     });
     return view;

@@ -42,18 +42,21 @@ from ._lineatlas import (
     UsageError,
     View,
     __version__,
+    camera_path,
     devices,
     frame,
     load,
     save,
     scene,
     styles,
+    turntable,
 )
 
 __all__ = [
     "SCENES", "Camera", "Cancelled", "Device", "DeviceError", "Error", "FileError", "Group", "LineKind", "Mesh",
     "MismatchError", "Options", "Pick", "Renderer", "Scene", "Style", "UsageError", "View", "__version__",
-    "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_dxf", "to_json", "to_pdf", "to_svg",
+    "camera_path", "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_dxf", "to_json",
+    "to_pdf", "to_svg", "turntable",
 ]
 
 _Model = _Union[Mesh, str, "_os.PathLike[str]"]

@@ -23,12 +23,14 @@ from ._lineatlas import UsageError as UsageError
 from ._lineatlas import View as View
 from ._lineatlas import __version__ as __version__
 from ._lineatlas import _Kinds, _Model, _Progress, _Size, _Style, _Up, _View
+from ._lineatlas import camera_path as camera_path
 from ._lineatlas import devices as devices
 from ._lineatlas import frame as frame
 from ._lineatlas import load as load
 from ._lineatlas import save as save
 from ._lineatlas import scene as scene
 from ._lineatlas import styles as styles
+from ._lineatlas import turntable as turntable
 
 __all__: list[str]
 

@@ -332,6 +332,17 @@ def frame(
     projection: str = "perspective",
     view: str | None = None,
 ) -> View: ...
+def turntable(
+    model: _Model,
+    frames: int,
+    *,
+    size: _Size = (1024, 768),
+    up: _Up = "y",
+    fov: float = 40.0,
+    projection: str = "perspective",
+    view: str | None = None,
+) -> list[View]: ...
+def camera_path(keys: Union[dict[int, View], dict[float, View]]) -> list[View]: ...
 def styles() -> dict[str, str]: ...
 def devices() -> list[Device]: ...
 def save(

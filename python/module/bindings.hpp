@@ -8,6 +8,7 @@ namespace lineatlas::python {
 void bind_errors(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
 void bind_view(pybind11::module_& module);
+void bind_sequences(pybind11::module_& module);
 void bind_style(pybind11::module_& module);
 void bind_renderer(pybind11::module_& module);
 void bind_files(pybind11::module_& module);

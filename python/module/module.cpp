@@ -9,6 +9,7 @@ PYBIND11_MODULE(_lineatlas, module) {
     bind_errors(module);
     bind_mesh(module);
     bind_view(module);
+    bind_sequences(module);
     bind_style(module);
     bind_renderer(module);
     bind_files(module);

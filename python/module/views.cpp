@@ -144,13 +144,18 @@ glm::vec3 up_of(const UpAxis& up) {
     throw UsageError("up \"" + name + "\" is not x, y, z or three numbers");
 }
 
+glm::vec3 axis_of(const UpAxis& up) {
+    const glm::vec3 axis = up_of(up);
+    if (axis != glm::abs(axis) || axis.x + axis.y + axis.z != 1 || glm::dot(axis, axis) != 1)
+        throw UsageError("up must be an axis to frame a model: x, y or z; else give a view");
+    return axis;
+}
+
 View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov,
            Projection projection, const std::optional<std::string>& direction) {
     if (points.empty()) throw UsageError("there is nothing to frame: give a view");
     if (size[0] < 1 || size[1] < 1) throw UsageError("size: both sides must be at least 1");
-    const glm::vec3 axis = up_of(up);
-    if (axis != glm::abs(axis) || axis.x + axis.y + axis.z != 1 || glm::dot(axis, axis) != 1)
-        throw UsageError("up must be an axis to frame a model: x, y or z; else give a view");
+    const glm::vec3 axis = axis_of(up);
     if (!(fov > 0 && fov < 180)) throw UsageError("fov must be above 0 and below 180 degrees");
     const glm::ivec2 pixels{size[0], size[1]};
     const float fov_y = fov * radians_per_degree;

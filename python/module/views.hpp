@@ -22,6 +22,8 @@ using SizeArgument = Argument<Size, "size", "two whole numbers, width and height
 using UpArgument = Argument<UpAxis, "up", "\"x\", \"y\", \"z\" or three numbers">;
 
 glm::vec3 up_of(const UpAxis& up);
+/// Only x, y or z will do, as for what frames a model; throws UsageError for others.
+glm::vec3 axis_of(const UpAxis& up);
 
 /// The view on `points` from the front; throws UsageError if there are none. `fov` in degrees.
 View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov,

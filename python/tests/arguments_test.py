@@ -58,6 +58,9 @@ class Refused(unittest.TestCase):
                    lineatlas.View, (1, 2, 3), (0, 0, 0), fov="wide")
         self.check("projection must be a (4, 4) array of numbers, not 'none'",
                    lineatlas.Camera, np.eye(4), "none")
+        self.check("keys must be a dictionary with a View for each frame, not [0, 1]",
+                   lineatlas.camera_path, [0, 1])
+        self.check("frames must be a whole number, not 'all'", lineatlas.turntable, cube(), "all")
         self.check("color must be three numbers, not 'red'", lineatlas.Group, color="red")
         self.check("groups must be a list of Group and names of materials, not 3",
                    cube, triangle_group=[0] * 12, groups=3)

@@ -21,6 +21,12 @@ ELSEWHERE = {
     "ViewDirection.toward_eye": "frame(view)", "ViewDirection.up": "frame(up)", "view_direction()": "frame(view)",
     "make_camera()": "Renderer.draw(view)", "parse_projection()": "View(projection)", "shown_height()": "View.shown_height",
     "name_of()": "View.projection",
+    # sequences
+    "Axis": "turntable(up)", "Axis.direction": "turntable(up)", "Axis.point": "turntable(model)", "turned()": "turntable()",
+    "swept()": "turntable(size)", "CameraPath": "camera_path()", "CameraPath.Key": "camera_path(keys)",
+    "CameraPath.Key.frame": "camera_path(keys)", "CameraPath.Key.view": "camera_path(keys)",
+    "CameraPath.first_frame()": "camera_path()", "CameraPath.last_frame()": "camera_path()",
+    "CameraPath.view()": "camera_path()",
     # devices
     "DeviceOptions": "Renderer(device)", "DeviceOptions.compute": "Renderer(compute)",
     "DeviceOptions.device": "Renderer(device)", "DeviceOptions.interop": "Renderer(interop)",

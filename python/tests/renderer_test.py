@@ -237,6 +237,18 @@ class Life(unittest.TestCase):
         self.assertIn("no OpenCL device was found (on Debian", done.stdout, done.stderr)
         self.assertEqual(done.stderr, "")
 
+    def test_an_old_driver_of_opengl(self) -> None:
+        """Pictures say what is missing; intervals do without."""
+        old = {"MESA_GL_VERSION_OVERRIDE": "3.3", "MESA_GLSL_VERSION_OVERRIDE": "330"}
+        words = ("import lineatlas, support\n"
+                 "try: lineatlas.draw(support.cube(), size=(40, 30))\n"
+                 "except lineatlas.DeviceError as error: print(error)\n"
+                 "print(len(lineatlas.intervals(support.cube(), view=support.CUBE_VIEW)))")
+        done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True,
+                              cwd=pathlib.Path(__file__).parent, env=os.environ | old)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"^the driver offers no OpenGL 4.5 core context; [^\n]*\n9\n$")
+
 
 if __name__ == "__main__":
     unittest.main()

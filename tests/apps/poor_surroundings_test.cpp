@@ -102,6 +102,16 @@ TEST_F(PoorSurroundings, NoLinker) {
         devices("TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("bin"))));
 }
 
+TEST_F(PoorSurroundings, AnOldDriverOfOpenGl) {
+    const std::string old = "MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330";
+    const Result result = draw(old, "--method atlas");
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.output.find("no OpenGL 4.5 core context"), std::string::npos) << result.output;
+    EXPECT_EQ(std::ranges::count(result.output, '\n'), 1) << result.output;
+    const std::string paths = " draw --scene clevis -o " + path("x.svg");
+    EXPECT_EQ(shell("env " + old + " " LINEATLAS_TOOL + paths).exit_code, 0) << "they do without";
+}
+
 TEST_F(PoorSurroundings, LittleMemory) {
     if (reader::sanitized) GTEST_SKIP() << "sanitizers reserve terabytes";
     for (const char* limit : {"-v 100000", "-v 300000", "-v 600000", "-v 700000", "-v 800000",

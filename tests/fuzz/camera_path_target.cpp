@@ -1,13 +1,13 @@
 #include <cmath>
 
-#include "cameras/camera_path.hpp"
+#include "cameras/camera_file.hpp"
 #include "fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace lineatlas;
     const std::filesystem::path file = fuzz::put_file(".json", {data, size});
     try {
-        const CameraPath path{file, View{}};
+        const CameraPath path = read_camera_path(file, View{});
         fuzz::expect(path.first_frame() <= path.last_frame(), "a path that ends before it begins");
         for (const int frame : {path.first_frame(), path.last_frame()}) {
             const View view = path.view(frame);

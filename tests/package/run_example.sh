@@ -67,6 +67,28 @@ intervals)
     expect 1 '^edge 12-13: visible from 0[.]66[0-9]+ -1 -2 to 1 -1 -2$' without_opencl.txt
     expect 1 '^edge 8-10: hidden from -1 -1 -4 to -1 1 -4$' without_opencl.txt
     ;;
+turntable)
+    rm -f turn.*.svg
+    ./turntable 3 2>/dev/null
+    for number in 0 1 2; do
+        (($(grep -c '<path' "turn.$number.svg") > 3)) || { echo "turn.$number.svg has no paths" >&2; exit 1; }
+    done
+    if cmp --silent turn.0.svg turn.1.svg; then
+        echo "nothing turns" >&2
+        exit 1
+    fi
+    # Stopped on its way it says so, and leaves no drawing that is not whole.
+    rm turn.*.svg
+    ./turntable 100000 2>messages.txt &
+    until [ -e turn.1.svg ]; do sleep 0.05; done
+    kill -INT $!
+    if wait $!; then
+        echo "it does not say that it was stopped" >&2
+        exit 1
+    fi
+    expect 1 '^stopped; the drawings so far are whole$' messages.txt
+    for drawing in turn.*.svg; do expect 1 '^</svg>$' "$drawing"; done
+    ;;
 pkgconfig) # FOLDER COMPILER EXAMPLES
     export PKG_CONFIG_PATH=$1
     for package in lineatlas lineatlas-headless lineatlas-io; do pkg-config --exists --print-errors $package; done

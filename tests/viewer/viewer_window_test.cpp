@@ -144,6 +144,19 @@ TEST(ViewerProgram, IsSaidToBeMissingWithTheWayOut) {
     EXPECT_NE(text_of(said).find("--ui-scale"), std::string::npos) << text_of(said);
 }
 
+TEST(ViewerProgram, SaysInOneLineWhatTheMachineLacks) {
+    const TemporaryFolder folder;
+    const std::string said = (folder.path() / "said").string();
+    for (const auto& [machine, cause] :
+         {std::pair{"env -u DISPLAY -u WAYLAND_DISPLAY ", "DISPLAY"},
+          {"env MESA_GL_VERSION_OVERRIDE=3.3 ", "the viewer needs OpenGL 4.5"}}) {
+        const std::string command = machine + std::string{LINEATLAS_TOOL} + " view 2> " + said;
+        EXPECT_NE(std::system(command.c_str()), 0) << machine;
+        EXPECT_NE(text_of(said).find(cause), std::string::npos) << text_of(said);
+        EXPECT_EQ(std::ranges::count(text_of(said), '\n'), 1) << text_of(said);
+    }
+}
+
 TEST_F(Viewer, ShowsTimingsPerStage) {
     hand_.key(GLFW_KEY_T);
     for (int i = 0; i < 40; ++i) {

@@ -82,6 +82,14 @@ class Refusals(SceneTest):
         self.scene.lineatlas.style_file = str(self.folder / "none.toml")
         self.refused("none.toml")
 
+    def test_no_opengl(self):
+        self.wedge()
+        self.camera((4, -5, 3))
+        lineatlas = library.load()
+        missing = lineatlas.DeviceError("there is no libEGL.so.1")
+        with unittest.mock.patch.object(lineatlas.Renderer, "draw", side_effect=missing):
+            self.refused("a picture of the lines needs OpenGL .there is no libEGL.so.1.; SVG and Grease Pencil do not")
+
     def test_no_package(self):
         self.wedge()
         self.camera((4, -5, 3))

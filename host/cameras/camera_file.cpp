@@ -1,9 +1,11 @@
-#include "camera_path.hpp"
+#include "camera_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -143,43 +145,10 @@ View key_view(const Reader& reader, const Json& key, const std::string& where, g
     return view;
 }
 
-/// A cubic from a to b over `length`, with the slopes at both.
-template <class T>
-T cubic(T a, T b, T slope_a, T slope_b, double length, double s) {
-    const double rest = 1 - s;
-    return a * (rest * rest * (1 + 2 * s)) + b * (s * s * (3 - 2 * s)) +
-           slope_a * (length * s * rest * rest) - slope_b * (length * s * s * rest);
-}
-
-/// The slope at a key between the slopes to the one before and the one after: that of the parabola
-/// through all three. A camera that rests on one side comes to rest at the key.
-glm::dvec3 slope_at(glm::dvec3 before, glm::dvec3 after, double from, double to) {
-    if (before == glm::dvec3{0} || after == glm::dvec3{0}) return glm::dvec3{0};
-    return (before * to + after * from) / (from + to);
-}
-
-/// The same for a single number, which never leaves the range of its keys (Fritsch and Butland).
-double slope_at(double before, double after, double from, double to) {
-    if (before * after <= 0) return 0;
-    return 3 * (from + to) / ((2 * to + from) / before + (to + 2 * from) / after);
-}
-
-/// `value(i)`: of key i; `time(i)`: its frame. Between keys i and i + 1.
-template <class Value, class Time>
-auto interpolate(const Value& value, const Time& time, std::size_t count, std::size_t i, double s) {
-    const auto length = [&](std::size_t k) { return time(k + 1) - time(k); };
-    const auto secant = [&](std::size_t k) { return (value(k + 1) - value(k)) / length(k); };
-    const auto slope = [&](std::size_t k) {
-        if (k == 0) return secant(0);
-        if (k + 1 == count) return secant(count - 2);
-        return slope_at(secant(k - 1), secant(k), length(k - 1), length(k));
-    };
-    return cubic(value(i), value(i + 1), slope(i), slope(i + 1), length(i), s);
-}
-
 } // namespace
 
-CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults, glm::dvec3 origin) {
+CameraPath read_camera_path(const std::filesystem::path& file, const View& defaults,
+                            glm::dvec3 origin) {
     const Reader reader{file};
     const Json root = reader.parse();
     reader.check_members(root, "the file", {"keys", "fps"});
@@ -188,54 +157,24 @@ CameraPath::CameraPath(const std::filesystem::path& file, const View& defaults, 
     }
     const double fps =
         root.contains("fps") ? reader.number(root["fps"], "fps", 0.001, 1000) : usual_fps;
+    std::vector<CameraPath::Key> keys;
     View view = defaults;
     for (const Json& key : root["keys"]) {
-        const std::string where = fmt::format("keys[{}]", keys_.size());
+        const std::string where = fmt::format("keys[{}]", keys.size());
         reader.check_members(key, where,
                              {"frame", "time", "eye", "target", "up", "fov", "projection"});
         const double frame = key_frame(reader, key, where, fps);
-        if (!keys_.empty() && frame <= keys_.back().frame) {
+        if (!keys.empty() && frame <= keys.back().frame) {
             throw reader.error(where + " must come later than the key before it");
         }
         view = key_view(reader, key, where, origin, view);
-        keys_.push_back({frame, view});
+        keys.push_back({frame, view});
     }
-    if (first_frame() > last_frame()) {
+    CameraPath path{std::move(keys)};
+    if (path.first_frame() > path.last_frame()) {
         throw reader.error("no whole frame lies between its first and last key");
     }
-}
-
-CameraPath::CameraPath(std::span<const View> views, int frames_apart) {
-    for (const View& view : views)
-        keys_.push_back({static_cast<double>(keys_.size()) * frames_apart, view});
-}
-
-int CameraPath::first_frame() const {
-    return static_cast<int>(std::ceil(keys_.front().frame));
-}
-
-int CameraPath::last_frame() const {
-    return static_cast<int>(std::floor(keys_.back().frame));
-}
-
-View CameraPath::view(double frame) const {
-    if (frame <= keys_.front().frame) return keys_.front().view;
-    if (frame >= keys_.back().frame) return keys_.back().view;
-    const auto after = std::ranges::upper_bound(keys_, frame, {}, &Key::frame);
-    const auto i = static_cast<std::size_t>(after - keys_.begin()) - 1;
-    const double s = (frame - keys_[i].frame) / (keys_[i + 1].frame - keys_[i].frame);
-    const auto time = [&](std::size_t k) { return keys_[k].frame; };
-    const auto vector = [&](glm::vec3 View::*member) {
-        const auto value = [&](std::size_t k) { return glm::dvec3{keys_[k].view.*member}; };
-        return glm::vec3{interpolate(value, time, keys_.size(), i, s)};
-    };
-    const auto fov = [&](std::size_t k) { return static_cast<double>(keys_[k].view.fov_y); };
-    View result = keys_[i].view;
-    result.eye = vector(&View::eye);
-    result.target = vector(&View::target);
-    result.up = vector(&View::up);
-    result.fov_y = static_cast<float>(interpolate(fov, time, keys_.size(), i, s));
-    return result;
+    return path;
 }
 
 std::string camera_file(const View& view, glm::dvec3 origin) {

@@ -1,4 +1,4 @@
-#include "turntable.hpp"
+#include "lineatlas/camera_path.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,14 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "lineatlas/error.hpp"
+
 namespace lineatlas {
 namespace {
 
 glm::dmat3 rotation(const Axis& axis, double turn) {
+    if (!(std::abs(glm::length(axis.direction) - 1) < 1e-3F))
+        throw UsageError("the direction of an axis must be a unit vector");
     const double angle = 2 * std::numbers::pi * turn;
     return glm::dmat3{glm::rotate(glm::dmat4{1}, angle, glm::dvec3{axis.direction})};
 }
@@ -43,6 +47,7 @@ std::vector<glm::vec3> swept(std::span<const glm::vec3> points, const Axis& axis
     std::array<Slice, slices> all{};
     for (const glm::vec3& point : points) {
         const float h = height(point);
+        if (!std::isfinite(h)) throw UsageError("points that are swept must be finite");
         const float place = range > 0 ? (h - low) / range * (slices - 1) : 0;
         Slice& slice = all[static_cast<std::size_t>(place)];
         const float radius = glm::distance(point, axis.point + h * axis.direction);

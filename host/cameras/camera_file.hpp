@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lineatlas/camera_path.hpp"
+
+namespace lineatlas {
+
+/// The keyframes of a JSON file (docs/output.md). What the first key leaves out is taken from
+/// `defaults`, what others leave out from the key before. `origin` is taken off all points. Throws
+/// FileError that names the file, the key and the way out.
+CameraPath read_camera_path(const std::filesystem::path& file, const View& defaults,
+                            glm::dvec3 origin = glm::dvec3{0});
+
+/// The file of a path of one key, at `view`, whose points are `origin` nearer to zero.
+std::string camera_file(const View& view, glm::dvec3 origin);
+
+} // namespace lineatlas
