@@ -75,6 +75,8 @@ class Session {
     const Bounds& whole_bounds() const { return whole_bounds_; } ///< of the model, uncut
     /// From which angle on edges are creases, degrees; nothing: as the model looks.
     void set_crease(std::optional<float> degrees);
+    /// Where silhouettes run.
+    void set_silhouettes(Silhouettes silhouettes);
     /// Forgets what is being read or found: all stays as it was.
     void cancel_loading();
     /// The part that is seen at a point of the canvas.
