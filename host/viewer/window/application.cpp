@@ -227,12 +227,15 @@ void Application::blit_pictures() const {
         split
             ? static_cast<int>(std::lround(session_.settings.split_at * static_cast<float>(size.x)))
             : size.x;
+    const glm::ivec2 drawn = session_.size_of_pictures();
     const auto blit = [&](std::size_t side, int from, int to) {
         const gl::Canvas* picture = session_.picture(side);
-        if (picture == nullptr || from >= to || picture->size() != size) return;
+        if (picture == nullptr || from >= to || picture->size() != drawn) return;
         const int low = window.y - size.y;
-        glBlitNamedFramebuffer(picture->framebuffer(), 0, from, 0, to, size.y, from, low, to,
-                               window.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        const auto column = [&](int x) { return x * drawn.x / size.x; };
+        glBlitNamedFramebuffer(picture->framebuffer(), 0, column(from), 0, column(to), drawn.y,
+                               from, low, to, window.y, GL_COLOR_BUFFER_BIT,
+                               drawn == size ? GL_NEAREST : GL_LINEAR);
     };
     blit(0, 0, border);
     blit(1, border, size.x);
