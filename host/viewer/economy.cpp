@@ -21,8 +21,10 @@ bool is_for_outlines(const PenRule& rule) {
     return std::ranges::find(kinds, outline_name) != kinds.end();
 }
 
-bool has_mark(const PenRule& rule) {
-    return rule.mark.has_value();
+/// Whether a rule tells kinds of lines apart, but not by what one looks for: colours, and lines of
+/// objects.
+bool is_fine(const PenRule& rule) {
+    return !rule.color && rule.match.object.empty() && rule.match.material.empty();
 }
 
 /// Whether options have what gives way here.
@@ -37,8 +39,7 @@ bool has(const FrameOptions& options, Economy economy) {
         return style.fill.mode != FillMode::none || style.filter.halo > 0 ||
                style.density.limit > 0 || std::ranges::any_of(style.pens, is_for_outlines);
     case Economy::marks:
-        return style.pen.mark != Pen{}.mark || style.hidden ||
-               std::ranges::any_of(style.pens, has_mark);
+        return style.pen.mark != Pen{}.mark || style.hidden || !style.pens.empty();
     case Economy::pixels:
     case Economy::details:
         return true;
@@ -62,6 +63,7 @@ void save_time(FrameOptions& options, Economy economy, glm::ivec2 size) {
     if (economy >= Economy::marks) {
         options.style.pen.mark = Pen{}.mark;
         options.style.hidden = false;
+        std::erase_if(options.style.pens, is_fine);
         for (PenRule& rule : options.style.pens) rule.mark.reset();
     }
     if (economy >= Economy::pixels) {

@@ -15,7 +15,7 @@ enum class Economy {
     none,
     samples, ///< one probe, and depth as fine as the picture
     effects, ///< no fill, no halos, no limit of density, no heavier outline
-    marks,   ///< plain pens, no hidden lines
+    marks,   ///< plain pens, of kinds of lines the same one; no hidden lines
     pixels,  ///< half as many a side, drawn twice as large
     details  ///< no short lines (long_lines.hpp); of large models, once that is prepared
 };

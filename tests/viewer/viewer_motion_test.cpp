@@ -71,6 +71,7 @@ TEST(ViewerMotion, IsDrawnAndEndsAtRest) {
                 scene.c_str(), frames, session.size().x, session.size().y, share_of(wall, 0.5),
                 share_of(wall, 0.95), share_of(processor, 0.5), share_of(processor, 0.95),
                 static_cast<int>(session.economy()));
+    hand.screenshot("moving");
     if (app.ui().timings) print_stages(session.timings);
     const double moved = wall_time();
     hand.rest();

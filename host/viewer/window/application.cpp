@@ -214,7 +214,7 @@ void Application::paint() const {
 
 /// The pictures, whole or either side of the slider, in the window's upper left corner.
 void Application::blit_pictures() const {
-    const glm::ivec2 window = window_.pixels();
+    const glm::ivec2 window = window_.pixels(), drawn = session_.size_of_pictures();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window.x, window.y);
     glDisable(GL_SCISSOR_TEST);
@@ -227,7 +227,6 @@ void Application::blit_pictures() const {
         split
             ? static_cast<int>(std::lround(session_.settings.split_at * static_cast<float>(size.x)))
             : size.x;
-    const glm::ivec2 drawn = session_.size_of_pictures();
     const auto blit = [&](std::size_t side, int from, int to) {
         const gl::Canvas* picture = session_.picture(side);
         if (picture == nullptr || from >= to || picture->size() != drawn) return;
