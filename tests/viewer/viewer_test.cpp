@@ -179,27 +179,56 @@ TEST_F(Viewer, SplitsTheScreenAtASlider) {
     for (int x = 510; x < 960; x += 7) EXPECT_TRUE(same(x, right)) << x;
 }
 
-TEST_F(Viewer, SlowMovementsLeaveOutMoreAndMoreUntilTheCameraRests) {
+TEST_F(Viewer, SlowMovementsLeaveOutMoreUntilTheCameraRests) {
     hand_.choose("style", "charcoal");
+    const auto slow = [&] { // three pictures: one alone might be chance
+        for (int i = 0; i < 3; ++i) session().note_duration(1);
+    };
     const auto turn = [&] {
         session().navigation.orbit({0, 0, 0}, {0.02, 0});
         hand_.panel_frames(1);
-        session().note_duration(1);
+        slow();
     };
     turn();
-    EXPECT_NE(session().economy(), viewer::Economy::none);
-    for (int i = 0; i < 4; ++i) turn();
-    EXPECT_EQ(session().economy(), viewer::Economy::marks);
+    turn();
+    EXPECT_EQ(session().economy(), viewer::Economy::pixels);
+    EXPECT_EQ(session().picture(0)->size(), (session().size() + 1) / 2);
+    hand_.screenshot("half_as_many_pixels");
     hand_.rest();
     EXPECT_EQ(session().economy(), viewer::Economy::none);
+    EXPECT_EQ(session().picture(0)->size(), session().size());
     const auto whole = picture();
     hand_.frames(1);
     EXPECT_EQ(picture(), whole);
+    slow();
     turn();
-    EXPECT_NE(session().economy(), viewer::Economy::none);
+    EXPECT_EQ(session().economy(), viewer::Economy::pixels) << "from the first picture on";
     session().navigation.orbit({0, 0, 0}, {-0.02, 0});
     hand_.rest();
     EXPECT_EQ(picture(), whole) << "back where it was";
+}
+
+TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
+    hand_.click("split");
+    hand_.choose("second", "Exact");
+    const Image whole = hand_.screenshot("split_whole");
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    session().navigation.orbit({0, 0, 0}, {1e-4, 0});
+    hand_.panel_frames(1);
+    ASSERT_EQ(session().economy(), viewer::Economy::pixels);
+    const Image half = hand_.screenshot("split_half");
+    // Ink in each quarter of the picture, below the names of the sides.
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const auto ink = [&](const Image& image) {
+            std::uint64_t sum = 0;
+            for (int y = quarter / 2 * 350 + 100; y < quarter / 2 * 350 + 450; ++y) {
+                for (int x = quarter % 2 * 484; x < quarter % 2 * 484 + 484; ++x)
+                    sum += 255U - image.pixels[static_cast<std::size_t>((y * 1280 + x) * 3)];
+            }
+            return static_cast<double>(sum);
+        };
+        EXPECT_NEAR(ink(half), ink(whole), 0.15 * ink(whole)) << quarter;
+    }
 }
 
 TEST_F(Viewer, PanelsAreLightOrDarkAndFold) {
