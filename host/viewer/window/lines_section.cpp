@@ -56,12 +56,10 @@ void silhouettes_row(Ui& ui) {
          {Silhouettes::smooth, "Smooth", "Where the surface itself turns away"}}};
     const Silhouettes now = silhouettes_of(*model, ui.session.settings.shown);
     label(ui, "They follow");
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     for (const Choice& choice : choices) {
-        if (choice.silhouettes != Silhouettes::mesh) ImGui::SameLine(0, gap);
+        if (choice.silhouettes != Silhouettes::mesh) ImGui::SameLine(0, ui.points(4));
         const std::string id = "silhouettes." + word_of(choice.silhouettes);
-        if (toggle(ui, id.c_str(), choice.label, now == choice.silhouettes, third))
+        if (toggle(ui, id.c_str(), choice.label, now == choice.silhouettes))
             ui.session.set_silhouettes(choice.silhouettes);
         tip(choice.what);
     }
