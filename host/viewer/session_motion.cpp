@@ -31,6 +31,13 @@ void Session::renew_sketch() {
     const LineSet lines = long_lines(model_->lines, camera(), shortest);
     if (sketch_ == nullptr) sketch_ = std::make_unique<Renderer>(device_);
     sketch_->set_lines(lines);
+    // The first picture makes kernels, shaders and tables, for which no movement should wait.
+    FrameOptions options = frame_options(settings, 0);
+    save_time(options, Economy::details, size_);
+    const int pixel = pixel_size(Economy::details);
+    gl::Canvas unseen{(size_ + pixel - 1) / pixel};
+    sketch_->draw(make_camera(navigation.view(), unseen.size(), lines.bounds), options,
+                  unseen.framebuffer());
 }
 
 void Session::note_duration(double seconds) {

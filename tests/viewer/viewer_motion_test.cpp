@@ -78,6 +78,8 @@ TEST(ViewerMotion, IsDrawnAndEndsAtRest) {
     std::printf("at rest after %.0f ms, %s\n", wall_time() - moved,
                 session.refined() ? "exact" : "as it moves");
     EXPECT_TRUE(session.refined());
+    while (session.messages.passing()) app.step(0.1); // what a file is told about goes by itself
+    hand.rest();
     const std::uint64_t shown = app.frames_shown(), drawn = session.frames_drawn();
     const double start = processor_time(), wall_start = wall_time();
     while (wall_time() - wall_start < 1000) app.step(1);
