@@ -231,6 +231,47 @@ TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
     }
 }
 
+TEST_F(Viewer, LargeModelsMoveByTheirLongLines) {
+    std::ostringstream text;
+    for (int i = 0; i < 9000; ++i) // of 12 edges each, 6 pixels long where all are seen
+        text << box("Box", {3.0F * static_cast<float>(i % 95), 3.0F * static_cast<float>(i / 95), 0},
+                    8 * i + 1);
+    std::ofstream{path("boxes.obj")} << text.str();
+    hand_.drop(path("boxes.obj"));
+    hand_.key(GLFW_KEY_1);
+    ASSERT_GT(session().model()->lines.segments.size(), 100'000U);
+    const auto whole = picture();
+    const auto turn = [&](double way) {
+        session().navigation.orbit({0, 0, 0}, {way, 0});
+        hand_.panel_frames(1);
+    };
+    const auto has_ink = [&] {
+        const auto pixels = picture();
+        return std::ranges::any_of(pixels, [](std::uint8_t value) { return value < 128; });
+    };
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    const std::uint64_t drawn = session().frames_drawn();
+    hand_.rest();
+    EXPECT_LE(session().frames_drawn(), drawn + 1);
+    EXPECT_EQ(picture(), whole) << "what is prepared for movements shows nothing";
+    turn(0.02);
+    ASSERT_EQ(session().economy(), viewer::Economy::details);
+    EXPECT_FALSE(has_ink()) << "all lines are short";
+    session().navigation.orbit({0, 0, 0}, {-0.02, 0});
+    hand_.rest();
+    EXPECT_EQ(picture(), whole);
+    // From so near that they are long.
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    session().navigation.dolly({142, 142, 0}, 0.1);
+    hand_.rest();
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    hand_.rest();
+    turn(0.02);
+    ASSERT_EQ(session().economy(), viewer::Economy::details);
+    EXPECT_TRUE(has_ink());
+    EXPECT_EQ(error(), "");
+}
+
 TEST_F(Viewer, PanelsAreLightOrDarkAndFold) {
     const auto sample = [&](const char* name) {
         const Image image = hand_.screenshot(name);
