@@ -1,6 +1,8 @@
 // What is switched and saved in the viewer, under a hand that is none (ViewerDriver). Needs a
 // display: xvfb-run gives one.
 
+#include <algorithm>
+
 #include "lineatlas/style_files.hpp"
 #include "viewer_support.hpp"
 
@@ -234,7 +236,8 @@ TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
 TEST_F(Viewer, LargeModelsMoveByTheirLongLines) {
     std::ostringstream text;
     for (int i = 0; i < 9000; ++i) // of 12 edges each, 6 pixels long where all are seen
-        text << box("Box", {3.0F * static_cast<float>(i % 95), 3.0F * static_cast<float>(i / 95), 0},
+        text << box("Box",
+                    {3.0F * static_cast<float>(i % 95), 3.0F * static_cast<float>(i / 95), 0},
                     8 * i + 1);
     std::ofstream{path("boxes.obj")} << text.str();
     hand_.drop(path("boxes.obj"));
