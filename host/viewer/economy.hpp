@@ -39,7 +39,7 @@ class Pace {
     void note(Economy economy, double seconds);
     /// How to draw the next one of a movement of these options.
     Economy choose(const FrameOptions& options, bool details_may_go);
-    /// Whether pictures are too slow while they have all lines.
+    /// Whether pictures of the options that were looked at last are too slow with all lines.
     bool falls_short() const { return expected(Economy::pixels) > longest; }
 
   private:

@@ -426,7 +426,8 @@ void Session::draw() {
     stale_ = false;
     drawn_view_ = navigation.view();
     const bool has_sketch = sketch_ != nullptr && sketched_;
-    economy_ = moving_ ? pace_.choose(frame_options(settings, 0), has_sketch) : Economy::none;
+    const Economy suits = pace_.choose(frame_options(settings, 0), has_sketch);
+    economy_ = moving_ ? suits : Economy::none;
     if (rests && sketch_due() && !attempt([&] { renew_sketch(); })) sketch_.reset();
     attempt([&] {
         if (rests && !refined_) return; // the picture stays

@@ -83,6 +83,11 @@ TEST(ViewerEconomy, WhatIsNotThereCannotGiveWay) {
     const Machine machine{0.05, 0.05, 0.05, 0.05, 0.03};
     for (const Economy economy : move(pace, machine, 10, plain))
         EXPECT_EQ(economy, Economy::pixels) << "nothing else would save any time";
+    pace.note(Economy::none, 0.08);
+    pace.note(Economy::none, 0.08);
+    EXPECT_TRUE(pace.falls_short()) << "half of the pixels may save 0.4 of it, other steps nothing";
+    pace.choose(rich(), false);
+    EXPECT_FALSE(pace.falls_short()) << "they may here";
 }
 
 TEST(ViewerEconomy, OneSlowPictureIsNoReason) {
