@@ -9,6 +9,7 @@
 #include "flags.h"
 #include "lineatlas/error.hpp"
 #include "name_pattern.hpp"
+#include "style_lengths.hpp"
 
 namespace lineatlas {
 namespace {
@@ -215,18 +216,9 @@ std::vector<std::string> idle_rules(const LineClasses& classes, const Style& sty
     return lines;
 }
 
-void scale_lengths(Style& scaled, glm::ivec2 size) {
-    const float scale = length_scale(scaled, size);
-    const auto grow = [&](auto&... lengths) { ((lengths *= scale), ...); };
-    grow(scaled.pen.width, scaled.pen.cap_length, scaled.hidden_pen.width,
-         scaled.hidden_pen.cap_length, scaled.filter.fill, scaled.filter.drop,
-         scaled.filter.overshoot, scaled.filter.undershoot, scaled.filter.halo);
-    scaled.density.limit /= scale; // as many lines in fewer pixels
-    for (PenRule& rule : scaled.pens) {
-        if (rule.width) *rule.width *= scale;
-        if (rule.cap_length) *rule.cap_length *= scale;
-    }
-    scaled.made_for = 0;
+void scale_lengths(Style& style, glm::ivec2 size) {
+    multiply_lengths(style, length_scale(style, size));
+    style.made_for = 0;
 }
 
 } // namespace lineatlas

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -182,6 +183,8 @@ void Session::use_device(const DeviceOptions& device) {
     attempt([&] {
         renderer_->set_device(device);
         device_ = device;
+        sketch_.reset();
+        sketched_.reset();
         timings.clear();
         timings_due_ = 0;
         changed();
@@ -198,6 +201,7 @@ void Session::show(std::shared_ptr<Model> model) {
     const bool done = attempt([&] {
         renderer_->set_lines(model->lines);
         model_ = model;
+        sketched_.reset();
     });
     if (!done) return;
     const bool new_parts = before == nullptr || before->whole != model_->whole;
@@ -206,6 +210,7 @@ void Session::show(std::shared_ptr<Model> model) {
         read_times_ = write_times_of(model_->source.files);
         selected.reset();
         refine_seconds_ = unknown_seconds;
+        pace_ = {};
         settings.shown = model_->shown;
         whole_bounds_ = bounds_of(*model_->whole);
         steps_.clear();
@@ -376,20 +381,17 @@ bool Session::stale() const {
            !same(*drawn_view_, navigation.view());
 }
 
-bool Session::can_refine() const {
-    return model_ != nullptr && is_refined(settings) && !refined_ && !stale() &&
-           !navigation.gliding() && drawn_view_;
-}
-
 void Session::draw_side(std::size_t side, const Camera& camera) {
     std::unique_ptr<gl::Canvas>& canvas = canvases_.at(side);
-    if (canvas == nullptr || canvas->size() != size_) canvas = std::make_unique<gl::Canvas>(size_);
+    if (canvas == nullptr || canvas->size() != camera.size)
+        canvas = std::make_unique<gl::Canvas>(camera.size);
     canvas->clear({settings.style.paper.color, 1});
     FrameOptions options = frame_options(settings, side);
-    save_time(options, economy());
+    save_time(options, economy_, size_);
     options.steady = options.steady && moving_; // at rest nothing of the frames before is left
     options.profile = profile && side == 0;
-    const FrameStats stats = renderer_->draw(camera, options, canvas->framebuffer());
+    Renderer& renderer = economy_ == Economy::details ? *sketch_ : *renderer_;
+    const FrameStats stats = renderer.draw(camera, options, canvas->framebuffer());
     if (side == 0) stats_ = stats;
     if (options.profile) ++timings_due_;
 }
@@ -419,11 +421,19 @@ void Session::draw_refined(const Camera& camera) {
 
 void Session::draw() {
     moving_ = drawn_view_ && !same(*drawn_view_, navigation.view());
-    refined_ = std::exchange(refine_due_, false) && !moving_ && !stale_;
+    const bool rests = std::exchange(refine_due_, false) && !moving_ && !stale_;
+    refined_ = rests && is_refined(settings);
+    tells_pace_ = !rests;
     stale_ = false;
     drawn_view_ = navigation.view();
+    const bool has_sketch = sketch_ != nullptr && sketched_;
+    const Economy suits = pace_.choose(frame_options(settings, 0), has_sketch);
+    economy_ = moving_ ? suits : Economy::none;
+    if (rests && sketch_due() && !attempt([&] { renew_sketch(); })) sketch_.reset();
     attempt([&] {
-        const Camera seen = camera();
+        if (rests && !refined_) return; // the picture stays
+        const Camera seen =
+            make_camera(navigation.view(), size_of_pictures(), model_->lines.bounds);
         if (refined_) return draw_refined(seen);
         if (settings.split) draw_side(1, seen);
         draw_side(0, seen);
@@ -432,16 +442,11 @@ void Session::draw() {
     ++frames_drawn_;
 }
 
-void Session::note_duration(double seconds) {
-    constexpr double longest = 1.0 / 30;
-    if (!moving_ && seconds < longest) economy_ = Economy::none;
-    if (moving_ && seconds > longest && economy_ != Economy::marks)
-        economy_ = static_cast<Economy>(static_cast<int>(economy_) + 1);
-}
-
 bool Session::take_timings() {
     if (timings_due_ == 0) return false;
-    const std::vector<FrameProfile> frames = renderer_->take_profiles(false);
+    std::vector<FrameProfile> frames = renderer_->take_profiles(false);
+    if (sketch_ != nullptr)
+        std::ranges::move(sketch_->take_profiles(false), std::back_inserter(frames));
     for (const FrameProfile& frame : frames) timings_due_ -= 1 + static_cast<int>(frame.dropped);
     timings_due_ = std::max(timings_due_, 0);
     timings.add(frames);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "economy.hpp"
 #include "files.hpp"
 #include "glpasses/canvas.hpp"
 #include "history.hpp"
@@ -75,6 +76,8 @@ class Session {
     const Bounds& whole_bounds() const { return whole_bounds_; } ///< of the model, uncut
     /// From which angle on edges are creases, degrees; nothing: as the model looks.
     void set_crease(std::optional<float> degrees);
+    /// Where silhouettes run.
+    void set_silhouettes(Silhouettes silhouettes);
     /// Forgets what is being read or found: all stays as it was.
     void cancel_loading();
     /// The part that is seen at a point of the canvas.
@@ -164,7 +167,10 @@ class Session {
     /// How long the last picture took until it was shown: what the next ones of a movement leave
     /// out.
     void note_duration(double seconds);
-    Economy economy() const { return moving_ ? economy_ : Economy::none; }
+    /// What gave way in the picture that is shown.
+    Economy economy() const { return economy_; }
+    /// Of the pictures that are shown: smaller than the window's part where pixels give way.
+    glm::ivec2 size_of_pictures() const;
     /// Adds the timings that have arrived to `timings`. Returns whether there were any.
     bool take_timings();
     /// Whether timings of frames that were drawn have not arrived yet.
@@ -193,11 +199,16 @@ class Session {
     void load_pens(const Style& style);
     void draw_side(std::size_t side, const Camera& camera);
     void draw_refined(const Camera& camera);
+    bool sketch_due() const;
+    void renew_sketch();
     bool attempt(const std::function<void()>& action);
 
     ImageWriter& writer_;
     DeviceOptions device_;
     std::unique_ptr<Renderer> renderer_;
+    /// Of long lines alone, for movements: made when a large model needs it.
+    std::unique_ptr<Renderer> sketch_;
+    std::optional<View> sketched_; ///< where lines were long; nothing: not those of this model
     std::shared_ptr<Model> model_;
     Bounds whole_bounds_;
     std::optional<ShownInWords> awaited_; ///< of the model that is being read
@@ -219,11 +230,13 @@ class Session {
     History<Settings, same> steps_;
     History<View, same> views_;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
-    Economy economy_ = Economy::none; ///< of movements
+    Economy economy_ = Economy::none; ///< of the last picture
+    Pace pace_;                       ///< of this model
     std::optional<Recording> recording_;
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false, refined_ = false;
+    bool tells_pace_ = true; ///< the last picture was drawn as those of a movement are
     static constexpr double unknown_seconds = 1;
     double refine_seconds_ = unknown_seconds; ///< what it took last, of this model
     double wanted_rest_ = 0;                  ///< seconds since what is to be shown was changed

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "command_line/values.hpp"
 #include "saving.hpp"
 #include "session.hpp"
 
@@ -39,6 +40,8 @@ void Session::open_session(const std::filesystem::path& file) {
                 for (const std::string& text : option.values) words.cuts.push_back({text, true});
             if (option.key == "crease" && option.values.front() != "auto")
                 words.crease = std::stof(option.values.front());
+            if (option.key == "silhouettes")
+                words.silhouettes = parse_silhouettes(option.key, option.values.front());
         }
         for (const std::string& text : session.sections_off) words.cuts.push_back({text, false});
         ModelSource source{.files = session.models,
@@ -64,7 +67,7 @@ void Session::take_session(const SessionFile& session) {
         if (known != frame_settings().end())
             known->set(frame, value_from_text(option.values.front()));
         else if (option.key != "size" && option.key != "hide" && option.key != "section" &&
-                 option.key != "crease")
+                 option.key != "crease" && option.key != "silhouettes")
             unknown.push_back(option.key);
     }
     const FrameOptions options = frame.for_sequence();
@@ -99,6 +102,8 @@ SessionFile Session::session_file() const {
     if (!words.hidden.empty()) session.options.push_back({"hide", words.hidden});
     if (!cuts.empty()) session.options.push_back({"section", std::move(cuts)});
     if (words.crease) session.options.push_back({"crease", {fmt::format("{}", *words.crease)}});
+    if (words.silhouettes)
+        session.options.push_back({"silhouettes", {word_of(*words.silhouettes)}});
     session.views.push_back(named_view(navigation.goal(), origin()));
     session.views.insert(session.views.end(), settings.bookmarks.begin(), settings.bookmarks.end());
     return session;

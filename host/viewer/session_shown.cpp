@@ -80,8 +80,16 @@ void Session::set_crease(std::optional<float> degrees) {
     changed();
 }
 
+void Session::set_silhouettes(Silhouettes silhouettes) {
+    if (model_ == nullptr) return;
+    if (silhouettes == silhouettes_of(*model_, settings.shown)) return;
+    const bool usual = silhouettes == silhouettes_of(*model_, {});
+    settings.shown.silhouettes = usual ? std::nullopt : std::optional{silhouettes};
+    changed();
+}
+
 ShownInWords Session::in_words() const {
-    ShownInWords words{.crease = settings.shown.crease};
+    ShownInWords words{.crease = settings.shown.crease, .silhouettes = settings.shown.silhouettes};
     for (const std::uint32_t part : settings.shown.hidden)
         words.hidden.push_back(model_->parts.pattern_of(part));
     for (const Cut& cut : settings.shown.cuts) words.cuts.push_back({text_of(cut), cut.on});
@@ -92,6 +100,7 @@ ShownInWords Session::in_words() const {
 void Session::take_words(const ShownInWords& words) {
     Shown& shown = settings.shown;
     shown.crease = words.crease;
+    shown.silhouettes = words.silhouettes;
     std::vector<std::string> unknown;
     HiddenParts hidden = model_->parts.matching(words.hidden, unknown);
     if (!model_->parts.shown(*model_->whole, hidden).empty()) shown.hidden = std::move(hidden);

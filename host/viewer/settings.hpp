@@ -55,31 +55,6 @@ struct Settings {
 /// Whether two draw alike.
 bool same(const Settings& a, const Settings& b);
 
-/// What gives way, in this order, while the camera moves and frames take too long. At rest nothing
-/// does.
-enum class Economy {
-    none,
-    samples, ///< one probe, and depth as fine as the picture
-    effects, ///< no fill, no halos, no limit of density
-    marks    ///< plain pens, no hidden lines
-};
-
-inline void save_time(FrameOptions& options, Economy economy) {
-    if (economy >= Economy::samples) {
-        options.probes = 1;
-        options.depth_scale = 1;
-    }
-    if (economy >= Economy::effects) {
-        options.style.fill.mode = FillMode::none;
-        options.style.filter.halo = 0;
-        options.style.density = {};
-    }
-    if (economy >= Economy::marks) {
-        options.style.pen.mark = Pen{}.mark;
-        options.style.hidden = false;
-    }
-}
-
 inline FrameOptions frame_options(const Settings& settings, std::size_t side) {
     const Side& chosen = settings.sides.at(side);
     FrameOptions options;

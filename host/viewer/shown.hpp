@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cuts.hpp"
+#include "lineatlas/lines.hpp"
 #include "parts.hpp"
 
 namespace lineatlas::viewer {
@@ -14,9 +15,16 @@ struct Shown {
     HiddenParts hidden{};          ///< parts
     std::vector<Cut> cuts{};       ///< at most `most_sections`
     std::optional<float> crease{}; ///< LineOptions::crease_angle in degrees
+    /// LineOptions::silhouettes; none: as the tool has them of such a model.
+    std::optional<Silhouettes> silhouettes{};
 
     bool operator==(const Shown&) const = default;
 };
+
+/// As options have it.
+inline std::string word_of(Silhouettes silhouettes) {
+    return std::string{silhouettes_names.at(static_cast<std::size_t>(silhouettes))};
+}
 
 /// The same in words, which outlive the numbers of parts.
 struct ShownInWords {
@@ -27,6 +35,7 @@ struct ShownInWords {
     std::vector<std::string> hidden{}; ///< as --hide has them
     std::vector<Plane> cuts{};
     std::optional<float> crease{};
+    std::optional<Silhouettes> silhouettes{};
 };
 
 } // namespace lineatlas::viewer

@@ -1,5 +1,6 @@
 // What an orbit of the viewer costs, and that rest costs nothing. LINEATLAS_MOTION_SCENE: a scene
-// or a file; LINEATLAS_MOTION_FRAMES: how many pictures. Figures are printed, for docs/viewer.md.
+// or a file; LINEATLAS_MOTION_FRAMES: how many pictures; LINEATLAS_MOTION_STAGES: where their time
+// goes. Figures are printed, for docs/viewer.md.
 
 #include <algorithm>
 #include <chrono>
@@ -34,6 +35,13 @@ double share_of(std::vector<double> values, double share) {
     return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
+void print_stages(const viewer::Timings& timings) {
+    std::printf("medians of the last pictures, ms: frame %.1f", timings.median_total());
+    for (std::size_t i = 0; i < timings.stages().size(); ++i)
+        std::printf(", %s %.1f", timings.stages()[i].c_str(), timings.median_of(i));
+    std::printf("\n");
+}
+
 TEST(ViewerMotion, IsDrawnAndEndsAtRest) {
     ImageWriter writer;
     viewer::Application app{{.size = {1280, 800}, .scale = 1, .scripted = true}, writer};
@@ -49,6 +57,7 @@ TEST(ViewerMotion, IsDrawnAndEndsAtRest) {
     std::vector<double> wall, processor;
     const glm::dvec3 middle = session.point_at({-1, -1});
     const std::uint64_t before = session.frames_drawn();
+    app.ui().timings = std::getenv("LINEATLAS_MOTION_STAGES") != nullptr;
     for (int i = 0; i < frames; ++i) {
         const double wall_start = wall_time(), start = processor_time();
         session.navigation.orbit(middle, {0.02, 0});
@@ -62,11 +71,15 @@ TEST(ViewerMotion, IsDrawnAndEndsAtRest) {
                 scene.c_str(), frames, session.size().x, session.size().y, share_of(wall, 0.5),
                 share_of(wall, 0.95), share_of(processor, 0.5), share_of(processor, 0.95),
                 static_cast<int>(session.economy()));
+    hand.screenshot("moving");
+    if (app.ui().timings) print_stages(session.timings);
     const double moved = wall_time();
     hand.rest();
     std::printf("at rest after %.0f ms, %s\n", wall_time() - moved,
                 session.refined() ? "exact" : "as it moves");
     EXPECT_TRUE(session.refined());
+    while (session.messages.passing()) app.step(0.1); // what a file is told about goes by itself
+    hand.rest();
     const std::uint64_t shown = app.frames_shown(), drawn = session.frames_drawn();
     const double start = processor_time(), wall_start = wall_time();
     while (wall_time() - wall_start < 1000) app.step(1);

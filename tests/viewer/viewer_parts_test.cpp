@@ -60,6 +60,8 @@ TEST_F(ViewerParts, HaveAPenOfTheirOwn) {
     EXPECT_EQ(viewer::pen_of_object(style, "Base").width,
               viewer::pen_of_object(before, "Base").width);
     EXPECT_NE(picture(), plain);
+    app_.ui().folder = "drawings"; // docs/viewer.md shows this
+    hand_.move({300, 650});
     hand_.screenshot("part_pen");
     hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
     EXPECT_EQ(picture(), plain);

@@ -199,6 +199,73 @@ TEST_F(ViewerSession, CreasesFollowTheirAngle) {
     EXPECT_EQ(creases(), before);
 }
 
+/// An upright tube of 16 sides, bent by 22.5 degrees at each edge: a smooth surface as a mesh.
+Mesh tube(bool with_normals) {
+    constexpr std::uint32_t sides = 16;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const float angle = 6.2831853F * static_cast<float>(i) / sides;
+        for (const float y : {-1.0F, 1.0F})
+            mesh.positions.emplace_back(std::cos(angle), y, std::sin(angle));
+        const std::uint32_t low = 2 * i, next = 2 * ((i + 1) % sides);
+        mesh.triangles.emplace_back(low, low + 1, next);
+        mesh.triangles.emplace_back(next, low + 1, next + 1);
+    }
+    if (!with_normals) return mesh;
+    for (const glm::uvec3& corners : mesh.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 place = mesh.positions[corners[k]];
+            mesh.corner_normals.push_back(glm::normalize(glm::vec3{place.x, 0, place.z}));
+        }
+    }
+    return mesh;
+}
+
+/// Reads the tube, whatever the file.
+viewer::Loader::Reader reader_of_tube(bool with_normals) {
+    return [with_normals](const viewer::ModelSource& source) {
+        auto model = std::make_shared<viewer::Model>();
+        model->source = source;
+        model->source.up = glm::vec3{0, 1, 0};
+        model->mesh = model->whole = std::make_shared<const Mesh>(tube(with_normals));
+        return model;
+    };
+}
+
+TEST_F(ViewerSession, SilhouettesFollowTheMeshOrTheSurface) {
+    const auto smooth = [&] { return !session().model()->lines.contours.empty(); };
+    session().loader.set_reader(reader_of_tube(false));
+    hand_.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
+    EXPECT_FALSE(smooth());
+    hand_.click("silhouettes.smooth");
+    EXPECT_TRUE(smooth());
+    hand_.screenshot("silhouettes");
+    hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
+    EXPECT_NE(text_of(path("m.session.toml")).find("silhouettes = \"smooth\""), std::string::npos);
+    hand_.click("save.svg");
+    EXPECT_NE(text_of(path("m.svg")).find("--silhouettes smooth"), std::string::npos);
+    hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_FALSE(smooth());
+    hand_.drop(path("m.session.toml"));
+    EXPECT_TRUE(smooth());
+    EXPECT_EQ(error(), "");
+    hand_.click("silhouettes.mesh");
+    EXPECT_FALSE(smooth());
+    EXPECT_FALSE(session().settings.shown.silhouettes) << "what is usual needs no word";
+}
+
+TEST_F(ViewerSession, SurfacesWithNormalsHaveSmoothSilhouettesAsTheToolDrawsThem) {
+    session().loader.set_reader(reader_of_tube(true));
+    hand_.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
+    EXPECT_FALSE(session().model()->lines.contours.empty());
+    hand_.click("silhouettes.mesh");
+    EXPECT_TRUE(session().model()->lines.contours.empty());
+    EXPECT_EQ(session().settings.shown.silhouettes, Silhouettes::mesh);
+    hand_.click("silhouettes.auto");
+    EXPECT_FALSE(session().model()->lines.contours.empty());
+    EXPECT_FALSE(session().settings.shown.silhouettes);
+}
+
 TEST_F(ViewerSession, ThePictureIsExactAtRestAlone) {
     hand_.open_scene("house");
     hand_.choose("method", "Exact");

@@ -1,6 +1,8 @@
 // What is switched and saved in the viewer, under a hand that is none (ViewerDriver). Needs a
 // display: xvfb-run gives one.
 
+#include <algorithm>
+
 #include "lineatlas/style_files.hpp"
 #include "viewer_support.hpp"
 
@@ -179,27 +181,98 @@ TEST_F(Viewer, SplitsTheScreenAtASlider) {
     for (int x = 510; x < 960; x += 7) EXPECT_TRUE(same(x, right)) << x;
 }
 
-TEST_F(Viewer, SlowMovementsLeaveOutMoreAndMoreUntilTheCameraRests) {
+TEST_F(Viewer, SlowMovementsLeaveOutMoreUntilTheCameraRests) {
     hand_.choose("style", "charcoal");
+    const auto slow = [&] { // three pictures: one alone might be chance
+        for (int i = 0; i < 3; ++i) session().note_duration(1);
+    };
     const auto turn = [&] {
         session().navigation.orbit({0, 0, 0}, {0.02, 0});
         hand_.panel_frames(1);
-        session().note_duration(1);
+        slow();
     };
     turn();
-    EXPECT_NE(session().economy(), viewer::Economy::none);
-    for (int i = 0; i < 4; ++i) turn();
-    EXPECT_EQ(session().economy(), viewer::Economy::marks);
+    turn();
+    EXPECT_EQ(session().economy(), viewer::Economy::pixels);
+    EXPECT_EQ(session().picture(0)->size(), (session().size() + 1) / 2);
+    hand_.screenshot("half_as_many_pixels");
     hand_.rest();
     EXPECT_EQ(session().economy(), viewer::Economy::none);
+    EXPECT_EQ(session().picture(0)->size(), session().size());
     const auto whole = picture();
     hand_.frames(1);
     EXPECT_EQ(picture(), whole);
+    slow();
     turn();
-    EXPECT_NE(session().economy(), viewer::Economy::none);
+    EXPECT_EQ(session().economy(), viewer::Economy::pixels) << "from the first picture on";
     session().navigation.orbit({0, 0, 0}, {-0.02, 0});
     hand_.rest();
     EXPECT_EQ(picture(), whole) << "back where it was";
+}
+
+TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
+    hand_.click("split");
+    hand_.choose("second", "Exact");
+    const Image whole = hand_.screenshot("split_whole");
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    session().navigation.orbit({0, 0, 0}, {1e-4, 0});
+    hand_.panel_frames(1);
+    ASSERT_EQ(session().economy(), viewer::Economy::pixels);
+    const Image half = hand_.screenshot("split_half");
+    // Ink in each quarter of the picture, below the names of the sides.
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const auto ink = [&](const Image& image) {
+            std::uint64_t sum = 0;
+            for (int y = quarter / 2 * 350 + 100; y < quarter / 2 * 350 + 450; ++y) {
+                for (int x = quarter % 2 * 484; x < quarter % 2 * 484 + 484; ++x)
+                    sum += 255U - image.pixels[static_cast<std::size_t>((y * 1280 + x) * 3)];
+            }
+            return static_cast<double>(sum);
+        };
+        EXPECT_NEAR(ink(half), ink(whole), 0.15 * ink(whole)) << quarter;
+    }
+}
+
+TEST_F(Viewer, LargeModelsMoveByTheirLongLines) {
+    std::ostringstream text;
+    for (int i = 0; i < 9000; ++i) // of 12 edges each, 6 pixels long where all are seen
+        text << box("Box",
+                    {3.0F * static_cast<float>(i % 95), 3.0F * static_cast<float>(i / 95), 0},
+                    8 * i + 1);
+    std::ofstream{path("boxes.obj")} << text.str();
+    hand_.drop(path("boxes.obj"));
+    hand_.key(GLFW_KEY_1);
+    ASSERT_GT(session().model()->lines.segments.size(), 100'000U);
+    const auto whole = picture();
+    const auto turn = [&](double way) {
+        session().navigation.orbit({0, 0, 0}, {way, 0});
+        hand_.panel_frames(1);
+    };
+    const auto has_ink = [&] {
+        const auto pixels = picture();
+        return std::ranges::any_of(pixels, [](std::uint8_t value) { return value < 128; });
+    };
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    const std::uint64_t drawn = session().frames_drawn();
+    hand_.rest();
+    EXPECT_LE(session().frames_drawn(), drawn + 1);
+    EXPECT_EQ(picture(), whole) << "what is prepared for movements shows nothing";
+    turn(0.02);
+    ASSERT_EQ(session().economy(), viewer::Economy::details);
+    EXPECT_FALSE(has_ink()) << "all lines are short";
+    session().navigation.orbit({0, 0, 0}, {-0.02, 0});
+    hand_.rest();
+    EXPECT_EQ(picture(), whole);
+    // From so near that they are long.
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    session().navigation.dolly({142, 142, 0}, 0.1);
+    hand_.rest();
+    for (int i = 0; i < 3; ++i) session().note_duration(1);
+    hand_.rest();
+    turn(0.02);
+    ASSERT_EQ(session().economy(), viewer::Economy::details);
+    EXPECT_TRUE(has_ink());
+    EXPECT_EQ(error(), "");
 }
 
 TEST_F(Viewer, PanelsAreLightOrDarkAndFold) {

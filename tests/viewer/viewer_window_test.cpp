@@ -94,6 +94,7 @@ TEST_F(Viewer, LoadsInTheBackgroundAndCanBeCancelled) {
     HeldReader held;
     session().loader.set_reader(held.reader());
     session().open_scene("ship");
+    app_.ui().folder = "drawings"; // docs/viewer.md shows this
     hand_.panel_frames(2);
     ASSERT_TRUE(session().loader.busy());
     hand_.screenshot("loading");
@@ -222,8 +223,10 @@ TEST_F(Viewer, ShowsItsKeys) {
 TEST_F(Viewer, IsWhatTheDocsShow) {
     hand_.open_scene("house");
     hand_.choose("style", "ink");
-    app_.ui().folder = std::string{"."};
+    app_.ui().folder = "drawings";
     hand_.key(GLFW_KEY_X);
+    hand_.scroll(40, {1180, 300});
+    hand_.move({300, 300});
     hand_.screenshot("viewer");
     EXPECT_EQ(error(), "");
 }

@@ -214,7 +214,7 @@ void Application::paint() const {
 
 /// The pictures, whole or either side of the slider, in the window's upper left corner.
 void Application::blit_pictures() const {
-    const glm::ivec2 window = window_.pixels();
+    const glm::ivec2 window = window_.pixels(), drawn = session_.size_of_pictures();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window.x, window.y);
     glDisable(GL_SCISSOR_TEST);
@@ -229,10 +229,12 @@ void Application::blit_pictures() const {
             : size.x;
     const auto blit = [&](std::size_t side, int from, int to) {
         const gl::Canvas* picture = session_.picture(side);
-        if (picture == nullptr || from >= to || picture->size() != size) return;
+        if (picture == nullptr || from >= to || picture->size() != drawn) return;
         const int low = window.y - size.y;
-        glBlitNamedFramebuffer(picture->framebuffer(), 0, from, 0, to, size.y, from, low, to,
-                               window.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        const auto column = [&](int x) { return x * drawn.x / size.x; };
+        glBlitNamedFramebuffer(picture->framebuffer(), 0, column(from), 0, column(to), drawn.y,
+                               from, low, to, window.y, GL_COLOR_BUFFER_BIT,
+                               drawn == size ? GL_NEAREST : GL_LINEAR);
     };
     blit(0, 0, border);
     blit(1, border, size.x);

@@ -42,6 +42,29 @@ void crease_row(Ui& ui) {
     tip("Every edge bent by more is a crease; at the left end noise and seams are left out");
 }
 
+void silhouettes_row(Ui& ui) {
+    const Model* model = ui.session.model();
+    if (model == nullptr) return;
+    struct Choice {
+        Silhouettes silhouettes;
+        const char* label;
+        const char* what;
+    };
+    constexpr std::array<Choice, 3> choices{
+        {{Silhouettes::mesh, "Mesh", "Along edges of the mesh"},
+         {Silhouettes::automatic, "Auto", "Smooth where the surface is, else along edges"},
+         {Silhouettes::smooth, "Smooth", "Where the surface itself turns away"}}};
+    const Silhouettes now = silhouettes_of(*model, ui.session.settings.shown);
+    label(ui, "They follow");
+    for (const Choice& choice : choices) {
+        if (choice.silhouettes != Silhouettes::mesh) ImGui::SameLine(0, ui.points(4));
+        const std::string id = "silhouettes." + word_of(choice.silhouettes);
+        if (toggle(ui, id.c_str(), choice.label, now == choice.silhouettes))
+            ui.session.set_silhouettes(choice.silhouettes);
+        tip(choice.what);
+    }
+}
+
 } // namespace
 
 void draw_lines_section(Ui& ui) {
@@ -56,6 +79,7 @@ void draw_lines_section(Ui& ui) {
             changed = true;
         }
         changed |= pen_row(ui, line_kind_names.at(kind));
+        if (kind == static_cast<std::size_t>(LineKind::silhouette)) silhouettes_row(ui);
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Outline");

@@ -1,0 +1,17 @@
+#include "style_lengths.hpp"
+
+namespace lineatlas {
+
+void multiply_lengths(Style& style, float factor) {
+    const auto multiply = [&](auto&... lengths) { ((lengths *= factor), ...); };
+    multiply(style.pen.width, style.pen.cap_length, style.hidden_pen.width,
+             style.hidden_pen.cap_length, style.filter.fill, style.filter.drop,
+             style.filter.overshoot, style.filter.undershoot, style.filter.halo);
+    style.density.limit /= factor; // as many lines in fewer pixels
+    for (PenRule& rule : style.pens) {
+        if (rule.width) *rule.width *= factor;
+        if (rule.cap_length) *rule.cap_length *= factor;
+    }
+}
+
+} // namespace lineatlas

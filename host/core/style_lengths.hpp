@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lineatlas/style.hpp"
+
+namespace lineatlas {
+
+/// Makes every length of a style so many times as long, as a picture needs it that has so many
+/// times as many pixels a side.
+void multiply_lengths(Style& style, float factor);
+
+} // namespace lineatlas

@@ -1,0 +1,52 @@
+// What a Session does so that movements are smooth, and pictures at rest exact.
+#include <glm/geometric.hpp>
+
+#include "long_lines.hpp"
+#include "session.hpp"
+
+namespace lineatlas::viewer {
+
+bool Session::can_refine() const {
+    const bool due = (is_refined(settings) && !refined_) || sketch_due();
+    return model_ != nullptr && due && !stale() && !navigation.gliding() && drawn_view_;
+}
+
+/// Whether movements need a sketch that is not there, or is one for another distance.
+bool Session::sketch_due() const {
+    constexpr std::size_t fewest = 100'000; // others are fast, or slow for another reason
+    if (model_ == nullptr || model_->lines.segments.size() < fewest || !pace_.falls_short())
+        return false;
+    if (!sketched_) return true;
+    const View &now = navigation.view(), &then = *sketched_;
+    const float distance = glm::distance(now.eye, now.target);
+    const float change = distance / glm::distance(then.eye, then.target);
+    constexpr float much = 1.5F;
+    return now.projection != then.projection || now.fov_y != then.fov_y || change > much ||
+           change < 1 / much || glm::distance(now.target, then.target) > distance;
+}
+
+void Session::renew_sketch() {
+    sketched_ = navigation.view(); // if it fails, it is not tried again
+    constexpr float shortest = 20; // pixels of the window
+    const LineSet lines = long_lines(model_->lines, camera(), shortest);
+    if (sketch_ == nullptr) sketch_ = std::make_unique<Renderer>(device_);
+    sketch_->set_lines(lines);
+    // The first picture makes kernels, shaders and tables, for which no movement should wait.
+    FrameOptions options = frame_options(settings, 0);
+    save_time(options, Economy::details, size_);
+    const int pixel = pixel_size(Economy::details);
+    gl::Canvas unseen{(size_ + pixel - 1) / pixel};
+    sketch_->draw(make_camera(navigation.view(), unseen.size(), lines.bounds), options,
+                  unseen.framebuffer());
+}
+
+void Session::note_duration(double seconds) {
+    if (tells_pace_) pace_.note(economy_, seconds);
+}
+
+glm::ivec2 Session::size_of_pictures() const {
+    const int pixel = pixel_size(economy_);
+    return (size_ + pixel - 1) / pixel;
+}
+
+} // namespace lineatlas::viewer
