@@ -1,6 +1,6 @@
 # Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
-# rest, so that nobody installs OpenImageIO who has no use for it; nor Embree, which rays has, nor
-# Open CASCADE, which brep has, nor cairo, which pdf has.
+# rest. Nobody installs OpenImageIO, which images has, who has no use for it; nor Embree, which rays
+# has, nor Open CASCADE, which brep has, nor cairo, which pdf has.
 set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
     CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
@@ -70,6 +70,10 @@ if(bench_programs)
     list(APPEND tool_suggests lineatlas-bench)
 endif()
 
+if(TARGET lineatlas-images)
+    describe_package(images lineatlas-images graphics "" "line drawings of 3D models - pictures of many types")
+    list(APPEND tool_suggests lineatlas-images)
+endif()
 if(TARGET lineatlas-rays)
     describe_package(rays lineatlas-rays graphics "" "line drawings of 3D models - checked by rays")
     list(APPEND tool_suggests lineatlas-rays)
@@ -89,7 +93,7 @@ if(TARGET lineatlas_python)
         "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy, ${io} ${same}"
         "line drawings of 3D models - Python package")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "${drivers}")
-    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "lineatlas-brep, lineatlas-pdf")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "lineatlas-images, lineatlas-brep, lineatlas-pdf")
     describe_package(blender lineatlas-blender graphics "blender (>= 3.3), python3-lineatlas (>= ${packaged_version})"
         "line drawings of 3D models - add-on for Blender")
     set(CPACK_DEBIAN_BLENDER_PACKAGE_ARCHITECTURE all)

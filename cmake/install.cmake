@@ -49,14 +49,18 @@ add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
                                          $<TARGET_NAME_IF_EXISTS:PkgConfig::seccomp>)
 
 # The io room looks for it here, seen from the shared library and from the tool.
-install(TARGETS lineatlas-images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
+install(TARGETS lineatlas-png LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
 if(TARGET lineatlas-gltf)
     install(TARGETS lineatlas-gltf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
 endif()
 if(TARGET lineatlas-3mf)
     install(TARGETS lineatlas-3mf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
 endif()
-# Beside them in the same folder, for whoever wants Open CASCADE on the machine.
+# Beside them in the same folder, for whoever wants OpenImageIO or Open CASCADE on the machine.
+if(TARGET lineatlas-images)
+    install(TARGETS lineatlas-images
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT images)
+endif()
 if(TARGET lineatlas-brep)
     install(TARGETS lineatlas-brep lineatlas-reader
             LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep

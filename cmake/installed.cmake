@@ -54,9 +54,10 @@ add_custom_target(manuals ALL DEPENDS ${manual_pages})
 
 # All that is installed; tests need not be there.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
-                                    lineatlas-images lineatlas manuals
+                                    lineatlas-png lineatlas manuals
                                     ${bench_programs} $<TARGET_NAME_IF_EXISTS:lineatlas-view>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas_python>
+                                    $<TARGET_NAME_IF_EXISTS:lineatlas-images>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-gltf>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-3mf>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-brep>

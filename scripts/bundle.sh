@@ -61,10 +61,10 @@ add_libraries_of() { # PROGRAM
 
 cp "$build"/lineatlas "$build"/lineatlas-check "$build"/lineatlas-bench-{frames,kernels,interop} \
     "$target/bin"
-cp "$build/lib/lineatlas/lineatlas-images.so" "$target/lib/lineatlas"
+cp "$build/lib/lineatlas/lineatlas-png.so" "$target/lib/lineatlas"
 cp "$build"/tests/*_test "$build/tests/support/gl_sharing_layer/libgl_sharing_layer.so" "$target/tests"
 rm "$target"/tests/{io_test,shared_meshes_test} # of files that are not in a bundle
-programs=("$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-images.so")
+programs=("$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-png.so")
 for program in "${programs[@]}"; do add_libraries_of "$program"; done
 
 # The dispatchers in front of drivers of GL, which come alone where a machine is made for computing,
@@ -81,7 +81,7 @@ find "$target"/{bin,tests,lib} -type f -exec chmod u+w {} + -exec strip --strip-
 # shellcheck disable=SC2016 # $ORIGIN is the loader's
 {
     patchelf --set-rpath '$ORIGIN/../lib' "$target"/bin/* "$target"/tests/*
-    patchelf --set-rpath '$ORIGIN/..' "$target/lib/lineatlas/lineatlas-images.so"
+    patchelf --set-rpath '$ORIGIN/..' "$target/lib/lineatlas/lineatlas-png.so"
     patchelf --set-rpath '$ORIGIN' "$target"/lib/*.so*
 }
 

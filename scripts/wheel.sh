@@ -12,12 +12,12 @@ most_megabytes=25
 
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLINEATLAS_OPENIMAGEIO=OFF \
     -DLINEATLAS_TESTS=OFF -DLINEATLAS_BENCH=OFF -DLINEATLAS_VIEWER=OFF >/dev/null
-cmake --build "$build" --target lineatlas_python lineatlas-images lineatlas-gltf lineatlas-3mf -- --quiet
+cmake --build "$build" --target lineatlas_python lineatlas-png lineatlas-gltf lineatlas-3mf -- --quiet
 
 rm -rf "$folder"
 mkdir -p "$folder"/lineatlas/lib/lineatlas "$folder"/lineatlas.libs
 cp -L "$build"/python/lineatlas/{*.py,*.pyi,py.typed,_lineatlas*.so} "$folder/lineatlas"
-cp "$build"/lib/lineatlas/lineatlas-{images,gltf,3mf}.so "$folder/lineatlas/lib/lineatlas"
+cp "$build"/lib/lineatlas/lineatlas-{png,gltf,3mf}.so "$folder/lineatlas/lib/lineatlas"
 own=("$folder"/lineatlas/*.so "$folder"/lineatlas/lib/lineatlas/*.so)
 
 is_of_the_machine() {

@@ -9,9 +9,9 @@
 
 namespace lineatlas::images {
 
-/// What the module lineatlas-images offers. It alone links OpenImageIO, whose some 260 libraries
-/// take longer to load than a picture to draw. Whatever is refused ends in a std::runtime_error
-/// that says the cause in one line.
+/// What a module for pictures offers: lineatlas-images, which alone links OpenImageIO, whose some
+/// 260 libraries take longer to load than a picture to draw, and lineatlas-png, which does without.
+/// Whatever is refused ends in a std::runtime_error that says the cause in one line.
 struct Module {
     bool (*can_write)(const std::string& extension); ///< with its dot
     /// `file`: what the file `path` holds; nothing is opened.

@@ -4,10 +4,11 @@
 
 namespace lineatlas {
 
-/// The module for pictures, loaded when first asked for. Throws FileError if it cannot be.
+/// The module for pictures, loaded when first asked for: lineatlas-images where it is installed,
+/// else lineatlas-png. Throws FileError if it cannot be.
 const images::Module& image_module();
 
-/// Throws FileError unless the module is where it should be. Loads nothing.
+/// Throws FileError unless one of the two is where it should be. Loads nothing.
 void check_image_module();
 
 } // namespace lineatlas

@@ -1,11 +1,11 @@
 #include "module_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <new>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <dlfcn.h>
 #include <link.h>
@@ -34,26 +34,38 @@ FileError load_error(const ModuleFile& module, const fs::path& path, const std::
     return FileError("cannot load " + quoted(path) + ", " + module.purpose + ": " + cause);
 }
 
-} // namespace
-
-fs::path find_module(const ModuleFile& module) {
+/// Where it may be, the last of them for messages.
+std::vector<fs::path> places_of(const ModuleFile& module) {
     const std::string file_name = std::string{module.name} + ".so";
-    std::error_code error;
-    if (const char* folder = std::getenv("LINEATLAS_MODULE_DIR")) {
-        const fs::path path = fs::path(folder) / file_name;
-        if (fs::exists(path, error)) return path;
-        throw load_error(module, path, "no such file; LINEATLAS_MODULE_DIR names its folder");
-    }
+    if (const char* folder = std::getenv("LINEATLAS_MODULE_DIR"))
+        return {fs::path(folder) / file_name};
     const fs::path own = own_folder();
     // Of a shared library, of an installed program, of the programs and tests of a build.
-    const std::array folders{own, own / LINEATLAS_LIBRARIES_FROM_PROGRAMS, own / "lib",
-                             own.parent_path() / "lib"};
-    std::array<fs::path, folders.size()> places;
-    std::ranges::transform(folders, places.begin(), [&](const fs::path& folder) {
-        return folder / "lineatlas" / file_name;
-    });
-    for (const fs::path& path : places)
-        if (fs::exists(path, error)) return path;
+    std::vector<fs::path> places;
+    for (const fs::path& folder :
+         {own, own / LINEATLAS_LIBRARIES_FROM_PROGRAMS, own / "lib", own.parent_path() / "lib"})
+        places.push_back(folder / "lineatlas" / file_name);
+    return places;
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+}
+
+} // namespace
+
+bool has_module(const ModuleFile& module) {
+    return std::ranges::any_of(places_of(module), is_there);
+}
+
+fs::path find_module(const ModuleFile& module) {
+    const std::vector<fs::path> places = places_of(module);
+    const auto found = std::ranges::find_if(places, is_there);
+    if (found != places.end()) return *found;
+    if (std::getenv("LINEATLAS_MODULE_DIR") != nullptr)
+        throw load_error(module, places.back(),
+                         "no such file; LINEATLAS_MODULE_DIR names its folder");
     std::string cause{"no such file; "};
     if (module.own_package != nullptr)
         cause += std::string{"install the package "} + module.own_package + ", ";

@@ -18,6 +18,9 @@ struct ModuleFile {
 /// Loads nothing. Throws FileError.
 std::filesystem::path find_module(const ModuleFile& module);
 
+/// Whether it is anywhere there.
+bool has_module(const ModuleFile& module);
+
 /// Loads it for the rest of the process and returns its one symbol, which is named by version.
 /// Throws FileError.
 const void* load_module(const ModuleFile& module, const char* symbol);

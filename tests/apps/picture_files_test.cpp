@@ -137,5 +137,32 @@ TEST_F(PictureFiles, RefuseWhatTheirTypeCannotHold) {
     expect_refused(draw + path("a.png") + " --dpi nan", 2, "--dpi");
 }
 
+TEST_F(PictureFiles, ThatArePngNeedNoOpenImageIo) {
+    const std::filesystem::path modules =
+        std::filesystem::path{LINEATLAS_TOOL}.parent_path() / "lib/lineatlas";
+    std::filesystem::create_directory(path("modules"));
+    std::filesystem::create_symlink(modules / "lineatlas-png.so", path("modules/lineatlas-png.so"));
+    for (const char* options : {"", "--transparent", "--bits 16", "--bits 16 --transparent"}) {
+        const std::string more = std::string{options} + " --dpi 300 --fill lambert";
+        const Stored with = draw("a.png", more);
+        ::setenv("LINEATLAS_MODULE_DIR", path("modules").c_str(), 1);
+        const Stored without = draw("b.png", more);
+        ::unsetenv("LINEATLAS_MODULE_DIR");
+        EXPECT_EQ(with.values, without.values) << options;
+        EXPECT_EQ(with.spec.format, without.spec.format) << options;
+        EXPECT_EQ(with.spec.nchannels, without.spec.nchannels) << options;
+        for (const char* note : {"XResolution", "YResolution"})
+            EXPECT_NEAR(with.spec.get_float_attribute(note), without.spec.get_float_attribute(note),
+                        0.02F);
+        for (const char* note : {"ResolutionUnit", "Software", "ImageDescription"})
+            EXPECT_EQ(with.spec.get_string_attribute(note),
+                      without.spec.get_string_attribute(note));
+    }
+    ::setenv("LINEATLAS_MODULE_DIR", path("modules").c_str(), 1);
+    expect_refused("draw --scene clevis --size 32x24 -o " + path("a.jpg"), 1,
+                   "without the package lineatlas-images, which brings OpenImageIO");
+    ::unsetenv("LINEATLAS_MODULE_DIR");
+}
+
 } // namespace
 } // namespace lineatlas::test

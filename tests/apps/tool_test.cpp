@@ -299,7 +299,7 @@ TEST_F(Tool, SaysWhereOutlinesAreNotTold) {
 TEST_F(Tool, SaysWhichModuleIsMissing) {
     const std::string draw = "draw --scene clevis --size 64x48 -o " + path("x.png");
     ::setenv("LINEATLAS_MODULE_DIR", path("nowhere").c_str(), 1);
-    expect_refused(draw, 1, "nowhere/lineatlas-images.so");
+    expect_refused(draw, 1, "nowhere/lineatlas-png.so");
     EXPECT_EQ(run("draw --help").exit_code, 0) << "it is needed for pictures alone";
     write("lineatlas-images.so", "no library");
     ::setenv("LINEATLAS_MODULE_DIR", folder_.c_str(), 1);

@@ -17,6 +17,7 @@ window_systems='EGL|GL|GLX|OpenGL|glfw|X11|wayland-.*'
 refuse "$1/liblineatlas.so" "$window_systems" OpenCL 'OpenMesh.*|tinyobjloader' 'OpenImageIO.*|png16'
 refuse "$1/liblineatlas-headless.so" "GL|GLX|glfw|X11|wayland-.*" 'OpenMesh.*' 'OpenImageIO.*' OpenCL
 refuse "$1/liblineatlas-io.so" "$window_systems" 'OpenImageIO.*|png16' OpenCL 'TK.*' 'draco|meshoptimizer'
-for library in "$1"/liblineatlas*.so "$1/lineatlas/lineatlas-images.so"; do refuse "$library" 'embree.*'; done
+refuse "$1/lineatlas/lineatlas-png.so" 'OpenImageIO.*'
+for library in "$1"/liblineatlas*.so "$1"/lineatlas/lineatlas-{images,png}.so; do refuse "$library" 'embree.*'; done
 if ldd "$1"/liblineatlas*.so | grep "not found"; then status=1; fi
 exit "$status"

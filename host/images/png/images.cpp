@@ -1,8 +1,13 @@
-// The module without OpenImageIO: .png with 8 bits per channel, which is all that a bundle needs.
+// The module where OpenImageIO is not installed: .png alone.
 
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <new>
 #include <stdexcept>
+#include <utility>
 
 #include <png.h>
 
@@ -50,25 +55,101 @@ Image decode(const std::filesystem::path&, std::string_view file) {
     return image;
 }
 
+/// libpng's writer, into memory. What it refuses is thrown.
+class Writer {
+  public:
+    Writer() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, refuse, ignore)) {
+        if (png_ != nullptr) info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) throw std::bad_alloc();
+        png_set_write_fn(png_, this, append, [](png_structp) {});
+    }
+    ~Writer() { png_destroy_write_struct(&png_, &info_); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    void describe(const Pixels& pixels, int bits, const ImageSettings& settings) {
+        constexpr std::array<int, 4> types{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
+                                           PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGBA};
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(pixels.size.x),
+                     static_cast<png_uint_32>(pixels.size.y), bits,
+                     types[static_cast<std::size_t>(pixels.channels - 1)], PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        // Lines on paper: more effort and filters of neighbours take longer and save little.
+        png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+        png_set_compression_level(png_, 2);
+        if (settings.dpi > 0) {
+            constexpr double metre = 1 / 0.0254; // in inches
+            const auto per_metre = static_cast<png_uint_32>(std::lround(settings.dpi * metre));
+            png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);
+        }
+        if (!settings.description.empty()) {
+            say("Description", settings.description);
+            say("Software", "lineatlas " LINEATLAS_VERSION);
+        }
+    }
+
+    /// `values`: row by row, as many bits as were described.
+    std::vector<unsigned char> write(std::span<const std::byte> values, int rows) {
+        png_write_info(png_, info_);
+        if (std::endian::native == std::endian::little) png_set_swap(png_); // of 16 bits
+        const std::size_t length = values.size() / static_cast<std::size_t>(rows);
+        for (std::size_t at = 0; at < values.size(); at += length)
+            png_write_row(png_, reinterpret_cast<png_const_bytep>(values.data() + at));
+        png_write_end(png_, nullptr);
+        return std::move(encoded_);
+    }
+
+  private:
+    [[noreturn]] static void refuse(png_structp, png_const_charp cause) {
+        throw std::runtime_error(cause);
+    }
+    static void ignore(png_structp, png_const_charp) {}
+    static void append(png_structp png, png_bytep bytes, std::size_t count) {
+        auto& encoded = static_cast<Writer*>(png_get_io_ptr(png))->encoded_;
+        encoded.insert(encoded.end(), bytes, bytes + count);
+    }
+    void say(std::string key, std::string text) {
+        png_text entry{};
+        entry.compression = PNG_TEXT_COMPRESSION_NONE;
+        entry.key = key.data();
+        entry.text = text.data();
+        entry.text_length = text.size();
+        png_set_text(png_, info_, &entry, 1);
+    }
+
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    std::vector<unsigned char> encoded_;
+};
+
+/// The same values with 16 bits each in place of 8, or the other way.
+std::vector<std::byte> with_other_bits(std::span<const std::byte> values, int bits) {
+    std::vector<std::byte> result(bits == 16 ? 2 * values.size() : values.size() / 2);
+    for (std::size_t i = 0; i < result.size() / static_cast<std::size_t>(bits / 8); ++i) {
+        std::uint16_t wide = 0;
+        if (bits == 16) {
+            wide = static_cast<std::uint16_t>(257 * std::to_integer<unsigned>(values[i]));
+            std::memcpy(&result[2 * i], &wide, sizeof(wide));
+        } else {
+            std::memcpy(&wide, &values[2 * i], sizeof(wide));
+            result[i] = static_cast<std::byte>((wide + 128U) / 257U);
+        }
+    }
+    return result;
+}
+
 std::vector<unsigned char> encode(const std::filesystem::path& path, const Pixels& pixels,
                                   const ImageSettings& settings) {
     if (!can_write(path.extension().string()))
-        throw std::runtime_error("this build has no OpenImageIO and writes .png alone");
-    if (pixels.bits != 8 || (settings.bits != 0 && settings.bits != 8))
-        throw std::runtime_error("this build has no OpenImageIO and writes 8 bits per channel");
+        throw std::runtime_error("without the package lineatlas-images, which brings OpenImageIO, "
+                                 "pictures are written as .png");
+    const int bits = settings.bits == 16 ? 16 : 8;
     std::vector<std::byte> values(pixels.values.begin(), pixels.values.end());
     if (pixels.premultiplied) values = straight(pixels);
-    Picture picture;
-    picture.image.width = static_cast<png_uint_32>(pixels.size.x);
-    picture.image.height = static_cast<png_uint_32>(pixels.size.y);
-    picture.image.format = formats[static_cast<std::size_t>(pixels.channels - 1)];
-    picture.image.flags = PNG_IMAGE_FLAG_FAST;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(picture.image);
-    std::vector<unsigned char> encoded(size);
-    picture.check(png_image_write_to_memory(&picture.image, encoded.data(), &size, 0, values.data(),
-                                            0, nullptr));
-    encoded.resize(size);
-    return encoded;
+    if (pixels.bits != bits) values = with_other_bits(values, bits);
+    Writer writer;
+    writer.describe(pixels, bits, settings);
+    return writer.write(values, pixels.size.y);
 }
 
 } // namespace
