@@ -27,9 +27,11 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
     vertices.resize(3 + 6);
     const auto corners =
         put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1]), on_circle(2, angle[1])});
-    const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {0, 2}});
+    const auto edges = put(std::vector<compute::ContourEdge>{
+        {0, 1, 2, 2, 0, 0}, {1, 2, 0, 0, 0, 0}, {0, 2, 1, 1, 0, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2 | LA_CONTOUR_TURNED}});
     const auto places = put(vertices);
+    const auto front = put(std::vector<std::uint8_t>{1});
     const auto crossed = device().allocate(3);
     const auto ends = device().allocate(sizeof(glm::uvec2));
     stages().contour({.contours = {.corners = corners.get(),
@@ -40,6 +42,7 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
                                    .replaced = 0,
                                    .vertex_count = 3},
                       .eye = {1, 0, 0, 0},
+                      .front = *front,
                       .vertices = *places,
                       .crossed = *crossed,
                       .ends = *ends});
@@ -73,13 +76,21 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
 TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
     const auto corners = put(
         std::vector<ContourCorner>{{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}}, {2, {0, -0.6F, 0.8F}}});
-    const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {2, 0}});
+    const auto edges = put(std::vector<compute::ContourEdge>{
+        {0, 1, 2, 2, 0, 0}, {1, 2, 0, 0, 0, 0}, {2, 0, 1, 1, 0, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2}});
     const auto places = put(std::vector<glm::vec3>(9, glm::vec3{1, 2, 3}));
+    const auto front = put(std::vector<std::uint8_t>{1});
     const auto crossed = device().allocate(3);
     const auto ends = device().allocate(sizeof(glm::uvec2));
-    stages().contour({.contours = {corners.get(), edges.get(), faces.get(), 3, 1, 0, 3},
+    stages().contour({.contours = {.corners = corners.get(),
+                                   .edges = edges.get(),
+                                   .faces = faces.get(),
+                                   .edge_count = 3,
+                                   .face_count = 1,
+                                   .vertex_count = 3},
                       .eye = {1, 2, 30, 1},
+                      .front = *front,
                       .vertices = *places,
                       .crossed = *crossed,
                       .ends = *ends});
