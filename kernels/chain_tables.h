@@ -42,11 +42,10 @@ typedef struct ChainPlace {
 
 /* An edge that contours may cross. */
 typedef struct ContourEdge {
-    la_uint from, to;         /* corners */
-    la_uint third_a, third_b; /* the corners opposite it; third_b is LA_NO_VERTEX at a border of
-                                 the surface */
-    la_uint face_a, face_b;   /* the triangles beside it, whatever surface they are of, as in
-                                 Segment */
+    la_uint from, to; /* corners */
+    la_uint border;   /* 1: the surface of these corners ends there, and a line goes on */
+    la_uint face_a,
+        face_b; /* the triangles beside it, whatever surface they are of, as in Segment */
 } ContourEdge;
 
 typedef struct ContourParameters {

@@ -39,8 +39,8 @@ static bool faces_front(const uint face, __global const uchar* front) {
 /* Whether the line along a border is hidden by its own two faces, so that it is seen up to that
  * end of the edge whose surface shows its front. */
 static bool turns_away(__global const ContourEdge* edge, __global const uchar* front) {
-    return edge->third_b == LA_NO_VERTEX && edge->face_b != LA_NO_FACE &&
-           !faces_front(edge->face_a, front) && !faces_front(edge->face_b, front);
+    return edge->border != 0 && edge->face_b != LA_NO_FACE && !faces_front(edge->face_a, front) &&
+           !faces_front(edge->face_b, front);
 }
 
 /* One work-item per edge. crossed: whether the contour crosses it, LA_CONTOUR_*. vertices: behind
@@ -59,14 +59,13 @@ KERNEL(contour_points, ContourParameters) {
                  : front_a          ? LA_CONTOUR_FALLS
                                     : LA_CONTOUR_RISES;
     if (front_a == front_b) return;
-    const bool border = edge->third_b == LA_NO_VERTEX;
     const float t = at_a / (at_a - at_b), s = 1.0f - t;
     const float3 way = b - a;
     const float3 bend_a = normal_a * dot_of(way, normal_a),
                  bend_b = normal_b * dot_of(way, normal_b);
     float3 place = a + way * t;
     /* The cubic less the chord: its inner points are moved by a third of these. */
-    if (!border) place += (bend_b * t - bend_a * s) * (s * t);
+    if (edge->border == 0) place += (bend_b * t - bend_a * s) * (s * t);
     if (turns_away(edge, front)) place = front_a ? a : b;
     const float3 turn = normal_b - normal_a;
     const float lift = LA_CONTOUR_LIFT * sqrt(dot_of(way, way) * dot_of(turn, turn));

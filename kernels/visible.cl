@@ -11,11 +11,7 @@
 #include "exact.h"
 #include "float_pair.h"
 #include "lanes.h"
-
-/* Parts of a piece that are held at once. A piece with more is halved, and each half done alone. */
-#define MOST_PARTS 8
-/* Visible parts shorter than this, in pixels, are left out, and gaps of that length closed. */
-#define SHORTEST_PART 0.02f
+#include "visible_parts.h"
 
 /* A piece whose ends are both nearer than this to a side's line, in pixels, is compared with it in
  * space: rounded places on the screen cannot tell which side of it the piece is on. */
@@ -24,7 +20,7 @@
 /* What the own surface of a contour hides of it is asked so many times its lift off the surface
  * (LA_CONTOUR_LIFT): its triangles reach beyond it on the screen, rough ones farther than an arc's.
  */
-#define OWN_LIFTS 2.0f
+#define OWN_LIFTS 3.0f
 
 /* What the lists of a frame are. */
 typedef struct Lists {
@@ -62,13 +58,6 @@ typedef struct Piece {
     float s_a, s_b;
     float2 origin;
 } Piece;
-
-/* Visible parts of a piece: from x to y each, ascending. */
-typedef struct Parts {
-    float2 part[MOST_PARTS];
-    int count;
-    bool full; /* there were more: `part` is not all */
-} Parts;
 
 /* The parameter of the segment in space, 0 at its vertex p and 1 at q, of a place on the screen. */
 static float along_in_space(const Line* line, const float s) {
@@ -152,35 +141,6 @@ static void find_behind(const ExactParameters* args, const Lists* lists, const L
     keep_above_in_space(args, line, piece, behind_p - args->contact, behind_q - args->contact, low,
                         high);
     keep_beyond_near(args, lists, piece, t, low, high);
-}
-
-/* Takes u from `low` to `high` away from what is visible. least: shorter parts are left out. */
-static void hide(Parts* parts, const float low, const float high, const float least) {
-    int k = 0;
-    while (k < parts->count && parts->part[k].y <= low) ++k;
-    while (k < parts->count && parts->part[k].x < high) {
-        const float2 part = parts->part[k];
-        const bool before = low - part.x > least, after = part.y - high > least;
-        if (before && after) {
-            if (parts->count == MOST_PARTS) {
-                parts->full = true;
-                return;
-            }
-            for (int j = parts->count; j > k; --j) parts->part[j] = parts->part[j - 1];
-            ++parts->count;
-            parts->part[k].y = low;
-            parts->part[k + 1].x = high;
-            return;
-        }
-        if (before) {
-            parts->part[k++].y = low;
-        } else if (after) {
-            parts->part[k++].x = high;
-        } else {
-            --parts->count;
-            for (int j = k; j < parts->count; ++j) parts->part[j] = parts->part[j + 1];
-        }
-    }
 }
 
 /* A linear function of LANES faces, at a place. */
@@ -304,43 +264,6 @@ static void cut_piece(const ExactParameters* args, const Lists* lists, const Lin
             }
         }
     }
-}
-
-/* Where visible parts of a segment go: joined where they touch, counted, the first two kept, and
- * written if there is a table. */
-typedef struct Found {
-    float gap;   /* SHORTEST_PART as s: what is nearer to an end of the segment is that end */
-    float2 open; /* the part that may go on; none if x > y */
-    uint count;
-    float4 kept;
-    __global float* out;
-} Found;
-
-static Found nothing_found(const Line* line, __global float* out) {
-    const float length_px = sqrt(line->way.x * line->way.x + line->way.y * line->way.y);
-    const Found found = {SHORTEST_PART / length_px, float2(1.0f, 0.0f), 0,
-                         float4(0.0f, 0.0f, 0.0f, 0.0f), out};
-    return found;
-}
-
-static void close_part(Found* found) {
-    if (found->open.x > found->open.y) return;
-    if (found->open.x <= found->gap) found->open.x = 0.0f;
-    if (1.0f - found->open.y <= found->gap) found->open.y = 1.0f;
-    if (found->count == 0) found->kept = float4(found->open.x, found->open.y, 0.0f, 0.0f);
-    if (found->count == 1)
-        found->kept = float4(found->kept.x, found->kept.y, found->open.x, found->open.y);
-    if (found->out != 0) vstore2(found->open, found->count, found->out);
-    found->count += 1u;
-}
-
-static void add_part(Found* found, const float2 part) {
-    if (found->open.x <= found->open.y && part.x - found->open.y <= found->gap) {
-        found->open.y = part.y;
-        return;
-    }
-    close_part(found);
-    found->open = part;
 }
 
 static Piece piece_of(const Line* line, const float s_a, const float s_b, const float2 origin) {
@@ -509,7 +432,7 @@ KERNEL(visible_count, ExactParameters) {
     const Line line = line_of(&args, &lists, segment, clipped + i);
     const bool contour = is_contour(&args, segment);
     const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;
-    Found found = nothing_found(&line, 0);
+    Found found = nothing_found(line.way, 0);
     find_visible(&args, &lists, &line, contour ? &lifted : 0, &found);
     counts[i] = found.count;
     vstore4(found.kept, i, kept);
@@ -533,6 +456,6 @@ KERNEL(visible_write, ExactParameters) {
     const Line line = line_of(&args, &lists, segment, clipped + i);
     const bool contour = is_contour(&args, segment);
     const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;
-    Found found = nothing_found(&line, out);
+    Found found = nothing_found(line.way, out);
     find_visible(&args, &lists, &line, contour ? &lifted : 0, &found);
 }

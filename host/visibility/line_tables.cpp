@@ -60,28 +60,23 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
     for (const glm::uvec2& edge : contours.edges)
         edges.push_back({.from = edge.x,
                          .to = edge.y,
-                         .third_a = LA_NO_VERTEX,
-                         .third_b = LA_NO_VERTEX,
+                         .border = 1,
                          .face_a = LA_NO_FACE,
                          .face_b = LA_NO_FACE});
     const std::span faces = segments.last(contours.faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
-            const std::uint32_t next = contours.faces[i][(k + 1) % 3];
-            const glm::uvec2 beyond = contours.edges[next & ~LA_CONTOUR_TURNED];
-            const std::uint32_t third = (next & LA_CONTOUR_TURNED) != 0 ? beyond.x : beyond.y;
             compute::ContourEdge& edge = edges[contours.faces[i][k] & ~LA_CONTOUR_TURNED];
             const bool is_first = edge.face_a == LA_NO_FACE;
-            (is_first ? edge.third_a : edge.third_b) = third;
             (is_first ? edge.face_a : edge.face_b) = faces[i].face_a;
+            if (!is_first) edge.border = 0;
         }
     }
     // Beyond the border of a surface: as the line there has it.
     std::unordered_multimap<std::uint64_t, compute::ContourEdge*> borders;
     const auto vertex = [&](std::uint32_t corner) { return contours.corners[corner].vertex; };
     for (compute::ContourEdge& edge : edges)
-        if (edge.third_b == LA_NO_VERTEX)
-            borders.emplace(pair_key(vertex(edge.from), vertex(edge.to)), &edge);
+        if (edge.border != 0) borders.emplace(pair_key(vertex(edge.from), vertex(edge.to)), &edge);
     for (const Segment& segment : segments.first(segments.size() - faces.size())) {
         const auto [first, last] = borders.equal_range(pair_key(segment.p, segment.q));
         for (auto at = first; at != last; ++at) {
