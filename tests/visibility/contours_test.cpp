@@ -342,7 +342,8 @@ double to_other_lines(const VectorDrawing& drawing, const VectorPath& own, glm::
     return nearest;
 }
 
-/// Of a convex body no silhouette ends but at a crease that goes on.
+/// Of a convex body no silhouette ends but at a crease that goes on, or where both run along each
+/// other within a quarter of a pixel and one is left out.
 TEST(Contours, MeetTheCreasesThatGoOn) {
     const LineSet lines =
         extract_lines(turned_body({{0, -1.2F}, {0.7F, -1.2F}, {1.4F, 0}, {1.1F, 1}, {0, 1}}, 32),
@@ -356,7 +357,7 @@ TEST(Contours, MeetTheCreasesThatGoOn) {
         for (const VectorPath& path : drawing.paths) {
             if (path.kind != LineKind::silhouette || !path.visible || path.closed) continue;
             for (const VectorPoint& end : {path.points.front(), path.points.back()}) {
-                EXPECT_LT(to_other_lines(drawing, path, end.at), 0.15);
+                EXPECT_LT(to_other_lines(drawing, path, end.at), 0.27);
                 ++ends;
             }
         }
