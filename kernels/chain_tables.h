@@ -34,10 +34,19 @@ typedef struct ChainPlace {
 #define LA_CONTOUR_RISES 2u
 
 #define LA_NO_VERTEX 0xFFFFFFFFu
+#define LA_NO_SURFACE 0xFFFFFFFFu /* of a triangle that contours don't run through */
 
 /* Places of contours are lifted off the surface by so much of the edge's length times the angle
  * between its normals. An eighth is how far an arc rises over its chord. */
 #define LA_CONTOUR_LIFT 0.25f
+
+/* An edge that contours may cross. */
+typedef struct ContourEdge {
+    la_uint from, to; /* corners */
+    la_uint border;   /* 1: the surface of these corners ends there, and a line goes on */
+    la_uint face_a,
+        face_b; /* the triangles beside it, whatever surface they are of, as in Segment */
+} ContourEdge;
 
 typedef struct ContourParameters {
     la_uint count;        /* edges; of contour_ends candidates */
@@ -64,7 +73,8 @@ typedef struct ChainParameters {
 /* Lists stay lists: */
 /* clang-format off */
 #define contour_points_tables(in, out, inout, unordered) \
-    in(ContourCorner, corners) in(uint, edges) inout(float, vertices) out(uchar, crossed)
+    in(ContourCorner, corners) in(ContourEdge, edges) in(uchar, front) inout(float, vertices) \
+    out(uchar, crossed)
 #define contour_ends_tables(in, out, inout, unordered) \
     in(uint, faces) in(uchar, crossed) out(uint, contour_ends)
 #define silhouette_tables(in, out, inout, unordered) \

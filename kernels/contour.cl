@@ -5,8 +5,9 @@
  *
  * A place on an edge is not on the edge's chord, which runs below the surface, but on the cubic
  * that leaves its ends at right angles to their normals (the borders of PN triangles: Vlachos et
- * al. 2001). Beside it stands a place lifted off the surface, by more than triangles reach beyond
- * their contour: visibility is asked of that. */
+ * al. 2001). Only at a border of the surface it is on the chord, as the line is that goes on there.
+ * Beside it stands a place lifted off the surface, by more than triangles reach beyond
+ * their contour: methods that know nothing of surfaces ask what is visible of that. */
 
 #include "kernels.h"
 
@@ -30,12 +31,25 @@ static float3 unit_of(const float3 v) {
     return length > 0.0f ? v / length : v;
 }
 
+static bool faces_front(const uint face, __global const uchar* front) {
+    const uint flipped = (face & LA_FACE_FLIPPED) != 0 ? 1u : 0u;
+    return (front[face & LA_FACE_INDEX] ^ flipped) != 0;
+}
+
+/* Whether the line along a border is hidden by its own two faces, so that it is seen up to that
+ * end of the edge whose surface shows its front. */
+static bool turns_away(__global const ContourEdge* edge, __global const uchar* front) {
+    return edge->border != 0 && edge->face_b != LA_NO_FACE && !faces_front(edge->face_a, front) &&
+           !faces_front(edge->face_b, front);
+}
+
 /* One work-item per edge. crossed: whether the contour crosses it, LA_CONTOUR_*. vertices: behind
  * those of the mesh, from first_vertex on, the places where it does, then the same lifted. */
 KERNEL(contour_points, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    __global const ContourCorner *from = corners + edges[2 * i], *to = corners + edges[2 * i + 1];
+    __global const ContourEdge* edge = edges + i;
+    __global const ContourCorner *from = corners + edge->from, *to = corners + edge->to;
     const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
     const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
     const float4 eye = to_float4(args.eye);
@@ -49,8 +63,10 @@ KERNEL(contour_points, ContourParameters) {
     const float3 way = b - a;
     const float3 bend_a = normal_a * dot_of(way, normal_a),
                  bend_b = normal_b * dot_of(way, normal_b);
+    float3 place = a + way * t;
     /* The cubic less the chord: its inner points are moved by a third of these. */
-    const float3 place = (a + way * t) + (bend_b * t - bend_a * s) * (s * t);
+    if (edge->border == 0) place += (bend_b * t - bend_a * s) * (s * t);
+    if (turns_away(edge, front)) place = front_a ? a : b;
     const float3 turn = normal_b - normal_a;
     const float lift = LA_CONTOUR_LIFT * sqrt(dot_of(way, way) * dot_of(turn, turn));
     const float3 normal = unit_of(normal_a * s + normal_b * t);

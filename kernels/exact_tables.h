@@ -55,7 +55,7 @@ typedef struct ExactParameters {
     /* The clipped segments are so many ways beside each segment, see outline_push; all that is over
      * them hides them. 0: they are the segments. */
     la_uint beside;
-    la_uint lift; /* from a contour's vertex to the one that visibility is asked of */
+    la_uint lift; /* from a contour's vertex to the one lifted off its surface; 0: no contours */
 } ExactParameters;
 
 typedef struct OutlineParameters {
@@ -131,10 +131,12 @@ typedef struct SpansParameters {
     in(uint, ends) inout(Entry, entries) in(uint, groups) out(float, blocks) \
     out(float, boxes)
 #define visible_count_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) EXACT_LIST_TABLES(in) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) in(uint, patches) \
+    EXACT_LIST_TABLES(in) \
     out(uint, counts) out(float, kept)
 #define visible_write_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(ClippedSegment, clipped) EXACT_LIST_TABLES(in) in(uint, offsets) \
+    in(Segment, segments) in(ClippedSegment, clipped) in(uint, patches) EXACT_LIST_TABLES(in) \
+    in(uint, offsets) \
     in(float, kept) out(float, spans)
 #define spans_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, arcs) in(uint, span_offsets) in(float, spans) out(uint, counts)

@@ -11,15 +11,16 @@
 #include "exact.h"
 #include "float_pair.h"
 #include "lanes.h"
-
-/* Parts of a piece that are held at once. A piece with more is halved, and each half done alone. */
-#define MOST_PARTS 8
-/* Visible parts shorter than this, in pixels, are left out, and gaps of that length closed. */
-#define SHORTEST_PART 0.02f
+#include "visible_parts.h"
 
 /* A piece whose ends are both nearer than this to a side's line, in pixels, is compared with it in
  * space: rounded places on the screen cannot tell which side of it the piece is on. */
 #define CLOSE_TO_SIDE 0.01f
+
+/* What the own surface of a contour hides of it is asked so many times its lift off the surface
+ * (LA_CONTOUR_LIFT): its triangles reach beyond it on the screen, rough ones farther than an arc's.
+ */
+#define OWN_LIFTS 3.0f
 
 /* What the lists of a frame are. */
 typedef struct Lists {
@@ -31,6 +32,7 @@ typedef struct Lists {
     __global const uint* groups;
     __global const float* blocks;
     __global const float* boxes;
+    __global const uint* patches; /* of a contour's faces; not read where there are none */
 } Lists;
 
 /* A segment on the screen, and in space. Along it counts s: 0 at p', 1 at q', linear on the
@@ -41,7 +43,12 @@ typedef struct Line {
     float w_p, w_q;
     float t0, t1;
     uint vertex_p, vertex_q;
-    float doubt; /* of nearness, by rounding */
+    float doubt;       /* of nearness, by rounding */
+    float3 at_p, at_q; /* of the vertices, or lifted */
+    /* Of a contour, whose surface it is on; else LA_NO_SURFACE. own: cut by the faces of this
+     * surface alone, and not by all others. */
+    uint patch;
+    bool own;
 } Line;
 
 /* A piece of it within a tile, in the tile's coordinates. Along it counts u: 0 to 1. */
@@ -51,13 +58,6 @@ typedef struct Piece {
     float s_a, s_b;
     float2 origin;
 } Piece;
-
-/* Visible parts of a piece: from x to y each, ascending. */
-typedef struct Parts {
-    float2 part[MOST_PARTS];
-    int count;
-    bool full; /* there were more: `part` is not all */
-} Parts;
 
 /* The parameter of the segment in space, 0 at its vertex p and 1 at q, of a place on the screen. */
 static float along_in_space(const Line* line, const float s) {
@@ -103,8 +103,6 @@ static float left_of(const ExactParameters* args, const float3 place, const floa
 static void find_within_sides(const ExactParameters* args, const Lists* lists, const Line* line,
                               const Piece* piece, const uint t, const uint which, float* low,
                               float* high) {
-    const float3 at_p = vload3(line->vertex_p, lists->vertices);
-    const float3 at_q = vload3(line->vertex_q, lists->vertices);
     float3 corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = vload3(lists->triangles[3 * t + k], lists->vertices);
     const float3 normal = cross_product(corner[1] - corner[0], corner[2] - corner[0]);
@@ -113,8 +111,8 @@ static void find_within_sides(const ExactParameters* args, const Lists* lists, c
         if ((which >> k & 1u) == 0) continue;
         const float3 first = corner[(k + 1) % 3], second = corner[(k + 2) % 3];
         const float3 b = turned ? second : first, c = turned ? first : second;
-        keep_above_in_space(args, line, piece, left_of(args, at_p, b, c), left_of(args, at_q, b, c),
-                            low, high);
+        keep_above_in_space(args, line, piece, left_of(args, line->at_p, b, c),
+                            left_of(args, line->at_q, b, c), low, high);
     }
 }
 
@@ -137,47 +135,30 @@ static void find_behind(const ExactParameters* args, const Lists* lists, const L
     const uint p = line->vertex_p, q = line->vertex_q;
     const bool holds_p = i0 == p || i1 == p || i2 == p, holds_q = i0 == q || i1 == q || i2 == q;
     const float3 normal = vload3(0, lists->planes + 4 * t);
-    const float3 at_p = vload3(p, lists->vertices), at_q = vload3(q, lists->vertices);
-    const float behind_p = holds_p ? 0.0f : dot_product(normal, at_p - vload3(i0, lists->vertices));
-    const float behind_q = holds_q ? 0.0f : behind_p + dot_product(normal, at_q - at_p);
+    const float behind_p =
+        holds_p ? 0.0f : dot_product(normal, line->at_p - vload3(i0, lists->vertices));
+    const float behind_q = holds_q ? 0.0f : behind_p + dot_product(normal, line->at_q - line->at_p);
     keep_above_in_space(args, line, piece, behind_p - args->contact, behind_q - args->contact, low,
                         high);
     keep_beyond_near(args, lists, piece, t, low, high);
-}
-
-/* Takes u from `low` to `high` away from what is visible. least: shorter parts are left out. */
-static void hide(Parts* parts, const float low, const float high, const float least) {
-    int k = 0;
-    while (k < parts->count && parts->part[k].y <= low) ++k;
-    while (k < parts->count && parts->part[k].x < high) {
-        const float2 part = parts->part[k];
-        const bool before = low - part.x > least, after = part.y - high > least;
-        if (before && after) {
-            if (parts->count == MOST_PARTS) {
-                parts->full = true;
-                return;
-            }
-            for (int j = parts->count; j > k; --j) parts->part[j] = parts->part[j - 1];
-            ++parts->count;
-            parts->part[k].y = low;
-            parts->part[k + 1].x = high;
-            return;
-        }
-        if (before) {
-            parts->part[k++].y = low;
-        } else if (after) {
-            parts->part[k++].x = high;
-        } else {
-            --parts->count;
-            for (int j = k; j < parts->count; ++j) parts->part[j] = parts->part[j + 1];
-        }
-    }
 }
 
 /* A linear function of LANES faces, at a place. */
 static lanes_float value_at(__global const float* coefficients, const float2 place) {
     return LOAD_LANES(coefficients) * place.x + (LOAD_LANES(coefficients + LA_GROUP) * place.y +
                                                  LOAD_LANES(coefficients + 2 * LA_GROUP));
+}
+
+/* Of the lanes those by whose faces a contour is cut. */
+static uint cutting_lanes(const Lists* lists, const Line* line, __global const float* entries,
+                          const uint may_hide) {
+    uint cutting = 0;
+    for (uint left = may_hide; left != 0; left &= left - 1u) {
+        const uint lane = lowest_bit(left);
+        const uint t = as_uint(entries[LA_ENTRY_FACE * LA_GROUP + lane]);
+        if ((lists->patches[t] == line->patch) == line->own) cutting |= 1u << lane;
+    }
+    return cutting;
 }
 
 /* Takes what LANES faces hide away from the piece. */
@@ -214,6 +195,7 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
     const lanes_float before_a = value_at(plane, piece->a) - piece->nearness_a;
     const lanes_float before_b = value_at(plane, piece->b) - piece->nearness_b;
     uint may_hide = LANE_BITS(may && fmax(before_a, before_b) >= -margin);
+    if (line->patch != LA_NO_SURFACE) may_hide = cutting_lanes(lists, line, entries, may_hide);
     if (may_hide == 0) return;
     const lanes_int surely = fmin(before_a, before_b) >= margin;
     float lows[LANES], highs[LANES];
@@ -248,12 +230,9 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
     }
 }
 
-/* What is visible of a piece in a tile. */
+/* Takes what is hidden of a piece in a tile away from its visible parts. */
 static void cut_piece(const ExactParameters* args, const Lists* lists, const Line* line,
                       const Piece* piece, const uint tile, Parts* parts) {
-    parts->part[0] = float2(0.0f, 1.0f);
-    parts->count = 1;
-    parts->full = false;
     const float margin = 2.0f * args->slack;
     const float4 box =
         float4(fmin(piece->a.x, piece->b.x) - margin, fmin(piece->a.y, piece->b.y) - margin,
@@ -287,43 +266,6 @@ static void cut_piece(const ExactParameters* args, const Lists* lists, const Lin
     }
 }
 
-/* Where visible parts of a segment go: joined where they touch, counted, the first two kept, and
- * written if there is a table. */
-typedef struct Found {
-    float gap;   /* SHORTEST_PART as s: what is nearer to an end of the segment is that end */
-    float2 open; /* the part that may go on; none if x > y */
-    uint count;
-    float4 kept;
-    __global float* out;
-} Found;
-
-static Found nothing_found(const Line* line, __global float* out) {
-    const float length_px = sqrt(line->way.x * line->way.x + line->way.y * line->way.y);
-    const Found found = {SHORTEST_PART / length_px, float2(1.0f, 0.0f), 0,
-                         float4(0.0f, 0.0f, 0.0f, 0.0f), out};
-    return found;
-}
-
-static void close_part(Found* found) {
-    if (found->open.x > found->open.y) return;
-    if (found->open.x <= found->gap) found->open.x = 0.0f;
-    if (1.0f - found->open.y <= found->gap) found->open.y = 1.0f;
-    if (found->count == 0) found->kept = float4(found->open.x, found->open.y, 0.0f, 0.0f);
-    if (found->count == 1)
-        found->kept = float4(found->kept.x, found->kept.y, found->open.x, found->open.y);
-    if (found->out != 0) vstore2(found->open, found->count, found->out);
-    found->count += 1u;
-}
-
-static void add_part(Found* found, const float2 part) {
-    if (found->open.x <= found->open.y && part.x - found->open.y <= found->gap) {
-        found->open.y = part.y;
-        return;
-    }
-    close_part(found);
-    found->open = part;
-}
-
 static Piece piece_of(const Line* line, const float s_a, const float s_b, const float2 origin) {
     Piece piece;
     piece.a = line->p + line->way * s_a - origin;
@@ -336,18 +278,28 @@ static Piece piece_of(const Line* line, const float s_a, const float s_b, const 
     return piece;
 }
 
-/* What is visible of the segment from s_a to s_b, all in one tile. */
+/* What is visible of the segment from s_a to s_b, all in one tile. lifted: of a contour what its
+ * own surface hides; else null. */
 static void find_in_tile(const ExactParameters* args, const Lists* lists, const Line* line,
-                         const int2 tile, const float s_a, const float s_b, Found* found) {
+                         const Line* lifted, const int2 tile, const float s_a, const float s_b,
+                         Found* found) {
     const uint index = (uint)(tile.y * args->tiles.v[0] + tile.x);
     const float2 origin = float2((float)tile.x, (float)tile.y) * args->tile_size;
     float from = s_a, to = s_b;
     while (from < s_b) {
         const Piece piece = piece_of(line, from, to, origin);
         const float nearest = fmax(piece.nearness_a, piece.nearness_b);
-        if (nearest < as_float(lists->occluders[index])) return;
+        /* A contour may lie a little behind a large face of its own. */
+        if (lifted == 0 && nearest < as_float(lists->occluders[index])) return;
         Parts parts;
+        parts.part[0] = float2(0.0f, 1.0f);
+        parts.count = 1;
+        parts.full = false;
         cut_piece(args, lists, line, &piece, index, &parts);
+        if (lifted != 0 && parts.count > 0 && !parts.full) {
+            const Piece above = piece_of(lifted, from, to, origin);
+            cut_piece(args, lists, lifted, &above, index, &parts);
+        }
         const float middle = 0.5f * (from + to);
         if (parts.full && middle > from && middle < to) {
             to = middle;
@@ -372,7 +324,7 @@ static float leaves_at(const float p, const float way, const int tile, const flo
 
 /* What is visible of the segment, tile by tile. */
 static void find_visible(const ExactParameters* args, const Lists* lists, const Line* line,
-                         Found* found) {
+                         const Line* lifted, Found* found) {
     const int2 tiles = to_int2(args->tiles);
     const float size = args->tile_size;
     int2 tile = clamp(convert_int2_rtn(line->p * (1.0f / size)), int2(0, 0), tiles - 1);
@@ -388,7 +340,7 @@ static void find_visible(const ExactParameters* args, const Lists* lists, const 
         const bool outside = next.x < 0 || next.y < 0 || next.x >= tiles.x || next.y >= tiles.y;
         const float end = outside ? 1.0f : fmin(fmin(x, y), 1.0f);
         if (end > s) {
-            find_in_tile(args, lists, line, tile, s, end, found);
+            find_in_tile(args, lists, line, lifted, tile, s, end, found);
             s = end;
         }
         tile = next;
@@ -396,16 +348,10 @@ static void find_visible(const ExactParameters* args, const Lists* lists, const 
     close_part(found);
 }
 
-static Line line_of(const ExactParameters* args, __global const Segment* segment,
-                    __global const ClippedSegment* clipped, __global const float* vertices) {
-    const bool contour = args->beside == 0 && (segment->tag & LA_TAG_CONTOUR) != 0;
-    float4 p = vload4(0, clipped->p), q = vload4(0, clipped->q);
-    if (contour) {
-        const ClipEnds ends =
-            lifted_ends(segment, clipped, args->lift, to_matrix(args->clip_from_world), vertices);
-        p = ends.p;
-        q = ends.q;
-    }
+/* A segment between its clipped ends; at_p, at_q: its vertices. */
+static Line line_between(const ExactParameters* args, __global const Segment* segment,
+                         __global const ClippedSegment* clipped, const float4 p, const float4 q,
+                         const float3 at_p, const float3 at_q) {
     const float2 half_size = to_float2(args->viewport) * 0.5f;
     Line line;
     line.p = (xy(p) / p.w + 1.0f) * half_size;
@@ -417,10 +363,47 @@ static Line line_of(const ExactParameters* args, __global const Segment* segment
     line.w_q = q.w;
     line.t0 = clipped->t0;
     line.t1 = clipped->t1;
-    line.vertex_p = segment->p + (contour ? args->lift : 0u);
-    line.vertex_q = segment->q + (contour ? args->lift : 0u);
+    line.vertex_p = segment->p;
+    line.vertex_q = segment->q;
+    line.at_p = at_p;
+    line.at_q = at_q;
     line.doubt = fmax(line.nearness_p, nearness_q) * FEW_ULPS;
+    line.patch = LA_NO_SURFACE;
+    line.own = false;
     return line;
+}
+
+static bool is_contour(const ExactParameters* args, __global const Segment* segment) {
+    return args->beside == 0 && (segment->tag & LA_TAG_CONTOUR) != 0;
+}
+
+static Line line_of(const ExactParameters* args, const Lists* lists,
+                    __global const Segment* segment, __global const ClippedSegment* clipped) {
+    Line line =
+        line_between(args, segment, clipped, vload4(0, clipped->p), vload4(0, clipped->q),
+                     vload3(segment->p, lists->vertices), vload3(segment->q, lists->vertices));
+    if (is_contour(args, segment)) line.patch = lists->patches[segment->face_a];
+    return line;
+}
+
+/* A contour where its own surface shall not hide it. */
+static Line lifted_line(const ExactParameters* args, const Lists* lists,
+                        __global const Segment* segment, __global const ClippedSegment* clipped,
+                        const Line* line) {
+    const Matrix m = to_matrix(args->clip_from_world);
+    const float3 at_p = line->at_p, at_q = line->at_q;
+    const float3 above_p =
+        at_p + (vload3(segment->p + args->lift, lists->vertices) - at_p) * OWN_LIFTS;
+    const float3 above_q =
+        at_q + (vload3(segment->q + args->lift, lists->vertices) - at_q) * OWN_LIFTS;
+    const float4 p = transform_point(m, above_p), way = transform_point(m, above_q) - p;
+    const float4 from = p + way * line->t0, to = p + way * line->t1;
+    Line lifted = *line;
+    if (from.w > 0.0f && to.w > 0.0f)
+        lifted = line_between(args, segment, clipped, from, to, above_p, above_q);
+    lifted.patch = line->patch;
+    lifted.own = true;
+    return lifted;
 }
 
 /* The segment that clipped segment i is of. */
@@ -434,7 +417,7 @@ static bool lists_fit(const ExactParameters* args, const uint entries, const uin
 }
 
 #define LISTS                                                                                      \
-    { vertices, triangles, faces, planes, occluders, groups, blocks, boxes }
+    { vertices, triangles, faces, planes, occluders, groups, blocks, boxes, patches }
 
 /* counts: visible parts of each segment; kept: the first two of them. */
 KERNEL(visible_count, ExactParameters) {
@@ -445,9 +428,12 @@ KERNEL(visible_count, ExactParameters) {
     const bool absent = args.beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
     if (absent || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const Lists lists = LISTS;
-    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i, vertices);
-    Found found = nothing_found(&line, 0);
-    find_visible(&args, &lists, &line, &found);
+    __global const Segment* segment = segments + segment_of(&args, i);
+    const Line line = line_of(&args, &lists, segment, clipped + i);
+    const bool contour = is_contour(&args, segment);
+    const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;
+    Found found = nothing_found(line.way, 0);
+    find_visible(&args, &lists, &line, contour ? &lifted : 0, &found);
     counts[i] = found.count;
     vstore4(found.kept, i, kept);
 }
@@ -466,7 +452,10 @@ KERNEL(visible_write, ExactParameters) {
     if (count == 2) vstore2(zw(two), 1, out);
     if (count <= 2) return;
     const Lists lists = LISTS;
-    const Line line = line_of(&args, segments + segment_of(&args, i), clipped + i, vertices);
-    Found found = nothing_found(&line, out);
-    find_visible(&args, &lists, &line, &found);
+    __global const Segment* segment = segments + segment_of(&args, i);
+    const Line line = line_of(&args, &lists, segment, clipped + i);
+    const bool contour = is_contour(&args, segment);
+    const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;
+    Found found = nothing_found(line.way, out);
+    find_visible(&args, &lists, &line, contour ? &lifted : 0, &found);
 }

@@ -1,6 +1,7 @@
 // contour: n edges between n corners of random normals, and as many triangles.
-// Bytes: per edge its corners (8), what these are (32) and where (24), the two places (24) and how
-// it is crossed (1); per triangle its edges (12), how they are crossed (3) and its ends (8).
+// Bytes: per edge what lies beside it (20), what its corners are (32) and where (24), the two
+// places (24) and how it is crossed (1); per triangle its edges (12), how they are crossed (3) and
+// its ends (8).
 
 #include <glm/geometric.hpp>
 
@@ -14,19 +15,20 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
     Random random{9};
     const auto component = [&] { return static_cast<float>(random.below(2001)) * 1e-3F - 1; };
     std::vector<ContourCorner> corners(n);
-    std::vector<glm::uvec2> edges(n);
+    std::vector<compute::ContourEdge> edges(n);
     std::vector<glm::uvec3> faces(n);
     std::vector<glm::vec3> vertices(3 * std::size_t{n});
     for (std::uint32_t i = 0; i < n; ++i) {
         const glm::vec3 normal = glm::normalize(glm::vec3{component(), component(), 1.5F});
         corners[i] = {.vertex = i, .normal = {normal.x, normal.y, component()}};
-        edges[i] = {i, (i + 1) % n};
+        edges[i] = {i, (i + 1) % n, 0, i, (i + 1) % n};
         faces[i] = {i, (i + 1) % n, (i + 2) % n | LA_CONTOUR_TURNED};
         vertices[i] = {component(), component(), component()};
     }
     const SharedBuffer corner_table = to_device(device, corners),
                        edge_table = to_device(device, edges), face_table = to_device(device, faces),
                        places = to_device(device, vertices),
+                       front = to_device(device, std::vector<std::uint8_t>(n, 1)),
                        crossed = SharedBuffer{device.allocate(n)},
                        ends = SharedBuffer{device.allocate(n * sizeof(glm::uvec2))};
     const auto run = [=, &stages] {
@@ -38,13 +40,14 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                                      .replaced = 0,
                                      .vertex_count = n},
                         .eye = {0, 0, 1, 0},
+                        .front = *front,
                         .vertices = *places,
                         .crossed = *crossed,
                         .ends = *ends});
         stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 112.0 * n, .result = [&device, ends, n] {
+    return {.run = run, .bytes = 124.0 * n, .result = [&device, ends, n] {
                 return read_back<std::uint8_t>(device, *ends, n * sizeof(glm::uvec2));
             }};
 }

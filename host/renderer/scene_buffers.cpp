@@ -250,16 +250,19 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
             tables_.moving ? make_moving(stages, mode) : nullptr};
 }
 
-/// A line set that has nothing but these, and as many vertices as there are.
+/// A line set that has nothing but these, and as many vertices and triangles as there are.
 LineSet SceneBuffers::download_contours() {
     LineSet result;
     const std::optional<compute::ContourTables> tables = tables_.chunks.front().contours();
     if (!tables) return result;
     result.vertices.resize(tables->vertex_count);
+    result.triangles.resize(triangle_count_);
     Contours& contours = result.contours;
     contours.corners =
         download<ContourCorner>(*tables->corners, tables->corners->size() / sizeof(ContourCorner));
-    contours.edges = download<glm::uvec2>(*tables->edges, tables->edge_count);
+    for (const compute::ContourEdge& edge :
+         download<compute::ContourEdge>(*tables->edges, tables->edge_count))
+        contours.edges.emplace_back(edge.from, edge.to);
     contours.faces = download<glm::uvec3>(*tables->faces, tables->face_count);
     contours.replaced = tables->replaced;
     return result;

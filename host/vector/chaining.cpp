@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace lineatlas {
 namespace {
 
@@ -174,8 +176,27 @@ class PathMaker {
                           .segment = step.segment};
         if (step.segment < lines_.sources.size()) piece.source = lines_.sources[step.segment];
         if (step.reversed) std::swap(piece.source.from, piece.source.to);
-        path.pieces.push_back(piece);
         path.points.push_back(place(step, to, passed));
+        if (is_contour(lines_, step.segment)) {
+            piece.over_start = over(step.segment, path.points.end()[-2].world);
+            piece.over_end = over(step.segment, path.points.back().world);
+        }
+        path.pieces.push_back(piece);
+    }
+
+    /// Over which place of a contour's triangle a point lies, as shares of its corners.
+    glm::vec3 over(std::uint32_t segment, glm::dvec3 point) const {
+        const glm::uvec3 triangle = lines_.triangles[lines_.segments[segment].face_a];
+        const auto corner = [&](int k) { return glm::dvec3{lines_.vertices[triangle[k]]}; };
+        const glm::dvec3 normal = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        glm::dvec3 shares{0};
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 a = corner((k + 1) % 3), b = corner((k + 2) % 3);
+            // The surface bulges beyond the triangle's sides.
+            shares[k] = std::max(glm::dot(glm::cross(a - point, b - point), normal), 0.0);
+        }
+        const double sum = shares.x + shares.y + shares.z;
+        return glm::vec3{sum > 0 ? shares / sum : glm::dvec3{1.0 / 3}};
     }
 
     const LineSet& lines_;

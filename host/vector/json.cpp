@@ -42,6 +42,14 @@ Json piece_json(const VectorPiece& piece) {
         json["part"] = {rounded(double{piece.from}, 1000), rounded(double{piece.to}, 1000)};
     }
     if (piece.source.triangle != LineSource::none) json["triangle"] = piece.source.triangle;
+    if (piece.over_start != glm::vec3{0}) {
+        const auto shares = [](glm::vec3 over) {
+            Json json = Json::array();
+            for (int k = 0; k < 3; ++k) json.push_back(rounded(double{over[k]}, 1000));
+            return json;
+        };
+        json["over"] = {shares(piece.over_start), shares(piece.over_end)};
+    }
     if (piece.source.crossing != LineSource::none) json["crossing"] = piece.source.crossing;
     if (piece.group != VectorPiece::none) json["group"] = piece.group;
     return json;

@@ -50,6 +50,16 @@ VectorPath part_of(const VectorPath& path, double from, double to) {
             own.point = static_cast<std::uint32_t>(part.points.size() - 2);
             own.from = share(piece->from);
             own.to = share(piece->to);
+            const auto over = [&](float place) { // in the part, back in the whole piece
+                const double first = std::max(0.0, (from - passed) / length);
+                const double last = std::min(1.0, (to - passed) / length);
+                const double at = first + place * (last - first);
+                const double whole = double{piece->to} - double{piece->from};
+                const double along = whole > 0 ? (at - piece->from) / whole : 0;
+                return glm::mix(piece->over_start, piece->over_end, static_cast<float>(along));
+            };
+            own.over_start = over(own.from);
+            own.over_end = over(own.to);
             if (own.to > own.from) part.pieces.push_back(own);
         }
         passed = end;
@@ -63,6 +73,7 @@ void reverse(VectorPath& path) {
     for (VectorPiece& piece : path.pieces) {
         piece.point = static_cast<std::uint32_t>(path.points.size() - 2 - piece.point);
         std::swap(piece.source.from, piece.source.to);
+        std::swap(piece.over_start, piece.over_end);
         piece.from = 1 - std::exchange(piece.to, 1 - piece.from);
     }
 }

@@ -29,7 +29,7 @@ std::string list(const char* what, const std::vector<std::string>& names) {
 std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
     std::vector<std::string> objects;
     std::vector<std::string> materials;
-    std::string edges = path.kind == LineKind::intersection ? "triangles" : "edges";
+    std::string edges, triangles; // of smooth silhouettes and of intersections
     const VectorPiece* last = nullptr;
     for (const VectorPiece& piece : path.pieces) {
         if (last != nullptr && last->segment == piece.segment) continue;
@@ -39,11 +39,17 @@ std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
             add_once(materials, drawing.groups[piece.group].material);
         }
         const LineSource& source = piece.source;
-        edges += path.kind == LineKind::intersection
-                     ? fmt::format(" {}x{}", source.triangle, source.crossing)
-                     : fmt::format(" {}-{}", source.from, source.to);
+        if (source.crossing != LineSource::none)
+            triangles += fmt::format(" {}x{}", source.triangle, source.crossing);
+        else if (source.from != LineSource::none)
+            edges += fmt::format(" {}-{}", source.from, source.to);
+        else if (source.triangle != LineSource::none)
+            triangles += fmt::format(" {}", source.triangle);
     }
-    return list("object", objects) + list("material", materials) + edges;
+    std::string text = list("object", objects) + list("material", materials);
+    if (!triangles.empty()) text += "triangles" + triangles;
+    if (!edges.empty()) text += (triangles.empty() ? "edges" : "; edges") + edges;
+    return text;
 }
 
 } // namespace lineatlas

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include "core/model_limits.hpp"
+#include "core/pair_key.hpp"
+#include "core/vertex_sets.hpp"
 
 namespace lineatlas {
 namespace {
@@ -49,14 +52,68 @@ void add_candidates(compute::Device& device, std::span<const Segment> segments,
     chunk.ends = upload(device, std::as_bytes(std::span{ends}), purpose::segments);
 }
 
-void add_contours(compute::Device& device, const LineSet& lines, LineTables::Chunk& chunk) {
+/// What lies beside the edges that contours may cross.
+std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
+                                                std::span<const Segment> segments) {
+    std::vector<compute::ContourEdge> edges;
+    edges.reserve(contours.edges.size());
+    for (const glm::uvec2& edge : contours.edges)
+        edges.push_back({.from = edge.x,
+                         .to = edge.y,
+                         .border = 1,
+                         .face_a = LA_NO_FACE,
+                         .face_b = LA_NO_FACE});
+    const std::span faces = segments.last(contours.faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            compute::ContourEdge& edge = edges[contours.faces[i][k] & ~LA_CONTOUR_TURNED];
+            const bool is_first = edge.face_a == LA_NO_FACE;
+            (is_first ? edge.face_a : edge.face_b) = faces[i].face_a;
+            if (!is_first) edge.border = 0;
+        }
+    }
+    // Beyond the border of a surface: as the line there has it.
+    std::unordered_multimap<std::uint64_t, compute::ContourEdge*> borders;
+    const auto vertex = [&](std::uint32_t corner) { return contours.corners[corner].vertex; };
+    for (compute::ContourEdge& edge : edges)
+        if (edge.border != 0) borders.emplace(pair_key(vertex(edge.from), vertex(edge.to)), &edge);
+    for (const Segment& segment : segments.first(segments.size() - faces.size())) {
+        const auto [first, last] = borders.equal_range(pair_key(segment.p, segment.q));
+        for (auto at = first; at != last; ++at) {
+            const std::uint32_t flipped = segment.face_b & LA_FACE_FLIPPED;
+            const bool is_own = at->second->face_a == segment.face_a;
+            if (segment.face_a == LA_NO_FACE || segment.face_b == LA_NO_FACE) continue;
+            at->second->face_b = is_own ? segment.face_b : segment.face_a | flipped;
+        }
+    }
+    return edges;
+}
+
+/// Of every triangle the surface that contours run through: faces hang together across edges.
+std::vector<std::uint32_t> patches_of(const LineSet& lines, std::span<const Segment> segments) {
+    const std::vector<glm::uvec3>& faces = lines.contours.faces;
+    VertexSets sets{lines.contours.edges.size()};
+    for (const glm::uvec3& face : faces) {
+        for (int k = 1; k < 3; ++k)
+            sets.unite(face[0] & ~LA_CONTOUR_TURNED, face[k] & ~LA_CONTOUR_TURNED);
+    }
+    std::vector<std::uint32_t> patches(lines.triangles.size(), LA_NO_SURFACE);
+    const std::span own = segments.last(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        patches[own[i].face_a] = sets.find(faces[i][0] & ~LA_CONTOUR_TURNED);
+    return patches;
+}
+
+void add_contours(compute::Device& device, const LineSet& lines, std::span<const Segment> segments,
+                  LineTables::Chunk& chunk) {
     const Contours& contours = lines.contours;
     const auto to_device = [&](const auto& values) {
         return upload(device, std::as_bytes(std::span{values}), purpose::segments);
     };
     chunk.corners = to_device(contours.corners);
-    chunk.edges = to_device(contours.edges);
+    chunk.edges = to_device(contour_edges(contours, segments));
     chunk.faces = to_device(contours.faces);
+    chunk.patches = to_device(patches_of(lines, segments));
     chunk.replaced = contours.replaced;
     chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
 }
@@ -69,7 +126,8 @@ std::optional<compute::ContourTables> LineTables::Chunk::contours() const {
         .corners = corners.get(),
         .edges = edges.get(),
         .faces = faces.get(),
-        .edge_count = static_cast<std::uint32_t>(edges->size() / sizeof(glm::uvec2)),
+        .patches = patches.get(),
+        .edge_count = static_cast<std::uint32_t>(edges->size() / sizeof(compute::ContourEdge)),
         .face_count = static_cast<std::uint32_t>(faces->size() / sizeof(glm::uvec3)),
         .replaced = replaced,
         .vertex_count = vertex_count};
@@ -77,7 +135,7 @@ std::optional<compute::ContourTables> LineTables::Chunk::contours() const {
 
 std::uint64_t LineTables::Chunk::bytes() const {
     std::uint64_t sum = segments->size();
-    for (const auto* buffer : {&end_offsets, &ends, &corners, &edges, &faces}) {
+    for (const auto* buffer : {&end_offsets, &ends, &corners, &edges, &faces, &patches}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -113,7 +171,7 @@ std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
         chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
         add_candidates(device, part, contours, chunks.back());
-        if (contours != nullptr) add_contours(device, *contours, chunks.back());
+        if (contours != nullptr) add_contours(device, *contours, part, chunks.back());
     }
     return chunks;
 }

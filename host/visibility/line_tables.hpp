@@ -23,7 +23,7 @@ struct LineTables {
         std::uint32_t candidate_count = 0;
         std::unique_ptr<compute::Buffer> end_offsets{}, ends{}; ///< where there are any
         /// Of contours; there are none where there are several chunks.
-        std::unique_ptr<compute::Buffer> corners{}, edges{}, faces{};
+        std::unique_ptr<compute::Buffer> corners{}, edges{}, faces{}, patches{};
         std::uint32_t replaced = 0, vertex_count = 0;
 
         compute::SilhouetteCandidates candidates() const {

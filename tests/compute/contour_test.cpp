@@ -27,9 +27,11 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
     vertices.resize(3 + 6);
     const auto corners =
         put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1]), on_circle(2, angle[1])});
-    const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {0, 2}});
+    const auto edges =
+        put(std::vector<compute::ContourEdge>{{0, 1, 0, 0, 0}, {1, 2, 0, 0, 0}, {0, 2, 0, 0, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2 | LA_CONTOUR_TURNED}});
     const auto places = put(vertices);
+    const auto front = put(std::vector<std::uint8_t>{1});
     const auto crossed = device().allocate(3);
     const auto ends = device().allocate(sizeof(glm::uvec2));
     stages().contour({.contours = {.corners = corners.get(),
@@ -40,6 +42,7 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
                                    .replaced = 0,
                                    .vertex_count = 3},
                       .eye = {1, 0, 0, 0},
+                      .front = *front,
                       .vertices = *places,
                       .crossed = *crossed,
                       .ends = *ends});
@@ -70,16 +73,65 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
     EXPECT_NEAR(found[5].x, 0, 1e-2);
 }
 
+TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
+    // An edge of the unit circle, from 0.13 to -0.07 radians about its top as an eye at +x sees it,
+    // where one surface ends in another.
+    const float middle = 0.5F * 3.14159265F, ahead = 0.13F, behind = 0.07F;
+    const std::array<float, 2> angle{middle + ahead, middle - behind};
+    std::vector<glm::vec3> vertices{{std::cos(angle[0]), std::sin(angle[0]), 0},
+                                    {std::cos(angle[1]), std::sin(angle[1]), 0}};
+    vertices.resize(2 + 2);
+    const auto corners = put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1])});
+    const auto edges = put(std::vector<compute::ContourEdge>{{0, 1, 1, 0, 1}});
+    const auto faces = put(std::vector<glm::uvec3>{{0, 0, 0}});
+    const auto crossed = device().allocate(1);
+    const auto ends = device().allocate(sizeof(glm::uvec2));
+    const auto place = [&](std::vector<std::uint8_t> shows_front) {
+        const auto places = put(vertices);
+        const auto front = put(shows_front);
+        stages().contour({.contours = {.corners = corners.get(),
+                                       .edges = edges.get(),
+                                       .faces = faces.get(),
+                                       .edge_count = 1,
+                                       .face_count = 0,
+                                       .vertex_count = 2},
+                          .eye = {1, 0, 0, 0},
+                          .front = *front,
+                          .vertices = *places,
+                          .crossed = *crossed,
+                          .ends = *ends});
+        return get<glm::vec3>(*places, 4)[2];
+    };
+    // The line along the edge is straight, and all of it is seen if one of its faces shows its
+    // front. Else none of it is, and the line before it ends at the vertex whose surface does.
+    const double share = std::sin(0.13) / (std::sin(0.13) + std::sin(0.07));
+    const double height = std::cos(0.13) + share * (std::cos(0.07) - std::cos(0.13));
+    for (const std::vector<std::uint8_t>& front :
+         {std::vector<std::uint8_t>{1, 0}, {0, 1}, {1, 1}}) {
+        EXPECT_NEAR(place(front).x, 0, 2e-5);
+        EXPECT_NEAR(place(front).y, height, 1e-6);
+    }
+    EXPECT_EQ(place({0, 0}), vertices[1]);
+}
+
 TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
     const auto corners = put(
         std::vector<ContourCorner>{{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}}, {2, {0, -0.6F, 0.8F}}});
-    const auto edges = put(std::vector<glm::uvec2>{{0, 1}, {1, 2}, {2, 0}});
+    const auto edges =
+        put(std::vector<compute::ContourEdge>{{0, 1, 0, 0, 0}, {1, 2, 0, 0, 0}, {2, 0, 0, 0, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2}});
     const auto places = put(std::vector<glm::vec3>(9, glm::vec3{1, 2, 3}));
+    const auto front = put(std::vector<std::uint8_t>{1});
     const auto crossed = device().allocate(3);
     const auto ends = device().allocate(sizeof(glm::uvec2));
-    stages().contour({.contours = {corners.get(), edges.get(), faces.get(), 3, 1, 0, 3},
+    stages().contour({.contours = {.corners = corners.get(),
+                                   .edges = edges.get(),
+                                   .faces = faces.get(),
+                                   .edge_count = 3,
+                                   .face_count = 1,
+                                   .vertex_count = 3},
                       .eye = {1, 2, 30, 1},
+                      .front = *front,
                       .vertices = *places,
                       .crossed = *crossed,
                       .ends = *ends});

@@ -547,7 +547,7 @@ INSTANTIATE_TEST_SUITE_P(
               "#define CLOSE_TO_SIDE 0.0f"},
         Plant{"NoNearPlane", "visible.cl", "lists->faces[t].kind != FACE_CROSSES || !(*low",
               "true || !(*low"},
-        Plant{"PartsBeyondThoseHeldAreLost", "visible.cl", "parts->full = true;", ""}),
+        Plant{"PartsBeyondThoseHeldAreLost", "visible_parts.h", "parts->full = true;", ""}),
     [](const auto& test) { return std::string{test.param.name}; });
 
 } // namespace

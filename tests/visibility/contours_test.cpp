@@ -2,6 +2,7 @@
 // how long they are, and that what should be seen of them is.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -292,6 +293,152 @@ TEST(Contours, OfATorusAreHiddenInParts) {
     EXPECT_LT(seen, along_edges); // which zigzag
     EXPECT_GT(seen, 0.85 * along_edges);
     EXPECT_GT(length_of(LineVisibility{lines}.find(camera, {.hidden = true}), false), 50);
+}
+
+/// About y, by places (radius, height) of its outline, bottom to top: a crease at each, and the
+/// normals of cones between them.
+Mesh turned_body(const std::vector<glm::vec2>& outline, std::uint32_t sides) {
+    Mesh mesh;
+    const auto about = [&](glm::vec2 place, std::uint32_t column) {
+        const float around = turn(column % sides, sides);
+        return glm::vec3{place.x * std::cos(around), place.y, place.x * std::sin(around)};
+    };
+    for (const glm::vec2 place : outline)
+        for (std::uint32_t j = 0; j < sides; ++j) mesh.positions.push_back(about(place, j));
+    for (std::uint32_t i = 0; i + 1 < outline.size(); ++i) {
+        const glm::vec2 way = outline[i + 1] - outline[i];
+        const glm::vec2 out = glm::normalize(glm::vec2{way.y, -way.x});
+        const auto add = [&](std::array<glm::uvec2, 3> corners) {
+            const auto position = [&](int k) {
+                return corners[k].x * sides + corners[k].y % sides;
+            };
+            mesh.triangles.emplace_back(position(0), position(1), position(2));
+            for (const glm::uvec2 corner : corners)
+                mesh.corner_normals.push_back(about(out, corner.y));
+        };
+        for (std::uint32_t j = 0; j < sides; ++j) {
+            add({{{i, j}, {i + 1, j}, {i, j + 1}}});
+            add({{{i, j + 1}, {i + 1, j}, {i + 1, j + 1}}});
+        }
+    }
+    return mesh;
+}
+
+VectorDrawing draw_exactly(const LineSet& lines, const Camera& camera) {
+    return make_vector_drawing(lines, camera, LineVisibility{lines}.find(camera, {.hidden = true}),
+                               Style{});
+}
+
+double to_other_lines(const VectorDrawing& drawing, const VectorPath& own, glm::dvec2 end) {
+    double nearest = 1e9;
+    for (const VectorPath& path : drawing.paths) {
+        if (&path == &own || !path.visible) continue;
+        for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+            const glm::dvec2 a = path.points[k].at, way = path.points[k + 1].at - a;
+            const double along = std::clamp(glm::dot(end - a, way) / glm::dot(way, way), 0.0, 1.0);
+            nearest = std::min(nearest, glm::distance(end, a + way * along));
+        }
+    }
+    return nearest;
+}
+
+/// Of a convex body no silhouette ends but at a crease that goes on, or where both run along each
+/// other within a quarter of a pixel and one is left out.
+TEST(Contours, MeetTheCreasesThatGoOn) {
+    const LineSet lines =
+        extract_lines(turned_body({{0, -1.2F}, {0.7F, -1.2F}, {1.4F, 0}, {1.1F, 1}, {0, 1}}, 32),
+                      {.crease_angle = 0.35F, .silhouettes = Silhouettes::automatic});
+    ASSERT_FALSE(lines.contours.empty());
+    Random random{67};
+    int ends = 0;
+    for (int view = 0; view < 30; ++view) {
+        SCOPED_TRACE(view);
+        const VectorDrawing drawing = draw_exactly(lines, parallel_view(random.direction()));
+        for (const VectorPath& path : drawing.paths) {
+            if (path.kind != LineKind::silhouette || !path.visible || path.closed) continue;
+            for (const VectorPoint& end : {path.points.front(), path.points.back()}) {
+                EXPECT_LT(to_other_lines(drawing, path, end.at), 0.27);
+                ++ends;
+            }
+        }
+    }
+    EXPECT_GT(ends, 60);
+}
+
+/// The wall of a bore is hollow: no eye outside sees it turn away.
+TEST(Contours, OfABoreAreHidden) {
+    const LineSet lines = extract_lines(
+        turned_body({{1, -0.5F}, {1.8F, -0.5F}, {1.8F, 0.5F}, {1, 0.5F}, {1, -0.5F}}, 40),
+        {.crease_angle = 0.35F, .silhouettes = Silhouettes::automatic});
+    double of_bore = 0, outside = 0;
+    for (int view = 1; view < 12; ++view) {
+        const double angle = 0.5 * pi * view / 12;
+        const glm::vec3 to_eye{std::cos(angle) * 0.8, std::sin(angle), std::cos(angle) * 0.6};
+        const VectorDrawing drawing = draw_exactly(lines, parallel_view(to_eye));
+        for (const VectorPath& path : drawing.paths) {
+            if (path.kind != LineKind::silhouette || !path.visible) continue;
+            for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+                const glm::dvec3 at = path.points[k].world, to = path.points[k + 1].world;
+                const double radius = std::hypot(at.x + to.x, at.z + to.z) / 2;
+                (radius < 1.4 ? of_bore : outside) +=
+                    glm::distance(path.points[k].at, path.points[k + 1].at);
+            }
+        }
+    }
+    EXPECT_LT(of_bore, 0.5);
+    EXPECT_GT(outside, 1000);
+}
+
+/// Of a rough ball too the outline has no gap of more than two pixels.
+TEST(Contours, OfARoughBallAreSeenAllAround) {
+    Mesh ball = sphere(5);
+    Random random{68};
+    for (glm::vec3& position : ball.positions) position *= random.between(0.997F, 1.003F);
+    const LineSet lines = extract_lines(ball, smooth);
+    for (int view = 0; view < 3; ++view) {
+        const Camera camera = parallel_view(random.direction());
+        constexpr int directions = 600; // a pixel each
+        std::array<bool, directions> seen{};
+        for (const Interval& one : LineVisibility{lines}.find(camera)) {
+            for (int k = 0; k <= 8; ++k) {
+                const float along = static_cast<float>(k) / 8;
+                const glm::dvec2 at{std::lerp(one.start[0], one.end[0], along) - 200,
+                                    std::lerp(one.start[1], one.end[1], along) - 200};
+                if (glm::length(at) < 97) continue;
+                const double share = std::atan2(at.y, at.x) / (2 * pi) + 0.5;
+                seen[static_cast<std::size_t>(share * (directions - 1e-6))] = true;
+            }
+        }
+        int longest = 0, bare = 0;
+        for (int i = 0; i < 2 * directions; ++i) {
+            bare = seen[static_cast<std::size_t>(i % directions)] ? 0 : bare + 1;
+            longest = std::max(longest, bare);
+        }
+        EXPECT_LE(longest, 3) << view;
+    }
+}
+
+/// Paths say over which place of a triangle a contour runs.
+TEST(Contours, NameTrianglesAndPlacesOverThem) {
+    const Mesh body = sphere(4);
+    const LineSet lines = extract_lines(body, smooth);
+    const VectorDrawing drawing = draw_exactly(lines, parallel_view({0, 0, 1}));
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    const VectorPath& path = drawing.paths[0];
+    for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+        const VectorPiece& piece = path.pieces[i];
+        ASSERT_LT(piece.source.triangle, body.triangles.size());
+        const glm::uvec3 corners = body.triangles[piece.source.triangle];
+        for (const glm::vec3 over : {piece.over_start, piece.over_end}) {
+            EXPECT_NEAR(over.x + over.y + over.z, 1, 1e-5);
+            // From side to side.
+            EXPECT_LT(std::min({over.x, over.y, over.z}), 0.02F);
+            const glm::vec3 place = over.x * body.positions[corners.x] +
+                                    over.y * body.positions[corners.y] +
+                                    over.z * body.positions[corners.z];
+            EXPECT_NEAR(place.z, 0, 0.01F); // of a ball seen along z
+        }
+    }
 }
 
 TEST(Contours, AreDrawnByTheAtlasToo) {

@@ -24,6 +24,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #include "run.h"
 #include "screen_box.h"
 #include "silhouette.h"
+#include "visible_parts.h"
 
 // The form of a CPU: several probes, or lines, at once.
 #define HALO_LANES 16

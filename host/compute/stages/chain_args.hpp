@@ -20,6 +20,7 @@ struct FacingArgs {
 struct ContourArgs {
     ContourTables contours;
     glm::vec4 eye;    ///< Camera::eye()
+    Buffer& front;    ///< of `facing`
     Buffer& vertices; ///< in: those of the mesh; out, behind them: 6 floats per edge
     Buffer& crossed;  ///< scratch: a byte per edge
     Buffer& ends;     ///< out: 2 uint32 per candidate, see kernels/contour.cl

@@ -21,6 +21,7 @@ void Stages::contour(const ContourArgs& args) {
     launch<kernels::contour_points>(contours.edge_count, tuning_.local_size, parameters,
                                     {.corners = *contours.corners,
                                      .edges = *contours.edges,
+                                     .front = args.front,
                                      .vertices = args.vertices,
                                      .crossed = args.crossed});
     parameters.count = contours.face_count;

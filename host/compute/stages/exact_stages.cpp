@@ -11,6 +11,12 @@ std::uint32_t tiles_of(const ExactParameters& parameters) {
     return static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y);
 }
 
+/// A table that is not read where there are no contours.
+Buffer& patches_of(const SegmentTable& table) {
+    const std::optional<ContourTables>& contours = table.candidates.contours;
+    return contours ? *contours->patches : table.triangles;
+}
+
 ExactParameters in_chunks(ExactParameters parameters, const Tuning& tuning) {
     parameters.chunks = tuning.face_chunks;
     parameters.chunk = std::max(divide_up(parameters.triangle_count, tuning.face_chunks), 1U);
@@ -79,6 +85,7 @@ void Stages::visible(const ExactArgs& args) {
                                    {.segments = args.table.segments,
                                     .clipped = args.clipped.clipped,
                                     .arcs = args.clipped.arcs,
+                                    .patches = patches_of(args.table),
                                     .vertices = args.table.vertices,
                                     .triangles = args.table.triangles,
                                     .faces = args.faces,
@@ -94,6 +101,7 @@ void Stages::visible(const ExactArgs& args) {
     launch<kernels::visible_write>(n, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,
                                     .clipped = args.clipped.clipped,
+                                    .patches = patches_of(args.table),
                                     .vertices = args.table.vertices,
                                     .triangles = args.table.triangles,
                                     .faces = args.faces,

@@ -26,7 +26,7 @@ SegmentTable SilhouetteChains::without(const SegmentTable& table) {
     return result;
 }
 
-void SilhouetteChains::contour(const SegmentTable& table, const glm::vec4& eye) {
+void SilhouetteChains::contour(const SegmentTable& table, Buffer& front, const glm::vec4& eye) {
     const ContourTables& contours = *table.candidates.contours;
     constexpr std::uint64_t vertex = 3 * sizeof(float);
     const std::uint64_t edges = contours.edge_count;
@@ -38,6 +38,7 @@ void SilhouetteChains::contour(const SegmentTable& table, const glm::vec4& eye) 
     make_room(contour_ends_, std::uint64_t{contours.face_count} * 2 * sizeof(la_uint));
     stages_.contour({.contours = contours,
                      .eye = eye,
+                     .front = front,
                      .vertices = *vertices_,
                      .crossed = *crossed_,
                      .ends = *contour_ends_});

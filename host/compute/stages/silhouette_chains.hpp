@@ -34,7 +34,8 @@ class SilhouetteChains {
     SegmentTable find(const SegmentTable& candidates, Buffer& front, const glm::vec4& eye,
                       Clock&& clock) {
         if (candidates.candidates.count == 0) return without(candidates);
-        if (candidates.candidates.contours) clock("contour", [&] { contour(candidates, eye); });
+        if (candidates.candidates.contours)
+            clock("contour", [&] { contour(candidates, front, eye); });
         const SegmentTable table = with_contours(candidates);
         clock("silhouette", [&] { count(table, front); });
         if (count_ == 0) return with_none(table);
@@ -53,7 +54,7 @@ class SilhouetteChains {
     std::uint64_t bytes() const; ///< of all its tables
 
   private:
-    void contour(const SegmentTable& table, const glm::vec4& eye);
+    void contour(const SegmentTable& table, Buffer& front, const glm::vec4& eye);
     /// With the vertices of the frame's contours behind its own.
     SegmentTable with_contours(const SegmentTable& table) const;
     Buffer* contour_ends(const SegmentTable& table) const {

@@ -16,8 +16,9 @@ namespace lineatlas::compute {
 /// Where silhouettes of smooth surfaces may run, as LineSet::contours has it.
 struct ContourTables {
     Buffer* corners = nullptr; ///< `ContourCorner` each
-    Buffer* edges = nullptr;   ///< 2 uint32 each: corners
+    Buffer* edges = nullptr;   ///< `ContourEdge` each
     Buffer* faces = nullptr;   ///< 3 uint32 each: edges
+    Buffer* patches = nullptr; ///< per triangle a uint32: of which surface it is, or LA_NO_SURFACE
     std::uint32_t edge_count = 0;
     std::uint32_t face_count = 0;   ///< the last candidates
     std::uint32_t replaced = 0;     ///< candidates before them that they stand for

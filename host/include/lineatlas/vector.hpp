@@ -31,11 +31,15 @@ struct VectorPoint {
 /// Where a piece of a path comes from.
 struct VectorPiece {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no group
-    std::uint32_t point = 0;    ///< it lies between this point of the path and the next one:
-    float from = 0;             ///< share of the way between them at which it starts, 0 to 1
-    float to = 1;               ///< and at which it ends
-    std::uint32_t segment = 0;  ///< index into LineSet::segments
-    LineSource source{};        ///< in the mesh, in the direction of the path
+    std::uint32_t point = 0;   ///< it lies between this point of the path and the next one:
+    float from = 0;            ///< share of the way between them at which it starts, 0 to 1
+    float to = 1;              ///< and at which it ends
+    std::uint32_t segment = 0; ///< index into LineSet::segments
+    LineSource source{};       ///< in the mesh, in the direction of the path
+    /// Of a smooth silhouette, which runs through `source.triangle` and has no edge: over which
+    /// place of it the piece starts, as shares of its three corners. Else 0.
+    glm::vec3 over_start{0};
+    glm::vec3 over_end{0};      ///< the same of its end
     std::uint32_t group = none; ///< index into VectorDrawing::groups
 };
 
