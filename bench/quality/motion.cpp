@@ -93,6 +93,7 @@ void MotionFigures::add(const MotionFigures& other) {
     sparkle_sum += other.sparkle_sum;
     stroke_points += other.stroke_points;
     crawl_sum += other.crawl_sum;
+    crawling += other.crawling;
 }
 
 std::optional<double> MotionFigures::sparkle() const {
@@ -103,6 +104,11 @@ std::optional<double> MotionFigures::sparkle() const {
 std::optional<double> MotionFigures::crawl() const {
     if (stroke_points == 0) return std::nullopt;
     return crawl_sum / static_cast<double>(stroke_points);
+}
+
+std::optional<double> MotionFigures::crawling_share() const {
+    if (stroke_points == 0) return std::nullopt;
+    return static_cast<double>(crawling) / static_cast<double>(stroke_points);
 }
 
 void KindMotion::add(const KindMotion& other) {
@@ -121,12 +127,13 @@ KindMotion compare_frames(const LineSet& lines, std::span<const Match> matches,
         const double truth_before = interpolated(&before.truth[begin], l, match.before);
         const double alpha_change = (now.alpha[i] - alpha_before) / 255;
         const double truth_change = now.truth[i] - truth_before;
-        MotionFigures point{1, std::abs(alpha_change - truth_change), 0, 0};
+        MotionFigures point{.points = 1, .sparkle_sum = std::abs(alpha_change - truth_change)};
         const auto arc = now.arcs.at(match.segment, match.sample + 0.5);
         const auto arc_before = before.arcs.at(match.segment, match.before);
         if (arc && arc_before) {
             point.stroke_points = 1;
             point.crawl_sum = std::abs(*arc - *arc_before);
+            point.crawling = point.crawl_sum >= 0.5 ? 1 : 0;
         }
         figures.all.add(point);
         figures.kinds[lines.segments[match.segment].tag & LA_TAG_KIND_MASK].add(point);

@@ -59,10 +59,12 @@ struct MotionFigures {
     double sparkle_sum = 0;          ///< of |change of alpha - change of alpha*|
     std::uint64_t stroke_points = 0; ///< points of strokes in both frames
     double crawl_sum = 0;            ///< of |change of the texture coordinate|, pixels
+    std::uint64_t crawling = 0;      ///< of stroke_points, those where that is half a pixel or more
 
     void add(const MotionFigures& other);
     std::optional<double> sparkle() const;
     std::optional<double> crawl() const;
+    std::optional<double> crawling_share() const;
 };
 
 /// Figures in total and per line kind.

@@ -98,6 +98,7 @@ TEST(Motion, ShiftedTextureCrawls) {
     const MotionFigures figures = compare({.runs = {stroke(0, 50, 0.7F)}}, {});
     EXPECT_EQ(figures.stroke_points, 50U);
     EXPECT_NEAR(*figures.crawl(), 0.7, 1e-5);
+    EXPECT_EQ(figures.crawling_share(), 1);
 }
 
 TEST(Motion, CrawlCountsPointsOfStrokesInBothFrames) {
@@ -105,6 +106,7 @@ TEST(Motion, CrawlCountsPointsOfStrokesInBothFrames) {
         compare({.runs = {stroke(0, 10), stroke(40, 100)}}, {.runs = {stroke(5, 45, 0.25F)}});
     EXPECT_EQ(figures.stroke_points, 10U); // 5 to 10 and 40 to 45
     EXPECT_DOUBLE_EQ(*figures.crawl(), 0.25);
+    EXPECT_EQ(figures.crawling_share(), 0);
     EXPECT_FALSE(compare({.runs = {}}, {}).crawl().has_value());
 }
 

@@ -20,7 +20,7 @@ std::string text(const std::optional<double>& value) {
 void print_columns(std::string_view first, bool motion) {
     fmt::print("  {:<14}{:>10}{:>10}{:>9}{:>9}{:>9}", first, "samples", "error", "wrong %",
                "f.vis %", "f.hid %");
-    fmt::print("{}\n", motion ? "   sparkle crawl px" : "");
+    fmt::print("{}\n", motion ? "   sparkle crawl px  >.5 px" : "");
 }
 
 void print_subject(const SubjectReport& report) {
@@ -35,7 +35,8 @@ void print_row(const std::string& name, const Figures& f, const MotionFigures* m
                100 * f.share(f.wrong()), 100 * f.share(f.false_visible),
                100 * f.share(f.false_hidden));
     if (motion != nullptr) {
-        fmt::print("{:>10}{:>9}", text(motion->sparkle()), text(motion->crawl()));
+        fmt::print("{:>10}{:>9}{:>9}", text(motion->sparkle()), text(motion->crawl()),
+                   text(motion->crawling_share()));
     }
     fmt::print("\n");
 }
@@ -91,6 +92,7 @@ Json json(const Figures& errors, const MotionFigures& motion) {
     result["crawl"] = json(motion.crawl());
     result["sparkle_points"] = motion.points;
     result["crawl_points"] = motion.stroke_points;
+    result["crawling"] = json(motion.crawling_share());
     return result;
 }
 
