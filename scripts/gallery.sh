@@ -23,9 +23,9 @@ filter     none          --scene office --at 0.6
 filter     fill-holes    --scene office --at 0.6 --fill-holes 16
 filter     drop-runs     --scene office --at 0.6 --drop-runs 16
 filter     both          --scene office --at 0.6 --fill-holes 16 --drop-runs 16
-density    none          --scene ship --width 1.3
+density    none          --scene ship --width 1.3 --density 0
 density    limited       --scene ship --width 1.3 --density 0.12
-density    office        --scene office --at 0.6
+density    office        --scene office --at 0.6 --density 0
 density    office-limited --scene office --at 0.6 --density 0.08
 hidden     without       --scene clevis
 hidden     dashed        --scene clevis --hidden
