@@ -5,6 +5,15 @@
 #include "session.hpp"
 
 namespace lineatlas::viewer {
+namespace {
+
+/// A window's part in pixels of the pictures that are drawn for it.
+glm::ivec2 in_pixels_of(Economy economy, glm::ivec2 size) {
+    const int pixel = pixel_size(economy);
+    return (size + pixel - 1) / pixel;
+}
+
+} // namespace
 
 bool Session::can_refine() const {
     const bool due = (is_refined(settings) && !refined_) || sketch_due();
@@ -34,8 +43,7 @@ void Session::renew_sketch() {
     // The first picture makes kernels, shaders and tables, for which no movement should wait.
     FrameOptions options = frame_options(settings, 0);
     save_time(options, Economy::details, size_);
-    const int pixel = pixel_size(Economy::details);
-    gl::Canvas unseen{(size_ + pixel - 1) / pixel};
+    gl::Canvas unseen{in_pixels_of(Economy::details, size_)};
     sketch_->draw(make_camera(navigation.view(), unseen.size(), lines.bounds), options,
                   unseen.framebuffer());
 }
@@ -45,8 +53,7 @@ void Session::note_duration(double seconds) {
 }
 
 glm::ivec2 Session::size_of_pictures() const {
-    const int pixel = pixel_size(economy_);
-    return (size_ + pixel - 1) / pixel;
+    return in_pixels_of(economy_, size_);
 }
 
 } // namespace lineatlas::viewer
