@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/reader_protocol.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "temporary_folder.hpp"
@@ -75,8 +76,9 @@ TEST_F(DamagedModels, TheyAreReadOrRefusedInOneLine) {
             if (said.find("its reader crashed") != said.npos) ++crashes;
         }
     }
-    // Else nothing here shows what becomes of one. Open CASCADE 7.6 has several.
-    EXPECT_GT(crashes, 0U);
+    // Else nothing here shows what becomes of one. Open CASCADE 7.6 has several; a sanitizer, which
+    // sees to crashes itself, lets none through.
+    if (!reader::sanitized) EXPECT_GT(crashes, 0U);
 }
 
 TEST_F(DamagedModels, LimitsAreThoseOfTheOptions) {

@@ -89,6 +89,7 @@ TEST(PictureProcess, TakesNoMoreMemoryAndTimeThanAPictureNeeds) {
         EXPECT_TRUE(ends_with(write("memory"), "encoding it needs more than 0.25 GiB of memory"));
     }
     EXPECT_TRUE(ends_with(write("time"), "encoding it took more than 2 s"));
+    if (reader::sanitized) return; // it sees to crashes itself, and nothing is confined
     EXPECT_TRUE(ends_with(write("crash"), "was ended by signal 11"));
     EXPECT_EQ(write("0 ."), "written"); // by a process that is another one each time
 }

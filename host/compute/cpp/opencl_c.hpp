@@ -313,15 +313,25 @@ template <class T, int n>
 struct LanesOf {
     using All = typename VectorOf<T, n>::type;
     using Mask = typename VectorOf<int, n>::type;
+    /// Integers wrap, as on every device: what a kernel computes in lanes that it leaves out may be
+    /// of any size.
+    using Wrapping =
+        std::conditional_t<std::is_same_v<T, int>, typename VectorOf<uint, n>::type, All>;
     All all;
     LanesOf() = default;
     LanesOf(All all_) : all(all_) {}
     LanesOf(T each) : all(each - All{}) {}
-    friend LanesOf operator+(const LanesOf& a, const LanesOf& b) { return a.all + b.all; }
-    friend LanesOf operator-(const LanesOf& a, const LanesOf& b) { return a.all - b.all; }
-    friend LanesOf operator*(const LanesOf& a, const LanesOf& b) { return a.all * b.all; }
+    friend LanesOf operator+(const LanesOf& a, const LanesOf& b) {
+        return All(Wrapping(a.all) + Wrapping(b.all));
+    }
+    friend LanesOf operator-(const LanesOf& a, const LanesOf& b) {
+        return All(Wrapping(a.all) - Wrapping(b.all));
+    }
+    friend LanesOf operator*(const LanesOf& a, const LanesOf& b) {
+        return All(Wrapping(a.all) * Wrapping(b.all));
+    }
     friend LanesOf operator/(const LanesOf& a, const LanesOf& b) { return a.all / b.all; }
-    friend LanesOf operator-(const LanesOf& a) { return -a.all; }
+    friend LanesOf operator-(const LanesOf& a) { return All(-Wrapping(a.all)); }
     friend LanesOf<int, n> operator<(const LanesOf& a, const LanesOf& b) { return a.all < b.all; }
     friend LanesOf<int, n> operator>(const LanesOf& a, const LanesOf& b) { return a.all > b.all; }
     friend LanesOf<int, n> operator<=(const LanesOf& a, const LanesOf& b) { return a.all <= b.all; }
