@@ -55,13 +55,19 @@ void AtlasMethod::release_scene() {
 void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables) {
     release_scene();
     strokes_.forget_lines();
-    const std::size_t segments = tables.most_segments();
     front_ = compute::allocate(device_, scene.triangle_count(), purpose::model);
-    clipped_ = shared(segments * sizeof(ClippedSegment), purpose::segments);
+    make_segment_tables(tables.most_segments());
+    depth_.set_scene(scene);
+}
+
+void AtlasMethod::make_segment_tables(std::size_t segments) {
+    arcs_.reset(); // they may not fit beside others
+    clipped_.reset();
+    offsets_.reset();
     const std::size_t sums = (segments + 1) * sizeof(std::uint32_t);
+    clipped_ = shared(segments * sizeof(ClippedSegment), purpose::segments);
     offsets_ = shared(sums, purpose::segments);
     arcs_ = compute::allocate(device_, sums, purpose::segments);
-    depth_.set_scene(scene);
 }
 
 void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
@@ -132,6 +138,9 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
         frame.scene.set_order(chains_.find(candidates, *front_, eye, frame.clock));
     }
     segment_count_ = frame.scene.table().segment_count;
+    if (arcs_->size() > segment_count_ * sizeof(la_uint)) return;
+    make_segment_tables(segment_count_); // more silhouettes than a chunk has other lines
+    handover_.to_compute({clipped_.get(), offsets_.get()});
 }
 
 std::vector<std::uint32_t> AtlasMethod::read_offsets() {

@@ -45,6 +45,7 @@ class AtlasMethod {
     /// `longest_row`: of the atlas, in texels.
     void prepare_layout(const Frame& frame, GLint longest_row);
     void prepare_tiles(const Frame& frame, const TileTarget& target);
+    void make_segment_tables(std::size_t segments);
     /// From here on stages are those of this chunk of the segments.
     void begin_chunk(Frame& frame, std::size_t chunk);
     /// After all stages of a chunk, where there are several: what comes of it goes to the host.

@@ -357,15 +357,18 @@ void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedBuffer&
 void StrokeStage::draw(Frame& frame, interop::SharedBuffer& alpha) {
     for (const bool hidden : {true, false}) { // all hidden ones lie below all others
         if (hidden && !has_hidden_) continue;
-        if (!chunks_kept_) draw(frame, alpha.gl(), hidden);
-        for (const Kept& kept : kept_) {
-            frame.clock.handover([&] { put_back(kept, hidden, alpha); });
-            draw(frame, alpha.gl(), hidden);
+        const auto pens = static_cast<std::uint32_t>(pens_.pens(hidden).size());
+        for (std::uint32_t pen = 0; pen < pens; ++pen) { // each of all chunks before the next
+            if (!chunks_kept_) draw(frame, alpha.gl(), hidden, pen);
+            for (const Kept& kept : kept_) {
+                frame.clock.handover([&] { put_back(kept, hidden, alpha); });
+                draw(frame, alpha.gl(), hidden, pen);
+            }
         }
     }
 }
 
-void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
+void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen) {
     frame.clock.gl(hidden ? "strokes hidden" : "strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         const gl::DensityWeights density =
@@ -377,11 +380,9 @@ void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden) {
         const gl::RunBuffers runs{
             .runs = table.runs->gl(), .record = table.record->gl(), .alpha = alpha};
         const std::vector<Pen>& pens = pens_.pens(hidden);
-        for (std::uint32_t i = 0; i < pens.size(); ++i) {
-            gl::StrokeStyle of_pen = stroke_style(frame, pens[i], hidden);
-            if (pens.size() > 1) of_pen.only_pen = i;
-            pass_.draw(runs, frame.stroke_params(pens[i]), of_pen, density);
-        }
+        gl::StrokeStyle of_pen = stroke_style(frame, pens[pen], hidden);
+        if (pens.size() > 1) of_pen.only_pen = pen;
+        pass_.draw(runs, frame.stroke_params(pens[pen]), of_pen, density);
     });
 }
 

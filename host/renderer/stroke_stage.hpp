@@ -79,7 +79,7 @@ class StrokeStage {
     };
 
     std::uint32_t unkept(std::uint32_t total) const { return chunks_kept_ ? 0 : total; }
-    void draw(Frame& frame, GLuint alpha, bool hidden);
+    void draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen);
     /// Puts runs and samples back where they were, and hands them to GL.
     void put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha);
     void prepare(const Frame& frame);

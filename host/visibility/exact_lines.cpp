@@ -15,10 +15,16 @@ void ExactLines::release() {
 
 void ExactLines::make_tables(std::uint32_t triangle_count, std::uint32_t most_segments) {
     release();
-    const std::size_t sums = (std::size_t{most_segments} + 1) * sizeof(la_uint);
     front_ = compute::allocate(device_, triangle_count, purpose::model);
-    clipped_ =
-        compute::allocate(device_, most_segments * sizeof(ClippedSegment), purpose::segments);
+    make_room(most_segments);
+}
+
+void ExactLines::make_room(std::uint32_t segments) {
+    const std::size_t sums = (std::size_t{segments} + 1) * sizeof(la_uint);
+    if (arcs_ && arcs_->size() >= sums) return;
+    for (auto* buffer : {&clipped_, &arcs_, &no_offsets_})
+        buffer->reset(); // they may not fit beside others
+    clipped_ = compute::allocate(device_, segments * sizeof(ClippedSegment), purpose::segments);
     arcs_ = compute::allocate(device_, sums, purpose::segments);
     no_offsets_ = compute::allocate(device_, sums, purpose::segments);
     device_.clear(*no_offsets_, sums);

@@ -50,6 +50,7 @@ class ExactLines {
             const compute::SegmentTable segments =
                 wants_silhouettes ? chains_.find(candidates, *front_, view.camera.eye(), clock)
                                   : chains_.without(candidates);
+            make_room(segments.segment_count);
             begin(view, segments, chunk);
             clock("project_clip", [&] { project_clip(view, segments); });
             clock("scan",
@@ -82,6 +83,7 @@ class ExactLines {
     }
 
   private:
+    void make_room(std::uint32_t segments);
     void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
     void facing(const LineView& view, const compute::SegmentTable& table);
     void project_clip(const LineView& view, const compute::SegmentTable& table);

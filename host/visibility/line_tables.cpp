@@ -16,12 +16,29 @@ bool is_candidate(const Segment& segment) {
            segment.to_end == 0 && segment.face_a != LA_NO_FACE && segment.face_b != LA_NO_FACE;
 }
 
+std::span<const Segment> candidates_of(std::span<const Segment> segments) {
+    std::size_t first = segments.size();
+    while (first > 0 && is_candidate(segments[first - 1])) --first;
+    return segments.subspan(first);
+}
+
+/// Candidates stay together if a buffer holds them: the silhouettes among them, few of all, are
+/// chained, and any two may be neighbours.
+std::vector<SegmentRange> cut_into_chunks(std::span<const Segment> segments, std::uint64_t usual,
+                                          std::uint64_t largest_buffer) {
+    const std::size_t candidates = candidates_of(segments).size();
+    if (candidates == 0 || candidates > largest_buffer / sizeof(Segment))
+        return cut_segments(segments, usual);
+    const auto first = static_cast<std::uint32_t>(segments.size() - candidates);
+    std::vector<SegmentRange> chunks = cut_segments(segments.first(first), usual);
+    chunks.push_back({first, static_cast<std::uint32_t>(candidates)});
+    return chunks;
+}
+
 /// Finds the candidates of a chunk, and uploads where they meet.
 void add_candidates(compute::Device& device, std::span<const Segment> segments,
                     const LineSet* contours, LineTables::Chunk& chunk) {
-    std::size_t first = segments.size();
-    while (first > 0 && is_candidate(segments[first - 1])) --first;
-    const std::span<const Segment> candidates = segments.subspan(first);
+    const std::span<const Segment> candidates = candidates_of(segments);
     if (candidates.empty()) return;
     chunk.candidate_count = static_cast<std::uint32_t>(candidates.size());
     const std::size_t faces = contours != nullptr ? contours->contours.faces.size() : 0;
@@ -142,8 +159,9 @@ std::uint64_t LineTables::Chunk::bytes() const {
 }
 
 std::uint32_t LineTables::most_segments() const {
+    if (chunks.size() == 1) return chunks.front().range.count;
     std::uint32_t most = 0;
-    for (const Chunk& chunk : chunks) most = std::max(most, chunk.range.count);
+    for (const Chunk& chunk : chunks) most = std::max(most, chunk.candidates().first);
     return most;
 }
 
@@ -160,11 +178,12 @@ std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
     // The widest table per segment decides. Once it must be cut, the strokes and intervals of a
     // chunk shall fit too: some per segment, where all are visible and hidden in parts.
     constexpr std::uint64_t runs_per_segment = 4;
-    const bool is_whole = segments.size() <= device.largest_buffer() / sizeof(ClippedSegment);
-    const std::uint64_t usual =
-        is_whole ? segments.size() : device.largest_buffer() / (runs_per_segment * sizeof(Run));
+    const std::uint64_t largest = device.largest_buffer();
+    const bool is_whole = segments.size() <= largest / sizeof(ClippedSegment);
     std::vector<LineTables::Chunk> chunks;
-    const std::vector<SegmentRange> ranges = cut_segments(segments, usual);
+    const std::vector<SegmentRange> ranges =
+        is_whole ? cut_segments(segments, segments.size())
+                 : cut_into_chunks(segments, largest / (runs_per_segment * sizeof(Run)), largest);
     if (ranges.size() > 1 || (contours != nullptr && contours->contours.empty()))
         contours = nullptr;
     for (const SegmentRange& range : ranges) {

@@ -40,7 +40,8 @@ struct LineTables {
     std::unique_ptr<compute::Buffer> vertices, triangles;
     std::vector<Chunk> chunks; ///< at least one
 
-    /// Of the largest chunk: what tables per segment must hold.
+    /// What tables per segment must hold before silhouettes are found: all, or of the largest of
+    /// several chunks what is not a candidate.
     std::uint32_t most_segments() const;
 };
 

@@ -10,6 +10,7 @@
 #include "core/limits.hpp"
 #include "core/model_limits.hpp"
 #include "fault_support.hpp"
+#include "test_meshes.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -219,17 +220,23 @@ class Chunks : public Limits {
         opencl_faults().largest_buffer = 0;
     }
 
-    /// Few triangles with many lines: the model's own, drawn over and over.
+    /// Few triangles with many lines: the model's own but silhouettes, drawn over and over.
     void repeat_lines(std::uint32_t times) {
-        const std::vector<Segment> once = lines_.segments;
+        std::vector<Segment>& all = lines_.segments;
+        const auto candidates = std::ranges::find_if(all, [](const Segment& segment) {
+            return (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
+        });
+        const std::vector<Segment> once{all.begin(), candidates};
         std::uint32_t paths = 0;
-        for (const Segment& segment : once) paths = std::max(paths, segment.path + 1);
+        for (const Segment& segment : all) paths = std::max(paths, segment.path + 1);
+        std::vector<Segment> copies;
         for (std::uint32_t copy = 1; copy < times; ++copy) {
             for (Segment segment : once) {
                 segment.path += copy * paths;
-                lines_.segments.push_back(segment);
+                copies.push_back(segment);
             }
         }
+        all.insert(all.begin(), copies.begin(), copies.end()); // candidates stay last
     }
 
     /// Everything that looks at no more than a path, or adds up what paths do.
@@ -263,6 +270,10 @@ TEST_P(Chunks, OfSegmentsMakeTheSamePicturesAndPaths) {
         expect_the_same(options, small_buffer);
     }
     expect_the_same(by_paths(Method::spine), small_buffer);
+    FrameOptions pens = by_paths(Method::atlas);
+    pens.style.pens = {{.match = {.kinds = {"crease"}}, .width = 5, .color = glm::vec3{0, 0, 1}},
+                       {.match = {.kinds = {"silhouette"}}, .width = 4}};
+    expect_the_same(pens, small_buffer);
     FrameOptions paths = by_paths(Method::atlas);
     paths.draw = false;
     expect_the_same(paths, small_buffer);
@@ -272,12 +283,18 @@ TEST_P(Chunks, OfTheExactMethodMakeTheSame) {
     use({"clevis", {160, 120}, {}});
     repeat_lines(40);
     FrameOptions options = by_paths(Method::exact);
-    options.lines &= ~mask_of(LineKind::silhouette); // their chains end where a chunk does
     options.style.pen.opacity = 0.02F;
     options.style.hidden_pen.opacity = 0.02F;
     expect_the_same(options, 700 * kib); // about 7 chunks
     options.draw = false;
     expect_the_same(options, 700 * kib);
+}
+
+TEST_P(Chunks, KeepChainsOfSilhouettesWhole) {
+    use({"clevis", {160, 120}, {}});
+    lines_ = extract_lines(sphere(5)); // 12,288 candidates, as many as 8 chunks hold
+    camera_ = make_camera({.eye = {1, 2, 3}, .target = {}}, {160, 120}, lines_.bounds);
+    expect_the_same(by_paths(Method::atlas), 500 * kib);
 }
 
 TEST_P(Chunks, GoByTilesToo) {

@@ -55,21 +55,14 @@ TEST(LimitsOfTheTool, ArePassedByTilesOrEndItWithOneLine) {
 }
 
 TEST(LimitsOfTheTool, ArePassedByChunksOfTheSegments) {
-    // Chains of silhouettes end where a chunk does, and pens follow each other chunk by chunk.
-    const std::string style = std::filesystem::temp_directory_path() /
-                              ("lineatlas_one_pen_" + std::to_string(::getpid()) + ".toml");
-    std::ofstream{style} << "width = 2\n";
     for (const std::string extension : {".png", ".svg"}) {
-        const std::string one_pen = " --lines crease,boundary --style " + style;
-        const std::string house = "--scene house --size 160x120 --method atlas --depth-scale 1" +
-                                  (extension == ".png" ? one_pen : "");
+        const std::string house = "--scene house --size 160x120 --method atlas --depth-scale 1";
         const ToolRun whole = run_tool("", house, extension);
         const ToolRun cut = run_tool("LINEATLAS_TEST_BUFFER=300000", house, extension);
         EXPECT_EQ(cut.code, 0) << cut.said;
         EXPECT_EQ(cut.said, whole.said);
         EXPECT_TRUE(cut.file == whole.file) << extension;
     }
-    std::filesystem::remove(style);
 }
 
 /// Rings around a post: 40,000 segments, and few triangles.
