@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "storage.hpp"
 #include "viewport.hpp"
 
@@ -11,7 +13,8 @@ namespace lineatlas::gl {
 LayerPass::LayerPass()
     : program_({"layer.vert", "layer.frag"}), vertex_array_(VertexArray::create()) {}
 
-void LayerPass::resize(glm::ivec2 size) {
+void LayerPass::make_room(glm::ivec2 size) {
+    size = glm::max(size, size_); // for tiles of all sizes
     if (size == size_) return;
     Texture2D texture = Texture2D::create();
     allocate(texture, GL_RGBA8, size, purpose::picture);
@@ -25,7 +28,7 @@ void LayerPass::draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part,
                      glm::ivec2 origin) {
     const glm::ivec2 drawn = part.size();
     if (drawn.x <= 0 || drawn.y <= 0) return;
-    resize(size);
+    make_room(size);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
@@ -47,7 +50,7 @@ void LayerPass::draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part,
     glBindTextureUnit(0, texture_.id());
     program_.use();
     program_.set("pixels", 0);
-    const glm::vec2 whole{size};
+    const glm::vec2 whole{size_};
     program_.set("part", glm::vec4{glm::vec2{drawn} / whole, glm::vec2{part.low} / whole});
     glBindVertexArray(vertex_array_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

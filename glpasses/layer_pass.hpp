@@ -21,7 +21,7 @@ class LayerPass {
               glm::ivec2 origin);
 
   private:
-    void resize(glm::ivec2 size);
+    void make_room(glm::ivec2 size);
 
     Program program_;
     VertexArray vertex_array_; ///< without attributes
