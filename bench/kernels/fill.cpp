@@ -1,6 +1,6 @@
 // fill: n pixels of four texels each, which show a terrain of n / 8 triangles, lit, all of them.
-// Bytes: per pixel its texels (16) and its colour (4), per triangle its corners (3), its colour read
-// and its shade written (8), and every vertex (12) once.
+// Bytes: per pixel its texels (16) and its colour (4), per triangle its corners (3), its colour
+// read and its shade written (8), and every vertex (12) once.
 
 #include "terrain_meshlets.hpp"
 

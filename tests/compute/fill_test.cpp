@@ -105,8 +105,7 @@ Camera looks_along_z(bool perspective = true) {
 
 /// Within one: rounding.
 void expect_near(const Rgba& shown, const Rgba& expected) {
-    for (std::size_t c = 0; c < 4; ++c)
-        EXPECT_NEAR(shown[c], expected[c], 1) << "channel " << c;
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(shown[c], expected[c], 1) << "channel " << c;
 }
 
 Rgba in_light(const Rgba& color, double light) {
@@ -122,9 +121,8 @@ TEST_P(FillStage, APixelIsTheMeanOfItsTexels) {
         .vertices = square, .triangles = halves, .colors = {{200, 100, 0, 255}, {0, 40, 81, 255}}};
     const std::vector<std::uint32_t> texels{0, 0, 0,    1, 0,    none, none, none, //
                                             0, 0, none, 1, none, none, none, none};
-    const std::vector<Rgba> shown =
-        fill(model, {.mode = FillMode::flat},
-             {.numbers = texels, .row = 8, .scale = 2, .size = {4, 1}});
+    const std::vector<Rgba> shown = fill(model, {.mode = FillMode::flat},
+                                         {.numbers = texels, .row = 8, .scale = 2, .size = {4, 1}});
     EXPECT_EQ(shown[0], (Rgba{200, 100, 0, 255}));
     EXPECT_EQ(shown[1], (Rgba{50, 45, 41, 191})) << "a quarter, a half and a quarter of nothing";
     EXPECT_EQ(shown[2], (Rgba{50, 25, 0, 64}));
@@ -132,9 +130,8 @@ TEST_P(FillStage, APixelIsTheMeanOfItsTexels) {
 }
 
 TEST_P(FillStage, EveryScaleCountsAllTexels) {
-    const Model model{.vertices = square,
-                      .triangles = halves,
-                      .colors = {{255, 16, 0, 255}, {0, 240, 255, 255}}};
+    const Model model{
+        .vertices = square, .triangles = halves, .colors = {{255, 16, 0, 255}, {0, 240, 255, 255}}};
     for (const int scale : {1, 2, 3, 4}) {
         const int count = scale * scale;
         for (int covered = 0; covered <= count; ++covered) {
@@ -142,17 +139,14 @@ TEST_P(FillStage, EveryScaleCountsAllTexels) {
                 std::vector<std::uint32_t> texels(static_cast<std::size_t>(count), none);
                 for (int i = 0; i < covered; ++i)
                     texels[static_cast<std::size_t>(i)] = i < second ? 1 : 0;
-                const Rgba shown = fill(model, {.mode = FillMode::flat},
-                                        {.numbers = texels,
-                                         .row = scale,
-                                         .scale = scale,
-                                         .size = {1, 1}})[0];
+                const Rgba shown =
+                    fill(model, {.mode = FillMode::flat},
+                         {.numbers = texels, .row = scale, .scale = scale, .size = {1, 1}})[0];
                 const auto mean = [&](int a, int b) {
                     return static_cast<std::uint8_t>(
                         ((covered - second) * a + second * b + count / 2) / count);
                 };
-                ASSERT_EQ(shown, (Rgba{mean(255, 0), mean(16, 240), mean(0, 255),
-                                       mean(255, 255)}))
+                ASSERT_EQ(shown, (Rgba{mean(255, 0), mean(16, 240), mean(0, 255), mean(255, 255)}))
                     << scale << ", " << covered << ", " << second;
             }
         }
@@ -171,13 +165,9 @@ TEST_P(FillStage, OnlyThePartIsColouredFromItsOwnTexels) {
     const Model model{
         .vertices = square, .triangles = halves, .colors = {{7, 0, 0, 255}, {0, 9, 0, 255}}};
     const TexelRectangle part{{1, 1}, {4, 3}};
-    const std::vector<Rgba> shown = fill(model, {.mode = FillMode::flat},
-                                         {.numbers = texels,
-                                          .row = row,
-                                          .scale = 1,
-                                          .size = size,
-                                          .origin = origin,
-                                          .part = part});
+    const std::vector<Rgba> shown = fill(
+        model, {.mode = FillMode::flat},
+        {.numbers = texels, .row = row, .scale = 1, .size = size, .origin = origin, .part = part});
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const bool in = x >= part.low.x && x < part.high.x && y >= part.low.y;
@@ -223,8 +213,7 @@ TEST_P(FillStage, TheDarkestShadesAreNotLost) {
     const std::array<glm::vec3, 3> face{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     const Rgba white{255, 255, 255, 255};
     for (const float ambient : {0.0F, 1e-5F, 1e-4F, 1e-3F, 0.01F, 0.1F, 0.5F, 1.0F}) {
-        const Fill lambert{
-            .mode = FillMode::lambert, .light = {0, 0, -1}, .ambient = ambient};
+        const Fill lambert{.mode = FillMode::lambert, .light = {0, 0, -1}, .ambient = ambient};
         expect_near(one(face, looks_along_z(), lambert, white), in_light(white, ambient));
     }
 }
@@ -282,9 +271,8 @@ TEST_P(FillStage, TrianglesOfClustersThatAreNotSeenAreLeftOut) {
                       .triangles = halves,
                       .colors = {{200, 100, 0, 255}, {0, 40, 80, 255}},
                       .seen = 0};
-    const std::vector<Rgba> shown =
-        fill(model, {.mode = FillMode::flat},
-             {.numbers = {0, 1}, .row = 2, .scale = 1, .size = {2, 1}});
+    const std::vector<Rgba> shown = fill(model, {.mode = FillMode::flat},
+                                         {.numbers = {0, 1}, .row = 2, .scale = 1, .size = {2, 1}});
     for (const Rgba& pixel : shown) EXPECT_EQ(pixel, (Rgba{9, 9, 9, 9})) << "as they were";
 }
 
