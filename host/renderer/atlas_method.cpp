@@ -37,8 +37,8 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
       handover_(device_), prefers_raster_(!interop::gl_is_software()), depth_(connection),
-      chains_(stages_, compute::SilhouetteChains::Contours::lifted), strokes_(connection),
-      intervals_(stages_) {
+      fill_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted),
+      strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -58,6 +58,7 @@ void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Table
     front_ = compute::allocate(device_, scene.triangle_count(), purpose::model);
     make_segment_tables(tables.most_segments());
     depth_.set_scene(scene);
+    fill_.set_scene();
 }
 
 void AtlasMethod::make_segment_tables(std::size_t segments) {
@@ -366,11 +367,15 @@ bool AtlasMethod::grow() {
 
 void AtlasMethod::draw_strokes(Frame& frame) {
     const bool own_depth = frame.options.method == Method::atlas;
-    if (own_depth)
+    const bool by_kernels = FillStage::draws(frame, depth_);
+    if (by_kernels)
+        fill_.color(frame, depth_);
+    else if (own_depth)
         frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
     else
         frame.backdrop.draw_fill(frame, frame.options.style.fill);
     pass_to_strokes(frame);
+    if (by_kernels) fill_.lay(frame);
     strokes_.draw(frame, *alpha_);
 }
 
@@ -378,7 +383,7 @@ void AtlasMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
         alpha_->wrote(layout_.texels(strokes_.sample_total()));
         strokes_.note_written();
-        handover_.to_gl(strokes_.tables({alpha_.get()}));
+        handover_.to_gl(strokes_.tables({alpha_.get(), fill_.pixels()}));
     });
 }
 

@@ -6,6 +6,7 @@
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
+#include "fill_stage.hpp"
 #include "frame.hpp"
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/interop/connect.hpp"
@@ -61,6 +62,8 @@ class AtlasMethod {
     void find(Frame& frame);
     void sample(Frame& frame);
     void sample_tiles(Frame& frame, const TileTarget& target, const ProgressPart& progress);
+    /// The fill of the tile that is drawn now.
+    void fill_tile(Frame& frame);
     compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
@@ -114,6 +117,7 @@ class AtlasMethod {
     GLint largest_texture_buffer_ = 0;
 
     DepthStage depth_;
+    FillStage fill_;
     compute::SilhouetteChains chains_; ///< of the current chunk
     std::uint32_t segment_count_ = 0;  ///< of the current chunk, as the frame draws it
     std::uint32_t all_segments_ = 0;   ///< of the current chunk, candidates too

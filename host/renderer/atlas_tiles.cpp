@@ -38,6 +38,20 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target,
     }
 }
 
+void AtlasMethod::fill_tile(Frame& frame) {
+    if (!FillStage::draws(frame, depth_)) {
+        const std::vector<gl::TriangleRange> seen =
+            pieces_in_view(frame.scene, frame.clip_of_tile());
+        return frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
+    }
+    // What the tile shows was there for its samples, and is gone: memory for all tiles at once is
+    // what tiles are to save.
+    const compute::DepthTile depth = depth_.draw_tile(frame, frame.tile);
+    fill_.color(frame, depth_, frame.tile, depth.origin);
+    frame.clock.handover([&] { fill_.to_gl(); });
+    fill_.lay(frame);
+}
+
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame, target);
     frame.clock.handover([&] { take_tables(); });
@@ -71,9 +85,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         drawing(done++ / static_cast<float>(tiles.size()));
         frame.tile = tile;
         target.begin(tile);
-        const std::vector<gl::TriangleRange> seen =
-            pieces_in_view(frame.scene, frame.clip_of_tile());
-        frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
+        fill_tile(frame);
         strokes_.draw(frame, *alpha_);
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });

@@ -5,8 +5,7 @@
 
 namespace lineatlas {
 
-void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen) {
-    if (fill.mode == FillMode::none) return;
+void Backdrop::check_fill(const Frame& frame, const Fill& fill) {
     if (!(fill.ambient >= 0 && fill.ambient <= 1)) {
         throw UsageError("fill: ambient must lie between 0 and 1");
     }
@@ -17,6 +16,11 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
         throw UsageError("fill: the framebuffer has no depth attachment; add one or draw without "
                          "a fill");
     }
+}
+
+void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen) {
+    if (fill.mode == FillMode::none) return;
+    check_fill(frame, fill);
     if (!fill_pass_) fill_pass_.emplace();
     frame.clock.gl("fill", [&] {
         fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(), seen,

@@ -117,7 +117,9 @@ void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRect
 }
 
 bool DepthStage::wants_kernels(const Frame& frame) const {
-    if (frame.options.method == Method::item_buffer) return false;
+    const Method method = frame.options.method;
+    if (frame.options.depth || method == Method::item_buffer || method == Method::opengl)
+        return false;
     return frame.options.depth_form == DepthForm::compute ||
            (frame.options.depth_form == DepthForm::automatic && kernels_are_faster_);
 }
@@ -125,6 +127,7 @@ bool DepthStage::wants_kernels(const Frame& frame) const {
 void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
                                  const TexelRectangle& covered) {
     size_ = part.size();
+    drawn_texels_ = covered;
     prepare_tiles(size_);
     surfaces_.begin(frame, size_);
     frame.clock.handover([&] {
@@ -142,7 +145,8 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
                        .depth = depth_->compute(),
                        .tiles = tiles_->compute(),
                        .seen = *visible_,
-                       .numbers = surfaces_.known() ? &surfaces_.numbers()->compute() : nullptr});
+                       .numbers = surfaces_.numbers() != nullptr ? &surfaces_.numbers()->compute()
+                                                                 : nullptr});
     });
     surfaces_.find_planes(frame, visible_.get());
     drawn_is_known_ = false;
@@ -197,7 +201,7 @@ void DepthStage::import_depth(Frame& frame) {
 
 void DepthStage::draw_texture(Frame& frame) {
     imported_ = frame.options.depth.has_value();
-    by_kernels_ = !imported_ && wants_kernels(frame);
+    by_kernels_ = wants_kernels(frame);
     if (by_kernels_) {
         draw_by_kernels(frame);
         return fill_texture(frame);
@@ -221,7 +225,7 @@ void DepthStage::draw_raster(Frame& frame) {
 void DepthStage::draw_for_compute(Frame& frame) {
     prepare(frame);
     imported_ = frame.options.depth.has_value();
-    by_kernels_ = !imported_ && wants_kernels(frame);
+    by_kernels_ = wants_kernels(frame);
     if (by_kernels_) return draw_by_kernels(frame);
     drawn_is_known_ = true;
     frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });

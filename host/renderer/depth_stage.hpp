@@ -54,6 +54,13 @@ class DepthStage {
     gl::ProbeParams probed_by_gl(Frame& frame);
     SurfaceStage& surfaces() { return surfaces_; }
 
+    /// Whether the frame's depth is drawn by kernels, if it draws any.
+    bool wants_kernels(const Frame& frame) const;
+    /// Of what they drew last: the texels in which something may be, and a byte per cluster, 1 if
+    /// it may be seen.
+    const TexelRectangle& drawn_texels() const { return drawn_texels_; }
+    compute::Buffer& seen() const { return *visible_; }
+
     /// At the end of the frame: takes back from compute what GL will draw to.
     void end_frame() {
         if (!by_kernels_) take_back();
@@ -88,8 +95,6 @@ class DepthStage {
     void hand_over_surfaces(Frame& frame, const TexelRectangle& part);
     /// The raster form of draw_tile().
     void draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part);
-    /// Whether the frame's depth is drawn by kernels.
-    bool wants_kernels(const Frame& frame) const;
     /// Draws a part of a depth buffer of `whole` texels, of which `covered` is wanted.
     void draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
                          const TexelRectangle& covered);
@@ -124,6 +129,7 @@ class DepthStage {
     bool by_kernels_ = false; ///< the current frame's form
     bool drawn_is_known_ = true;
     glm::ivec2 size_{0, 0};             ///< of what kernels drew
+    TexelRectangle drawn_texels_;       ///< of that
     std::span<const Cluster> clusters_; ///< of the model
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_; ///< a byte per cluster

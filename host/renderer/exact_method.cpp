@@ -12,10 +12,12 @@ namespace lineatlas {
 ExactMethod::ExactMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), handover_(device_), lines_(stages_),
       alpha_(interop::make_shared_buffer(device_, connection.mode, 16, purpose::exact)),
-      strokes_(connection), intervals_(stages_) {}
+      depth_(connection), fill_(connection), strokes_(connection), intervals_(stages_) {}
 
 void ExactMethod::set_scene(const SceneBuffers& scene) {
     strokes_.forget_lines();
+    depth_.set_scene(scene);
+    fill_.set_scene();
     lines_.make_tables(scene.triangle_count(), scene.tables().most_segments());
 }
 
@@ -80,10 +82,25 @@ void ExactMethod::pass_to_strokes(Frame& frame) {
     });
 }
 
+void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {
+    const Fill& fill = frame.options.style.fill;
+    if (!FillStage::draws(frame, depth_)) return frame.backdrop.draw_fill(frame, fill, seen);
+    // Tiles of its own: this method's pictures may be as large as GL can draw.
+    constexpr int most_texels = 4096;
+    for (const PictureTile& part : make_tiles(frame.tile.size, most_texels / frame.depth_scale())) {
+        const PictureTile tile{frame.tile.low + part.low, part.size};
+        const compute::DepthTile depth = depth_.draw_tile(frame, tile);
+        fill_.color(frame, depth_, tile, depth.origin);
+        frame.clock.handover([&] { fill_.to_gl(); });
+        fill_.lay(frame, part.low);
+    }
+}
+
 FrameStats ExactMethod::draw(Frame& frame) {
     frame.clock.handover([&] { take_tables(); });
     find(frame, ProgressPart::none());
-    if (frame.options.draw) frame.backdrop.draw_fill(frame, frame.options.style.fill);
+    const gl::TriangleRange all{0, frame.scene.triangle_count()};
+    if (frame.options.draw) draw_fill(frame, {&all, 1});
     pass_to_strokes(frame);
     if (frame.options.draw) strokes_.draw(frame, *alpha_);
     return stats(frame);
@@ -109,9 +126,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         drawing(done++ / static_cast<float>(tiles.size()));
         frame.tile = tile;
         target.begin(tile);
-        const std::vector<gl::TriangleRange> seen =
-            pieces_in_view(frame.scene, frame.clip_of_tile());
-        frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
+        draw_fill(frame, pieces_in_view(frame.scene, frame.clip_of_tile()));
         strokes_.draw(frame, *alpha_);
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/tiles.hpp"
+#include "fill_stage.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
@@ -29,7 +30,7 @@ class ExactMethod {
         strokes_.forget_lines();
     }
     FrameStats draw(Frame& frame);
-    /// See Renderer::draw_tiles(); only strokes are drawn by tiles.
+    /// See Renderer::draw_tiles(); only fills and strokes are drawn by tiles.
     FrameStats draw_tiles(Frame& frame, const TileTarget& target);
     std::vector<Interval> read_intervals() { return intervals_.read(lines_.order(), {}); }
     std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
@@ -44,6 +45,8 @@ class ExactMethod {
     void pass_to_strokes(Frame& frame);
     /// An atlas without samples.
     compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_->compute(), {1, 1}, 0}; }
+    /// The fill of what goes to the framebuffer; `seen`: as of Backdrop::draw_fill().
+    void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
     FrameStats stats(Frame& frame);
 
     compute::Stages& stages_;
@@ -51,6 +54,8 @@ class ExactMethod {
     interop::Handover handover_;
     ExactLines lines_;
     std::unique_ptr<interop::SharedBuffer> alpha_; ///< of no samples
+    DepthStage depth_;                             ///< for fills, which need what lines don't
+    FillStage fill_;
     StrokeStage strokes_;
     IntervalStage intervals_;
 };

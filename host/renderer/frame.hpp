@@ -44,6 +44,9 @@ struct Frame {
     /// Whether probes judge what they hit as the surface that it is: that of the program's own
     /// depth is not known.
     bool knows_surfaces() const;
+    /// Whether each texel of the depth gets the number of its triangle: for probes, or for a fill,
+    /// which is all that the exact method has depth for.
+    bool numbers_surfaces() const { return knows_surfaces() || options.method == Method::exact; }
     /// Whether segments and triangles that are hidden whole are looked for and left out.
     bool culls_hidden() const;
     /// Pens and visibility as the passes take them.

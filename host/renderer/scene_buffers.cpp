@@ -68,7 +68,7 @@ std::uint64_t SceneBuffers::mesh_bytes() const {
     std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() +
                         (tables_.moving ? tables_.moving->bytes() : 0);
     for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners,
-                               &tables_.numbers, &tables_.patches}) {
+                               &tables_.numbers, &tables_.patches, &tables_.colors}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -195,6 +195,7 @@ void SceneBuffers::forget_jumps(std::span<const glm::mat4> transforms_from, cons
 }
 
 void SceneBuffers::upload_colors(const LineSet& lines) {
+    tables_.colors.reset();
     if (lines.triangle_color.empty()) return;
     // The table's last entry stands for no colour; a pass knows it by its alpha.
     std::vector<glm::u8vec4> table;
@@ -221,6 +222,31 @@ void SceneBuffers::upload_colors(const LineSet& lines) {
     colors_ = {.indices = gl_color_indices_.id(),
                .index_format = static_cast<GLenum>(fits_a_byte ? GL_R8UI : GL_R16UI),
                .colors = gl_colors_.id()};
+}
+
+compute::Buffer* SceneBuffers::colors() {
+    if (colors_.indices == 0) return nullptr;
+    if (tables_.colors) return tables_.colors.get();
+    const auto read = [](GLuint buffer, auto& values) {
+        const auto bytes = std::as_writable_bytes(std::span{values});
+        glGetNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+    };
+    GLint table_bytes = 0;
+    glGetNamedBufferParameteriv(colors_.colors, GL_BUFFER_SIZE, &table_bytes);
+    std::vector<std::uint32_t> table(static_cast<std::size_t>(table_bytes) / sizeof(glm::u8vec4));
+    read(colors_.colors, table);
+    std::vector<std::uint32_t> colors(triangle_count_);
+    const auto look_up = [&]<class Index>(Index) {
+        std::vector<Index> indices(triangle_count_);
+        read(colors_.indices, indices);
+        std::ranges::transform(indices, colors.begin(), [&](Index i) { return table[i]; });
+    };
+    if (colors_.index_format == GL_R8UI)
+        look_up(std::uint8_t{});
+    else
+        look_up(std::uint16_t{});
+    tables_.colors = upload(device(), bytes_of(colors), purpose::fill);
+    return tables_.colors.get();
 }
 
 template <class T>

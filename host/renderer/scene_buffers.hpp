@@ -62,6 +62,8 @@ class SceneBuffers {
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
         /// What probes that know surfaces read; null until first asked for.
         std::unique_ptr<compute::Buffer> numbers{}, patches{};
+        /// What the kernels of `fill` read; null until first asked for.
+        std::unique_ptr<compute::Buffer> colors{};
     };
     const Tables& tables() const { return tables_; }
     /// The same on another device, from the memory of this one.
@@ -98,6 +100,8 @@ class SceneBuffers {
     }
     /// In the order of gl_triangles().
     const gl::TriangleColors& gl_colors() const { return colors_; }
+    /// The same for kernels: FillArgs::colors; null for a model without colours.
+    compute::Buffer* colors();
     gl::SegmentBuffers gl_segments();
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);

@@ -18,8 +18,16 @@ FrameStats SpineMethod::draw(Frame& frame) {
     } else {
         depth_.draw_texture(frame);
     }
-    frame.clock.handover([&] { depth_.surfaces().to_gl(); });
-    frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
+    const bool fills_by_kernels = FillStage::draws(frame, depth_);
+    if (fills_by_kernels) fill_.color(frame, depth_);
+    frame.clock.handover([&] {
+        depth_.surfaces().to_gl();
+        fill_.to_gl();
+    });
+    if (fills_by_kernels)
+        fill_.lay(frame);
+    else
+        frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
     frame.clock.gl("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,

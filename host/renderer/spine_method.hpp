@@ -1,6 +1,7 @@
 #pragma once
 
 #include "depth_stage.hpp"
+#include "fill_stage.hpp"
 #include "frame.hpp"
 #include "glpasses/spine_pass.hpp"
 
@@ -12,13 +13,18 @@ namespace lineatlas {
 /// before they become strokes.
 class SpineMethod {
   public:
-    explicit SpineMethod(const interop::Connection& connection) : depth_(connection) {}
+    explicit SpineMethod(const interop::Connection& connection)
+        : depth_(connection), fill_(connection) {}
 
-    void set_scene(const SceneBuffers& scene) { depth_.set_scene(scene); }
+    void set_scene(const SceneBuffers& scene) {
+        depth_.set_scene(scene);
+        fill_.set_scene();
+    }
     FrameStats draw(Frame& frame);
 
   private:
     DepthStage depth_;
+    FillStage fill_;
     gl::SpinePass spine_pass_;
 };
 

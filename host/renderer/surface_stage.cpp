@@ -18,7 +18,8 @@ SurfaceStage::SurfaceStage(const interop::Connection& connection)
 
 void SurfaceStage::begin(Frame& frame, glm::ivec2 size) {
     known_ = frame.knows_surfaces();
-    if (!known_) return;
+    numbered_ = frame.numbers_surfaces();
+    if (!numbered_) return;
     view_ = surface_view(frame.camera);
     texels_ = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     const std::size_t bytes = texels_ * sizeof(la_uint);
@@ -26,7 +27,7 @@ void SurfaceStage::begin(Frame& frame, glm::ivec2 size) {
         numbers_.reset(); // it may not fit beside another
         numbers_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::depth);
     }
-    if (!planes_) {
+    if (known_ && !planes_) {
         const std::size_t count = std::max(frame.scene.triangle_count(), 1U);
         planes_ = interop::make_shared_buffer(device_, mode_, count * plane_bytes, purpose::model);
     }
@@ -53,8 +54,8 @@ void SurfaceStage::to_gl() {
 }
 
 void SurfaceStage::to_compute() {
-    if (!known_) return;
-    handover_.to_compute({numbers_.get(), planes_.get()});
+    if (!numbered_) return;
+    handover_.to_compute({numbers_.get(), known_ ? planes_.get() : nullptr});
 }
 
 void SurfaceStage::numbers_to_gl() {

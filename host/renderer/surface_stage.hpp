@@ -24,7 +24,7 @@ class SurfaceStage {
     void begin(Frame& frame, glm::ivec2 size);
     bool known() const { return known_; }
     /// What `depth` writes to by kernels, and GL's passes by a copy; null if nobody asks.
-    interop::SharedBuffer* numbers() const { return known_ ? numbers_.get() : nullptr; }
+    interop::SharedBuffer* numbers() const { return numbered_ ? numbers_.get() : nullptr; }
     /// Computes the planes; seen: DepthArgs::seen, null for all clusters.
     void find_planes(Frame& frame, compute::Buffer* seen);
 
@@ -45,7 +45,8 @@ class SurfaceStage {
     compute::Device& device_; ///< of stages_
     interop::SharingMode mode_;
     interop::Handover handover_;
-    bool known_ = false; ///< of the current frame
+    bool numbered_ = false; ///< the current frame's texels
+    bool known_ = false;    ///< of the current frame, for probes
     SurfaceView view_{};
     std::size_t texels_ = 0; ///< of the current depth buffer
     std::unique_ptr<interop::SharedBuffer> numbers_, planes_;

@@ -111,7 +111,7 @@ std::vector<FrameSetting> make_frame_settings() {
         "Where samples are computed"));
     t.push_back(choice<F>(
         "depth", [](auto& s) -> auto& { return s.rest.depth_form; }, {"auto", "raster", "compute"},
-        "Where the depth of the triangles is drawn"));
+        "Where the depth of the triangles, and a fill, are drawn"));
     t.push_back(choice<F>(
         "atlas-layout", [](auto& s) -> auto& { return s.rest.atlas_layout; }, {"wrap", "gutter"},
         "How rows of the atlas end"));

@@ -121,6 +121,47 @@ void append_planes(std::vector<std::byte>& result, compute::Stages& stages, cons
     append(result, read_back<glm::vec4>(device, *planes, lines.triangles.size()));
 }
 
+/// The colours of a picture each of whose texels shows a triangle, or none; a part of it.
+void append_fill(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
+                 const Camera& camera) {
+    compute::Device& device = stages.device();
+    const TriangleClusters parts = build_clusters(lines.vertices, lines.triangles, 4);
+    const Meshlets built = build_meshlets(parts.triangles, parts.clusters, lines.vertices.size());
+    constexpr glm::ivec2 size{23, 9};
+    constexpr int scale = 3, row = size.x * scale + 2;
+    const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
+    std::vector<std::uint32_t> texels(static_cast<std::size_t>(row * size.y * scale));
+    for (std::uint32_t i = 0; i < texels.size(); ++i)
+        texels[i] = i % 7 == 0 ? LA_NO_FACE : i / 5 % triangles;
+    const auto clusters = to_device(device, parts.clusters);
+    const auto meshlets = to_device(device, built.meshlets);
+    const auto vertex_list = to_device(device, built.vertices);
+    const auto corners = to_device(device, built.corners);
+    const auto vertices = to_device(device, lines.vertices);
+    const auto seen = to_device(device, std::vector<std::uint8_t>(parts.clusters.size(), 1));
+    const auto numbers = to_device(device, texels);
+    const auto shaded = device.allocate(triangles * sizeof(la_uint));
+    const auto pixels =
+        to_device(device, std::vector<std::uint32_t>(static_cast<std::size_t>(size.x * size.y), 5));
+    stages.fill({.model = {*clusters, *meshlets, *vertex_list, *corners,
+                           static_cast<std::uint32_t>(parts.clusters.size())},
+                 .vertices = *vertices,
+                 .seen = *seen,
+                 .colors = nullptr,
+                 .fill = {.mode = FillMode::toon},
+                 .eye_from_world = camera.view,
+                 .eye = camera.eye(),
+                 .shaded = *shaded,
+                 .numbers = *numbers,
+                 .row = row,
+                 .origin = {2, 0},
+                 .scale = scale,
+                 .size = size,
+                 .part = {{1, 2}, size},
+                 .pixels = *pixels});
+    append(result, read_back<la_uint>(device, *pixels, static_cast<std::size_t>(size.x * size.y)));
+}
+
 /// Of a frame whose atlas has to grow.
 FrameState filter_with_a_small_atlas(FrameStages& stages, const Camera& camera, FrameState state) {
     stages.compact(camera, layout, state);
@@ -181,6 +222,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
         extract_lines(sphere(1), {.kinds = mask_of(LineKind::silhouette), .crease_angle = 3});
     append(result, stages.pens(camera, depth, sampled));
     append_planes(result, on_device, lines, camera);
+    append_fill(result, on_device, lines, camera);
     append_outline(result, on_device, lines, camera);
     append_chains(result, on_device, round, look_at_it(0, round.bounds));
     const LineSet smooth = extract_lines(sphere(1), {.kinds = mask_of(LineKind::silhouette),

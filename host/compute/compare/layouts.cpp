@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
@@ -19,7 +20,7 @@ constexpr float corner = 1e-4F;
 constexpr float world = 1e-4F;
 
 std::size_t size_of(FieldKind kind) {
-    return kind == FieldKind::byte ? 1 : 4;
+    return kind == FieldKind::byte || kind == FieldKind::channel ? 1 : 4;
 }
 
 float half(std::uint32_t bits) {
@@ -36,6 +37,7 @@ std::uint32_t word_at(const std::byte* place) {
 bool words_agree(const Field& field, std::uint32_t a, std::uint32_t b) {
     switch (field.kind) {
     case FieldKind::byte:
+    case FieldKind::channel:
     case FieldKind::integer:
         return false;
     case FieldKind::number:
@@ -53,6 +55,7 @@ std::string text(FieldKind kind, const std::byte* place) {
     out.precision(9);
     switch (kind) {
     case FieldKind::byte:
+    case FieldKind::channel:
         out << std::to_integer<int>(*place);
         break;
     case FieldKind::integer:
@@ -70,6 +73,8 @@ std::string text(FieldKind kind, const std::byte* place) {
 
 bool agree_at(const Field& field, const std::byte* a, const std::byte* b) {
     if (field.kind == FieldKind::byte) return *a == *b;
+    if (field.kind == FieldKind::channel)
+        return std::abs(std::to_integer<int>(*a) - std::to_integer<int>(*b)) <= 1;
     return word_at(a) == word_at(b) || words_agree(field, word_at(a), word_at(b));
 }
 
@@ -164,6 +169,7 @@ const Layout& layout_of(std::string_view type) {
                                             {"alpha", FieldKind::number},
                                             {"segment", FieldKind::integer},
                                             {"flags", FieldKind::integer}}},
+                                    Layout{"Color", {{"", FieldKind::channel, 4}}},
                                     Layout{"FrameRecord",
                                            {{"points", FieldKind::integer, 4},
                                             {"quads", FieldKind::integer, 4},

@@ -17,6 +17,7 @@ enum class FieldKind {
     byte,       ///< bit by bit
     integer,    ///< 32 bits, bit by bit
     number,     ///< a float, within 1e-5 relative or `absolute`
+    channel,    ///< of a colour: a byte, within one, as rounding has it
     two_halves, ///< two floats of seven bits of mantissa, within the last of them
 };
 

@@ -126,6 +126,11 @@ namespace in_outline {
 namespace in_pens {
 #include "pens.cl"
 }
+namespace in_fill {
+#undef LANES
+#undef LANES_IN_USE
+#include "fill.cl"
+} // namespace in_fill
 
 #define SCAN_SATURATE 0
 namespace in_scan_0 {

@@ -8,6 +8,7 @@
 #include "chain_args.hpp"
 #include "depth_args.hpp"
 #include "exact_args.hpp"
+#include "fill_args.hpp"
 #include "run_args.hpp"
 #include "table_room.hpp"
 #include "visibility_args.hpp"
@@ -53,6 +54,7 @@ class Stages {
     void outline_samples(const OutlineSamplesArgs& args);
     void pens(const PensArgs& args);
     void compact(const CompactArgs& args);
+    void fill(const FillArgs& args);
     void halo(const HaloArgs& args); ///< waits: the host sizes a table of its own
     void filter(const FilterArgs& args);
     void density(const DensityArgs& args);

@@ -45,7 +45,7 @@ enum class AtlasForm {
     compute,   ///< a kernel over samples
 };
 
-/// Where the depth of the triangles is drawn. Both cover the same texels but for a few in 100,000.
+/// Where depth, and a fill by it, is drawn. Both cover the same texels but for a few in 100,000.
 enum class DepthForm {
     automatic, ///< compute beside a software GL where kernels run on the CPU too, else raster
     raster,    ///< GL (§3.2)
@@ -96,7 +96,7 @@ struct FrameOptions {
     float step = 2;                         ///< k: pixels between samples, above 0 (§4.1)
     LineKindMask lines = all_line_kinds;    ///< what is drawn of the kinds extracted
     AtlasForm atlas = AtlasForm::automatic; ///< where samples are computed
-    /// Where depth is drawn; methods atlas and spine.
+    /// Where depth is drawn; methods atlas and spine, exact for its fill.
     DepthForm depth_form = DepthForm::automatic;
     AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap; ///< in the raster form
     StrokeShader stroke_shader = StrokeShader::geometry;      ///< what widens runs

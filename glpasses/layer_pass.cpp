@@ -1,0 +1,60 @@
+#include "layer_pass.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "storage.hpp"
+#include "viewport.hpp"
+
+namespace lineatlas::gl {
+
+LayerPass::LayerPass()
+    : program_({"layer.vert", "layer.frag"}), vertex_array_(VertexArray::create()) {}
+
+void LayerPass::make_room(glm::ivec2 size) {
+    size = glm::max(size, size_); // for tiles of all sizes
+    if (size == size_) return;
+    Texture2D texture = Texture2D::create();
+    allocate(texture, GL_RGBA8, size, purpose::picture);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    texture_ = std::move(texture);
+    size_ = size;
+}
+
+void LayerPass::draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part, GLuint framebuffer,
+                     glm::ivec2 origin) {
+    const glm::ivec2 drawn = part.size();
+    if (drawn.x <= 0 || drawn.y <= 0) return;
+    make_room(size);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
+    const std::size_t first =
+        static_cast<std::size_t>(part.low.y) * static_cast<std::size_t>(size.x) +
+        static_cast<std::size_t>(part.low.x);
+    glTextureSubImage2D(texture_.id(), 0, part.low.x, part.low.y, drawn.x, drawn.y, GL_RGBA,
+                        GL_UNSIGNED_BYTE,
+                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    set_viewport(origin + part.low, drawn);
+    glDisable(GL_DEPTH_TEST);
+    glEnablei(GL_BLEND, 0);
+    glBlendEquationi(0, GL_FUNC_ADD);
+    glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBindTextureUnit(0, texture_.id());
+    program_.use();
+    program_.set("pixels", 0);
+    const glm::vec2 whole{size_};
+    program_.set("part", glm::vec4{glm::vec2{drawn} / whole, glm::vec2{part.low} / whole});
+    glBindVertexArray(vertex_array_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisablei(GL_BLEND, 0);
+}
+
+} // namespace lineatlas::gl

@@ -1,0 +1,62 @@
+// `fill` by kernels: the colours of triangles, then those of pixels.
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "divide_up.hpp"
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+FillColorsParameters colors_parameters(const FillArgs& args) {
+    const Fill& fill = args.fill;
+    const float length = glm::length(fill.light);
+    const glm::vec3 light = length > 0 ? fill.light / length : glm::vec3{0, 0, 1};
+    const bool toon = fill.mode == FillMode::toon;
+    return {.count = args.model.count,
+            .has_colors = args.colors != nullptr ? 1U : 0U,
+            .lit = toon || fill.mode == FillMode::lambert ? 1U : 0U,
+            .plain = {fill.color, 1},
+            .eye = args.eye,
+            // What stands on a face goes by the inverse of what the face goes by, from the other
+            // side.
+            .eye_from_normal =
+                glm::mat4{glm::transpose(glm::inverse(glm::mat3{args.eye_from_world}))},
+            .light = {light, 0},
+            .ambient = std::clamp(fill.ambient, 0.0F, 1.0F),
+            .steps = toon ? static_cast<float>(std::max(fill.toon_steps, 2)) : 0.0F};
+}
+
+} // namespace
+
+void Stages::fill(const FillArgs& args) {
+    const glm::ivec2 wanted = args.part.size();
+    if (wanted.x <= 0 || wanted.y <= 0) return;
+    launch<kernels::fill_colors>(args.model.count, tuning_.local_size, colors_parameters(args),
+                                 {.clusters = args.model.clusters,
+                                  .meshlets = args.model.meshlets,
+                                  .vertex_list = args.model.vertex_list,
+                                  .corners = args.model.corners,
+                                  .vertices = args.vertices,
+                                  .seen = args.seen,
+                                  // Any of uints where it isn't read:
+                                  .colors = args.colors != nullptr ? *args.colors : args.numbers,
+                                  .shaded = args.shaded});
+    const std::uint32_t block = tuning_.atlas_block;
+    const std::uint32_t blocks = divide_up(static_cast<std::uint32_t>(wanted.x), block);
+    launch<kernels::fill_pixels>(
+        blocks * static_cast<std::uint32_t>(wanted.y), tuning_.block_local_size,
+        {.size = args.size,
+         .low = args.part.low,
+         .wanted = wanted,
+         .origin = args.origin,
+         .row = args.row,
+         .scale = args.scale,
+         .block = block,
+         .blocks = blocks},
+        {.numbers = args.numbers, .shaded = args.shaded, .pixels = args.pixels});
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,70 @@
+#include "fill_stage.hpp"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+#include "backdrop.hpp"
+
+namespace lineatlas {
+
+FillStage::FillStage(const interop::Connection& connection)
+    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
+      handover_(device_) {}
+
+void FillStage::prepare(const Frame& frame) {
+    if (!shaded_) {
+        const std::size_t triangles = std::max(frame.scene.triangle_count(), 1U);
+        shaded_ = compute::allocate(device_, triangles * sizeof(la_uint), purpose::fill);
+    }
+    const std::size_t bytes =
+        static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * sizeof(la_uint);
+    if (pixels_ && pixels_->size() >= bytes) return;
+    pixels_.reset(); // it may not fit beside another
+    pixels_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::picture);
+}
+
+void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low) {
+    Backdrop::check_fill(frame, frame.options.style.fill);
+    size_ = tile.size;
+    prepare(frame);
+    // Pixels whose texels have all been drawn; around the model, within it, there are some more.
+    const int scale = frame.depth_scale();
+    const glm::ivec2 origin = tile.low * scale - low;
+    const TexelRectangle drawn = depth.drawn_texels();
+    part_.low = (glm::max(drawn.low - origin, 0) + (scale - 1)) / scale;
+    part_.high = glm::min(glm::max(drawn.high - origin, 0) / scale, size_);
+    frame.clock.handover([&] {
+        depth.surfaces().to_compute();
+        handover_.to_compute({pixels_.get()});
+    });
+    frame.clock("fill", [&] {
+        stages_.fill({.model = frame.scene.meshlets(),
+                      .vertices = frame.scene.candidate_table().vertices,
+                      .seen = depth.seen(),
+                      .colors = frame.scene.colors(),
+                      .fill = frame.options.style.fill,
+                      .eye_from_world = frame.camera.view,
+                      .eye = frame.camera.eye(),
+                      .shaded = *shaded_,
+                      .numbers = depth.surfaces().numbers()->compute(),
+                      .row = depth.size().x,
+                      .origin = origin,
+                      .scale = scale,
+                      .size = size_,
+                      .part = part_,
+                      .pixels = pixels_->compute()});
+        device_.flush();
+    });
+    pixels_->wrote(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                   sizeof(la_uint));
+}
+
+void FillStage::lay(Frame& frame, glm::ivec2 at) {
+    if (!layer_) layer_.emplace();
+    frame.clock.gl("fill", [&] {
+        layer_->draw(pixels_->gl(), size_, part_, frame.framebuffer, frame.camera.origin + at);
+    });
+}
+
+} // namespace lineatlas

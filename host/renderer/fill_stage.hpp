@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/tiles.hpp"
+#include "depth_stage.hpp"
+#include "frame.hpp"
+#include "glpasses/interop/connect.hpp"
+#include "glpasses/interop/handover.hpp"
+#include "glpasses/layer_pass.hpp"
+
+namespace lineatlas {
+
+/// The compute form of `fill`: kernels colour pixels by the triangles that `depth` found in them,
+/// and GL lays these over the picture. Backdrop::draw_fill() is the raster form.
+class FillStage {
+  public:
+    explicit FillStage(const interop::Connection& connection);
+
+    /// For another line set.
+    void set_scene() { shaded_.reset(); }
+    /// Whether the frame has a fill that is drawn in this form: where `depth` has drawn, or will
+    /// draw, its depth by kernels.
+    static bool draws(const Frame& frame, const DepthStage& depth) {
+        return frame.options.style.fill.mode != FillMode::none && depth.wants_kernels(frame);
+    }
+
+    /// Colours the pixels of a tile by what `depth` has drawn; `low`: the first texel of its
+    /// buffer in the whole picture. Takes the numbers of surfaces to compute, and leaves pixels()
+    /// there. Throws as Backdrop::check_fill() does.
+    void color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low);
+    /// The same with the whole picture.
+    void color(Frame& frame, DepthStage& depth) {
+        color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
+    }
+    /// What is handed to GL then; null if there has never been any.
+    interop::Shared* pixels() const { return pixels_.get(); }
+    void to_gl() { handover_.to_gl({pixels_.get()}); }
+    /// Lays them over the picture, once GL has them; `at`: where the tile lies in the part of the
+    /// picture that goes to the framebuffer.
+    void lay(Frame& frame, glm::ivec2 at = {0, 0});
+
+  private:
+    void prepare(const Frame& frame);
+
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
+    interop::SharingMode mode_;
+    interop::Handover handover_;
+    std::unique_ptr<compute::Buffer> shaded_;       ///< per triangle
+    std::unique_ptr<interop::SharedBuffer> pixels_; ///< of a tile
+    glm::ivec2 size_{0, 0};                         ///< of the tile that was coloured last
+    TexelRectangle part_;                           ///< of it, where the model may be
+    std::optional<gl::LayerPass> layer_;            ///< made when first used
+};
+
+} // namespace lineatlas

@@ -1,0 +1,191 @@
+// The two forms of `fill` against each other: what kernels colour is what GL draws with as many
+// pixels as the depth buffer has texels, and their mean.
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <tuple>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <gtest/gtest.h>
+
+#include "compare.hpp"
+#include "devices.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/scenes.hpp"
+#include "scene_cameras.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+using Picture = std::vector<std::uint8_t>;
+
+/// The mean of each `scale` by `scale` pixels, rounded.
+Picture reduced(const Picture& large, glm::ivec2 size, int scale) {
+    Picture result;
+    const auto row = static_cast<std::size_t>(size.x * scale) * 4;
+    const auto count = static_cast<unsigned>(scale * scale);
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            for (std::size_t c = 0; c < 4; ++c) {
+                unsigned sum = 0;
+                for (int k = 0; k < scale * scale; ++k) {
+                    const auto at_y = static_cast<std::size_t>(y * scale + k / scale);
+                    const auto at_x = static_cast<std::size_t>(x * scale + k % scale);
+                    sum += large[at_y * row + at_x * 4 + c];
+                }
+                result.push_back(static_cast<std::uint8_t>((sum + count / 2) / count));
+            }
+        }
+    }
+    return result;
+}
+
+/// Share of the pixels any of whose channels is more than `allowed` away.
+double share_beyond(const Picture& a, const Picture& b, int allowed) {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.size(); i += 4) {
+        const std::span<const std::uint8_t> p{&a[i], 4}, q{&b[i], 4};
+        if (compare_bytes(p, q, allowed).beyond > 0) ++different;
+    }
+    return static_cast<double>(different) / static_cast<double>(a.size() / 4);
+}
+
+std::size_t filled(const Picture& picture) {
+    std::size_t count = 0;
+    for (std::size_t i = 3; i < picture.size(); i += 4) count += picture[i] != 0 ? 1 : 0;
+    return count;
+}
+
+class FillForms : public testing::TestWithParam<std::string> {
+  protected:
+    /// A fill without lines, on nothing.
+    static FrameOptions options_of(FillMode mode, DepthForm form, int scale) {
+        FrameOptions options{.depth_scale = scale, .lines = 0, .depth_form = form};
+        options.style.fill.mode = mode;
+        return options;
+    }
+
+    Picture draw(Renderer& renderer, const Camera& camera, const FrameOptions& options) {
+        gl::Canvas canvas{camera.size};
+        canvas.clear(glm::vec4{0});
+        renderer.draw(camera, options, canvas.framebuffer());
+        return canvas.read();
+    }
+    /// In the raster form, with a pixel for each texel.
+    Picture expected(Renderer& renderer, Camera camera, FillMode mode, int scale) {
+        const glm::ivec2 size = camera.size;
+        camera.size *= scale;
+        return reduced(draw(renderer, camera, options_of(mode, DepthForm::raster, 1)), size, scale);
+    }
+
+    gl::HeadlessContext context_;
+    Renderer renderer_{{.compute = GetParam()}};
+};
+
+TEST_P(FillForms, PixelsAreTheMeanOfWhatGlDrawsInTheirTexels) {
+    for (const char* scene : {"clevis", "house", "ship", "office"}) {
+        renderer_.set_lines(scene_lines(scene));
+        for (const NamedCamera& view : scene_cameras(scene, {400, 300})) {
+            const FillMode mode = view.name == "inside" ? FillMode::flat : FillMode::lambert;
+            const Picture large = expected(renderer_, view.camera, mode, 2);
+            const Picture shown =
+                draw(renderer_, view.camera, options_of(mode, DepthForm::compute, 2));
+            EXPECT_GT(filled(shown), 5000U);
+            const double differ = share_beyond(shown, large, 1);
+            std::cout << scene << ' ' << view.name << ": " << 100 * differ << " % of the pixels\n";
+            EXPECT_LE(differ, 1e-3) << scene << " " << view.name;
+        }
+    }
+}
+
+TEST_P(FillForms, EveryDepthScaleAndMethodColoursTheSame) {
+    renderer_.set_lines(scene_lines("clevis"));
+    const Camera camera = scene_cameras("clevis", {301, 203}).front().camera;
+    for (const int scale : {1, 2, 3, 4}) {
+        const Picture large = expected(renderer_, camera, FillMode::lambert, scale);
+        FrameOptions options = options_of(FillMode::lambert, DepthForm::compute, scale);
+        for (const Method method : {Method::atlas, Method::exact, Method::spine}) {
+            options.method = method;
+            EXPECT_LE(share_beyond(draw(renderer_, camera, options), large, 1), 1e-3)
+                << scale << " " << static_cast<int>(method);
+        }
+    }
+}
+
+/// Whether a pixel's texels, of a picture with `scale` times as many pixels a side, are all of one
+/// colour, and opaque.
+bool is_inside(const Picture& texels, glm::ivec2 size, int scale, int x, int y) {
+    const auto texel = [&](int k) {
+        const int row = y * scale + k / scale, column = x * scale + k % scale;
+        return std::span{texels}.subspan(
+            4 * static_cast<std::size_t>(row * size.x * scale + column), 4);
+    };
+    bool same = texel(0)[3] == 255;
+    for (int k = 1; k < scale * scale; ++k)
+        same = same && compare_bytes(texel(0), texel(k), 0).beyond == 0;
+    return same;
+}
+
+TEST_P(FillForms, InsideOfFacesBothFormsAreTheSame) {
+    // Of three texels a side one lies in the middle of the pixel, where GL looks.
+    constexpr int scale = 3;
+    constexpr glm::ivec2 size{400, 300};
+    for (const char* scene : {"clevis", "house", "ship", "office"}) {
+        renderer_.set_lines(scene_lines(scene));
+        Camera camera = scene_cameras(scene, size).front().camera;
+        const auto drawn = [&](DepthForm form) {
+            return draw(renderer_, camera, options_of(FillMode::lambert, form, scale));
+        };
+        const Picture by_gl = drawn(DepthForm::raster), by_kernels = drawn(DepthForm::compute);
+        camera.size *= scale;
+        const Picture texels = drawn(DepthForm::raster);
+        std::size_t inside = 0, different = 0;
+        for (int i = 0; i < size.x * size.y; ++i) {
+            if (!is_inside(texels, size, scale, i % size.x, i / size.x)) continue;
+            ++inside;
+            const auto pixel = [&](const Picture& of) {
+                return std::span{of}.subspan(4 * static_cast<std::size_t>(i), 4);
+            };
+            if (compare_bytes(pixel(by_gl), pixel(by_kernels), 1).beyond != 0) ++different;
+        }
+        std::cout << scene << ": of " << inside << " pixels inside of faces " << different
+                  << " differ\n";
+        EXPECT_GT(inside, 5000U);
+        EXPECT_LE(static_cast<double>(different), 1e-3 * static_cast<double>(inside)) << scene;
+    }
+}
+
+TEST_P(FillForms, HiddenAndMovedObjectsAreFollowed) {
+    const LineSet lines = extract_lines(make_scene("house").mesh, {.separate_objects = true});
+    ASSERT_GT(lines.objects.size(), 4U);
+    renderer_.set_lines(lines);
+    const Camera camera = scene_cameras("house", {301, 203}).front().camera;
+    const auto expect_same = [&](const char* what) {
+        SCOPED_TRACE(what);
+        const Picture large = expected(renderer_, camera, FillMode::lambert, 2);
+        const Picture shown =
+            draw(renderer_, camera, options_of(FillMode::lambert, DepthForm::compute, 2));
+        EXPECT_LE(share_beyond(shown, large, 1), 1e-3);
+        return shown;
+    };
+    const Picture all = expect_same("as it is");
+    const std::vector<std::uint32_t> first{0, 1, 2, 3};
+    renderer_.set_hidden(first);
+    EXPECT_GT(share_beyond(expect_same("hidden"), all, 1), 1e-3);
+    renderer_.set_hidden({});
+    std::vector<glm::mat4> transforms(lines.objects.size(), glm::mat4{1});
+    for (std::size_t i = 0; i < transforms.size(); i += 2)
+        transforms[i] = glm::rotate(glm::mat4{1}, 0.1F, glm::vec3{1, 2, 3});
+    renderer_.set_transforms(transforms);
+    EXPECT_GT(share_beyond(expect_same("turned"), all, 1), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, FillForms, testing::Values("opencl", "cpp"),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
+} // namespace lineatlas::test
