@@ -233,6 +233,7 @@ typedef struct IntervalsParameters {
 #include "chain_tables.h"
 #include "depth_tables.h"
 #include "exact_tables.h"
+#include "stroke_tables.h"
 
 /* All of them, in the order of a frame: the stage that the kernel belongs to, which names its file,
  * the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE; `of_tiles`:
@@ -299,7 +300,10 @@ typedef struct IntervalsParameters {
     kernel(outline, outline_samples_count, OutlineSamplesParameters) \
     kernel(outline, outline_samples_write, OutlineSamplesParameters) \
     kernel(pens, pens_count, PensParameters) \
-    kernel(pens, pens_write, PensParameters)
+    kernel(pens, pens_write, PensParameters) \
+    kernel(strokes, strokes_count, StrokeListParameters) \
+    kernel(strokes, strokes_list, StrokeListParameters) \
+    kernel(strokes, strokes_tiles, StrokesParameters)
 
 /* clang-format on */
 #endif

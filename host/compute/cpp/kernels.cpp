@@ -126,6 +126,11 @@ namespace in_outline {
 namespace in_pens {
 #include "pens.cl"
 }
+namespace in_strokes {
+#undef LANES
+#undef LANES_IN_USE
+#include "strokes.cl"
+} // namespace in_strokes
 
 #define SCAN_SATURATE 0
 namespace in_scan_0 {
