@@ -122,15 +122,15 @@ SPECIALISED void draw_rows(const StrokesParameters* args, const Stroke* s, __loc
     /* What a row has of the strip around the spine, where that is steep enough to tell. */
     const bool is_steep = fabs(s->along.y) > 0.0625f && box.z - box.x >= LANES;
     const float slope = is_steep ? s->along.x / s->along.y : 0.0f;
-    const float half = is_steep ? s->reach / fabs(s->along.y) + 1.0f : 0.0f;
+    const float aside = is_steep ? s->reach / fabs(s->along.y) + 1.0f : 0.0f;
     const lanes_float lane = TO_FLOAT((lanes_int)LANE_INDEX) + 0.5f;
     for (int row = box.y; row <= box.w; ++row) {
         const float y = (float)(corner.y + row) + 0.5f;
         int first = box.x, last = box.z;
         if (is_steep) {
             const float middle = s->start.x + (y - s->start.y) * slope - (float)corner.x - 0.5f;
-            first = max(first, convert_int_rtn(clamp(middle - half, -1.0f, 4096.0f)) + 1);
-            last = min(last, convert_int_rtn(clamp(middle + half, -1.0f, 4096.0f)));
+            first = max(first, convert_int_rtn(clamp(middle - aside, -1.0f, 4096.0f)) + 1);
+            last = min(last, convert_int_rtn(clamp(middle + aside, -1.0f, 4096.0f)));
         }
         __local float* to = pixels + row * STROKE_STRIDE;
         for (int column = first; column <= last; column += LANES) {

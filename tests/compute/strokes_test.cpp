@@ -10,6 +10,7 @@ namespace {
 LINEATLAS_STAGE_TEST(Strokes);
 
 using Coverage = std::vector<std::uint8_t>;
+using Runs = std::vector<Run>;
 
 constexpr glm::ivec2 size{200, 150};
 
@@ -54,7 +55,7 @@ class Drawing {
         shown_ = to_device(device(), std::vector<la_uint>(2 * tile_count_, 77));
     }
 
-    void draw(const std::vector<Run>& runs, const Coverage& alpha = Coverage(8, 255)) {
+    void draw(const Runs& runs, const Coverage& alpha = Coverage(8, 255)) {
         FrameRecord record{};
         record.points[0] = static_cast<la_uint>(runs.size());
         const auto run_table = to_device(device(), runs);
@@ -112,7 +113,7 @@ class Drawing {
     std::unique_ptr<compute::Buffer> coverage_, shown_;
 };
 
-Coverage draw(compute::Stages& stages, const std::vector<Run>& runs, const How& how = {},
+Coverage draw(compute::Stages& stages, const Runs& runs, const How& how = {},
               const Coverage& alpha = Coverage(8, 255)) {
     Drawing drawing{stages, how};
     drawing.draw(runs, alpha);
@@ -174,7 +175,7 @@ TEST_P(Strokes, OneOverAnotherAddsWhatIsLeft) {
 
 TEST_P(Strokes, TilesAndPartsAreSeamless) {
     // Across tiles of 64 pixels in both directions, and lines that run on their borders.
-    const std::vector<Run> runs{run_between({3, 7}, {197, 141}), run_between({64, 2}, {64, 148}),
+    const Runs runs{run_between({3, 7}, {197, 141}), run_between({64, 2}, {64, 148}),
                                 run_between({1, 128}, {199, 128}), run_between({190, 3}, {9, 140})};
     const Coverage whole = draw(stages(), runs);
     EXPECT_EQ(at(whole, 63, 30), 255);
@@ -197,7 +198,7 @@ TEST_P(Strokes, TilesAndPartsAreSeamless) {
 }
 
 TEST_P(Strokes, OnePieceOrSeveralAreTheSame) {
-    std::vector<Run> runs;
+    Runs runs;
     for (int i = 0; i < 300; ++i) {
         const auto k = static_cast<float>(i);
         runs.push_back(run_between({20 + std::fmod(k * 7.3F, 160.0F), 10 + std::fmod(k * 3.7F, 130.0F)},
@@ -215,7 +216,7 @@ TEST_P(Strokes, OnePieceOrSeveralAreTheSame) {
 TEST_P(Strokes, ThosePartlyVisibleFade) {
     // Samples of 5 pixels: hidden ones, then visible. Their middles lie at 12.5, 17.5, ...
     const Coverage alpha{0, 0, 0, 0, 255, 255, 255, 255};
-    const std::vector<Run> runs{run_between({10, 20.5F}, {50, 20.5F})};
+    const Runs runs{run_between({10, 20.5F}, {50, 20.5F})};
     const Coverage visible = draw(stages(), runs, {}, alpha);
     EXPECT_EQ(at(visible, 27, 20), 0);   // the middle of the last hidden one
     EXPECT_EQ(at(visible, 28, 20), 153); // a fifth further: 255 * 3 * 1/5
@@ -227,7 +228,7 @@ TEST_P(Strokes, ThosePartlyVisibleFade) {
 }
 
 TEST_P(Strokes, EndsAreSquareRoundOrCut) {
-    const Run ended = with_ends(run_between({20, 20.5F}, {60, 20.5F}), LA_END_PATH, LA_END_PATH);
+    const auto ended = with_ends(run_between({20, 20.5F}, {60, 20.5F}), LA_END_PATH, LA_END_PATH);
     const Coverage round = draw(stages(), {ended}, {.width = 10});
     EXPECT_EQ(at(round, 15, 20), 255);       // 4.5 from the end, of 5
     EXPECT_EQ(at(round, 14, 20), 0);         // 5.5
@@ -236,7 +237,7 @@ TEST_P(Strokes, EndsAreSquareRoundOrCut) {
     const Coverage cut = draw(stages(), {ended}, {.width = 10, .end_kinds = LA_STROKES_EXACT_ENDS});
     EXPECT_EQ(at(cut, 20, 20), 255);
     EXPECT_EQ(at(cut, 19, 20), 0);
-    Run half = ended;
+    auto half = ended;
     half.start[0] = 20.25F;
     EXPECT_EQ(at(draw(stages(), {half}, {.width = 10, .end_kinds = LA_STROKES_EXACT_ENDS}), 20, 20),
               191); // three quarters: 191.25
@@ -244,8 +245,8 @@ TEST_P(Strokes, EndsAreSquareRoundOrCut) {
 
 TEST_P(Strokes, AtAJoinEachPixelBelongsToOne) {
     // A right angle; both end on its bisector, whose corner is at (1, 1) for half-width 1.
-    Run across = with_ends(run_between({20, 60}, {60, 60}), LA_END_CLIPPED, LA_END_JOIN);
-    Run up = with_ends(run_between({60, 60}, {60, 100}), LA_END_JOIN, LA_END_CLIPPED);
+    auto across = with_ends(run_between({20, 60}, {60, 60}), LA_END_CLIPPED, LA_END_JOIN);
+    auto up = with_ends(run_between({60, 60}, {60, 100}), LA_END_JOIN, LA_END_CLIPPED);
     for (int k = 0; k < 2; ++k) across.end_corner[k] = up.start_corner[k] = k == 0 ? -1.0F : 1.0F;
     const Coverage joined = draw(stages(), {across, up}, {.width = 8, .opacity = 0.5F});
     std::size_t once = 0;
@@ -258,7 +259,8 @@ TEST_P(Strokes, AtAJoinEachPixelBelongsToOne) {
 }
 
 TEST_P(Strokes, EachPenDrawsItsOwn) {
-    Run first = run_between({10, 20.5F}, {50, 20.5F}), second = run_between({10, 40.5F}, {50, 40.5F});
+    auto first = run_between({10, 20.5F}, {50, 20.5F});
+    auto second = run_between({10, 40.5F}, {50, 40.5F});
     second.flags |= 1U << LA_RUN_PEN_SHIFT;
     const Coverage of_second = draw(stages(), {first, second}, {.pen = 1});
     EXPECT_EQ(at(of_second, 30, 20), 0);
