@@ -8,7 +8,7 @@ CoveragePass::CoveragePass()
     : program_({"coverage.vert", "coverage.frag"}), vertex_array_(VertexArray::create()),
       coverage_(TextureBuffer::create()), shown_(TextureBuffer::create()) {}
 
-void CoveragePass::draw(const CoverageLayers& layers, int layer, glm::vec4 color,
+void CoveragePass::draw(const CoverageLayers& layers, std::span<const glm::vec4> colors,
                         glm::ivec2 origin) {
     set_viewport(origin, layers.part.size);
     glDisable(GL_DEPTH_TEST);
@@ -16,11 +16,7 @@ void CoveragePass::draw(const CoverageLayers& layers, int layer, glm::vec4 color
     glEnablei(GL_BLEND, 0);
     glBlendEquationi(0, GL_FUNC_ADD);
     glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    const std::size_t pixels = static_cast<std::size_t>(layers.part.size.x) *
-                               static_cast<std::size_t>(layers.part.size.y);
-    glTextureBufferRange(coverage_.id(), GL_R8, layers.coverage,
-                         static_cast<GLintptr>(layers.pitch * static_cast<std::size_t>(layer)),
-                         static_cast<GLsizeiptr>(pixels));
+    glTextureBuffer(coverage_.id(), GL_R8, layers.coverage);
     glTextureBuffer(shown_.id(), GL_R32UI, layers.shown);
     glBindTextureUnit(0, coverage_.id());
     glBindTextureUnit(1, shown_.id());
@@ -28,12 +24,13 @@ void CoveragePass::draw(const CoverageLayers& layers, int layer, glm::vec4 color
     program_.use();
     program_.set("coverage", 0);
     program_.set("shown", 1);
-    program_.set("first_shown", layer * tiles);
+    program_.set("layers", static_cast<int>(colors.size()));
+    program_.set("pitch", static_cast<int>(layers.pitch));
     program_.set("tiles", glm::ivec4{layers.first_tile, layers.tile_count});
     program_.set("part", glm::ivec4{layers.part.low, layers.part.size});
     program_.set("origin", origin);
     program_.set("row", layers.part.size.x);
-    program_.set("color", color);
+    program_.set("colors", colors);
     glBindVertexArray(vertex_array_.id());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tiles);
     glDisablei(GL_BLEND, 0);

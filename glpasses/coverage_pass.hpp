@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -15,21 +16,21 @@ namespace lineatlas::gl {
 struct CoverageLayers {
     GLuint coverage;   ///< bytes: per layer one for every pixel of `part`, row by row
     GLuint shown;      ///< uint32: per layer one for every tile, 1 if it has strokes
-    std::size_t pitch; ///< bytes from layer to layer; a multiple of CoveragePass::alignment
+    std::size_t pitch; ///< bytes from layer to layer
     PictureTile part;  ///< of the picture
     glm::ivec2 first_tile, tile_count;
 };
 
-/// `strokes`, the compute form: puts the colour of a pen where kernels have found its strokes.
+/// `strokes`, the compute form: puts the colours of pens where kernels have found their strokes.
 class CoveragePass {
   public:
     CoveragePass();
 
-    /// Of what a layer begins at: as much as GL may ask for.
-    static constexpr std::size_t alignment = 256;
+    static constexpr std::size_t most_layers = 8;
 
-    /// Over the bound framebuffer, premultiplied. `origin`: where in it the part begins.
-    void draw(const CoverageLayers& layers, int layer, glm::vec4 color, glm::ivec2 origin);
+    /// All layers over the bound framebuffer, the last on top, premultiplied. `colors`: theirs.
+    /// `origin`: where in it the part begins.
+    void draw(const CoverageLayers& layers, std::span<const glm::vec4> colors, glm::ivec2 origin);
 
   private:
     Program program_;

@@ -12,8 +12,8 @@ namespace {
 // A first guess; a frame that needs more makes the table grow.
 constexpr std::uint32_t first_entry_capacity = 1U << 14U;
 
-// Every pen takes a pass over the picture.
-constexpr std::size_t most_layers = 8;
+// Fewer runs than one for so many pixels take GL less time than a pass over the picture.
+constexpr std::uint64_t pixels_per_run = 128;
 
 // No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
 constexpr float longest_mitre = 4;
@@ -81,13 +81,17 @@ bool StrokeCoverage::wants(const Frame& frame) const {
         layers += pens_->pens(hidden).size();
         if (!std::ranges::all_of(pens_->pens(hidden), is_plain)) return false;
     }
-    return layers <= most_layers && has_bytes(frame.framebuffer);
+    return layers <= gl::CoveragePass::most_layers && has_bytes(frame.framebuffer);
 }
 
 void StrokeCoverage::begin_frame(const Frame& frame, const RunPens& pens) {
     pens_ = &pens;
     has_hidden_ = frame.options.draw && frame.options.style.hidden;
     draws_ = wants(frame);
+    const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
+                        static_cast<std::uint64_t>(frame.camera.size.y);
+    fewest_runs_ =
+        frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
     if (draws_ && coverage_)
         handover_.to_compute({coverage_.get(), shown_.get()}); // while GL has nothing to do
 }
@@ -143,19 +147,17 @@ void StrokeCoverage::begin_drawing(Frame& frame) {
     const std::size_t layers = hidden_layers() + pens_->pens(false).size();
     const compute::TileRange tiles = compute::part_tiles(part);
     const auto tile_count = static_cast<std::size_t>(tiles.count.x * tiles.count.y);
-    constexpr std::size_t alignment = gl::CoveragePass::alignment;
-    const std::size_t pitch = (pixels + alignment - 1) / alignment * alignment;
-    gl::check_buffer_texture(pixels, purpose::strokes);
-    make_shared(coverage_, layers * pitch);
+    gl::check_buffer_texture(layers * pixels, purpose::strokes);
+    make_shared(coverage_, layers * pixels);
     make_shared(shown_, layers * tile_count * sizeof(la_uint));
     frame.clock.handover([&] { handover_.to_compute({coverage_.get(), shown_.get()}); });
     layers_ = {.coverage = 0,
                .shown = 0,
-               .pitch = pitch,
+               .pitch = pixels,
                .part = part,
                .first_tile = tiles.first,
                .tile_count = tiles.count};
-    coverage_->wrote(layers * pitch);
+    coverage_->wrote(layers * pixels);
     shown_->wrote(layers * tile_count * sizeof(la_uint));
 }
 
@@ -216,15 +218,16 @@ void StrokeCoverage::show(Frame& frame) {
     frame.clock.handover([&] { handover_.to_gl({coverage_.get(), shown_.get()}); });
     layers_.coverage = coverage_->gl();
     layers_.shown = shown_->gl();
-    int layer = 0;
+    std::array<glm::vec4, gl::CoveragePass::most_layers> colors{};
+    std::size_t count = 0;
     for (const bool hidden : {true, false}) { // all hidden ones lie below all others
         if (hidden && !has_hidden_) continue;
-        frame.clock.gl(hidden ? "strokes hidden" : "strokes", [&] {
-            glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-            for (const Pen& pen : pens_->pens(hidden))
-                pass_.draw(layers_, layer++, glm::vec4{pen.color, 1}, frame.camera.origin);
-        });
+        for (const Pen& pen : pens_->pens(hidden)) colors[count++] = glm::vec4{pen.color, 1};
     }
+    frame.clock.gl("strokes", [&] {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+        pass_.draw(layers_, std::span{colors}.first(count), frame.camera.origin);
+    });
 }
 
 std::uint64_t StrokeCoverage::bytes() const {

@@ -27,6 +27,9 @@ class StrokeCoverage {
     /// Whether kernels draw the frame's strokes.
     bool draws() const { return draws_; }
 
+    /// Once it is known how many runs there are: few are left to GL, unless kernels were asked for.
+    void settle(std::uint64_t runs) { draws_ = draws_ && runs >= fewest_runs_; }
+
     /// Finds where runs lie in the picture; waits. `half_width`: of their widest pen.
     void list(const Frame& frame, bool hidden, compute::Buffer& runs, compute::Buffer& record,
               float half_width);
@@ -78,6 +81,7 @@ class StrokeCoverage {
     // Of the current frame.
     const RunPens* pens_ = nullptr;
     bool draws_ = false, has_hidden_ = false;
+    std::uint64_t fewest_runs_ = 0;
     gl::CoverageLayers layers_{};
 };
 

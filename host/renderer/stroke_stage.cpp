@@ -276,7 +276,15 @@ StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> 
     return shared;
 }
 
+std::uint64_t StrokeStage::drawn_runs() {
+    std::uint64_t sum = 0;
+    for (const Kept& kept : kept_) sum += kept.visible.size() + kept.hidden.size();
+    if (chunks_kept_) return sum;
+    return drawn(false).totals.points[0] + (has_hidden_ ? drawn(true).totals.points[0] : 0);
+}
+
 void StrokeStage::pass_to_gl(interop::SharedBuffer& alpha) {
+    coverage_.settle(drawn_runs());
     if (coverage_.draws()) return; // kernels go on with them
     note_written();
     handover_.to_gl(tables({&alpha}));
