@@ -102,6 +102,13 @@ void Program::set(const char* name, glm::ivec2 value) const {
 void Program::set(const char* name, glm::uvec2 value) const {
     glProgramUniform2ui(program_.id(), location(name), value.x, value.y);
 }
+void Program::set(const char* name, glm::ivec4 value) const {
+    glProgramUniform4i(program_.id(), location(name), value.x, value.y, value.z, value.w);
+}
+void Program::set(const char* name, std::span<const glm::vec4> values) const {
+    glProgramUniform4fv(program_.id(), location(name), static_cast<GLsizei>(values.size()),
+                        glm::value_ptr(values.front()));
+}
 void Program::set(const char* name, std::span<const float> values) const {
     glProgramUniform1fv(program_.id(), location(name), static_cast<GLsizei>(values.size()),
                         values.data());

@@ -33,8 +33,10 @@ class Program {
     void set(const char* name, glm::vec4 value) const;
     void set(const char* name, glm::ivec2 value) const;
     void set(const char* name, glm::uvec2 value) const;
+    void set(const char* name, glm::ivec4 value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, std::span<const float> values) const; ///< an array
+    void set(const char* name, std::span<const glm::vec4> values) const;
 
   private:
     struct Traits {

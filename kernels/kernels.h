@@ -234,6 +234,7 @@ typedef struct IntervalsParameters {
 #include "depth_tables.h"
 #include "exact_tables.h"
 #include "fill_tables.h"
+#include "stroke_tables.h"
 
 /* All of them, in the order of a frame: the stage that the kernel belongs to, which names its file,
  * the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE; `of_tiles`:
@@ -302,7 +303,10 @@ typedef struct IntervalsParameters {
     kernel(pens, pens_count, PensParameters) \
     kernel(pens, pens_write, PensParameters) \
     kernel(fill, fill_colors, FillColorsParameters) \
-    kernel(fill, fill_pixels, FillPixelsParameters)
+    kernel(fill, fill_pixels, FillPixelsParameters) \
+    kernel(strokes, strokes_count, StrokeListParameters) \
+    kernel(strokes, strokes_list, StrokeListParameters) \
+    kernel(strokes, strokes_tiles, StrokesParameters)
 
 /* clang-format on */
 #endif

@@ -71,6 +71,7 @@ Rows halo_rows(const Devices& devices);
 Rows filter_rows(const Devices& devices);
 Rows density_rows(const Devices& devices);
 Rows fill_rows(const Devices& devices);
+Rows strokes_rows(const Devices& devices);
 
 /// All of them, in the order of a frame.
 Rows all_rows(const Devices& devices);

@@ -382,8 +382,8 @@ void AtlasMethod::draw_strokes(Frame& frame) {
 void AtlasMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
         alpha_->wrote(layout_.texels(strokes_.sample_total()));
-        strokes_.note_written();
-        handover_.to_gl(strokes_.tables({alpha_.get(), fill_.pixels()}));
+        strokes_.pass_to_gl(*alpha_);
+        fill_.to_gl();
     });
 }
 

@@ -77,8 +77,7 @@ void ExactMethod::take_tables() {
 
 void ExactMethod::pass_to_strokes(Frame& frame) {
     frame.clock.handover([&] {
-        strokes_.note_written();
-        handover_.to_gl(strokes_.tables({alpha_.get()}));
+        strokes_.pass_to_gl(*alpha_);
     });
 }
 

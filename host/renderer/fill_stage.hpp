@@ -34,8 +34,6 @@ class FillStage {
     void color(Frame& frame, DepthStage& depth) {
         color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
     }
-    /// What is handed to GL then; null if there has never been any.
-    interop::Shared* pixels() const { return pixels_.get(); }
     void to_gl() { handover_.to_gl({pixels_.get()}); }
     /// Lays them over the picture, once GL has them; `at`: where the tile lies in the part of the
     /// picture that goes to the framebuffer.

@@ -53,7 +53,8 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 StrokeStage::StrokeStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
       handover_(device_), pens_(device_),
-      raw_record_(compute::allocate(device_, sizeof(FrameRecord), purpose::strokes)) {
+      raw_record_(compute::allocate(device_, sizeof(FrameRecord), purpose::strokes)),
+      coverage_(connection) {
     make_table(visible_);
 }
 
@@ -152,6 +153,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
             device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
         if (tells_pens(true)) tell_pens(frame, true, nullptr);
+        list(frame, true);
     }
     if (filters_) {
         if (frame.options.style.filter.halo > 0) halo(frame, input);
@@ -159,6 +161,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     }
     if (limits_density_) density(frame, input);
     if (tells_pens(false)) tell_pens(frame, false, outline);
+    list(frame, false);
     frame.clock(stage,
                 [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
 }
@@ -230,6 +233,15 @@ void StrokeStage::tell_pens(Frame& frame, bool hidden, const compute::OutlineTab
     });
 }
 
+void StrokeStage::list(Frame& frame, bool hidden) {
+    if (!coverage_.draws()) return;
+    frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
+        RunTable& table = drawn(hidden);
+        coverage_.list(frame, hidden, table.runs->compute(), table.record->compute(),
+                       0.5F * pens_.widest(hidden));
+    });
+}
+
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.reset(); // it may not fit beside another
@@ -250,7 +262,7 @@ bool StrokeStage::grow() {
         raw_capacity_ = compute::capacity_for<Run>(device_, raw_total);
         grown = true;
     }
-    return grown;
+    return coverage_.grow() || grown;
 }
 
 StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> others) const {
@@ -262,6 +274,20 @@ StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> 
     }
     *next = weights_.get();
     return shared;
+}
+
+std::uint64_t StrokeStage::drawn_runs() {
+    std::uint64_t sum = 0;
+    for (const Kept& kept : kept_) sum += kept.visible.size() + kept.hidden.size();
+    if (chunks_kept_) return sum;
+    return drawn(false).totals.points[0] + (has_hidden_ ? drawn(true).totals.points[0] : 0);
+}
+
+void StrokeStage::pass_to_gl(interop::SharedBuffer& alpha) {
+    coverage_.settle(drawn_runs());
+    if (coverage_.draws()) return; // kernels go on with them
+    note_written();
+    handover_.to_gl(tables({&alpha}));
 }
 
 void StrokeStage::note_written() {
@@ -287,7 +313,7 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
                           .cap_grain = {},
                           .focus = std::nullopt,
                           .hidden = hidden,
-                          .exact_ends = by_spans_ || (filters_ && !hidden)};
+                          .exact_ends = has_exact_ends(hidden)};
     if (pen.cap == Cap::texture || pen.path_cap == Cap::texture) {
         style.cap_grain = frame.pens.get("brush", pen.width);
     }
@@ -312,6 +338,7 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
 
 void StrokeStage::begin_frame(const Frame& frame) {
     pens_.prepare(frame);
+    coverage_.begin_frame(frame, pens_);
     kept_.clear();
     kept_density_.clear();
     chunks_kept_ = false;
@@ -351,17 +378,42 @@ void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedBuffer&
     table.runs->wrote(runs.size_bytes());
     table.record->wrote(sizeof(FrameRecord));
     alpha.wrote(kept.alpha.size());
-    handover_.to_gl({table.runs.get(), table.record.get(), &alpha});
+}
+
+void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha) {
+    coverage_.begin_drawing(frame);
+    for (const bool hidden : {true, false}) {
+        if (hidden && !has_hidden_) continue;
+        const auto draw = [&](bool again) {
+            const RunTable& table = drawn(hidden);
+            coverage_.draw(frame, hidden, table.runs->compute(), table.totals.points[0],
+                           alpha.compute(),
+                           limits_density_ && !hidden ? &weights_->compute() : nullptr,
+                           has_exact_ends(hidden), again);
+        };
+        if (!chunks_kept_) draw(false);
+        for (const Kept& kept : kept_) {
+            frame.clock.handover([&] { put_back(kept, hidden, alpha); });
+            list(frame, hidden);
+            draw(&kept != kept_.data());
+        }
+    }
+    coverage_.show(frame);
 }
 
 void StrokeStage::draw(Frame& frame, interop::SharedBuffer& alpha) {
+    if (coverage_.draws()) return draw_by_kernels(frame, alpha);
     for (const bool hidden : {true, false}) { // all hidden ones lie below all others
         if (hidden && !has_hidden_) continue;
         const auto pens = static_cast<std::uint32_t>(pens_.pens(hidden).size());
         for (std::uint32_t pen = 0; pen < pens; ++pen) { // each of all chunks before the next
             if (!chunks_kept_) draw(frame, alpha.gl(), hidden, pen);
             for (const Kept& kept : kept_) {
-                frame.clock.handover([&] { put_back(kept, hidden, alpha); });
+                frame.clock.handover([&] {
+                    put_back(kept, hidden, alpha);
+                    RunTable& table = drawn(hidden);
+                    handover_.to_gl({table.runs.get(), table.record.get(), &alpha});
+                });
                 draw(frame, alpha.gl(), hidden, pen);
             }
         }
@@ -391,7 +443,8 @@ std::uint64_t StrokeStage::bytes() const {
         return buffer ? buffer->size() : 0;
     };
     return size_of(visible_.runs) + size_of(hidden_.runs) + size_of(penned_.runs) +
-           size_of(penned_hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) + size_of(weights_);
+           size_of(penned_hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) + size_of(weights_) +
+           coverage_.bytes();
 }
 
 std::vector<Run> StrokeStage::read_runs() {

@@ -10,6 +10,7 @@
 #include "glpasses/interop/handover.hpp"
 #include "glpasses/stroke_pass.hpp"
 #include "run_pens.hpp"
+#include "stroke_coverage.hpp"
 
 namespace lineatlas {
 
@@ -45,12 +46,12 @@ class StrokeStage {
     bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
     bool grow();
-    /// Says what kernels wrote of them, before they are passed to GL.
-    void note_written();
+    /// Says what kernels wrote of them, and passes them to GL with `alpha`, where GL draws them.
+    void pass_to_gl(interop::SharedBuffer& alpha);
     /// Where segments come in chunks: what was made of the current one, and the first `alpha_bytes`
     /// of its samples, are kept on the host until they are drawn.
     void keep(const Frame& frame, interop::SharedBuffer* alpha, std::size_t alpha_bytes);
-    /// Draws the runs, or those of all chunks that were kept. All that it reads is GL's.
+    /// Draws the runs, or those of all chunks that were kept, after pass_to_gl().
     void draw(Frame& frame, interop::SharedBuffer& alpha);
 
     /// Of the last make_runs().
@@ -80,7 +81,14 @@ class StrokeStage {
 
     std::uint32_t unkept(std::uint32_t total) const { return chunks_kept_ ? 0 : total; }
     void draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen);
-    /// Puts runs and samples back where they were, and hands them to GL.
+    /// The compute form of draw().
+    void draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha);
+    /// Where the runs lie in the picture, for that.
+    void list(Frame& frame, bool hidden);
+    /// In the whole frame, once all are made.
+    std::uint64_t drawn_runs();
+    void note_written();
+    /// Puts runs and samples back where they were.
     void put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha);
     void prepare(const Frame& frame);
     void make_table(RunTable& table);
@@ -102,6 +110,8 @@ class StrokeStage {
     RunTable& drawn(bool hidden) { return pens_.several(hidden) ? penned(hidden) : made(hidden); }
     /// Whether runs are told by their pens.
     bool tells_pens(bool hidden) const { return pens_.several(hidden) && (!hidden || has_hidden_); }
+    /// Whether runs end where visibility does, some without samples.
+    bool has_exact_ends(bool hidden) const { return by_spans_ || (filters_ && !hidden); }
     gl::StrokeStyle stroke_style(Frame& frame, const Pen& pen, bool hidden) const;
 
     compute::Stages& stages_;
@@ -122,6 +132,7 @@ class StrokeStage {
     std::vector<std::uint32_t> kept_density_; ///< of the same, what they drew where
     bool chunks_kept_ = false;
     std::uint32_t kept_samples_ = 0, kept_runs_ = 0;
+    StrokeCoverage coverage_; ///< the compute form
     gl::StrokePass pass_;
 };
 

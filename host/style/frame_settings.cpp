@@ -113,6 +113,9 @@ std::vector<FrameSetting> make_frame_settings() {
         "depth", [](auto& s) -> auto& { return s.rest.depth_form; }, {"auto", "raster", "compute"},
         "Where the depth of the triangles, and a fill, are drawn"));
     t.push_back(choice<F>(
+        "strokes", [](auto& s) -> auto& { return s.rest.stroke_form; },
+        {"auto", "raster", "compute"}, "Where plain strokes are drawn"));
+    t.push_back(choice<F>(
         "atlas-layout", [](auto& s) -> auto& { return s.rest.atlas_layout; }, {"wrap", "gutter"},
         "How rows of the atlas end"));
     t.push_back(choice<F>(

@@ -142,6 +142,7 @@ class Options:
         step: float = 2.0,
         atlas: str = "auto",
         depth: str = "auto",
+        strokes: str = "auto",
         atlas_layout: str = "wrap",
         stroke_shader: str = "geometry",
         steady: bool = False,

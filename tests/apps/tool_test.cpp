@@ -65,7 +65,7 @@ TEST_F(Tool, DrawsAModelWithEveryOption) {
             "--lines crease,boundary,material,silhouette,file,section,hatching --crease 20 "
             "--method atlas "
             "--quality low --probes 4 --depth-scale 3 --step 1 --atlas raster "
-            "--atlas-layout gutter --width 2.5 --pen pencil --stroke-shader vertex "
+            "--strokes compute --atlas-layout gutter --width 2.5 --pen pencil --stroke-shader vertex "
             "--style ink --set halo=3 --hidden --hidden-width 0.5 --color 0.1,0.2,0.3 "
             "--light -1,2,1 --focus 0.5,0.5 "
             "--compute cpp --interop copy --stats --repeat 2");

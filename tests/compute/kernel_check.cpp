@@ -253,6 +253,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
     append(result, state.cuts);
     append(result, state.flags);
     append(result, state.weights);
+    append(result, stages.strokes(camera, state));
     for (std::uint32_t missing = 1; missing < 5;
          ++missing) { // last: Oclgrind fails at growing tables
         FrameState cut = sampled;

@@ -21,6 +21,7 @@ const std::map<std::string, std::string> samples{{"lines", "crease,silhouette"},
                                                  {"step", "0.5"},
                                                  {"atlas", "compute"},
                                                  {"depth", "raster"},
+                                                 {"strokes", "compute"},
                                                  {"atlas-layout", "gutter"},
                                                  {"stroke-shader", "vertex"}};
 
@@ -62,6 +63,7 @@ TEST(FrameSettings, ValuesLandInTheirMembers) {
     EXPECT_EQ(options.step, 0.5F);
     EXPECT_EQ(options.atlas, AtlasForm::compute);
     EXPECT_EQ(options.depth_form, DepthForm::raster);
+    EXPECT_EQ(options.stroke_form, StrokeForm::compute);
     EXPECT_EQ(options.atlas_layout, AtlasLayoutChoice::gutter);
     EXPECT_EQ(options.stroke_shader, StrokeShader::vertex);
 }

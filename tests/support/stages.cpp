@@ -340,4 +340,46 @@ std::vector<Run> FrameStages::pens(const Camera& camera, const std::vector<float
     return read_back<Run>(*device_, *drawn, pieces);
 }
 
+std::vector<std::uint8_t> FrameStages::strokes(const Camera& camera, const FrameState& state) {
+    const glm::vec2 viewport{camera.size};
+    const PictureTile whole{{0, 0}, camera.size};
+    const glm::ivec2 tiles = compute::part_tiles(whole).count;
+    const auto pixels = static_cast<std::uint32_t>(camera.size.x * camera.size.y);
+    const auto count = static_cast<std::uint32_t>(state.runs.size());
+    const std::uint32_t capacity = count * static_cast<std::uint32_t>(tiles.x * tiles.y);
+    const auto runs = to_device(*device_, state.runs);
+    const auto record = to_device(*device_, std::vector{state.record});
+    const auto alpha = to_device(*device_, state.alpha);
+    const auto mark = to_device(*device_, std::vector<float>{0, 1, 1, 0, 1});
+    const auto weights = to_device(*device_, state.weights);
+    const auto ends = device_->allocate(compute::stroke_ends(device_->tuning(), viewport) *
+                                        sizeof(la_uint));
+    const auto entries = device_->allocate(capacity * sizeof(la_uint));
+    const auto coverage = device_->allocate(pixels);
+    const auto shown = device_->allocate(capacity * sizeof(la_uint));
+    const compute::StrokeLists lists{*ends, *entries, capacity};
+    for (const bool again : {false, true}) {
+        stages_.list_strokes({*runs, *record, viewport, settings_.half_width, lists});
+        stages_.draw_strokes({.runs = *runs,
+                              .run_count = count,
+                              .lists = lists,
+                              .alpha = *alpha,
+                              .viewport = viewport,
+                              .part = whole,
+                              .half_width = settings_.half_width,
+                              .opacity = 0.7F,
+                              .end_kinds = LA_STROKES_ROUND_PATHS | LA_STROKES_EXACT_ENDS,
+                              .mark = mark.get(),
+                              .mark_length = 3,
+                              .repeat_length = 5,
+                              .weights = weights.get(),
+                              .again = again,
+                              .coverage = *coverage,
+                              .shown = *shown,
+                              .layer = 0,
+                              .pitch = pixels});
+    }
+    return read_back<std::uint8_t>(*device_, *coverage, pixels);
+}
+
 } // namespace lineatlas::test

@@ -102,6 +102,10 @@ class FrameStages {
     std::vector<Run> pens(const Camera& camera, const std::vector<float>& depth,
                           const FrameState& state);
 
+    /// How much the strokes of the runs in `state` cover of every pixel, in two pieces: dashed, and
+    /// thinned by the weights in `state`.
+    std::vector<std::uint8_t> strokes(const Camera& camera, const FrameState& state);
+
   private:
     compute::SegmentTable table() {
         return {*vertices_, *triangles_, *segments_, triangle_count_, n_};

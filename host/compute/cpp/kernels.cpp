@@ -131,6 +131,11 @@ namespace in_fill {
 #undef LANES_IN_USE
 #include "fill.cl"
 } // namespace in_fill
+namespace in_strokes {
+#undef LANES
+#undef LANES_IN_USE
+#include "strokes.cl"
+} // namespace in_strokes
 
 #define SCAN_SATURATE 0
 namespace in_scan_0 {

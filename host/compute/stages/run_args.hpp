@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/tiles.hpp"
 #include "tables.hpp"
 
 namespace lineatlas::compute {
@@ -117,5 +118,60 @@ struct PensArgs {
     std::uint32_t drawn_capacity;
     Buffer& drawn_record; ///< out: one `FrameRecord`
 };
+
+/// Where runs lie on the screen, in their order.
+struct StrokeLists {
+    Buffer& ends;           ///< out: uint32: per tile and chunk of runs, and how many in all
+    Buffer& entries;        ///< out: uint32 each
+    std::uint32_t capacity; ///< of `entries`; beyond it nothing is written
+};
+
+/// Tiles of the picture that runs are listed by, and chunks of the runs.
+inline glm::ivec2 stroke_tiles(glm::vec2 viewport) {
+    return (glm::ivec2{viewport} + (LA_STROKE_TILE - 1)) / LA_STROKE_TILE;
+}
+std::uint32_t stroke_chunks(const Tuning& tuning, glm::vec2 viewport);
+/// Values of StrokeLists::ends.
+std::size_t stroke_ends(const Tuning& tuning, glm::vec2 viewport);
+
+struct StrokeListArgs {
+    Buffer& runs;       ///< `Run` each
+    Buffer& record;     ///< their `FrameRecord`
+    glm::vec2 viewport; ///< pixels
+    float half_width;   ///< of the widest pen, pixels
+    StrokeLists lists;
+};
+
+/// One pen's strokes.
+struct StrokeArgs {
+    Buffer& runs;
+    std::uint32_t run_count; ///< at most
+    StrokeLists lists;       ///< of these runs
+    Buffer& alpha;           ///< as in SegmentAtlas
+    glm::vec2 viewport;
+    PictureTile part;        ///< of the picture, what is drawn
+    float half_width;        ///< pixels
+    float opacity;
+    std::uint32_t end_kinds;           ///< LA_STROKES_*
+    bool hidden = false;               ///< runs of hidden samples
+    std::uint32_t pen = LA_ALL_PENS;   ///< whose runs are drawn
+    Buffer* mark = nullptr;            ///< floats along the mark, see even_mark(); null: solid
+    std::uint32_t mark_length = 0;     ///< of them, without the two at its ends
+    float repeat_length = 1;           ///< pixels
+    Buffer* weights = nullptr;         ///< of `density`; null: all is drawn
+    bool again = false;                ///< over what is there
+    Buffer& coverage;                  ///< out: a byte per pixel of `part`
+    Buffer& shown;                     ///< out: a uint32 per tile of part_tiles()
+    std::uint32_t layer = 0, pitch = 0; ///< of `coverage`; the layer's bytes
+};
+
+/// The tiles that a part of the picture touches: the first, and how many.
+struct TileRange {
+    glm::ivec2 first, count;
+};
+inline TileRange part_tiles(const PictureTile& part) {
+    const glm::ivec2 first = part.low / LA_STROKE_TILE;
+    return {first, (part.low + part.size - 1) / LA_STROKE_TILE - first + 1};
+}
 
 } // namespace lineatlas::compute

@@ -58,6 +58,8 @@ class Stages {
     void halo(const HaloArgs& args); ///< waits: the host sizes a table of its own
     void filter(const FilterArgs& args);
     void density(const DensityArgs& args);
+    void list_strokes(const StrokeListArgs& args);
+    void draw_strokes(const StrokeArgs& args);
     /// What the last density() has added up, with what was there before: for the next chunk.
     void read_density_grid(std::vector<std::uint32_t>& drawn, glm::vec2 viewport);
 

@@ -52,6 +52,13 @@ enum class DepthForm {
     compute,   ///< kernels over tiles of the depth buffer
 };
 
+/// Where strokes are drawn. Both draw the same picture but for rounding.
+enum class StrokeForm {
+    automatic, ///< compute beside a software GL where kernels run on the CPU too, else raster
+    raster,    ///< GL (§4.4)
+    compute,   ///< kernels over tiles of the picture
+};
+
 /// How lines lie in the rows of the atlas that are longer than what is left of one (§4.2, Fig. 8).
 enum class AtlasLayoutChoice {
     wrap,   ///< they go on in the next row; raster draws every proxy line twice
@@ -98,6 +105,10 @@ struct FrameOptions {
     AtlasForm atlas = AtlasForm::automatic; ///< where samples are computed
     /// Where depth is drawn; methods atlas and spine, exact for its fill.
     DepthForm depth_form = DepthForm::automatic;
+    /// Where strokes are drawn. Kernels draw marks that are even across the stroke (solid, dashed)
+    /// with butt and round caps and joins without bevels, to pictures of 8 bits, with no profiles
+    /// and no focus; whatever else a frame asks for is drawn by GL.
+    StrokeForm stroke_form = StrokeForm::automatic;
     AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap; ///< in the raster form
     StrokeShader stroke_shader = StrokeShader::geometry;      ///< what widens runs
     /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl

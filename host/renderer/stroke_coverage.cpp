@@ -1,0 +1,242 @@
+#include "stroke_coverage.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/pens.hpp"
+#include "glpasses/storage.hpp"
+
+namespace lineatlas {
+namespace {
+
+// A first guess; a frame that needs more makes the table grow.
+constexpr std::uint32_t first_entry_capacity = 1U << 14U;
+
+// Fewer runs than one for so many pixels take GL less time than a pass over the picture.
+constexpr std::uint64_t pixels_per_run = 128;
+
+// No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
+constexpr float longest_mitre = 4;
+
+bool is_constant(const Profile& profile) {
+    return profile.size() == 1 && profile[0] == 1;
+}
+
+/// Whether a mark is the same all across the stroke, at any width.
+bool is_even(const std::string& mark) {
+    if (mark == "solid") return true;
+    const std::optional<DashLengths> dashes = dash_lengths(mark, 1);
+    return dashes && !dashes->round;
+}
+
+/// Whether kernels know all that the pen does.
+bool is_plain(const Pen& pen) {
+    const auto is_plain_cap = [](Cap cap) { return cap == Cap::butt || cap == Cap::round; };
+    const bool has_bevels =
+        pen.join == Join::bevel || (pen.join == Join::mitre && pen.mitre_limit < longest_mitre);
+    return is_even(pen.mark) && is_plain_cap(pen.cap) && is_plain_cap(pen.path_cap) &&
+           !has_bevels && is_constant(pen.width_profile) && is_constant(pen.opacity_profile);
+}
+
+/// Whether the picture has 8 bits per channel, as coverage has.
+bool has_bytes(GLuint framebuffer) {
+    GLint buffer = GL_BACK_LEFT, type = GL_NONE, bits = 0;
+    if (framebuffer != 0) {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glGetIntegerv(GL_DRAW_BUFFER, &buffer);
+        if (buffer == GL_NONE) return false;
+    }
+    const auto attachment = static_cast<GLenum>(buffer);
+    glGetNamedFramebufferAttachmentParameteriv(framebuffer, attachment,
+                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type == GL_NONE) return false;
+    glGetNamedFramebufferAttachmentParameteriv(framebuffer, attachment,
+                                               GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
+    return bits <= 8;
+}
+
+std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
+    const bool fades = pen.cap == Cap::butt && pen.path_cap == Cap::round;
+    return (pen.join == Join::round ? LA_STROKES_ROUND_JOINS : 0) |
+           (pen.cap == Cap::round ? LA_STROKES_ROUND_CAPS : 0) |
+           (pen.path_cap == Cap::round ? LA_STROKES_ROUND_PATHS : 0) |
+           (exact_ends || hidden || !fades ? LA_STROKES_EXACT_ENDS : 0);
+}
+
+} // namespace
+
+StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
+    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
+      handover_(device_),
+      kernels_are_faster_(interop::gl_is_software() && device_.tuning().depth_lanes > 1) {}
+
+bool StrokeCoverage::wants(const Frame& frame) const {
+    const Style& style = frame.options.style;
+    const bool asked = frame.options.stroke_form == StrokeForm::compute ||
+                       (frame.options.stroke_form == StrokeForm::automatic && kernels_are_faster_);
+    if (!frame.options.draw || !asked || style.focus.on) return false;
+    std::size_t layers = 0;
+    for (const bool hidden : {false, true}) {
+        if (hidden && !has_hidden_) continue;
+        layers += pens_->pens(hidden).size();
+        if (!std::ranges::all_of(pens_->pens(hidden), is_plain)) return false;
+    }
+    return layers <= gl::CoveragePass::most_layers && has_bytes(frame.framebuffer);
+}
+
+void StrokeCoverage::begin_frame(const Frame& frame, const RunPens& pens) {
+    pens_ = &pens;
+    has_hidden_ = frame.options.draw && frame.options.style.hidden;
+    draws_ = wants(frame);
+    const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
+                        static_cast<std::uint64_t>(frame.camera.size.y);
+    fewest_runs_ =
+        frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
+    if (draws_ && coverage_)
+        handover_.to_compute({coverage_.get(), shown_.get()}); // while GL has nothing to do
+}
+
+void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs,
+                          compute::Buffer& record, float half_width) {
+    Lists& own = lists(hidden);
+    const auto make_room = [&](std::unique_ptr<compute::Buffer>& buffer, std::size_t values) {
+        const std::size_t bytes = values * sizeof(la_uint);
+        if (buffer && buffer->size() >= bytes) return;
+        buffer.reset(); // it may not fit beside another
+        buffer = compute::allocate(device_, bytes, purpose::strokes);
+    };
+    if (own.capacity == 0)
+        own.capacity = compute::first_capacity<la_uint>(device_, first_entry_capacity);
+    const std::size_t ends = compute::stroke_ends(device_.tuning(), frame.viewport());
+    make_room(own.ends, ends);
+    make_room(own.entries, own.capacity);
+    stages_.list_strokes({.runs = runs,
+                          .record = record,
+                          .viewport = frame.viewport(),
+                          .half_width = half_width,
+                          .lists = tables(hidden)});
+    device_.download(*own.ends, std::as_writable_bytes(std::span{&own.total, 1}),
+                     (ends - 1) * sizeof(la_uint));
+}
+
+bool StrokeCoverage::grow() {
+    bool grown = false;
+    for (Lists& own : lists_) {
+        if (!draws_ || own.total <= own.capacity) continue;
+        own.capacity = compute::capacity_for<la_uint>(device_, own.total);
+        grown = true;
+    }
+    return grown;
+}
+
+std::uint32_t StrokeCoverage::hidden_layers() const {
+    return has_hidden_ ? static_cast<std::uint32_t>(pens_->pens(true).size()) : 0;
+}
+
+void StrokeCoverage::make_shared(std::unique_ptr<interop::SharedBuffer>& buffer,
+                                 std::size_t bytes) {
+    if (buffer && buffer->size() >= bytes) return;
+    buffer.reset(); // it may not fit beside another
+    buffer = interop::make_shared_buffer(device_, mode_, bytes, purpose::strokes);
+}
+
+void StrokeCoverage::begin_drawing(Frame& frame) {
+    const PictureTile& part = frame.tile;
+    const auto pixels =
+        static_cast<std::size_t>(part.size.x) * static_cast<std::size_t>(part.size.y);
+    const std::size_t layers = hidden_layers() + pens_->pens(false).size();
+    const compute::TileRange tiles = compute::part_tiles(part);
+    const auto tile_count = static_cast<std::size_t>(tiles.count.x * tiles.count.y);
+    gl::check_buffer_texture(layers * pixels, purpose::strokes);
+    make_shared(coverage_, layers * pixels);
+    make_shared(shown_, layers * tile_count * sizeof(la_uint));
+    frame.clock.handover([&] { handover_.to_compute({coverage_.get(), shown_.get()}); });
+    layers_ = {.coverage = 0,
+               .shown = 0,
+               .pitch = pixels,
+               .part = part,
+               .first_tile = tiles.first,
+               .tile_count = tiles.count};
+    coverage_->wrote(layers * pixels);
+    shown_->wrote(layers * tile_count * sizeof(la_uint));
+}
+
+const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
+    const auto found = marks_.find({pen.mark, pen.width});
+    if (found != marks_.end()) return found->second;
+    const PenMark painted = make_pen(pen.mark, pen.width);
+    const auto columns = static_cast<std::size_t>(painted.size.x);
+    Mark made{.values = nullptr,
+              .length = static_cast<std::uint32_t>(columns),
+              .repeat_length = painted.repeat_length};
+    if (columns > 0) {
+        std::vector<float> values;
+        for (std::size_t i = 0; i < columns + 2; ++i) {
+            const std::uint8_t value = painted.coverage[(i + columns - 1) % columns];
+            values.push_back(static_cast<float>(value) / 255);
+        }
+        made.values =
+            compute::allocate(device_, values.size() * sizeof(float), purpose::pen);
+        device_.upload(*made.values, std::as_bytes(std::span{values}));
+    }
+    return marks_.emplace(std::pair{pen.mark, pen.width}, std::move(made)).first->second;
+}
+
+void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs,
+                          std::uint32_t run_count, compute::Buffer& alpha,
+                          compute::Buffer* weights, bool exact_ends, bool again) {
+    frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
+        const std::vector<Pen>& pens = pens_->pens(hidden);
+        for (std::uint32_t i = 0; i < pens.size(); ++i) {
+            const Pen& pen = pens[i];
+            const Mark& own = mark(pen);
+            stages_.draw_strokes({.runs = runs,
+                                  .run_count = run_count,
+                                  .lists = tables(hidden),
+                                  .alpha = alpha,
+                                  .viewport = frame.viewport(),
+                                  .part = layers_.part,
+                                  .half_width = 0.5F * pen.width,
+                                  .opacity = pen.opacity,
+                                  .end_kinds = end_kinds(pen, hidden, exact_ends),
+                                  .hidden = hidden,
+                                  .pen = pens.size() > 1 ? i : LA_ALL_PENS,
+                                  .mark = own.values.get(),
+                                  .mark_length = own.length,
+                                  .repeat_length = own.repeat_length,
+                                  .weights = weights,
+                                  .again = again,
+                                  .coverage = coverage_->compute(),
+                                  .shown = shown_->compute(),
+                                  .layer = i + (hidden ? 0 : hidden_layers()),
+                                  .pitch = static_cast<std::uint32_t>(layers_.pitch)});
+        }
+    });
+}
+
+void StrokeCoverage::show(Frame& frame) {
+    frame.clock.handover([&] { handover_.to_gl({coverage_.get(), shown_.get()}); });
+    layers_.coverage = coverage_->gl();
+    layers_.shown = shown_->gl();
+    std::array<glm::vec4, gl::CoveragePass::most_layers> colors{};
+    std::size_t count = 0;
+    for (const bool hidden : {true, false}) { // all hidden ones lie below all others
+        if (hidden && !has_hidden_) continue;
+        for (const Pen& pen : pens_->pens(hidden)) colors[count++] = glm::vec4{pen.color, 1};
+    }
+    frame.clock.gl("strokes", [&] {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+        pass_.draw(layers_, std::span{colors}.first(count), frame.camera.origin);
+    });
+}
+
+std::uint64_t StrokeCoverage::bytes() const {
+    const auto size_of = [](const auto& buffer) -> std::uint64_t {
+        return buffer ? buffer->size() : 0;
+    };
+    std::uint64_t sum = size_of(coverage_) + size_of(shown_);
+    for (const Lists& own : lists_) sum += size_of(own.ends) + size_of(own.entries);
+    return sum;
+}
+
+} // namespace lineatlas

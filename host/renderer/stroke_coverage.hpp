@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frame.hpp"
+#include "glpasses/coverage_pass.hpp"
+#include "glpasses/interop/connect.hpp"
+#include "glpasses/interop/handover.hpp"
+#include "run_pens.hpp"
+
+namespace lineatlas {
+
+/// `strokes` by kernels: each pen's runs as coverage of the picture's pixels, which GL then gives
+/// the pen's colour. What kernels can't draw is left to gl::StrokePass.
+class StrokeCoverage {
+  public:
+    explicit StrokeCoverage(const interop::Connection& connection);
+
+    /// Before all else: chooses the frame's form.
+    void begin_frame(const Frame& frame, const RunPens& pens);
+    /// Whether kernels draw the frame's strokes.
+    bool draws() const { return draws_; }
+
+    /// Once it is known how many runs there are: few are left to GL, unless kernels were asked for.
+    void settle(std::uint64_t runs) { draws_ = draws_ && runs >= fewest_runs_; }
+
+    /// Finds where runs lie in the picture; waits. `half_width`: of their widest pen.
+    void list(const Frame& frame, bool hidden, compute::Buffer& runs, compute::Buffer& record,
+              float half_width);
+    /// Enlarges what was too small for that; true if the runs must be listed again.
+    bool grow();
+    /// Before the strokes of a picture, or of a tile of it.
+    void begin_drawing(Frame& frame);
+    /// Draws the runs that were listed, all pens' of hidden lines or of visible ones. `again`: over
+    /// those drawn before. `weights`: of `density`, or null.
+    void draw(Frame& frame, bool hidden, compute::Buffer& runs, std::uint32_t run_count,
+              compute::Buffer& alpha, compute::Buffer* weights, bool exact_ends, bool again);
+    /// Puts all that was drawn over the frame's picture.
+    void show(Frame& frame);
+    std::uint64_t bytes() const;
+
+  private:
+    /// Values along a mark that is even across; on the device, with the last before the first and
+    /// the first behind the last.
+    struct Mark {
+        std::unique_ptr<compute::Buffer> values;
+        std::uint32_t length = 0;
+        float repeat_length = 1;
+    };
+    struct Lists {
+        std::unique_ptr<compute::Buffer> ends, entries;
+        std::uint32_t capacity = 0, total = 0;
+    };
+
+    bool wants(const Frame& frame) const;
+    Lists& lists(bool hidden) { return lists_[hidden ? 1 : 0]; }
+    compute::StrokeLists tables(bool hidden) {
+        Lists& own = lists(hidden);
+        return {*own.ends, *own.entries, own.capacity};
+    }
+    /// Layers before those of visible lines are hidden ones'.
+    std::uint32_t hidden_layers() const;
+    void make_shared(std::unique_ptr<interop::SharedBuffer>& buffer, std::size_t bytes);
+    const Mark& mark(const Pen& pen);
+
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
+    interop::SharingMode mode_;
+    interop::Handover handover_;
+    const bool kernels_are_faster_;
+    std::array<Lists, 2> lists_; ///< of visible lines, and of hidden ones
+    std::map<std::pair<std::string, float>, Mark, std::less<>> marks_; ///< by name and width
+    std::unique_ptr<interop::SharedBuffer> coverage_, shown_;
+    gl::CoveragePass pass_;
+    // Of the current frame.
+    const RunPens* pens_ = nullptr;
+    bool draws_ = false, has_hidden_ = false;
+    std::uint64_t fewest_runs_ = 0;
+    gl::CoverageLayers layers_{};
+};
+
+} // namespace lineatlas
