@@ -27,7 +27,7 @@ class FillStage {
     }
 
     /// Colours the pixels of a tile by what `depth` has drawn; `low`: the first texel of its
-    /// buffer in the whole picture. Takes the numbers of surfaces to compute, and leaves pixels()
+    /// buffer in the whole picture. Takes the numbers of surfaces to compute, and leaves the pixels
     /// there. Throws as Backdrop::check_fill() does.
     void color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low);
     /// The same with the whole picture.
