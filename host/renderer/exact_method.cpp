@@ -74,9 +74,7 @@ void ExactMethod::take_tables() {
 }
 
 void ExactMethod::pass_to_strokes(Frame& frame) {
-    frame.clock.handover([&] {
-        strokes_.pass_to_gl(*alpha_);
-    });
+    frame.clock.handover([&] { strokes_.pass_to_gl(*alpha_); });
 }
 
 FrameStats ExactMethod::draw(Frame& frame) {
