@@ -9,22 +9,22 @@
 #define SPECIALISED static inline __attribute__((always_inline))
 
 typedef struct Stroke {
-    float2 start, end;       /* window positions */
-    float2 along;            /* direction */
+    float2 start, end; /* window positions */
+    float2 along;      /* direction */
     float length;
-    float2 start_side;       /* to the left along the line that ends it, ... */
+    float2 start_side; /* to the left along the line that ends it, ... */
     float2 end_side;
-    float before, after;     /* ... which is so far beyond the end, pixels */
-    float round_from;        /* round beyond these, pixels along it */
+    float before, after; /* ... which is so far beyond the end, pixels */
+    float round_from;    /* round beyond these, pixels along it */
     float round_to;
-    float cut_from, cut_to;  /* cut square there */
-    float first_sample;      /* position in samples at the start, */
-    float sample_step;       /* per pixel */
-    float last_sample;       /* of the segment */
-    float first_turn;        /* repeats of the mark at the start, */
-    float turn_step;         /* per pixel */
-    float reach;             /* half the width, and the fringe */
-    float most;              /* coverage in its middle: a thin line never covers a pixel */
+    float cut_from, cut_to; /* cut square there */
+    float first_sample;     /* position in samples at the start, */
+    float sample_step;      /* per pixel */
+    float last_sample;      /* of the segment */
+    float first_turn;       /* repeats of the mark at the start, */
+    float turn_step;        /* per pixel */
+    float reach;            /* half the width, and the fringe */
+    float most;             /* coverage in its middle: a thin line never covers a pixel */
     float opacity;
     bool has_round, has_cut; /* ends of that kind */
     bool is_even;            /* its visibility is 1 all along */
@@ -129,7 +129,10 @@ static Stroke make_stroke(const StrokesParameters* args, __global const Run* run
     const float2 left = float2(-s.along.y, s.along.x);
     s.start_side = start == LA_END_JOIN ? vload2(0, run->start_corner) : left;
     s.end_side = end == LA_END_JOIN ? vload2(0, run->end_corner) : left;
-    s.before = start == LA_END_JOIN ? 0.0f : start_round ? s.reach : start_cut ? LA_STROKE_FRINGE : 0.0f;
+    s.before = start == LA_END_JOIN ? 0.0f
+               : start_round        ? s.reach
+               : start_cut          ? LA_STROKE_FRINGE
+                                    : 0.0f;
     s.after = end == LA_END_JOIN ? 0.0f : end_round ? s.reach : end_cut ? LA_STROKE_FRINGE : 0.0f;
     s.has_round = start_round || end_round;
     s.round_from = start_round ? 0.0f : -FAR_AWAY;
@@ -182,7 +185,8 @@ static lanes_float bin_weight(const StrokesParameters* args, __global const floa
     const int2 cells = to_int2(args->cells);
     const lanes_int column = FLOOR_TO_INT(x), row = FLOOR_TO_INT(y);
     const lanes_float right = x - TO_FLOAT(column), up = y - TO_FLOAT(row);
-    const lanes_int x0 = min(max(column, 0), cells.x - 1), x1 = min(max(column + 1, 0), cells.x - 1);
+    const lanes_int x0 = min(max(column, 0), cells.x - 1),
+                    x1 = min(max(column + 1, 0), cells.x - 1);
     const lanes_int y0 = (min(max(row, 0), cells.y - 1) + (int)bin * cells.y) * cells.x;
     const lanes_int y1 = (min(max(row + 1, 0), cells.y - 1) + (int)bin * cells.y) * cells.x;
     const lanes_int at00 = y0 + x0, at10 = y0 + x1, at01 = y1 + x0, at11 = y1 + x1;
@@ -205,10 +209,10 @@ static lanes_float density_at(const StrokesParameters* args, const Stroke* s,
 /* How much of pixels in a row the stroke covers, 0 to 1. x, y: their middles; each of `rounds`,
  * `rest` false: the caller knows that the stroke has no round ends, and is even, not cut, not
  * marked and not thinned. */
-SPECIALISED lanes_float coverage_at(const StrokesParameters* args, const Stroke* s, const lanes_float x,
-                               const float y, const bool rounds, const bool rest,
-                               __global const uchar* own, __global const float* mark,
-                                    __global const float* weights) {
+SPECIALISED lanes_float coverage_at(const StrokesParameters* args, const Stroke* s,
+                                    const lanes_float x, const float y, const bool rounds,
+                                    const bool rest, __global const uchar* own,
+                                    __global const float* mark, __global const float* weights) {
     const lanes_float dx = x - s->start.x, ex = x - s->end.x;
     const float dy = y - s->start.y, ey = y - s->end.y;
     /* Of two runs that meet on a line each pixel belongs to one: both compute its side alike. */

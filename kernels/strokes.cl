@@ -116,8 +116,8 @@ static int4 box_of(const Stroke* s, const int2 corner, const int4 within) {
 
 /* Draws a stroke into a tile. `rounds`, `rest`: as in coverage_at. */
 SPECIALISED void draw_rows(const StrokesParameters* args, const Stroke* s, __local float* pixels,
-                      const int2 corner, const int4 box, const bool rounds, const bool rest,
-                      __global const uchar* own, __global const float* mark,
+                           const int2 corner, const int4 box, const bool rounds, const bool rest,
+                           __global const uchar* own, __global const float* mark,
                            __global const float* weights) {
     /* What a row has of the strip around the spine, where that is steep enough to tell. */
     const bool is_steep = fabs(s->along.y) > 0.0625f && box.z - box.x >= LANES;
@@ -135,7 +135,8 @@ SPECIALISED void draw_rows(const StrokesParameters* args, const Stroke* s, __loc
         __local float* to = pixels + row * STROKE_STRIDE;
         for (int column = first; column <= last; column += LANES) {
             const lanes_float x = lane + (float)(corner.x + column);
-            const lanes_float covered = coverage_at(args, s, x, y, rounds, rest, own, mark, weights);
+            const lanes_float covered =
+                coverage_at(args, s, x, y, rounds, rest, own, mark, weights);
             const lanes_float below = LOAD_LANES(to + column);
             STORE_LANES(over(below, covered), to + column);
         }
@@ -157,10 +158,10 @@ static void draw_stroke(const StrokesParameters* args, __global const Run* run,
         draw_rows(args, &s, pixels, corner, box, false, false, own, mark, weights);
 }
 
-/* coverage: of each layer a byte per pixel of the part, row by row. shown: of each layer 1 for every
- * tile of the part that may have some, else 0. */
+/* coverage: of each layer a byte per pixel of the part, row by row. shown: of each layer 1 for
+ * every tile of the part that may have some, else 0. */
 KERNEL(strokes_tiles, StrokesParameters) {
-    LOCAL_TABLE(float, pixels, STROKE_STRIDE * LA_STROKE_TILE);
+    LOCAL_TABLE(float, pixels, STROKE_STRIDE* LA_STROKE_TILE);
     const int2 columns = to_int2(args.columns), tiles = to_int2(args.tiles);
     const uint t = (uint)get_global_id(0);
     if (t >= (uint)(columns.x * columns.y)) return;
@@ -212,8 +213,7 @@ KERNEL(strokes_tiles, StrokesParameters) {
     const int2 from = pixel - xy(part);
     if (from.x < 0 || from.y < 0 || from.x >= part.z || from.y >= part.w) return;
     if (list.x == list.y && args.again != 0) return;
-    __global uchar* own =
-        coverage + (size_t)args.layer * args.pitch + (from.y * part.z + from.x);
+    __global uchar* own = coverage + (size_t)args.layer * args.pitch + (from.y * part.z + from.x);
     bool any = args.again != 0;
     float covered = any ? (float)*own : 0.0f;
     for (uint k = list.x; k < list.y; ++k) {
@@ -222,8 +222,7 @@ KERNEL(strokes_tiles, StrokesParameters) {
         any = true;
         const Stroke s = make_stroke(&args, run, alpha, weights);
         covered = over(covered, coverage_at(&args, &s, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f,
-                                            true, true, alpha + run->address, mark,
-                                            weights));
+                                            true, true, alpha + run->address, mark, weights));
     }
     *own = (uchar)covered;
     shown[args.layer * (uint)(columns.x * columns.y) + t] = any ? 1 : 0;

@@ -76,9 +76,7 @@ void ExactMethod::take_tables() {
 }
 
 void ExactMethod::pass_to_strokes(Frame& frame) {
-    frame.clock.handover([&] {
-        strokes_.pass_to_gl(*alpha_);
-    });
+    frame.clock.handover([&] { strokes_.pass_to_gl(*alpha_); });
 }
 
 void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {

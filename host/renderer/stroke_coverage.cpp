@@ -90,8 +90,7 @@ void StrokeCoverage::begin_frame(const Frame& frame, const RunPens& pens) {
     draws_ = wants(frame);
     const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
                         static_cast<std::uint64_t>(frame.camera.size.y);
-    fewest_runs_ =
-        frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
+    fewest_runs_ = frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
     if (draws_ && coverage_)
         handover_.to_compute({coverage_.get(), shown_.get()}); // while GL has nothing to do
 }
@@ -175,16 +174,15 @@ const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
             const std::uint8_t value = painted.coverage[(i + columns - 1) % columns];
             values.push_back(static_cast<float>(value) / 255);
         }
-        made.values =
-            compute::allocate(device_, values.size() * sizeof(float), purpose::pen);
+        made.values = compute::allocate(device_, values.size() * sizeof(float), purpose::pen);
         device_.upload(*made.values, std::as_bytes(std::span{values}));
     }
     return marks_.emplace(std::pair{pen.mark, pen.width}, std::move(made)).first->second;
 }
 
-void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs,
-                          std::uint32_t run_count, compute::Buffer& alpha,
-                          compute::Buffer* weights, bool exact_ends, bool again) {
+void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs, std::uint32_t run_count,
+                          compute::Buffer& alpha, compute::Buffer* weights, bool exact_ends,
+                          bool again) {
     frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
         const std::vector<Pen>& pens = pens_->pens(hidden);
         for (std::uint32_t i = 0; i < pens.size(); ++i) {

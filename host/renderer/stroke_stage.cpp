@@ -153,7 +153,6 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
             device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
         if (tells_pens(true)) tell_pens(frame, true, nullptr);
-        list(frame, true);
     }
     if (filters_) {
         if (frame.options.style.filter.halo > 0) halo(frame, input);
@@ -161,9 +160,12 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     }
     if (limits_density_) density(frame, input);
     if (tells_pens(false)) tell_pens(frame, false, outline);
-    list(frame, false);
     frame.clock(stage,
                 [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
+    // Of chunks it is not known yet how many runs they have in all.
+    if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
+    if (has_hidden_) list(frame, true);
+    list(frame, false);
 }
 
 void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
@@ -276,15 +278,16 @@ StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> 
     return shared;
 }
 
-std::uint64_t StrokeStage::drawn_runs() {
+std::uint64_t StrokeStage::runs_to_draw() {
     std::uint64_t sum = 0;
     for (const Kept& kept : kept_) sum += kept.visible.size() + kept.hidden.size();
     if (chunks_kept_) return sum;
-    return drawn(false).totals.points[0] + (has_hidden_ ? drawn(true).totals.points[0] : 0);
+    return std::uint64_t{drawn(false).totals.run_total} +
+           (has_hidden_ ? drawn(true).totals.run_total : 0);
 }
 
 void StrokeStage::pass_to_gl(interop::SharedBuffer& alpha) {
-    coverage_.settle(drawn_runs());
+    coverage_.settle(runs_to_draw());
     if (coverage_.draws()) return; // kernels go on with them
     note_written();
     handover_.to_gl(tables({&alpha}));

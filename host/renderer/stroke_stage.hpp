@@ -85,8 +85,8 @@ class StrokeStage {
     void draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha);
     /// Where the runs lie in the picture, for that.
     void list(Frame& frame, bool hidden);
-    /// In the whole frame, once all are made.
-    std::uint64_t drawn_runs();
+    /// Of all pens, hidden ones too, once they are made.
+    std::uint64_t runs_to_draw();
     void note_written();
     /// Puts runs and samples back where they were.
     void put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha);

@@ -141,8 +141,7 @@ void bind_options(py::module_& module) {
              py::arg("quality") = usual("quality"), py::arg("probes") = py::none(),
              py::arg("depth_scale") = py::none(), py::arg("step") = usual("step"),
              py::arg("atlas") = usual("atlas"), py::arg("depth") = usual("depth"),
-             py::arg("strokes") = usual("strokes"),
-             py::arg("atlas_layout") = usual("atlas-layout"),
+             py::arg("strokes") = usual("strokes"), py::arg("atlas_layout") = usual("atlas-layout"),
              py::arg("stroke_shader") = usual("stroke-shader"), py::arg("steady") = false)
         .def("__repr__", &describe);
 }

@@ -62,8 +62,8 @@ class Drawing {
         const auto records = to_device(device(), std::vector{record});
         const auto samples = to_device(device(), alpha);
         const glm::vec2 viewport{size};
-        const auto ends = device().allocate(
-            compute::stroke_ends(device().tuning(), viewport) * sizeof(la_uint));
+        const auto ends =
+            device().allocate(compute::stroke_ends(device().tuning(), viewport) * sizeof(la_uint));
         const auto entries = device().allocate(capacity * sizeof(la_uint));
         const compute::StrokeLists lists{*ends, *entries, capacity};
         stages_.list_strokes({*run_table, *records, viewport, 0.5F * how_.width, lists});
@@ -150,7 +150,8 @@ TEST_P(Strokes, AThinOneNeverCoversAPixelWhole) {
     const Coverage thin = draw(stages(), {run_between({10, 20.5F}, {50, 20.5F})}, {.width = 0.5F});
     EXPECT_EQ(at(thin, 30, 20), 128);
     EXPECT_EQ(touched(thin), 40U);
-    const Coverage pale = draw(stages(), {run_between({10, 20.5F}, {50, 20.5F})}, {.opacity = 0.2F});
+    const Coverage pale =
+        draw(stages(), {run_between({10, 20.5F}, {50, 20.5F})}, {.opacity = 0.2F});
     EXPECT_EQ(at(pale, 30, 20), 51);
 }
 
@@ -167,8 +168,9 @@ TEST_P(Strokes, ASlantedOneCoversByDistance) {
 
 TEST_P(Strokes, OneOverAnotherAddsWhatIsLeft) {
     const How pale{.opacity = 0.4F};
-    const Coverage cross = draw(
-        stages(), {run_between({10, 20.5F}, {50, 20.5F}), run_between({30.5F, 0}, {30.5F, 40})}, pale);
+    const Coverage cross =
+        draw(stages(),
+             {run_between({10, 20.5F}, {50, 20.5F}), run_between({30.5F, 0}, {30.5F, 40})}, pale);
     EXPECT_EQ(at(cross, 20, 20), 102);
     EXPECT_EQ(at(cross, 30, 20), 163); // 102 + 0.4 (255 - 102) = 163.2
 }
@@ -176,7 +178,7 @@ TEST_P(Strokes, OneOverAnotherAddsWhatIsLeft) {
 TEST_P(Strokes, TilesAndPartsAreSeamless) {
     // Across tiles of 64 pixels in both directions, and lines that run on their borders.
     const Runs runs{run_between({3, 7}, {197, 141}), run_between({64, 2}, {64, 148}),
-                                run_between({1, 128}, {199, 128}), run_between({190, 3}, {9, 140})};
+                    run_between({1, 128}, {199, 128}), run_between({190, 3}, {9, 140})};
     const Coverage whole = draw(stages(), runs);
     EXPECT_EQ(at(whole, 63, 30), 255);
     EXPECT_EQ(at(whole, 64, 30), 255);
@@ -201,8 +203,9 @@ TEST_P(Strokes, OnePieceOrSeveralAreTheSame) {
     Runs runs;
     for (int i = 0; i < 300; ++i) {
         const auto k = static_cast<float>(i);
-        runs.push_back(run_between({20 + std::fmod(k * 7.3F, 160.0F), 10 + std::fmod(k * 3.7F, 130.0F)},
-                                   {20 + std::fmod(k * 5.1F, 160.0F), 10 + std::fmod(k * 9.1F, 130.0F)}));
+        runs.push_back(
+            run_between({20 + std::fmod(k * 7.3F, 160.0F), 10 + std::fmod(k * 3.7F, 130.0F)},
+                        {20 + std::fmod(k * 5.1F, 160.0F), 10 + std::fmod(k * 9.1F, 130.0F)}));
     }
     const How pale{.opacity = 0.3F};
     const Coverage whole = draw(stages(), runs, pale);
@@ -230,10 +233,10 @@ TEST_P(Strokes, ThosePartlyVisibleFade) {
 TEST_P(Strokes, EndsAreSquareRoundOrCut) {
     const auto ended = with_ends(run_between({20, 20.5F}, {60, 20.5F}), LA_END_PATH, LA_END_PATH);
     const Coverage round = draw(stages(), {ended}, {.width = 10});
-    EXPECT_EQ(at(round, 15, 20), 255);       // 4.5 from the end, of 5
-    EXPECT_EQ(at(round, 14, 20), 0);         // 5.5
-    EXPECT_EQ(at(round, 16, 24), 47);        // hypot(3.5, 4) = 5.315: 0.185 of a pixel
-    EXPECT_EQ(at(round, 16, 23), 227);       // hypot(3.5, 3) = 4.61: 0.89
+    EXPECT_EQ(at(round, 15, 20), 255); // 4.5 from the end, of 5
+    EXPECT_EQ(at(round, 14, 20), 0);   // 5.5
+    EXPECT_EQ(at(round, 16, 24), 47);  // hypot(3.5, 4) = 5.315: 0.185 of a pixel
+    EXPECT_EQ(at(round, 16, 23), 227); // hypot(3.5, 3) = 4.61: 0.89
     const Coverage cut = draw(stages(), {ended}, {.width = 10, .end_kinds = LA_STROKES_EXACT_ENDS});
     EXPECT_EQ(at(cut, 20, 20), 255);
     EXPECT_EQ(at(cut, 19, 20), 0);

@@ -149,7 +149,9 @@ TEST_P(StrokeForms, WhatKernelsDoNotKnowIsDrawnByGl) {
         [](Style& style) { style.pen.path_cap = Cap::texture; },
         [](Style& style) { style.pen.join = Join::bevel; },
         [](Style& style) { style.pen.mitre_limit = 2; },
-        [](Style& style) { style.pen.width_profile = {0.5F, 1}; },
+        [](Style& style) {
+            style.pen.width_profile = {0.5F, 1};
+        },
         [](Style& style) { style.pen.opacity_profile = {0.5F}; },
         [](Style& style) { style.focus.on = true; },
         [](Style& style) {
@@ -165,7 +167,8 @@ TEST_P(StrokeForms, WhatKernelsDoNotKnowIsDrawnByGl) {
                   draw(r, view, options, StrokeForm::compute));
     }
     // Nor pictures finer than coverage is.
-    EXPECT_EQ(draw(r, view, {}, StrokeForm::raster, 16), draw(r, view, {}, StrokeForm::compute, 16));
+    EXPECT_EQ(draw(r, view, {}, StrokeForm::raster, 16),
+              draw(r, view, {}, StrokeForm::compute, 16));
 }
 
 TEST_P(StrokeForms, FramesOfEitherFollowEachOther) {

@@ -352,8 +352,8 @@ std::vector<std::uint8_t> FrameStages::strokes(const Camera& camera, const Frame
     const auto alpha = to_device(*device_, state.alpha);
     const auto mark = to_device(*device_, std::vector<float>{0, 1, 1, 0, 1});
     const auto weights = to_device(*device_, state.weights);
-    const auto ends = device_->allocate(compute::stroke_ends(device_->tuning(), viewport) *
-                                        sizeof(la_uint));
+    const auto ends =
+        device_->allocate(compute::stroke_ends(device_->tuning(), viewport) * sizeof(la_uint));
     const auto entries = device_->allocate(capacity * sizeof(la_uint));
     const auto coverage = device_->allocate(pixels);
     const auto shown = device_->allocate(capacity * sizeof(la_uint));

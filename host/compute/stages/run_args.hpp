@@ -149,19 +149,19 @@ struct StrokeArgs {
     StrokeLists lists;       ///< of these runs
     Buffer& alpha;           ///< as in SegmentAtlas
     glm::vec2 viewport;
-    PictureTile part;        ///< of the picture, what is drawn
-    float half_width;        ///< pixels
+    PictureTile part; ///< of the picture, what is drawn
+    float half_width; ///< pixels
     float opacity;
-    std::uint32_t end_kinds;           ///< LA_STROKES_*
-    bool hidden = false;               ///< runs of hidden samples
-    std::uint32_t pen = LA_ALL_PENS;   ///< whose runs are drawn
-    Buffer* mark = nullptr;            ///< floats along the mark, see even_mark(); null: solid
-    std::uint32_t mark_length = 0;     ///< of them, without the two at its ends
-    float repeat_length = 1;           ///< pixels
-    Buffer* weights = nullptr;         ///< of `density`; null: all is drawn
-    bool again = false;                ///< over what is there
-    Buffer& coverage;                  ///< out: a byte per pixel of `part`
-    Buffer& shown;                     ///< out: a uint32 per tile of part_tiles()
+    std::uint32_t end_kinds;            ///< LA_STROKES_*
+    bool hidden = false;                ///< runs of hidden samples
+    std::uint32_t pen = LA_ALL_PENS;    ///< whose runs are drawn
+    Buffer* mark = nullptr;             ///< floats along the mark, see even_mark(); null: solid
+    std::uint32_t mark_length = 0;      ///< of them, without the two at its ends
+    float repeat_length = 1;            ///< pixels
+    Buffer* weights = nullptr;          ///< of `density`; null: all is drawn
+    bool again = false;                 ///< over what is there
+    Buffer& coverage;                   ///< out: a byte per pixel of `part`
+    Buffer& shown;                      ///< out: a uint32 per tile of part_tiles()
     std::uint32_t layer = 0, pitch = 0; ///< of `coverage`; the layer's bytes
 };
 

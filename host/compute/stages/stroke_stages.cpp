@@ -11,7 +11,8 @@ std::uint32_t stroke_chunks(const Tuning& tuning, glm::vec2 viewport) {
     constexpr std::uint32_t most_ends = 1U << 22U, fewest = 4;
     const glm::ivec2 tiles = stroke_tiles(viewport);
     const auto count = static_cast<std::uint32_t>(tiles.x * tiles.y);
-    return std::clamp(most_ends / std::max(count, 1U), fewest, std::max(tuning.face_chunks, fewest));
+    return std::clamp(most_ends / std::max(count, 1U), fewest,
+                      std::max(tuning.face_chunks, fewest));
 }
 
 std::size_t stroke_ends(const Tuning& tuning, glm::vec2 viewport) {
@@ -41,29 +42,30 @@ void Stages::draw_strokes(const StrokeArgs& args) {
     const TileRange tiles = part_tiles(args.part);
     const auto tile_count = static_cast<std::uint32_t>(tiles.count.x * tiles.count.y);
     const bool by_pixels = tuning_.depth_lanes == 1;
-    const std::uint32_t items = by_pixels ? tile_count * LA_STROKE_TILE * LA_STROKE_TILE : tile_count;
+    const std::uint32_t items =
+        by_pixels ? tile_count * LA_STROKE_TILE * LA_STROKE_TILE : tile_count;
     const std::uint32_t group = by_pixels ? tuning_.local_size : 1;
-    StrokesParameters parameters{
-        .tiles = stroke_tiles(args.viewport),
-        .chunks = stroke_chunks(tuning_, args.viewport),
-        .capacity = args.lists.capacity,
-        .first = tiles.first,
-        .columns = tiles.count,
-        .part = {args.part.low, args.part.size},
-        .begin = 0,
-        .end = 0,
-        .again = args.again ? 1U : 0U,
-        .layer = args.layer,
-        .pitch = args.pitch,
-        .half_width = args.half_width,
-        .opacity = args.opacity,
-        .end_kinds = args.end_kinds,
-        .hidden = args.hidden ? 1U : 0U,
-        .pen = args.pen,
-        .mark_length = args.mark != nullptr ? args.mark_length : 0,
-        .per_repeat = 1 / args.repeat_length,
-        .cells = args.weights != nullptr ? density_cells(args.viewport) : glm::ivec2{0},
-        .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
+    StrokesParameters parameters{.tiles = stroke_tiles(args.viewport),
+                                 .chunks = stroke_chunks(tuning_, args.viewport),
+                                 .capacity = args.lists.capacity,
+                                 .first = tiles.first,
+                                 .columns = tiles.count,
+                                 .part = {args.part.low, args.part.size},
+                                 .begin = 0,
+                                 .end = 0,
+                                 .again = args.again ? 1U : 0U,
+                                 .layer = args.layer,
+                                 .pitch = args.pitch,
+                                 .half_width = args.half_width,
+                                 .opacity = args.opacity,
+                                 .end_kinds = args.end_kinds,
+                                 .hidden = args.hidden ? 1U : 0U,
+                                 .pen = args.pen,
+                                 .mark_length = args.mark != nullptr ? args.mark_length : 0,
+                                 .per_repeat = 1 / args.repeat_length,
+                                 .cells = args.weights != nullptr ? density_cells(args.viewport)
+                                                                  : glm::ivec2{0},
+                                 .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
     Buffer& unread = args.lists.ends; // any
     // No list is longer than all runs are; no loop than the device allows.
     do {
