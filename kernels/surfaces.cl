@@ -1,8 +1,11 @@
 /* surfaces: the model as the exact method sees it: corners and faces on the screen, planes in
  * space, and what hides a whole tile.
  *
- * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. */
+ * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. surfaces_boxes,
+ * surfaces_batches: one per batch of triangles, the first after the model has changed; the second
+ * for batches of segments too. */
 
+#include "batches.h"
 #include "exact.h"
 
 /* screen: four numbers a vertex: window position in pixels, nearness, and 1; before the near plane
@@ -134,4 +137,51 @@ KERNEL(surfaces_faces, ExactParameters) {
         face.high[0] - face.low[0] > args.tile_size && face.high[1] - face.low[1] > args.tile_size;
     if (face.kind == FACE_PLAIN && large)
         cover_tiles(&args, t, face, plane.w, vertices, triangles, screen, occluders);
+}
+
+/* batches: of `count` triangles. */
+KERNEL(surfaces_boxes, CountParameters) {
+    const uint b = (uint)get_global_id(0);
+    const uint first = b * LA_BATCH;
+    if (first >= args.count) return;
+    const uint last = min(first + LA_BATCH, args.count);
+    Box box = no_box();
+    for (uint t = first; t < last; ++t) add_face_to_box(&box, t, vertices, triangles);
+    vstore3(box.low, 0, batches[b].low);
+    vstore3(box.high, 0, batches[b].high);
+    batches[b].joined[0] = batches[b].joined[1] = 0;
+}
+
+/* Whether in every tile of a box in pixels a face covers the tile alone that is nearer than
+ * `nearest` everywhere. */
+static bool is_covered(const ExactParameters* args, const float2 low, const float2 high,
+                       const float nearest, __global const uint* occluders) {
+    const int2 tiles = to_int2(args->tiles);
+    const float scale = 1.0f / args->tile_size;
+    const int2 first = clamp(convert_int2(low * scale), int2(0, 0), tiles - 1);
+    const int2 last = clamp(convert_int2(high * scale), int2(0, 0), tiles - 1);
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            if (!(as_float(occluders[y * tiles.x + x]) > nearest)) return false;
+        }
+    }
+    return true;
+}
+
+/* states: of each of `count` batches an LA_BATCH_*: what visible and tile_lists would leave out,
+ * piece by piece, at the same tiles. */
+KERNEL(surfaces_batches, ExactParameters) {
+    const uint b = (uint)get_global_id(0);
+    if (b >= args.count) return;
+    const float2 viewport = to_float2(args.viewport);
+    const BatchOnScreen box =
+        batch_on_screen(to_matrix(args.clip_from_world), viewport, batches + b);
+    states[b] = box.is_outside ? LA_BATCH_OUTSIDE : LA_BATCH_SEEN;
+    if (box.is_outside || !box.is_bounded || args.keeps_hidden != 0) return;
+    const float nearest =
+        (args.depth_rate > 0.0f ? 1.0f - box.low.z : 1.0f / box.least_w) * (1.0f + 4.0f * FEW_ULPS);
+    const float2 half_size = viewport * 0.5f;
+    if (is_covered(&args, (xy(box.low) + 1.0f) * half_size - BATCH_MARGIN,
+                   (xy(box.high) + 1.0f) * half_size + BATCH_MARGIN, nearest, occluders))
+        states[b] = LA_BATCH_HIDDEN;
 }

@@ -39,6 +39,7 @@ struct LineTables {
     };
     std::unique_ptr<compute::Buffer> vertices, triangles;
     std::vector<Chunk> chunks; ///< at least one
+    std::uint64_t version = 0; ///< counts changes of what stands where
 
     /// Of the largest chunk: what tables per segment must hold.
     std::uint32_t most_segments() const;
