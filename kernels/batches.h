@@ -46,9 +46,9 @@ static BatchOnScreen batch_on_screen(const Matrix m, const float2 viewport,
     box.is_bounded = true;
     uint outside = 31u; /* planes that all corners so far lie outside of */
     for (uint corner = 0; corner < 8; ++corner) {
-        const float4 c = transform_point(
-            m, float3((corner & 1u) != 0 ? high.x : low.x, (corner & 2u) != 0 ? high.y : low.y,
-                      (corner & 4u) != 0 ? high.z : low.z));
+        const float4 c = transform_point(m, float3((corner & 1u) != 0 ? high.x : low.x,
+                                                   (corner & 2u) != 0 ? high.y : low.y,
+                                                   (corner & 4u) != 0 ? high.z : low.z));
         const float w_x = c.w * wide.x + 2.0f * e_w, w_y = c.w * wide.y + 2.0f * e_w;
         outside &= (c.x + e.x < -w_x ? 1u : 0u) | (c.x - e.x > w_x ? 2u : 0u) |
                    (c.y + e.y < -w_y ? 4u : 0u) | (c.y - e.y > w_y ? 8u : 0u) |

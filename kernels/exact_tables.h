@@ -55,9 +55,10 @@ typedef struct ExactParameters {
     /* The clipped segments are so many ways beside each segment, see outline_push; all that is over
      * them hides them. 0: they are the segments. */
     la_uint beside;
-    la_uint lift; /* from a contour's vertex to the one lifted off its surface; 0: no contours */
+    la_uint lift;    /* from a contour's vertex to the one lifted off its surface; 0: no contours */
     la_uint batched; /* the first triangles, of whose batches something is known */
-    la_uint keeps_hidden; /* of surfaces_batches: 1: what is hidden is to be looked at all the same */
+    la_uint
+        keeps_hidden; /* of surfaces_batches: 1: what is hidden is to be looked at all the same */
 } ExactParameters;
 
 typedef struct OutlineParameters {

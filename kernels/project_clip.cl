@@ -1,8 +1,9 @@
 /* project_clip: segments to clip space, clipped to the frustum, with their sample counts (§4.1).
  *
  * project_clip_boxes, project_clip_batches: one work-item per batch of segments; the first after
- * the model has changed, the second in every frame. project_clip: one per segment. Every operation is written out in a fixed order without contraction,
- * so that sample counts are equal bit by bit on every device. */
+ * the model has changed, the second in every frame. project_clip: one per segment. Every operation
+ * is written out in a fixed order without contraction, so that sample counts are equal bit by bit
+ * on every device. */
 
 #include "kernels.h"
 
@@ -57,8 +58,8 @@ KERNEL(project_clip_batches, ProjectClipParameters) {
     if (box.is_outside || !box.is_bounded || args.hidden == LA_HIDDEN_SAMPLED) return;
     const float2 size = viewport * args.depth_scale;
     const float reach = LA_PROBE_REACH(args.depth_scale) + 1.0f;
-    const float nearest = box.low.z * 0.5f + 0.5f - args.tolerance / box.least_w -
-                          4.0f * LA_DEPTH_ROUNDING;
+    const float nearest =
+        box.low.z * 0.5f + 0.5f - args.tolerance / box.least_w - 4.0f * LA_DEPTH_ROUNDING;
     if (tiles_hide((xy(box.low) * 0.5f + 0.5f) * size - reach,
                    (xy(box.high) * 0.5f + 0.5f) * size + reach, nearest, tiles,
                    to_int2(args.tile_count)))

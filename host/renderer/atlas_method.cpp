@@ -153,8 +153,7 @@ void AtlasMethod::project(Frame& frame) {
         .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
         std::optional<compute::BatchTable> batches;
-        if (batches_.has_segments(frame.scene.candidate_table()))
-            batches.emplace(batches_.table());
+        if (batches_.has_segments(frame.scene.candidate_table())) batches.emplace(batches_.table());
         const compute::ProjectClipArgs args{
             .table = frame.scene.table(),
             .front = *front_,
@@ -439,8 +438,8 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
                              arcs_->size() + chains_.bytes() + batches_.bytes() +
-                             size_of(past_.offsets) +
-                             size_of(past_.ranges) + size_of(past_.positions),
+                             size_of(past_.offsets) + size_of(past_.ranges) +
+                             size_of(past_.positions),
             .sample_bytes = alpha_->size() + size_of(past_.alpha),
             .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};

@@ -107,10 +107,9 @@ Buffer& tiles_of(const ProjectClipArgs& args) {
 void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
     ProjectClipParameters parameters = parameters_of(args);
     if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
-    launch<kernels::project_clip_batches>(args.batches->batches(), tuning_.local_size, parameters,
-                                          {.batches = args.batches->boxes,
-                                           .tiles = tiles_of(args),
-                                           .states = args.batches->states});
+    launch<kernels::project_clip_batches>(
+        args.batches->batches(), tuning_.local_size, parameters,
+        {.batches = args.batches->boxes, .tiles = tiles_of(args), .states = args.batches->states});
 }
 
 void Stages::project_clip(const ProjectClipArgs& args) {
