@@ -192,15 +192,18 @@ TEST_P(ExactBatches, FindTheSameSpansOfAWalledHouse) {
     const Scene house = make_scene("house");
     Mesh mesh = house.mesh;
     const View view = house.view(0.1F);
-    // A wall before the right half of it: one triangle, which covers tiles alone.
+    // A wall before the right half of it: two faces, whose diagonal crosses the picture.
     const glm::vec3 forward = view.target - view.eye;
-    const glm::vec3 right = glm::cross(forward, view.up);
+    const float size = glm::length(forward);
+    const glm::vec3 right = size * glm::normalize(glm::cross(forward, view.up));
+    const glm::vec3 up = size * glm::normalize(glm::cross(right, forward));
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const glm::vec3 centre = view.eye + 0.3F * forward;
-    mesh.positions.insert(mesh.positions.end(), {centre, centre + 2.0F * right + view.up,
-                                                 centre + 2.0F * right - 3.0F * view.up});
+    mesh.positions.insert(mesh.positions.end(),
+                          {centre - up, centre + right - up, centre + right + up, centre + up});
     mesh.triangles.push_back({first, first + 1, first + 2});
-    if (!mesh.groups.empty()) mesh.triangle_group.push_back(0);
+    mesh.triangles.push_back({first, first + 2, first + 3});
+    if (!mesh.groups.empty()) mesh.triangle_group.resize(mesh.triangles.size());
     const LineSet lines = extract_lines(mesh);
     for (const bool near : {false, true}) { // near: much of it is outside
         View moved = view;
@@ -215,6 +218,7 @@ TEST_P(ExactBatches, FindTheSameSpansOfAWalledHouse) {
         }
         EXPECT_EQ(measured[1].length, measured[0].length);
         EXPECT_EQ(plain[0].length, measured[0].length) << "there are no boxes yet";
+        if (near) continue; // hardly a batch lies behind the wall alone
         EXPECT_LT(plain[1].length, measured[0].length) << "nothing is hidden whole";
     }
 }
