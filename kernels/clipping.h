@@ -123,8 +123,9 @@ FUNCTION bool is_hidden(TABLE_ARGUMENT(float, tiles) const float3 p, const float
         const float nearest = fmin(a.z, b.z) - margin;
         const float2 low = (fmin(xy(a), xy(b)) - reach) * (1.0f / LA_TILE);
         const float2 high = (fmax(xy(a), xy(b)) + reach) * (1.0f / LA_TILE);
-        const int2 first = clamp(convert_int2_rtn(low), int2(0, 0), tile_count - 1);
-        const int2 last = clamp(convert_int2_rtn(high), int2(0, 0), tile_count - 1);
+        /* Towards zero: what lies below it is clamped to the first tile either way. */
+        const int2 first = clamp(convert_int2(low), int2(0, 0), tile_count - 1);
+        const int2 last = clamp(convert_int2(high), int2(0, 0), tile_count - 1);
         for (int y = first.y; y <= last.y; ++y) {
             for (int x = first.x; x <= last.x; ++x) {
                 if (TABLE_AT(tiles, y * tile_count.x + x) >= nearest) return false;

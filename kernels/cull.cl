@@ -7,19 +7,6 @@
 #include "kernels.h"
 #include "screen_box.h"
 
-/* Whether the tiles under a rectangle of texels hold nothing as far away as `nearest`. */
-static bool tiles_hide(const float2 low, const float2 high, const float nearest,
-                       __global const float* tiles, const int2 tile_count) {
-    const int2 first = clamp(convert_int2_rtn(low * (1.0f / LA_TILE)), int2(0, 0), tile_count - 1);
-    const int2 last = clamp(convert_int2_rtn(high * (1.0f / LA_TILE)), int2(0, 0), tile_count - 1);
-    for (int y = first.y; y <= last.y; ++y) {
-        for (int x = first.x; x <= last.x; ++x) {
-            if (tiles[y * tile_count.x + x] >= nearest) return false;
-        }
-    }
-    return true;
-}
-
 /* visible[i]: 1 if cluster i may be seen, else 0. */
 KERNEL(cull, CullParameters) {
     const uint i = (uint)get_global_id(0);

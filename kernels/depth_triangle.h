@@ -55,29 +55,29 @@ static void place_vertices(const View* view, __global const uint* list, const ui
 }
 
 /* LANES triangles ready to be filled, in texels of the tile. */
-typedef struct Batch {
+typedef struct TriangleLanes {
     int a[3][LANES], b[3][LANES], c[3][LANES]; /* as in Edges */
     float z[LANES], z_x[LANES], z_y[LANES];    /* as in DepthPlane */
     float nearest[LANES];
     int x[LANES], y[LANES]; /* where filling begins */
     int columns[LANES], rows[LANES];
     uint to_fill, large, clipped; /* bit by bit: these, and those that need another way */
-} Batch;
+} TriangleLanes;
 
 /* Edge k from (ax, ay) to (bx, by), from the texel at (x, y) on, all in units of the grid. */
-static void set_edge(Batch* batch, const int k, const lanes_int ax, const lanes_int ay,
+static void set_edge(TriangleLanes* lanes, const int k, const lanes_int ax, const lanes_int ay,
                      const lanes_int bx, const lanes_int by, const lanes_int x, const lanes_int y) {
     const lanes_int way_x = bx - ax, way_y = by - ay, none = 0, one = 1;
     const lanes_mask is_own = (way_y < none) | ((way_y == none) & (way_x < none));
     const lanes_int above = way_x * (y - ay) - way_y * (x - ax);
-    STORE_LANES(-way_y, batch->a[k]);
-    STORE_LANES(way_x, batch->b[k]);
-    STORE_LANES((above - SELECT(one, none, is_own)) >> GRID_BITS, batch->c[k]);
+    STORE_LANES(-way_y, lanes->a[k]);
+    STORE_LANES(way_x, lanes->b[k]);
+    STORE_LANES((above - SELECT(one, none, is_own)) >> GRID_BITS, lanes->c[k]);
 }
 
 /* x, y, z: of the three corners; in_use: how many triangles there are. */
 static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
-                   const lanes_float* z, const int in_use, Batch* batch) {
+                   const lanes_float* z, const int in_use, TriangleLanes* lanes) {
     const lanes_float grid = (float)GRID;
     const lanes_int low_x = tile->low.x * GRID, low_y = tile->low.y * GRID;
     const lanes_int none = 0, most = MOST_UNITS, up = GRID - 1;
@@ -96,10 +96,10 @@ static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
     const lanes_mask touches = used & (first_x <= last_x) & (first_y <= last_y) & !clipped;
     const lanes_mask large = (most_x - least_x > most) | (most_y - least_y > most);
     const lanes_int doubled = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
-    batch->clipped = LANE_BITS(used & clipped);
-    batch->large = LANE_BITS(touches & large);
-    batch->to_fill = LANE_BITS(touches & !large & (doubled != none));
-    if (batch->to_fill == 0) return;
+    lanes->clipped = LANE_BITS(used & clipped);
+    lanes->large = LANE_BITS(touches & large);
+    lanes->to_fill = LANE_BITS(touches & !large & (doubled != none));
+    if (lanes->to_fill == 0) return;
 
     /* Both sides of a face count: what turns the other way is turned round. */
     const lanes_mask turned = doubled < none;
@@ -110,9 +110,9 @@ static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
     const lanes_int columns = last_x - first_x, narrow = 2 * LANES;
     const lanes_int start = SELECT(first_x & ~(LANES - 1), first_x, columns < narrow);
     const lanes_int grid_x = start << GRID_BITS, grid_y = first_y << GRID_BITS;
-    set_edge(batch, 0, x0, y0, px, py, grid_x, grid_y);
-    set_edge(batch, 1, px, py, qx, qy, grid_x, grid_y);
-    set_edge(batch, 2, qx, qy, x0, y0, grid_x, grid_y);
+    set_edge(lanes, 0, x0, y0, px, py, grid_x, grid_y);
+    set_edge(lanes, 1, px, py, qx, qy, grid_x, grid_y);
+    set_edge(lanes, 2, qx, qy, x0, y0, grid_x, grid_y);
 
     /* The plane goes through the corners where they are, not where the grid has them: else flat
      * faces would get steps. A sliver that hardly has an area there takes the grid's. */
@@ -122,7 +122,7 @@ static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
     lanes_float area_here = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
     const lanes_float area_there = TO_FLOAT(area) * (1.0f / (GRID * GRID));
     const lanes_mask sliver = area_here * SLIVER < area_there;
-    if ((LANE_BITS(sliver) & batch->to_fill) != 0) {
+    if ((LANE_BITS(sliver) & lanes->to_fill) != 0) {
         const lanes_float unit = 1.0f / GRID;
         ax = SELECT(ax, TO_FLOAT(x0 + low_x) * unit, sliver);
         ay = SELECT(ay, TO_FLOAT(y0 + low_y) * unit, sliver);
@@ -139,27 +139,27 @@ static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
     const lanes_float z_y = ((bx - ax) * to_q - (cx - ax) * to_p) * inverse;
     STORE_LANES(z[0] + (z_x * (TO_FLOAT(start + tile->low.x) - ax) +
                         z_y * (TO_FLOAT(first_y + tile->low.y) - ay)),
-                batch->z);
-    STORE_LANES(z_x, batch->z_x);
-    STORE_LANES(z_y, batch->z_y);
-    STORE_LANES(fmin(z[0], fmin(z[1], z[2])) - PLANE_ROUNDING, batch->nearest);
-    STORE_LANES(start, batch->x);
-    STORE_LANES(first_y, batch->y);
-    STORE_LANES(last_x - start, batch->columns);
-    STORE_LANES(last_y - first_y, batch->rows);
+                lanes->z);
+    STORE_LANES(z_x, lanes->z_x);
+    STORE_LANES(z_y, lanes->z_y);
+    STORE_LANES(fmin(z[0], fmin(z[1], z[2])) - PLANE_ROUNDING, lanes->nearest);
+    STORE_LANES(start, lanes->x);
+    STORE_LANES(first_y, lanes->y);
+    STORE_LANES(last_x - start, lanes->columns);
+    STORE_LANES(last_y - first_y, lanes->rows);
 }
 
-static void fill(Tile* tile, const int number, const Batch* batch, const uint i) {
-    const int x = batch->x[i], y = batch->y[i];
-    const int columns = batch->columns[i], rows = batch->rows[i];
-    if (!triangle_shows(tile, int4(x, y, x + columns, y + rows), batch->nearest[i])) return;
+static void fill(Tile* tile, const int number, const TriangleLanes* lanes, const uint i) {
+    const int x = lanes->x[i], y = lanes->y[i];
+    const int columns = lanes->columns[i], rows = lanes->rows[i];
+    if (!triangle_shows(tile, int4(x, y, x + columns, y + rows), lanes->nearest[i])) return;
     Edges edges;
     for (int k = 0; k < 3; ++k) {
-        edges.a[k] = batch->a[k][i];
-        edges.b[k] = batch->b[k][i];
-        edges.c[k] = batch->c[k][i];
+        edges.a[k] = lanes->a[k][i];
+        edges.b[k] = lanes->b[k][i];
+        edges.c[k] = lanes->c[k][i];
     }
-    const DepthPlane plane = {batch->z[i], batch->z_x[i], batch->z_y[i]};
+    const DepthPlane plane = {lanes->z[i], lanes->z_x[i], lanes->z_y[i]};
     const int at = y * TILE_STRIDE + x;
     if (columns < LANES)
         fill_narrow(tile, at, number, rows, &edges, plane, 1);
@@ -204,11 +204,11 @@ static void draw_meshlet(const View* view, Tile* tile, const uint number, const 
             y[k] = GATHER_LANES(places.y, at);
             z[k] = GATHER_LANES(places.z, at);
         }
-        Batch batch;
-        set_up(tile, x, y, z, (int)(meshlet.triangle_count - first), &batch);
-        for (uint bits = batch.to_fill; bits != 0; bits &= bits - 1u)
-            fill(tile, (int)(number + first + lowest_bit(bits)), &batch, lowest_bit(bits));
-        for (uint bits = batch.large; bits != 0; bits &= bits - 1u) {
+        TriangleLanes lanes;
+        set_up(tile, x, y, z, (int)(meshlet.triangle_count - first), &lanes);
+        for (uint bits = lanes.to_fill; bits != 0; bits &= bits - 1u)
+            fill(tile, (int)(number + first + lowest_bit(bits)), &lanes, lowest_bit(bits));
+        for (uint bits = lanes.large; bits != 0; bits &= bits - 1u) {
             __global const uchar* at = own + lowest_bit(bits);
             const uint i = at[0], j = at[row], k = at[2u * row];
             fill_large(tile, (int)(number + first + lowest_bit(bits)),
@@ -216,7 +216,7 @@ static void draw_meshlet(const View* view, Tile* tile, const uint number, const 
                        float3(places.x[j], places.y[j], places.z[j]),
                        float3(places.x[k], places.y[k], places.z[k]));
         }
-        for (uint bits = batch.clipped; bits != 0; bits &= bits - 1u) {
+        for (uint bits = lanes.clipped; bits != 0; bits &= bits - 1u) {
             __global const uchar* at = own + lowest_bit(bits);
             draw_clipped(view, tile, (int)(number + first + lowest_bit(bits)),
                          vload3(list[at[0]], vertices), vload3(list[at[row]], vertices),

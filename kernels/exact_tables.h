@@ -55,7 +55,10 @@ typedef struct ExactParameters {
     /* The clipped segments are so many ways beside each segment, see outline_push; all that is over
      * them hides them. 0: they are the segments. */
     la_uint beside;
-    la_uint lift; /* from a contour's vertex to the one lifted off its surface; 0: no contours */
+    la_uint lift;    /* from a contour's vertex to the one lifted off its surface; 0: no contours */
+    la_uint batched; /* the first triangles, of whose batches something is known */
+    la_uint
+        keeps_hidden; /* of surfaces_batches: 1: what is hidden is to be looked at all the same */
 } ExactParameters;
 
 typedef struct OutlineParameters {
@@ -119,13 +122,17 @@ typedef struct SpansParameters {
 #define surfaces_faces_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) out(ScreenFace, faces) out(float, planes) \
         inout(uint, occluders)
+#define surfaces_boxes_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) out(Batch, batches)
+#define surfaces_batches_tables(in, out, inout, unordered) \
+    in(Batch, batches) in(uint, occluders) out(uchar, states)
 #define tile_lists_count_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
-    in(uint, occluders) inout(uint, counts)
+    in(uint, occluders) in(uchar, states) inout(uint, counts)
 #define tile_lists_groups_tables(in, out, inout, unordered) in(uint, offsets) out(uint, groups)
 #define tile_lists_fill_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
-    in(uint, occluders) inout(uint, ends) out(Entry, entries)
+    in(uint, occluders) in(uchar, states) inout(uint, ends) out(Entry, entries)
 #define tile_lists_arrange_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
     in(uint, ends) inout(Entry, entries) in(uint, groups) out(float, blocks) \

@@ -62,6 +62,18 @@ typedef struct FacingParameters {
 #define facing_tables(in, out, inout, unordered) \
     in(float, vertices) in(uint, triangles) out(uchar, front)
 
+/* Neighbours in the table of segments, or of triangles, that are looked at together before any of
+ * them is. */
+#define LA_BATCH 64u
+typedef struct Batch {
+    float low[3], high[3]; /* the box around them; of segments around the faces beside them too */
+    la_uint joined[2];     /* bit i % 32 of i / 32: the path of segment i goes on in another batch */
+} Batch;
+/* What is known of a batch in a frame: */
+#define LA_BATCH_SEEN 0u    /* nothing: each of it is to be looked at */
+#define LA_BATCH_OUTSIDE 1u /* all of it lies outside the frustum */
+#define LA_BATCH_HIDDEN 2u  /* all of it is hidden */
+
 /* ProjectClipParameters.hidden: segments that the pyramid shows hidden. */
 #define LA_HIDDEN_SAMPLED 0u /* get samples like all others: there is no pyramid */
 #define LA_HIDDEN_DROPPED 1u /* are left out but for what their neighbours need */
@@ -78,8 +90,14 @@ typedef struct ProjectClipParameters {
     float depth_scale; /* depth texels per pixel */
     float tolerance;   /* window depth that may stand before a line, times w */
     la_uint numbered;  /* 1: own faces are numbers, for probes that know surfaces */
+    la_uint batched;   /* the first segments, of whose batches something is known */
 } ProjectClipParameters;
+#define project_clip_boxes_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(float, vertices) in(uint, triangles) out(Batch, batches)
+#define project_clip_batches_tables(in, out, inout, unordered) \
+    in(Batch, batches) in(float, tiles) out(uchar, states)
 #define project_clip_tables(in, out, inout, unordered) \
+    in(Batch, batches) in(uchar, states) \
     in(Segment, segments) in(float, vertices) in(uint, triangles) in(uchar, front) \
     in(float, tiles) in(uint, numbers) out(ClippedSegment, clipped) out(uint, counts) \
     out(uint, arcs)
@@ -258,6 +276,8 @@ typedef struct IntervalsParameters {
     kernel(chain, chain_jump, ChainParameters) \
     kernel(chain, chain_place, ChainParameters) \
     kernel(chain, chain_write, ChainParameters) \
+    kernel(project_clip, project_clip_boxes, CountParameters) \
+    kernel(project_clip, project_clip_batches, ProjectClipParameters) \
     kernel(project_clip, project_clip, ProjectClipParameters) \
     of_sums(scan, scan_chunks_reduce, ScanParameters) \
     of_sums(scan, scan_chunks_apply, ScanParameters) \
@@ -272,6 +292,8 @@ typedef struct IntervalsParameters {
     kernel(intervals, intervals_refine, IntervalsParameters) \
     kernel(surfaces, surfaces_vertices, ExactParameters) \
     kernel(surfaces, surfaces_faces, ExactParameters) \
+    kernel(surfaces, surfaces_boxes, CountParameters) \
+    kernel(surfaces, surfaces_batches, ExactParameters) \
     kernel(tile_lists, tile_lists_count, ExactParameters) \
     kernel(tile_lists, tile_lists_groups, ExactParameters) \
     kernel(tile_lists, tile_lists_fill, ExactParameters) \

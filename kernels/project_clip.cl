@@ -1,12 +1,70 @@
 /* project_clip: segments to clip space, clipped to the frustum, with their sample counts (§4.1).
  *
- * One work-item per segment. Every operation is written out in a fixed order without contraction,
- * so that sample counts are equal bit by bit on every device. */
+ * project_clip_boxes, project_clip_batches: one work-item per batch of segments; the first after
+ * the model has changed, the second in every frame. project_clip: one per segment. Every operation
+ * is written out in a fixed order without contraction, so that sample counts are equal bit by bit
+ * on every device. */
 
 #include "kernels.h"
 
+#include "batches.h"
 #include "clipping.h"
+#include "screen_box.h"
 #include "silhouette.h"
+
+static bool is_other_batch(const uint i, const uint other) {
+    return i / LA_BATCH != other / LA_BATCH;
+}
+
+/* batches: of `count` segments. */
+KERNEL(project_clip_boxes, CountParameters) {
+    const uint b = (uint)get_global_id(0);
+    const uint first = b * LA_BATCH;
+    if (first >= args.count) return;
+    const uint last = min(first + LA_BATCH, args.count);
+    Box box = no_box();
+    uint joined[2] = {0, 0};
+    for (uint i = first; i < last; ++i) {
+        const Segment segment = segments[i];
+        add_to_box(&box, vload3(segment.p, vertices));
+        add_to_box(&box, vload3(segment.q, vertices));
+        if (segment.face_a != LA_NO_FACE)
+            add_face_to_box(&box, segment.face_a & LA_FACE_INDEX, vertices, triangles);
+        if (segment.face_b != LA_NO_FACE)
+            add_face_to_box(&box, segment.face_b & LA_FACE_INDEX, vertices, triangles);
+        /* As path_end() in run.h has it. */
+        const bool closed = (segment.tag & LA_TAG_CLOSED) != 0;
+        const uint before = segment.from_start, after = segment.to_end;
+        if (((before > 0 || closed) && is_other_batch(i, before > 0 ? i - 1u : i + after)) ||
+            ((after > 0 || closed) && is_other_batch(i, after > 0 ? i + 1u : i - before)))
+            joined[(i - first) / 32u] |= 1u << (i - first) % 32u;
+    }
+    vstore3(box.low, 0, batches[b].low);
+    vstore3(box.high, 0, batches[b].high);
+    batches[b].joined[0] = joined[0];
+    batches[b].joined[1] = joined[1];
+}
+
+/* states: of every batch an LA_BATCH_*. With a pyramid, whose depth must be that of the numbered
+ * triangles: a batch is hidden if in no tile that a probe of its segments can touch is there
+ * anything as far away as its nearest point, that of its own faces included, less the tolerance. */
+KERNEL(project_clip_batches, ProjectClipParameters) {
+    const uint b = (uint)get_global_id(0);
+    if (b * LA_BATCH >= args.batched) return;
+    const float2 viewport = to_float2(args.viewport);
+    const BatchOnScreen box =
+        batch_on_screen(to_matrix(args.clip_from_world), viewport, batches + b);
+    states[b] = box.is_outside ? LA_BATCH_OUTSIDE : LA_BATCH_SEEN;
+    if (box.is_outside || !box.is_bounded || args.hidden == LA_HIDDEN_SAMPLED) return;
+    const float2 size = viewport * args.depth_scale;
+    const float reach = LA_PROBE_REACH(args.depth_scale) + 1.0f;
+    const float nearest =
+        box.low.z * 0.5f + 0.5f - args.tolerance / box.least_w - 4.0f * LA_DEPTH_ROUNDING;
+    if (tiles_hide((xy(box.low) * 0.5f + 0.5f) * size - reach,
+                   (xy(box.high) * 0.5f + 0.5f) * size + reach, nearest, tiles,
+                   to_int2(args.tile_count)))
+        states[b] = LA_BATCH_HIDDEN;
+}
 
 /* describe_own_face() of a face that may be none. within: the line runs through it. */
 static uint own_face(const uint face, const bool within, const uint vertex_p, const uint vertex_q,
@@ -31,13 +89,23 @@ static uint own_face(const uint face, const bool within, const uint vertex_p, co
 
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
  * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden:
- * the texture of a path must not depend on what hides it. clipped[i] is written where arcs[i] is
+ * the texture of a path must not depend on what hides it. Where nobody asks for lengths whole
+ * batches are hidden, whose segments have none. clipped[i] is written where arcs[i] is
  * not 0, but for lone segments that are hidden and to be dropped. */
 KERNEL(project_clip, ProjectClipParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
     counts[i] = 0;
     arcs[i] = 0;
+    if (i < args.batched) {
+        const uint b = i / LA_BATCH, in_batch = i % LA_BATCH;
+        const uint state = states[b];
+        if (state == LA_BATCH_OUTSIDE) return;
+        /* What a path goes on with beyond the batch needs to know where it comes from. */
+        if (state == LA_BATCH_HIDDEN &&
+            (batches[b].joined[in_batch / 32u] >> in_batch % 32u & 1u) == 0)
+            return;
+    }
     const uint tag = segments[i].tag;
     const uint kind = tag & LA_TAG_KIND_MASK;
     if ((args.kind_mask & (1u << kind)) == 0) return;

@@ -35,4 +35,18 @@ static ScreenBox box_on_screen(const Matrix m, __global const Cluster* cluster) 
     return box;
 }
 
+/* Whether the tiles under a rectangle of texels hold nothing as far away as `nearest`. */
+static bool tiles_hide(const float2 low, const float2 high, const float nearest,
+                       __global const float* tiles, const int2 tile_count) {
+    /* Towards zero, as in is_hidden(). */
+    const int2 first = clamp(convert_int2(low * (1.0f / LA_TILE)), int2(0, 0), tile_count - 1);
+    const int2 last = clamp(convert_int2(high * (1.0f / LA_TILE)), int2(0, 0), tile_count - 1);
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            if (tiles[y * tile_count.x + x] >= nearest) return false;
+        }
+    }
+    return true;
+}
+
 #endif

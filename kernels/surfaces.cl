@@ -1,8 +1,11 @@
 /* surfaces: the model as the exact method sees it: corners and faces on the screen, planes in
  * space, and what hides a whole tile.
  *
- * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. */
+ * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. surfaces_boxes,
+ * surfaces_batches: one per batch of triangles, the first after the model has changed; the second
+ * for batches of segments too. */
 
+#include "batches.h"
 #include "exact.h"
 
 /* screen: four numbers a vertex: window position in pixels, nearness, and 1; before the near plane
@@ -67,16 +70,79 @@ static void enclose_crossing(const ExactParameters* args, const uint t,
     }
 }
 
-/* Of tiles that the face covers alone: nothing that is farther than it is everywhere in them is
- * seen, or hides what is. */
+/* The other half of a quad. */
+typedef struct Partner {
+    uint face;               /* LA_NO_FACE: there is none */
+    float reach;             /* see contact_nearness */
+    uint corner, own_corner; /* of it, and of the face itself, the one that the other has not */
+} Partner;
+
+/* Which corner of triangle t, 0 to 2, triangle u has not, if it has the other two; else 3. */
+static uint odd_corner(const uint t, const uint u, __global const uint* triangles) {
+    uint odd = 3u, missing = 0;
+    for (uint k = 0; k < 3; ++k) {
+        const uint corner = triangles[3 * t + k];
+        const bool has = triangles[3 * u] == corner || triangles[3 * u + 1] == corner ||
+                         triangles[3 * u + 2] == corner;
+        if (has) continue;
+        odd = k;
+        ++missing;
+    }
+    return missing == 1u ? odd : 3u;
+}
+
+/* The neighbour of face t in the table, if both together are a quad on the screen: as modellers and
+ * readers write those. */
+static Partner partner_of(const ExactParameters* args, const uint t, const uint u,
+                          __global const float* vertices, __global const uint* triangles,
+                          __global const float* screen) {
+    Partner partner = {LA_NO_FACE, 0.0f, 0, 0};
+    if (u >= args->triangle_count) return partner; /* before the first, too */
+    partner.own_corner = odd_corner(t, u, triangles);
+    partner.corner = odd_corner(u, t, triangles);
+    if (partner.own_corner == 3u || partner.corner == 3u) return partner;
+    const float4 own = vload4(triangles[3 * t + partner.own_corner], screen);
+    const float4 other = vload4(triangles[3 * u + partner.corner], screen);
+    const float4 from = vload4(triangles[3 * t + (partner.own_corner + 1u) % 3u], screen);
+    const float4 to = vload4(triangles[3 * t + (partner.own_corner + 2u) % 3u], screen);
+    if (!(own.w > 0.0f && other.w > 0.0f && from.w > 0.0f && to.w > 0.0f)) return partner;
+    /* On either side of what they share. */
+    const float2 way = xy(to) - xy(from), at_own = xy(own) - xy(from), at = xy(other) - xy(from);
+    if (!((way.x * at_own.y - way.y * at_own.x) * (way.x * at.y - way.y * at.x) < 0.0f))
+        return partner;
+    partner.reach =
+        plane_of(vload3(triangles[3 * u], vertices), vload3(triangles[3 * u + 1], vertices),
+                 vload3(triangles[3 * u + 2], vertices), to_float4(args->eye))
+            .w;
+    if (partner.reach > 0.0f) partner.face = u;
+    return partner;
+}
+
+/* How far inside of its sides, but for that opposite a corner, all of a tile lies. */
+static float inside_but(const TileFace* face, const uint corner, const float size) {
+    float inside = INFINITY;
+    for (uint k = 0; k < 3; ++k) {
+        if (k != corner) inside = fmin(inside, least_in(face->sides[k], size));
+    }
+    return inside;
+}
+
+/* What is farther than this is farther than all of the face in a tile. */
+static float surely_hides(const TileFace* face, const float size) {
+    const float farthest = least_in(face->nearness, size);
+    return farthest - 2.0f * face->doubt - farthest * NEARNESS_DOUBT;
+}
+
+/* Of tiles that the face covers alone, or with its partner: nothing that is farther than they are
+ * everywhere in them is seen, or hides what is. */
 static void cover_tiles(const ExactParameters* args, const uint t, const ScreenFace box,
-                        const float reach, __global const float* vertices,
+                        const float reach, const Partner partner, __global const float* vertices,
                         __global const uint* triangles, __global const float* screen,
                         __global uint* occluders) {
     const int4 range = tiles_of(args, box);
     const float size = args->tile_size;
     const int columns = to_int2(args->tiles).x;
-    TileFace face;
+    TileFace face, other;
     for (int y = range.y; y <= range.w; ++y) {
         for (int x = range.x; x <= range.z; ++x) {
             const float2 origin = float2((float)x, (float)y) * size;
@@ -84,12 +150,18 @@ static void cover_tiles(const ExactParameters* args, const uint t, const ScreenF
                               &face))
                 return;
             if (face.doubt == INFINITY) return;
-            const float inside =
-                fmin(least_in(face.sides[0], size),
-                     fmin(least_in(face.sides[1], size), least_in(face.sides[2], size)));
-            if (inside < COVER_MARGIN) continue;
-            const float farthest = least_in(face.nearness, size);
-            const float sure = farthest - 2.0f * face.doubt - farthest * NEARNESS_DOUBT;
+            float sure = surely_hides(&face, size);
+            if (inside_but(&face, 3u, size) < COVER_MARGIN) {
+                if (partner.face == LA_NO_FACE ||
+                    inside_but(&face, partner.own_corner, size) < COVER_MARGIN)
+                    continue;
+                if (!face_in_tile(args, partner.face, FACE_PLAIN, partner.reach, vertices,
+                                  triangles, screen, origin, &other) ||
+                    other.doubt == INFINITY ||
+                    inside_but(&other, partner.corner, size) < COVER_MARGIN)
+                    continue;
+                sure = fmin(sure, surely_hides(&other, size));
+            }
             if (sure > 0.0f) atomic_max(occluders + (y * columns + x), as_uint(sure));
         }
     }
@@ -132,6 +204,56 @@ KERNEL(surfaces_faces, ExactParameters) {
     vstore4(plane, t, planes);
     const bool large =
         face.high[0] - face.low[0] > args.tile_size && face.high[1] - face.low[1] > args.tile_size;
-    if (face.kind == FACE_PLAIN && large)
-        cover_tiles(&args, t, face, plane.w, vertices, triangles, screen, occluders);
+    if (face.kind != FACE_PLAIN || !large) return;
+    Partner partner = partner_of(&args, t, t + 1u, vertices, triangles, screen);
+    if (partner.face == LA_NO_FACE)
+        partner = partner_of(&args, t, t - 1u, vertices, triangles, screen);
+    cover_tiles(&args, t, face, plane.w, partner, vertices, triangles, screen, occluders);
+}
+
+/* batches: of `count` triangles. */
+KERNEL(surfaces_boxes, CountParameters) {
+    const uint b = (uint)get_global_id(0);
+    const uint first = b * LA_BATCH;
+    if (first >= args.count) return;
+    const uint last = min(first + LA_BATCH, args.count);
+    Box box = no_box();
+    for (uint t = first; t < last; ++t) add_face_to_box(&box, t, vertices, triangles);
+    vstore3(box.low, 0, batches[b].low);
+    vstore3(box.high, 0, batches[b].high);
+    batches[b].joined[0] = batches[b].joined[1] = 0;
+}
+
+/* Whether in every tile of a box in pixels a face covers the tile alone that is nearer than
+ * `nearest` everywhere. */
+static bool is_covered(const ExactParameters* args, const float2 low, const float2 high,
+                       const float nearest, __global const uint* occluders) {
+    const int2 tiles = to_int2(args->tiles);
+    const float scale = 1.0f / args->tile_size;
+    const int2 first = clamp(convert_int2(low * scale), int2(0, 0), tiles - 1);
+    const int2 last = clamp(convert_int2(high * scale), int2(0, 0), tiles - 1);
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            if (!(as_float(occluders[y * tiles.x + x]) > nearest)) return false;
+        }
+    }
+    return true;
+}
+
+/* states: of each of `count` batches an LA_BATCH_*: what visible and tile_lists would leave out,
+ * piece by piece, at the same tiles. */
+KERNEL(surfaces_batches, ExactParameters) {
+    const uint b = (uint)get_global_id(0);
+    if (b >= args.count) return;
+    const float2 viewport = to_float2(args.viewport);
+    const BatchOnScreen box =
+        batch_on_screen(to_matrix(args.clip_from_world), viewport, batches + b);
+    states[b] = box.is_outside ? LA_BATCH_OUTSIDE : LA_BATCH_SEEN;
+    if (box.is_outside || !box.is_bounded || args.keeps_hidden != 0) return;
+    const float nearest =
+        (args.depth_rate > 0.0f ? 1.0f - box.low.z : 1.0f / box.least_w) * (1.0f + 4.0f * FEW_ULPS);
+    const float2 half_size = viewport * 0.5f;
+    if (is_covered(&args, (xy(box.low) + 1.0f) * half_size - BATCH_MARGIN,
+                   (xy(box.high) + 1.0f) * half_size + BATCH_MARGIN, nearest, occluders))
+        states[b] = LA_BATCH_HIDDEN;
 }

@@ -52,6 +52,10 @@ KERNEL(tile_lists_count, ExactParameters) {
     const uint first = chunk * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     for (uint t = first; t < last; ++t) {
+        if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
+            t |= LA_BATCH - 1u; /* on to the next batch */
+            continue;
+        }
         const ScreenFace box = faces[t];
         if (box.kind == FACE_UNSEEN) continue;
         enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, counts, 0);
@@ -68,6 +72,10 @@ KERNEL(tile_lists_fill, ExactParameters) {
     const uint first = chunk * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     for (uint t = first; t < last; ++t) {
+        if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
+            t |= LA_BATCH - 1u; /* on to the next batch */
+            continue;
+        }
         const ScreenFace box = faces[t];
         if (box.kind == FACE_UNSEEN) continue;
         enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, ends, entries);

@@ -25,7 +25,7 @@ float fmin(float a, float b) { return b < a || a != a ? b : a; }
 float fmax(float a, float b) { return a < b || a != a ? b : a; }
 vec2 fmin(vec2 a, vec2 b) { return vec2(fmin(a.x, b.x), fmin(a.y, b.y)); }
 vec2 fmax(vec2 a, vec2 b) { return vec2(fmax(a.x, b.x), fmax(a.y, b.y)); }
-ivec2 convert_int2_rtn(vec2 v) { return ivec2(floor(v)); }
+ivec2 convert_int2(vec2 v) { return ivec2(v); }
 
 // One lane (kernels/lanes.h).
 #define lanes_float float

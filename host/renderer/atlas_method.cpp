@@ -37,7 +37,7 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
       handover_(device_), prefers_raster_(!interop::gl_is_software()), depth_(connection),
-      fill_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted),
+      fill_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted), batches_(stages_),
       strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
@@ -45,6 +45,7 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
 
 void AtlasMethod::release_scene() {
     chains_.release();
+    batches_.release();
     front_.reset();
     arcs_.reset();
     past_ = {};
@@ -161,17 +162,26 @@ void AtlasMethod::project(Frame& frame) {
         .tolerance = frame.depth_tolerance(),
         .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
-        stages_.project_clip(
-            {.table = frame.scene.table(),
-             .front = *front_,
-             .clip_from_world = clip_from_world,
-             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
-             .viewport = frame.viewport(),
-             .step = frame.options.step,
-             .kind_mask = frame.options.lines,
-             .occlusion = cull_hidden_ ? &occlusion : nullptr,
-             .out = clipped_table(),
-             .numbers = frame.knows_surfaces() ? &frame.scene.surfaces().numbers : nullptr});
+        std::optional<compute::BatchTable> batches;
+        if (batches_.has_segments(frame.scene.candidate_table())) batches.emplace(batches_.table());
+        const compute::ProjectClipArgs args{
+            .table = frame.scene.table(),
+            .front = *front_,
+            .clip_from_world = clip_from_world,
+            .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+            .viewport = frame.viewport(),
+            .step = frame.options.step,
+            .kind_mask = frame.options.lines,
+            .occlusion = cull_hidden_ ? &occlusion : nullptr,
+            .out = clipped_table(),
+            .numbers = frame.knows_surfaces() ? &frame.scene.surfaces().numbers : nullptr,
+            .batches = batches ? &*batches : nullptr};
+        if (batches) {
+            const bool drops_hidden = cull_hidden_ && frame.knows_surfaces() && !keeps_intervals_ &&
+                                      !strokes_.measures_lines(frame);
+            stages_.project_clip_batches(args, drops_hidden);
+        }
+        stages_.project_clip(args);
     });
     frame.clock("scan", [&] {
         stages_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
@@ -441,8 +451,9 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
-                             arcs_->size() + chains_.bytes() + size_of(past_.offsets) +
-                             size_of(past_.ranges) + size_of(past_.positions),
+                             arcs_->size() + chains_.bytes() + batches_.bytes() +
+                             size_of(past_.offsets) + size_of(past_.ranges) +
+                             size_of(past_.positions),
             .sample_bytes = alpha_->size() + size_of(past_.alpha),
             .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};

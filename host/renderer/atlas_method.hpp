@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "compute/stages/batches.hpp"
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
@@ -29,6 +30,7 @@ class AtlasMethod {
     /// The scene has other lines in the same tables.
     void forget_lines() {
         chains_.forget_lines();
+        batches_.forget();
         strokes_.forget_lines();
     }
     void set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables);
@@ -119,6 +121,7 @@ class AtlasMethod {
     DepthStage depth_;
     FillStage fill_;
     compute::SilhouetteChains chains_; ///< of the current chunk
+    compute::Batches batches_;         ///< of its segments
     std::uint32_t segment_count_ = 0;  ///< of the current chunk, as the frame draws it
     std::uint32_t all_segments_ = 0;   ///< of the current chunk, candidates too
     std::unique_ptr<compute::Buffer> front_, arcs_;

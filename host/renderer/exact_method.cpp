@@ -28,7 +28,8 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
                         .bounds = frame.scene.bounds(),
                         .contact = frame.scene.contact(),
                         .lines = frame.options.lines,
-                        .step = frame.options.step};
+                        .step = frame.options.step,
+                        .measured = IntervalStage::wanted(frame) || strokes_.measures_lines(frame)};
     const std::size_t chunks = frame.scene.chunk_count();
     const auto table = [&](std::size_t chunk) {
         frame.scene.select(chunk);

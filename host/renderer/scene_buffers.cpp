@@ -176,6 +176,7 @@ std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
 void SceneBuffers::move() {
     tables_.moving->transform(*tables_.vertices, *tables_.clusters, motion_.transforms());
     moved_ = false;
+    ++tables_.version;
     boxes_are_old_ = true;
 }
 

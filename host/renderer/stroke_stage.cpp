@@ -339,6 +339,15 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
     return style;
 }
 
+bool StrokeStage::measures_lines(const Frame& frame) const {
+    const Style& style = frame.options.style;
+    const auto is_solid = [](const std::string& mark) { return mark == "solid"; };
+    return !frame.options.draw || style.hidden || style.density.limit > 0 ||
+           needs_filter(style, pens_.pens(false)) ||
+           (style.focus.on && !style.focus.mark.empty() && !is_solid(style.focus.mark)) ||
+           !std::ranges::all_of(pens_.pens(false), is_solid, &Pen::mark);
+}
+
 void StrokeStage::begin_frame(const Frame& frame) {
     pens_.prepare(frame);
     coverage_.begin_frame(frame, pens_);

@@ -33,6 +33,9 @@ class StrokeStage {
     void forget_lines() { pens_.forget(); }
     /// Before the first make_runs() of a frame.
     void begin_frame(const Frame& frame);
+    /// Whether it matters to what is drawn where along its path a run lies, or which lines are
+    /// hidden. After begin_frame().
+    bool measures_lines(const Frame& frame) const;
     /// Whether make_runs() has to know what is outline.
     static bool wants_outlines(const Frame& frame) {
         return frame.options.draw && tells_outlines(frame.options.style);

@@ -22,7 +22,8 @@ struct PlacedLines {
                 .segments = *part.segments,
                 .triangle_count = triangle_count,
                 .segment_count = part.range.count,
-                .candidates = moved ? part.edge_candidates() : part.candidates()};
+                .candidates = moved ? part.edge_candidates() : part.candidates(),
+                .version = tables.version};
     }
 };
 

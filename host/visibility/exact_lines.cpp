@@ -1,11 +1,14 @@
 #include "exact_lines.hpp"
 
+#include <optional>
+
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace lineatlas {
 
 void ExactLines::release() {
     chains_.release();
+    batches_.release();
     visibility_.release();
     front_.reset();
     clipped_.reset();
@@ -40,8 +43,14 @@ void ExactLines::facing(const LineView& view, const compute::SegmentTable& table
     stages_.facing({.table = table, .eye = view.camera.eye(), .front = *front_});
 }
 
-void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& table) {
+void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
+                              const compute::SegmentTable& table) {
     const glm::mat4 clip_from_world = view.camera.clip_from_world();
+    std::optional<compute::BatchTable> batches;
+    if (batches_.has_segments(candidates)) {
+        batches.emplace(batches_.table());
+        visibility_.find_batches(clipped(), *batches, !view.measured);
+    }
     stages_.project_clip({.table = table,
                           .front = *front_,
                           .clip_from_world = clip_from_world,
@@ -50,7 +59,8 @@ void ExactLines::project_clip(const LineView& view, const compute::SegmentTable&
                           .step = view.step,
                           .kind_mask = view.lines,
                           .occlusion = nullptr,
-                          .out = {*clipped_, visibility_.counts(), *arcs_}});
+                          .out = {*clipped_, visibility_.counts(), *arcs_},
+                          .batches = batches ? &*batches : nullptr});
 }
 
 } // namespace lineatlas

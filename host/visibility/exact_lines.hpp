@@ -17,6 +17,9 @@ struct LineView {
     float contact;        ///< contact_of() the model as it was made
     LineKindMask lines;
     float step; ///< FrameOptions::step: a line of one segment that is shorter is left out
+    /// Whether anybody asks where along its path a visible part lies, or for hidden parts; else
+    /// what is hidden whole has no length.
+    bool measured = true;
 
     glm::vec2 viewport() const { return glm::vec2{camera.size}; }
 };
@@ -28,12 +31,17 @@ class ExactLines {
   public:
     explicit ExactLines(compute::Stages& stages)
         : stages_(stages), device_(stages.device()),
-          chains_(stages, compute::SilhouetteChains::Contours::on_surface), visibility_(stages) {}
+          chains_(stages, compute::SilhouetteChains::Contours::on_surface), batches_(stages),
+          visibility_(stages) {}
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release();
     /// The lines are others, in the same tables.
-    void forget_lines() { chains_.forget_lines(); }
+    void forget_lines() {
+        chains_.forget_lines();
+        batches_.forget();
+        visibility_.forget_lines();
+    }
     /// Makes tables for another line set.
     void make_tables(std::uint32_t triangle_count, std::uint32_t most_segments);
 
@@ -52,10 +60,10 @@ class ExactLines {
                                   : chains_.without(candidates);
             make_room(segments.segment_count);
             begin(view, segments, chunk);
-            clock("project_clip", [&] { project_clip(view, segments); });
+            if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(clipped()); });
+            clock("project_clip", [&] { project_clip(view, candidates, segments); });
             clock("scan",
                   [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
-            if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(clipped()); });
             // Other chunks go by the lists of tiles that are there already.
             bool by_lists = chunk > 0;
             for (bool again = true; again; by_lists = false) {
@@ -79,18 +87,20 @@ class ExactLines {
     std::uint64_t mesh_bytes() const { return front_->size(); }
     std::uint64_t segment_bytes() const {
         return clipped_->size() + arcs_->size() + no_offsets_->size() + visibility_.bytes() +
-               chains_.bytes();
+               chains_.bytes() + batches_.bytes();
     }
 
   private:
     void make_room(std::uint32_t segments);
     void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
     void facing(const LineView& view, const compute::SegmentTable& table);
-    void project_clip(const LineView& view, const compute::SegmentTable& table);
+    void project_clip(const LineView& view, const compute::SegmentTable& candidates,
+                      const compute::SegmentTable& table);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     compute::SilhouetteChains chains_;
+    compute::Batches batches_; ///< of segments
     compute::ExactVisibility visibility_;
     std::unique_ptr<compute::Buffer> front_, clipped_, arcs_;
     std::unique_ptr<compute::Buffer> no_offsets_; ///< all 0: no segment has samples

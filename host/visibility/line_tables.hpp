@@ -39,6 +39,7 @@ struct LineTables {
     };
     std::unique_ptr<compute::Buffer> vertices, triangles;
     std::vector<Chunk> chunks; ///< at least one
+    std::uint64_t version = 0; ///< counts changes of what stands where
 
     /// What tables per segment must hold before silhouettes are found: all, or of the largest of
     /// several chunks what is not a candidate.

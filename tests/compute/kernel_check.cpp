@@ -90,13 +90,18 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
                         .contact = contact_of(lines),
                         .lines = all_line_kinds,
                         .step = 2};
-    exact.find(
-        view, 1, [&](std::size_t) { return table; }, [](const char*, const auto& run) { run(); },
-        [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
-            const compute::OutlineTable outline = exact.outline(2);
-            append(result,
-                   read_back<la_uint>(stages.device(), outline.offsets, found.segment_count + 1));
-        });
+    const auto find = [&] {
+        exact.find(
+            view, 1, [&](std::size_t) { return table; },
+            [](const char*, const auto& run) { run(); },
+            [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
+                const compute::OutlineTable outline = exact.outline(2);
+                append(result, read_back<la_uint>(stages.device(), outline.offsets,
+                                                  found.segment_count + 1));
+            });
+    };
+    find();
+    find(); // by batches, whose boxes are made where the model stands still
 }
 
 /// How near the planes of all triangles are.

@@ -204,7 +204,11 @@ const Layout& layout_of(std::string_view type) {
                                            {{"low", FieldKind::number, 2, 1e-5F, pixel},
                                             {"high", FieldKind::number, 2, 1e-5F, pixel},
                                             {"nearest", FieldKind::number},
-                                            {"kind", FieldKind::integer}}}};
+                                            {"kind", FieldKind::integer}}},
+                                    Layout{"Batch",
+                                           {{"low", FieldKind::number, 3},
+                                            {"high", FieldKind::number, 3},
+                                            {"joined", FieldKind::integer, 2}}}};
     const auto found = std::ranges::find(layouts, type, &Layout::name);
     if (found == layouts.end())
         throw Error("no layout says how two tables of " + std::string{type} + " are compared");

@@ -17,6 +17,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #include "kernels.h"
 
 #include "atlas_address.h"
+#include "batches.h"
 #include "clipping.h"
 #include "exact.h"
 #include "float_pair.h"

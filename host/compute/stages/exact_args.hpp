@@ -29,6 +29,8 @@ struct ExactArgs {
     Buffer& kept;               ///< 4 floats per segment
     Buffer& span_offsets;       ///< out: a uint32 per segment, and the number of spans
     Buffer& spans;              ///< out: 2 floats per span; none if span_capacity is too small
+    /// What is known of batches of triangles; null: each is looked at alone.
+    const BatchTable* batches = nullptr;
 };
 
 /// The visible parts of all segments, as `visible` leaves them.

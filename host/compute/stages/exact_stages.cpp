@@ -39,8 +39,26 @@ void Stages::surfaces(const ExactArgs& args) {
                                      .occluders = args.occluders});
 }
 
+void Stages::surfaces_boxes(const SegmentTable& table, const BatchTable& batches) {
+    launch<kernels::surfaces_boxes>(
+        batches.batches(), tuning_.local_size, {batches.count},
+        {.vertices = table.vertices, .triangles = table.triangles, .batches = batches.boxes});
+}
+
+void Stages::surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden) {
+    ExactParameters parameters = args.parameters;
+    parameters.count = batches.batches();
+    parameters.keeps_hidden = drops_hidden ? 0 : 1;
+    launch<kernels::surfaces_batches>(
+        parameters.count, tuning_.local_size, parameters,
+        {.batches = batches.boxes, .occluders = args.occluders, .states = batches.states});
+}
+
 void Stages::tile_lists(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    parameters.batched = args.batches != nullptr ? args.batches->count : 0;
+    // Not read where there are none.
+    Buffer& states = args.batches != nullptr ? args.batches->states : args.occluders;
     const std::uint32_t tiles = tiles_of(parameters);
     const std::uint32_t counts = tiles * parameters.chunks;
     device_.clear(args.ends, counts * sizeof(la_uint));
@@ -51,6 +69,7 @@ void Stages::tile_lists(const ExactArgs& args) {
                                        .faces = args.faces,
                                        .planes = args.planes,
                                        .occluders = args.occluders,
+                                       .states = states,
                                        .counts = args.ends});
     scan(args.ends, counts, ScanKind::saturate);
     launch<kernels::tile_lists_groups>(tiles, tuning_.local_size, parameters,
@@ -63,6 +82,7 @@ void Stages::tile_lists(const ExactArgs& args) {
                                       .faces = args.faces,
                                       .planes = args.planes,
                                       .occluders = args.occluders,
+                                      .states = states,
                                       .ends = args.ends,
                                       .entries = args.entries});
     launch<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters,

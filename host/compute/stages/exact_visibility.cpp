@@ -26,8 +26,9 @@ constexpr float smallest_tile = 4, largest_tile = 64;
 constexpr float most_tiles_a_side = 128; // or tiles are larger
 
 /// First guesses; a frame that needs more makes its tables grow.
-constexpr std::uint32_t first_entry_capacity = 1U << 14U;
-constexpr std::uint32_t first_group_capacity = 1U << 12U;
+constexpr std::uint32_t least_entries = 1U << 8U, most_entries = 1U << 14U;
+constexpr std::uint32_t least_groups = 1U << 6U, most_groups = 1U << 12U;
+constexpr std::uint32_t triangles_per_group = 8; // the last group of a tile is seldom full
 constexpr std::uint32_t first_span_capacity = 1U << 13U;
 
 /// Pixels, a power of two: small where many triangles lie in few pixels.
@@ -79,7 +80,9 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .group_capacity = 0,
             .span_capacity = 0,
             .beside = 0,
-            .lift = contours ? contours->edge_count : 0};
+            .lift = contours ? contours->edge_count : 0,
+            .batched = 0,
+            .keeps_hidden = 0};
 }
 
 std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t element) {
@@ -95,6 +98,7 @@ std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t elem
 
 void ExactVisibility::release() {
     table_.reset();
+    triangles_.release();
     for (std::unique_ptr<Buffer>* buffer : tables(*this)) buffer->reset();
     beside_.capacity = within_.capacity = part_capacity_ = 0;
     parameters_ = {};
@@ -112,10 +116,13 @@ void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, con
     const ExactParameters before = parameters_;
     parameters_ = parameters_of(table, camera, bounds, contact);
     using Group = std::array<float, LA_GROUP_FLOATS>;
+    const std::uint32_t entries = std::clamp(table.triangle_count, least_entries, most_entries);
+    const std::uint32_t groups =
+        std::clamp(table.triangle_count / triangles_per_group, least_groups, most_groups);
     parameters_.entry_capacity =
-        std::max(before.entry_capacity, first_capacity<Entry>(device_, first_entry_capacity));
+        std::max(before.entry_capacity, first_capacity<Entry>(device_, entries));
     parameters_.group_capacity =
-        std::max(before.group_capacity, first_capacity<Group>(device_, first_group_capacity));
+        std::max(before.group_capacity, first_capacity<Group>(device_, groups));
     parameters_.span_capacity = std::max(
         before.span_capacity, first_capacity<std::array<float, 2>>(device_, first_span_capacity));
     constexpr std::uint64_t four = 4 * sizeof(float);
@@ -173,10 +180,21 @@ ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParamete
 
 void ExactVisibility::surfaces(const ClippedTable& clipped) {
     stages_.surfaces(args(clipped));
+    by_batches_ = triangles_.has_triangles(*table_);
+    if (by_batches_) find_batches(clipped, triangles_.table(), true);
+}
+
+void ExactVisibility::find_batches(const ClippedTable& clipped, const BatchTable& batches,
+                                   bool drops_hidden) {
+    stages_.surfaces_batches(args(clipped), batches, drops_hidden);
 }
 
 void ExactVisibility::tile_lists(const ClippedTable& clipped) {
-    stages_.tile_lists(args(clipped));
+    if (!by_batches_) return stages_.tile_lists(args(clipped));
+    const BatchTable batches = triangles_.table();
+    ExactArgs by_batches = args(clipped);
+    by_batches.batches = &batches;
+    stages_.tile_lists(by_batches);
 }
 
 void ExactVisibility::visible(const ClippedTable& clipped) {
@@ -277,6 +295,7 @@ std::uint64_t ExactVisibility::bytes() const {
     for (const std::unique_ptr<Buffer>* buffer : tables(*this)) {
         if (*buffer) sum += (*buffer)->size();
     }
+    sum += triangles_.bytes();
     return sum;
 }
 

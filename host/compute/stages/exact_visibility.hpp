@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "batches.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/mesh.hpp"
-#include "stages.hpp"
 
 namespace lineatlas::compute {
 
@@ -15,10 +15,13 @@ namespace lineatlas::compute {
 class ExactVisibility {
   public:
     /// `stages` must outlive it.
-    explicit ExactVisibility(Stages& stages) : stages_(stages), device_(stages.device()) {}
+    explicit ExactVisibility(Stages& stages)
+        : stages_(stages), device_(stages.device()), triangles_(stages) {}
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
+    /// The lines are others, in the same tables.
+    void forget_lines() { triangles_.forget(); }
     /// Before the stages of a frame. `camera`: a standard one; `bounds`: around the model as it
     /// stands; `contact`: what is nearer to a plane than that touches it (contact_of()).
     void begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
@@ -27,6 +30,9 @@ class ExactVisibility {
     void go_on(const SegmentTable& table);
     // The stages of a frame, in this order; again where grow() says so.
     void surfaces(const ClippedTable& clipped);
+    /// Between surfaces() and project_clip: which batches of segments can't be seen. Those that are
+    /// hidden are left out only where `drops_hidden`.
+    void find_batches(const ClippedTable& clipped, const BatchTable& segments, bool drops_hidden);
     void tile_lists(const ClippedTable& clipped);
     void visible(const ClippedTable& clipped);
     /// After the last visible(): which parts of what it found have the background on one side, and
@@ -69,6 +75,8 @@ class ExactVisibility {
     Device& device_;                    ///< of stages_
     std::optional<SegmentTable> table_; ///< of the current frame
     ExactParameters parameters_{};
+    Batches triangles_;
+    bool by_batches_ = false; ///< the current frame's triangles
     std::unique_ptr<Buffer> screen_, faces_, planes_, kept_, span_offsets_; // per model
     std::unique_ptr<Buffer> occluders_, ends_, groups_;                     // per picture
     std::unique_ptr<Buffer> entries_, blocks_, boxes_, spans_;              // that grow

@@ -51,7 +51,8 @@ SegmentTable SilhouetteChains::with_contours(const SegmentTable& table) const {
             .segments = table.segments,
             .triangle_count = table.triangle_count,
             .segment_count = table.segment_count,
-            .candidates = table.candidates};
+            .candidates = table.candidates,
+            .version = table.version};
 }
 
 void SilhouetteChains::count(const SegmentTable& table, Buffer& front) {
@@ -117,7 +118,8 @@ SegmentTable SilhouetteChains::with_chains(const SegmentTable& table) const {
             .triangle_count = table.triangle_count,
             .segment_count = first_ + count_,
             .candidates = table.candidates,
-            .origins = origins_.get()};
+            .origins = origins_.get(),
+            .version = table.version};
 }
 
 std::vector<std::uint32_t> SilhouetteChains::read_origins() const {

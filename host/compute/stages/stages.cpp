@@ -65,9 +65,18 @@ void Stages::facing(const FacingArgs& args) {
         {.vertices = args.table.vertices, .triangles = args.table.triangles, .front = args.front});
 }
 
-void Stages::project_clip(const ProjectClipArgs& args) {
-    const std::uint32_t n = args.table.segment_count;
-    ProjectClipParameters parameters{.count = n,
+void Stages::project_clip_boxes(const SegmentTable& table, const BatchTable& batches) {
+    launch<kernels::project_clip_boxes>(batches.batches(), tuning_.local_size, {batches.count},
+                                        {.segments = table.segments,
+                                         .vertices = table.vertices,
+                                         .triangles = table.triangles,
+                                         .batches = batches.boxes});
+}
+
+namespace {
+
+ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
+    ProjectClipParameters parameters{.count = args.table.segment_count,
                                      .clip_from_world = args.clip_from_world,
                                      .world_from_clip = args.world_from_clip,
                                      .viewport = args.viewport,
@@ -77,21 +86,43 @@ void Stages::project_clip(const ProjectClipArgs& args) {
                                      .tile_count = {1, 1},
                                      .depth_scale = 1,
                                      .tolerance = 0,
-                                     .numbered = args.numbers != nullptr ? 1U : 0U};
+                                     .numbered = args.numbers != nullptr ? 1U : 0U,
+                                     .batched = args.batches != nullptr ? args.batches->count : 0};
     if (const OcclusionTest* test = args.occlusion) {
         parameters.hidden = test->keep_clipped ? LA_HIDDEN_CLIPPED : LA_HIDDEN_DROPPED;
         parameters.tile_count = test->tile_count;
         parameters.depth_scale = test->depth_scale;
         parameters.tolerance = test->tolerance;
     }
+    return parameters;
+}
+
+/// Any table will do where there is no pyramid.
+Buffer& tiles_of(const ProjectClipArgs& args) {
+    return args.occlusion != nullptr ? args.occlusion->tiles : args.table.vertices;
+}
+
+} // namespace
+
+void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
+    ProjectClipParameters parameters = parameters_of(args);
+    if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
+    launch<kernels::project_clip_batches>(
+        args.batches->batches(), tuning_.local_size, parameters,
+        {.batches = args.batches->boxes, .tiles = tiles_of(args), .states = args.batches->states});
+}
+
+void Stages::project_clip(const ProjectClipArgs& args) {
     launch<kernels::project_clip>(
-        n, tuning_.local_size, parameters,
-        {.segments = args.table.segments,
+        args.table.segment_count, tuning_.local_size, parameters_of(args),
+        {// Nor is anything read of batches where there are none.
+         .batches = args.batches != nullptr ? args.batches->boxes : args.table.vertices,
+         .states = args.batches != nullptr ? args.batches->states : args.front,
+         .segments = args.table.segments,
          .vertices = args.table.vertices,
          .triangles = args.table.triangles,
          .front = args.front,
-         // Any table will do where there is no pyramid.
-         .tiles = args.occlusion != nullptr ? args.occlusion->tiles : args.table.vertices,
+         .tiles = tiles_of(args),
          .numbers = args.numbers != nullptr ? *args.numbers : args.table.triangles,
          .clipped = args.out.clipped,
          .counts = args.out.offsets,

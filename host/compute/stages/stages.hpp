@@ -36,6 +36,11 @@ class Stages {
     void contour(const ContourArgs& args);
     void silhouette(const SilhouetteArgs& args);
     void chain(const ChainArgs& args);
+    /// Boxes around the first segments, in batches.
+    void project_clip_boxes(const SegmentTable& table, const BatchTable& batches);
+    /// Which of args.batches lie outside the frustum or, where `drops_hidden`, behind the pyramid:
+    /// then it must be that of numbered triangles, and nobody asks how long lines are.
+    void project_clip_batches(const ProjectClipArgs& args, bool drops_hidden);
     void project_clip(const ProjectClipArgs& args);
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
     void scan(Buffer& values, std::uint32_t n, ScanKind kind);
@@ -43,6 +48,11 @@ class Stages {
     void temporal(const TemporalArgs& args);
     void intervals(const IntervalsArgs& args);
     void surfaces(const ExactArgs& args);
+    /// Boxes around all triangles, in batches.
+    void surfaces_boxes(const SegmentTable& table, const BatchTable& batches);
+    /// After surfaces(): which batches of segments or triangles lie outside the picture or, where
+    /// `drops_hidden`, behind faces that cover whole tiles.
+    void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
     void tile_lists(const ExactArgs& args);
     void visible(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);

@@ -50,6 +50,17 @@ struct SegmentTable {
     /// Of the silhouettes of a frame's own table, as chain_write has them; null: it has them where
     /// the line set has its candidates.
     Buffer* origins = nullptr;
+    /// Counts changes of what the tables hold.
+    std::uint64_t version = 0;
+};
+
+/// The first segments, or triangles, of a table in batches; see kernels/batches.h.
+struct BatchTable {
+    Buffer& boxes;       ///< `Batch` each
+    Buffer& states;      ///< a byte each: LA_BATCH_*, of the current frame
+    std::uint32_t count; ///< segments, or triangles
+
+    std::uint32_t batches() const { return (count + LA_BATCH - 1) / LA_BATCH; }
 };
 
 /// `project_clip`'s and `scan`'s results: the clipped segment table.

@@ -33,6 +33,8 @@ struct ProjectClipArgs {
     /// A uint32 per triangle: its number in the order of the clusters. Not null: own faces become
     /// those, for probes that know surfaces.
     Buffer* numbers = nullptr;
+    /// What is known of batches of the first segments; null: each is looked at alone.
+    const BatchTable* batches = nullptr;
 };
 
 enum class ScanKind {

@@ -1,0 +1,55 @@
+#include "batches.hpp"
+
+#include <utility>
+
+#include "divide_up.hpp"
+
+namespace lineatlas::compute {
+
+void Batches::release() {
+    boxes_.reset();
+    states_.reset();
+    forget();
+}
+
+Batches::Step Batches::next(const Of& of) {
+    if (of.count == 0) return Step::wait;
+    if (of != of_) {
+        of_ = of;
+        made_ = false;
+        const std::uint64_t batches = divide_up(of.count, LA_BATCH);
+        if (!boxes_ || boxes_->size() < batches * sizeof(Batch)) {
+            release(); // they may not fit beside others
+            of_ = of;
+            boxes_ = allocate(device_, batches * sizeof(Batch), purpose::segments);
+            states_ = allocate(device_, batches, purpose::segments);
+        }
+        return Step::wait;
+    }
+    count_ = of.count;
+    return std::exchange(made_, true) ? Step::keep : Step::make;
+}
+
+bool Batches::has_segments(const SegmentTable& table) {
+    const Step step = next({.elements = &table.segments,
+                            .vertices = &table.vertices,
+                            .version = table.version,
+                            .count = table.segment_count - table.candidates.count});
+    if (step == Step::make) stages_.project_clip_boxes(table, this->table());
+    return step != Step::wait;
+}
+
+bool Batches::has_triangles(const SegmentTable& table) {
+    const Step step = next({.elements = &table.triangles,
+                            .vertices = &table.vertices,
+                            .version = table.version,
+                            .count = table.triangle_count});
+    if (step == Step::make) stages_.surfaces_boxes(table, this->table());
+    return step != Step::wait;
+}
+
+std::uint64_t Batches::bytes() const {
+    return boxes_ ? boxes_->size() + states_->size() : 0;
+}
+
+} // namespace lineatlas::compute

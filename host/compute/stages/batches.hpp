@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+
+#include "stages.hpp"
+
+namespace lineatlas::compute {
+
+/// Segments or triangles of a line set in batches, with the boxes around them: what is outside of a
+/// picture, or hidden in it, is so by the batch.
+class Batches {
+  public:
+    /// `stages` must outlive it.
+    explicit Batches(Stages& stages) : stages_(stages), device_(stages.device()) {}
+
+    /// Gives up its tables.
+    void release();
+    /// The tables hold something else.
+    void forget() { of_ = {}; }
+    /// Whether there are boxes of the fixed lines, or the triangles, of `table`. They are made the
+    /// second time that these stand where they do: a model that moves in every frame is not worth
+    /// it.
+    bool has_segments(const SegmentTable& table);
+    bool has_triangles(const SegmentTable& table);
+    /// Of the last that there are.
+    BatchTable table() const { return {*boxes_, *states_, count_}; }
+    std::uint64_t bytes() const;
+
+  private:
+    /// What boxes are of.
+    struct Of {
+        const Buffer *elements = nullptr, *vertices = nullptr;
+        std::uint64_t version = 0;
+        std::uint32_t count = 0;
+
+        bool operator==(const Of&) const = default;
+    };
+    /// Whether they are to be made, where `of` stands still.
+    enum class Step { wait, make, keep };
+    Step next(const Of& of);
+
+    Stages& stages_;
+    Device& device_; ///< of stages_
+    Of of_;
+    bool made_ = false; ///< of what of_ says
+    std::uint32_t count_ = 0;
+    std::unique_ptr<Buffer> boxes_, states_;
+};
+
+} // namespace lineatlas::compute
