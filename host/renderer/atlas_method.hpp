@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "compute/stages/carried_coordinates.hpp"
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
@@ -28,6 +29,7 @@ class AtlasMethod {
     /// The scene has other lines in the same tables.
     void forget_lines() {
         chains_.forget_lines();
+        carried_.forget();
         strokes_.forget_lines();
     }
     void set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables);
@@ -67,7 +69,11 @@ class AtlasMethod {
     void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
+    /// Whether frames have to do with those before them.
+    static bool is_steady(const Frame& frame);
     void steady(Frame& frame);
+    /// Texture coordinates of silhouettes, where `carries_`.
+    void carry(Frame& frame);
     /// Makes the tables of what the last frame leaves.
     void make_past(const compute::SegmentTable& table);
     /// The last frame had no silhouettes.
@@ -114,8 +120,10 @@ class AtlasMethod {
 
     DepthStage depth_;
     compute::SilhouetteChains chains_; ///< of the current chunk
-    std::uint32_t segment_count_ = 0;  ///< of the current chunk, as the frame draws it
-    std::uint32_t all_segments_ = 0;   ///< of the current chunk, candidates too
+    compute::CarriedCoordinates carried_;
+    bool carries_ = false;            ///< the current frame
+    std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
+    std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
     std::unique_ptr<compute::Buffer> front_, arcs_;
     std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
@@ -136,7 +144,9 @@ class AtlasMethod {
         std::vector<glm::mat4> transforms{}; ///< of the objects
         std::uint64_t shape_version = 0;
     };
-    bool follows_past(const Frame& frame) const;
+    /// Pixels by which points of the model have typically moved, if the frame follows the last one
+    /// slowly.
+    std::optional<float> motion_since_past(const Frame& frame) const;
 
     Past past_;
     bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole

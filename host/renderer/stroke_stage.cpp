@@ -151,6 +151,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
                     hidden_.record->compute());
             device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
+        carry(frame, hidden_);
         if (tells_pens(true)) tell_pens(frame, true, nullptr);
     }
     if (filters_) {
@@ -158,9 +159,17 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
         filter(frame, input);
     }
     if (limits_density_) density(frame, input);
+    carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
     frame.clock(stage,
                 [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
+}
+
+void StrokeStage::carry(Frame& frame, RunTable& table) {
+    if (carried_ == nullptr) return;
+    frame.clock("carry", [&] {
+        carried_->apply(table.runs->compute(), table.record->compute(), table.capacity);
+    });
 }
 
 void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
@@ -308,6 +317,20 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
                             .world_from_clip = glm::mat4{glm::inverse(clip_from_world)}};
     }
     return style;
+}
+
+bool StrokeStage::has_textures(const Frame& frame) const {
+    const Style& style = frame.options.style;
+    const auto is_texture = [](const std::string& mark) {
+        return !mark.empty() && mark != Pen{}.mark;
+    };
+    const auto textured = [&](const Pen& pen) {
+        return is_texture(pen.mark) || pen.cap == Cap::texture || pen.path_cap == Cap::texture;
+    };
+    return frame.options.draw &&
+           (std::ranges::any_of(pens_.pens(false), textured) ||
+            (style.hidden && std::ranges::any_of(pens_.pens(true), textured)) ||
+            (style.focus.on && is_texture(style.focus.mark)));
 }
 
 void StrokeStage::begin_frame(const Frame& frame) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "compute/stages/carried_coordinates.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
@@ -32,6 +33,10 @@ class StrokeStage {
     void forget_lines() { pens_.forget(); }
     /// Before the first make_runs() of a frame.
     void begin_frame(const Frame& frame);
+    /// Whether anything that it draws has a texture along its strokes: dashes, grain, dry ends.
+    bool has_textures(const Frame& frame) const;
+    /// Whose coordinates silhouettes get in the current frame; null: those along their paths.
+    void carry(compute::CarriedCoordinates* carried) { carried_ = carried; }
     /// Whether make_runs() has to know what is outline.
     static bool wants_outlines(const Frame& frame) {
         return frame.options.draw && tells_outlines(frame.options.style);
@@ -93,6 +98,7 @@ class StrokeStage {
     void halo(Frame& frame, const compute::SegmentAtlas& input);
     void filter(Frame& frame, const compute::SegmentAtlas& input);
     void density(Frame& frame, const compute::SegmentAtlas& input);
+    void carry(Frame& frame, RunTable& table);
     void tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline);
     /// The runs of visible or hidden lines.
     RunTable& made(bool hidden) { return hidden ? hidden_ : visible_; }
@@ -111,6 +117,7 @@ class StrokeStage {
     RunTable visible_, hidden_;
     RunTable penned_, penned_hidden_;
     RunPens pens_;
+    compute::CarriedCoordinates* carried_ = nullptr;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, limits_density_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.
