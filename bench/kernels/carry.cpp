@@ -1,8 +1,8 @@
 // carry: n silhouettes in chains (paths.hpp), of which every eighth is new and every path has moved
-// on by its own number of pixels since the frame before. Bytes per silhouette, what each kernel reads
-// and writes once: recall 120 (segment 32, clipped 48, memory 16, recalled 8, four words), keep 52,
-// list 8, breaks 56, pieces 4, settle 12, place 140 (as recall, and carried 8 and four words more),
-// and 12 for each of four scans.
+// on by its own number of pixels since the frame before. Bytes per silhouette, what each kernel
+// reads and writes once: recall 120 (segment 32, clipped 48, memory 16, recalled 8, four words),
+// keep 52, list 8, breaks 56, pieces 4, settle 12, place 140 (as recall, and carried 8 and four
+// words more), and 12 for each of four scans.
 
 #include "compute/stages/carried_coordinates.hpp"
 #include "paths.hpp"
@@ -18,8 +18,9 @@ std::vector<std::uint32_t> make_memory(const Paths& paths, std::uint32_t frame) 
         const std::uint32_t first = paths.arcs[i - segment.from_start];
         const std::uint32_t moved = segment.path % 64 * 256;
         const bool is_new = i % 8 == 0;
-        memory.insert(memory.end(), {paths.arcs[i] - first + moved, paths.arcs[i + 1] - first + moved,
-                                     65535U << 16U, is_new ? 0 : frame << 1U});
+        memory.insert(memory.end(),
+                      {paths.arcs[i] - first + moved, paths.arcs[i + 1] - first + moved,
+                       65535U << 16U, is_new ? 0 : frame << 1U});
     }
     return memory;
 }
@@ -66,10 +67,11 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
         stages.device().finish();
     };
     run();
-    return {.run = run,
-            .bytes = 440.0 * n,
-            .reset = [=, &device] { write(device, *memory, memory_values); },
-            .result = [=, &device] { return read_back<std::uint8_t>(device, *carried, 8 * count); }};
+    return {
+        .run = run,
+        .bytes = 440.0 * n,
+        .reset = [=, &device] { write(device, *memory, memory_values); },
+        .result = [=, &device] { return read_back<std::uint8_t>(device, *carried, 8 * count); }};
 }
 
 } // namespace

@@ -126,8 +126,8 @@ void AtlasMethod::keep_chunk(Frame& frame) {
 }
 
 void AtlasMethod::find_silhouettes(Frame& frame) {
-    const bool follows = carries_ && motion_since_past(frame);
-    chains_.follow(follows ? past_.positions.get() : nullptr);
+    motion_ = is_steady(frame) ? motion_since_past(frame) : std::nullopt;
+    chains_.follow(motion_ ? past_.positions.get() : nullptr);
     const compute::SegmentTable candidates = frame.scene.candidate_table();
     if ((frame.options.lines & mask_of(LineKind::silhouette)) == 0) {
         frame.scene.set_order(chains_.without(candidates));
@@ -179,12 +179,11 @@ void AtlasMethod::project(Frame& frame) {
 void AtlasMethod::carry(Frame& frame) {
     const bool carries = carries_ && chains_.has_order();
     strokes_.carry(carries ? &carried_ : nullptr);
-    const std::optional<float> motion = carries ? motion_since_past(frame) : std::nullopt;
-    if (!motion) carried_.forget();
+    if (!carries || !motion_) carried_.forget();
     if (!carries) return;
     frame.clock("carry", [&] {
         carried_.find(frame.scene.table(), chains_.first(), clipped_table(), frame.viewport(),
-                      std::min(motion.value_or(0), most_shift));
+                      std::min(motion_.value_or(0), most_shift));
     });
 }
 
@@ -333,7 +332,7 @@ void AtlasMethod::steady(Frame& frame) {
             past_.alpha = compute::allocate(device_, alpha_->size(), purpose::atlas);
             past_.camera.reset();
         }
-        const bool follows = motion_since_past(frame).has_value();
+        const bool follows = motion_ && past_.camera;
         const bool objects_moved = past_.transforms != frame.scene.motion().transforms();
         if (follows) {
             frame.scene.forget_jumps(past_.transforms, frame.camera, slow_pixels, *past_.ranges);

@@ -149,7 +149,8 @@ class AtlasMethod {
     std::optional<float> motion_since_past(const Frame& frame) const;
 
     Past past_;
-    bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
+    std::optional<float> motion_; ///< motion_since_past() of the current frame
+    bool cull_hidden_ = false;    ///< the current frame drops segments that are hidden whole
 
     gl::AtlasPass atlas_pass_;
     StrokeStage strokes_;

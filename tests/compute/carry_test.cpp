@@ -69,7 +69,7 @@ class CarryStage : public StageTest {
   private:
     /// What a run of each whole line gets; the first one keeps its own.
     std::vector<Ends> applied(const HandFrame& frame) {
-        std::vector<Run> runs(frame.count());
+        std::vector<lineatlas::Run> runs(frame.count());
         for (std::uint32_t i = 0; i < runs.size(); ++i) {
             runs[i].start_arc = 100;
             runs[i].end_arc = 200;
@@ -87,7 +87,7 @@ class CarryStage : public StageTest {
                                                           .raw_run_total = 0,
                                                           .unused = 0}});
         carried_.apply(*on_device, *record, frame.count());
-        runs = get<Run>(*on_device, frame.count());
+        runs = get<lineatlas::Run>(*on_device, frame.count());
         EXPECT_EQ(runs[0].start_arc, 100);
         EXPECT_EQ(runs[0].end_arc, 200);
         std::vector<Ends> result;
