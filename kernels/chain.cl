@@ -6,7 +6,8 @@
  * it is in whole numbers but for what the straightest pair is, and comes out the same whatever the
  * order in which work-items run. A chain is named after its least silhouette, begins there if it is
  * a loop, and runs the way this one does: from frame to frame it stays what it is as long as that
- * edge is a silhouette. */
+ * edge is a silhouette. Where the frame before is known those come first that it had too, and run
+ * as they did: then it stays what it is as long as any of its edges is a silhouette. */
 
 #include "clipping.h"
 #include "kernels.h"
@@ -103,10 +104,19 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
     return numbers[meeting[partner] >> 1] << 1 | (meeting[partner] & 1u);
 }
 
+/* How way 2 n + d of candidate c ranks among those that name a chain: the last bit says that the
+ * chain runs the other way. */
+static uint rank_of(const uint way, const uint c, const uint follows,
+                    __global const uint* positions_before) {
+    if (follows == 0) return way;
+    const uint before = positions_before[c];
+    return before == 0 ? way | LA_RANK_NEW : way ^ ((before - 1u) & 1u);
+}
+
 /* One work-item per candidate. numbers: of `silhouette`, scanned. end_offsets, ends: of every
  * vertex the ends of candidates there, as 2 i + end; of an edge that contours cross, 2 i for each
  * of its triangles. chosen[n]: the candidate that silhouette n is. ways: of all silhouettes, each a
- * stretch of one. positions: emptied. */
+ * stretch of one. positions: emptied. positions_before: of the frame before, if it counts. */
 KERNEL(chain_link, ChainParameters) {
     const uint c = (uint)get_global_id(0);
     if (c >= args.count) return;
@@ -119,7 +129,7 @@ KERNEL(chain_link, ChainParameters) {
         way->next =
             way_on(&args, c, 1u - d, segments, contour_ends, vertices, end_offsets, ends, numbers);
         way->hops = 1;
-        way->least = n << 1 | d;
+        way->least = rank_of(n << 1 | d, c, args.follows, positions_before);
         way->at = 0;
     }
 }
@@ -170,7 +180,7 @@ KERNEL(chain_place, ChainParameters) {
         reversed = (least & 1u) != 0;
         before = (reversed ? on.hops : back.hops) - 1u;
     }
-    const uint leader = least >> 1;
+    const uint leader = (least & ~LA_RANK_NEW) >> 1;
     places[n].leader = leader;
     places[n].before = before;
     places[n].after = length - 1u - before;

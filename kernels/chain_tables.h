@@ -10,9 +10,12 @@
 typedef struct ChainWay {
     la_uint next;  /* the way behind the stretch, or LA_WAY_* */
     la_uint hops;  /* silhouettes in the stretch; of a loop those of all of it */
-    la_uint least; /* the least way in the stretch, which names the chain in the end */
+    la_uint least; /* the rank of the least way in the stretch, which names the chain in the end */
     la_uint at;    /* silhouettes before it in the stretch */
 } ChainWay;
+
+/* ChainWay.least: of a silhouette that the frame before did not have */
+#define LA_RANK_NEW 0x80000000u
 
 /* ChainWay.next: */
 #define LA_WAY_ENDS 0xFFFFFFFFu   /* the stretch reaches to the chain's end */
@@ -68,6 +71,7 @@ typedef struct ChainParameters {
     la_vec4 eye;      /* as in FacingParameters */
     la_uint contours; /* as in SilhouetteParameters */
     la_uint lift;     /* from a contour's vertex to the one that is drawn */
+    la_uint follows;  /* 1: chains keep the names and directions of the frame before */
 } ChainParameters;
 
 /* Lists stay lists: */
@@ -82,7 +86,7 @@ typedef struct ChainParameters {
 #define chain_link_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, contour_ends) in(float, vertices) in(uint, end_offsets) \
     in(uint, ends) \
-    in(uint, numbers) out(uint, chosen) out(ChainWay, ways) out(uint, positions)
+    in(uint, numbers) in(uint, positions_before) out(uint, chosen) out(ChainWay, ways) out(uint, positions)
 #define chain_jump_tables(in, out, inout, unordered) \
     in(ChainWay, ways) out(ChainWay, longer) inout(uint, going)
 #define chain_place_tables(in, out, inout, unordered) \

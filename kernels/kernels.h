@@ -248,6 +248,7 @@ typedef struct IntervalsParameters {
     FRAME_TABLES(in) in(float, vertices) in(float, depth) SURFACE_TABLES(in) \
     inout(Interval, intervals) in(uint, interval_total)
 
+#include "carry_tables.h"
 #include "chain_tables.h"
 #include "depth_tables.h"
 #include "exact_tables.h"
@@ -284,6 +285,13 @@ typedef struct IntervalsParameters {
     of_tiles(scan, scan_tiles_reduce, ScanParameters) \
     of_tiles(scan, scan_tiles_sums, ScanParameters) \
     of_tiles(scan, scan_tiles_apply, ScanParameters) \
+    kernel(carry, carry_recall, CarryParameters) \
+    kernel(carry, carry_keep, CarryParameters) \
+    kernel(carry, carry_list, CarryParameters) \
+    kernel(carry, carry_breaks, CarryParameters) \
+    kernel(carry, carry_pieces, CarryParameters) \
+    kernel(carry, carry_settle, CarryParameters) \
+    kernel(carry, carry_place, CarryParameters) \
     of_probes(atlas, atlas, AtlasParameters) \
     kernel(transform, transform_forget, CountParameters) \
     kernel(temporal, temporal, TemporalParameters) \
@@ -316,6 +324,7 @@ typedef struct IntervalsParameters {
     kernel(density, density_smooth, DensityParameters) \
     kernel(density, density_weights, DensityParameters) \
     kernel(density, density_excess, DensityParameters) \
+    kernel(carry, carry_runs, CarryParameters) \
     kernel(outline, outline_push, OutlineParameters) \
     kernel(outline, outline_push_in, OutlineParameters) \
     kernel(outline, outline_parts_count, OutlineParameters) \

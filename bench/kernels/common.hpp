@@ -60,6 +60,7 @@ Rows silhouette_rows(const Devices& devices);
 Rows chain_rows(const Devices& devices);
 Rows project_clip_rows(const Devices& devices);
 Rows scan_rows(const Devices& devices);
+Rows carry_rows(const Devices& devices);
 Rows atlas_rows(const Devices& devices);
 Rows temporal_rows(const Devices& devices);
 Rows intervals_rows(const Devices& devices);

@@ -202,6 +202,8 @@ std::vector<Contestant> contestants(const Arguments& a) {
         options.step = a.step;
         options.steady = !a.no_average;
         options.cull_hidden = false; // every sample is compared
+        // Where nothing has a texture nobody asks for its coordinates.
+        if (!a.paths) options.style.pen.mark = "fine";
         result.push_back({std::string{spec.name}, options});
     }
     return result;

@@ -387,7 +387,7 @@ Command setup_draw(CLI::App& app) {
         ->group(device);
     app.add_option("--compare-until", a.device.compare_until,
                    "The last stage to compare: pyramid, cull, facing, silhouette, chain, "
-                   "project_clip, scan, atlas, "
+                   "project_clip, scan, carry, atlas, "
                    "temporal, intervals, compact, halo, filter or density; default all")
         ->group(device);
 

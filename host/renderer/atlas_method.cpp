@@ -22,6 +22,9 @@ constexpr std::uint32_t first_part_capacity = 1U << 13U;
 // Faster motion doesn't sparkle: nobody follows a line through it.
 constexpr float slow_pixels = 4;
 
+// A coordinate shifts by less than half a pixel, which nobody sees, and by no more than lines do.
+constexpr float most_shift = 0.4F;
+
 /// In samples, at most.
 std::uint32_t longest_segment(const Frame& frame) {
     const float diagonal = glm::length(frame.viewport());
@@ -37,8 +40,8 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
       handover_(device_), prefers_raster_(!interop::gl_is_software()), depth_(connection),
-      fill_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted), batches_(stages_),
-      strokes_(connection), intervals_(stages_) {
+      fill_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted),
+      carried_(stages_), batches_(stages_), strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -46,6 +49,7 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
 void AtlasMethod::release_scene() {
     chains_.release();
     batches_.release();
+    carried_.release();
     front_.reset();
     arcs_.reset();
     past_ = {};
@@ -130,6 +134,8 @@ void AtlasMethod::keep_chunk(Frame& frame) {
 }
 
 void AtlasMethod::find_silhouettes(Frame& frame) {
+    motion_ = is_steady(frame) ? motion_since_past(frame) : std::nullopt;
+    chains_.follow(motion_ ? past_.positions.get() : nullptr);
     const compute::SegmentTable candidates = frame.scene.candidate_table();
     if ((frame.options.lines & mask_of(LineKind::silhouette)) == 0) {
         frame.scene.set_order(chains_.without(candidates));
@@ -186,6 +192,18 @@ void AtlasMethod::project(Frame& frame) {
     frame.clock("scan", [&] {
         stages_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
         stages_.scan(*arcs_, segment_count_, compute::ScanKind::wrap);
+    });
+    carry(frame);
+}
+
+void AtlasMethod::carry(Frame& frame) {
+    const bool carries = carries_ && chains_.has_order();
+    strokes_.carry(carries ? &carried_ : nullptr);
+    if (!carries || !motion_) carried_.forget();
+    if (!carries) return;
+    frame.clock("carry", [&] {
+        carried_.find(frame.scene.table(), chains_.first(), clipped_table(), frame.viewport(),
+                      std::min(motion_.value_or(0), most_shift));
     });
 }
 
@@ -288,13 +306,16 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
     });
 }
 
-bool AtlasMethod::follows_past(const Frame& frame) const {
-    return past_.camera && past_.probes == frame.options.probes &&
-           past_.depth_scale == frame.depth_scale() && past_.step == frame.options.step &&
-           past_.camera->size == frame.camera.size &&
-           past_.shape_version == frame.scene.motion().shape_version() &&
-           frame.scene.motion().typical_motion(*past_.camera, past_.transforms, frame.camera) <=
-               slow_pixels;
+std::optional<float> AtlasMethod::motion_since_past(const Frame& frame) const {
+    const bool follows = past_.camera && past_.probes == frame.options.probes &&
+                         past_.depth_scale == frame.depth_scale() &&
+                         past_.step == frame.options.step &&
+                         past_.camera->size == frame.camera.size &&
+                         past_.shape_version == frame.scene.motion().shape_version();
+    if (!follows) return std::nullopt;
+    const float motion =
+        frame.scene.motion().typical_motion(*past_.camera, past_.transforms, frame.camera);
+    return motion <= slow_pixels ? std::optional{motion} : std::nullopt;
 }
 
 void AtlasMethod::make_past(const compute::SegmentTable& table) {
@@ -313,10 +334,13 @@ void AtlasMethod::forget_chains(const compute::SegmentTable& table) {
     device_.clear(*past_.positions, std::size_t{table.candidates.count} * sizeof(la_uint));
 }
 
+bool AtlasMethod::is_steady(const Frame& frame) {
+    return frame.options.steady && frame.options.method == Method::atlas &&
+           frame.options.probes > 1 && frame.scene.chunk_count() == 1;
+}
+
 void AtlasMethod::steady(Frame& frame) {
-    const bool wanted = frame.options.steady && frame.options.method == Method::atlas &&
-                        frame.options.probes > 1 && frame.scene.chunk_count() == 1;
-    if (!wanted) {
+    if (!is_steady(frame)) {
         past_.camera.reset();
         return;
     }
@@ -328,7 +352,7 @@ void AtlasMethod::steady(Frame& frame) {
             past_.alpha = compute::allocate(device_, alpha_->size(), purpose::atlas);
             past_.camera.reset();
         }
-        const bool follows = follows_past(frame);
+        const bool follows = motion_ && past_.camera;
         const bool objects_moved = past_.transforms != frame.scene.motion().transforms();
         if (follows) {
             frame.scene.forget_jumps(past_.transforms, frame.camera, slow_pixels, *past_.ranges);
@@ -418,6 +442,7 @@ void AtlasMethod::find(Frame& frame) {
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     begin_chunk(frame, 0);
+    carries_ = is_steady(frame) && strokes_.has_textures(frame);
     frame.clock.handover([&] { take_tables(); });
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
@@ -451,7 +476,7 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
-                             arcs_->size() + chains_.bytes() + batches_.bytes() +
+                             arcs_->size() + chains_.bytes() + carried_.bytes() + batches_.bytes() +
                              size_of(past_.offsets) + size_of(past_.ranges) +
                              size_of(past_.positions),
             .sample_bytes = alpha_->size() + size_of(past_.alpha),

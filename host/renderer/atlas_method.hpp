@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "compute/stages/batches.hpp"
+#include "compute/stages/carried_coordinates.hpp"
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
@@ -31,6 +32,7 @@ class AtlasMethod {
     void forget_lines() {
         chains_.forget_lines();
         batches_.forget();
+        carried_.forget();
         strokes_.forget_lines();
     }
     void set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables);
@@ -73,7 +75,11 @@ class AtlasMethod {
     void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
+    /// Whether frames have to do with those before them.
+    static bool is_steady(const Frame& frame);
     void steady(Frame& frame);
+    /// Texture coordinates of silhouettes, where `carries_`.
+    void carry(Frame& frame);
     /// Makes the tables of what the last frame leaves.
     void make_past(const compute::SegmentTable& table);
     /// The last frame had no silhouettes.
@@ -121,9 +127,11 @@ class AtlasMethod {
     DepthStage depth_;
     FillStage fill_;
     compute::SilhouetteChains chains_; ///< of the current chunk
-    compute::Batches batches_;         ///< of its segments
-    std::uint32_t segment_count_ = 0;  ///< of the current chunk, as the frame draws it
-    std::uint32_t all_segments_ = 0;   ///< of the current chunk, candidates too
+    compute::CarriedCoordinates carried_;
+    bool carries_ = false;            ///< the current frame
+    compute::Batches batches_;        ///< of the current chunk's segments
+    std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
+    std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
     std::unique_ptr<compute::Buffer> front_, arcs_;
     std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
@@ -144,10 +152,13 @@ class AtlasMethod {
         std::vector<glm::mat4> transforms{}; ///< of the objects
         std::uint64_t shape_version = 0;
     };
-    bool follows_past(const Frame& frame) const;
+    /// Pixels by which points of the model have typically moved, if the frame follows the last one
+    /// slowly.
+    std::optional<float> motion_since_past(const Frame& frame) const;
 
     Past past_;
-    bool cull_hidden_ = false; ///< the current frame drops segments that are hidden whole
+    std::optional<float> motion_; ///< motion_since_past() of the current frame
+    bool cull_hidden_ = false;    ///< the current frame drops segments that are hidden whole
 
     gl::AtlasPass atlas_pass_;
     StrokeStage strokes_;

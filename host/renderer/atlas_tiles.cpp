@@ -17,6 +17,7 @@ void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
     if (target.tile_size < 1) throw UsageError("tiles: a tile must have at least one pixel a side");
     raster_ = false;
     cull_hidden_ = false;
+    carries_ = false;
     past_.camera.reset(); // there is nothing to average the next frame with
     prepare_layout(frame, no_texture);
 }

@@ -152,6 +152,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
                     hidden_.record->compute());
             device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
+        carry(frame, hidden_);
         if (tells_pens(true)) tell_pens(frame, true, nullptr);
     }
     if (filters_) {
@@ -159,6 +160,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
         filter(frame, input);
     }
     if (limits_density_) density(frame, input);
+    carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
     frame.clock(stage,
                 [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
@@ -166,6 +168,13 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
     if (has_hidden_) list(frame, true);
     list(frame, false);
+}
+
+void StrokeStage::carry(Frame& frame, RunTable& table) {
+    if (carried_ == nullptr) return;
+    frame.clock("carry", [&] {
+        carried_->apply(table.runs->compute(), table.record->compute(), table.capacity);
+    });
 }
 
 void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
@@ -341,11 +350,22 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
 
 bool StrokeStage::measures_lines(const Frame& frame) const {
     const Style& style = frame.options.style;
-    const auto is_solid = [](const std::string& mark) { return mark == "solid"; };
     return !frame.options.draw || style.hidden || style.density.limit > 0 ||
-           needs_filter(style, pens_.pens(false)) ||
-           (style.focus.on && !style.focus.mark.empty() && !is_solid(style.focus.mark)) ||
-           !std::ranges::all_of(pens_.pens(false), is_solid, &Pen::mark);
+           needs_filter(style, pens_.pens(false)) || has_textures(frame);
+}
+
+bool StrokeStage::has_textures(const Frame& frame) const {
+    const Style& style = frame.options.style;
+    const auto is_texture = [](const std::string& mark) {
+        return !mark.empty() && mark != Pen{}.mark;
+    };
+    const auto textured = [&](const Pen& pen) {
+        return is_texture(pen.mark) || pen.cap == Cap::texture || pen.path_cap == Cap::texture;
+    };
+    return frame.options.draw &&
+           (std::ranges::any_of(pens_.pens(false), textured) ||
+            (style.hidden && std::ranges::any_of(pens_.pens(true), textured)) ||
+            (style.focus.on && is_texture(style.focus.mark)));
 }
 
 void StrokeStage::begin_frame(const Frame& frame) {

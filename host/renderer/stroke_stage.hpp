@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "compute/stages/carried_coordinates.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/handover.hpp"
@@ -36,6 +37,10 @@ class StrokeStage {
     /// Whether it matters to what is drawn where along its path a run lies, or which lines are
     /// hidden. After begin_frame().
     bool measures_lines(const Frame& frame) const;
+    /// Whether anything that it draws has a texture along its strokes: dashes, grain, dry ends.
+    bool has_textures(const Frame& frame) const;
+    /// Whose coordinates silhouettes get in the current frame; null: those along their paths.
+    void carry(compute::CarriedCoordinates* carried) { carried_ = carried; }
     /// Whether make_runs() has to know what is outline.
     static bool wants_outlines(const Frame& frame) {
         return frame.options.draw && tells_outlines(frame.options.style);
@@ -104,6 +109,7 @@ class StrokeStage {
     void halo(Frame& frame, const compute::SegmentAtlas& input);
     void filter(Frame& frame, const compute::SegmentAtlas& input);
     void density(Frame& frame, const compute::SegmentAtlas& input);
+    void carry(Frame& frame, RunTable& table);
     void tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline);
     /// The runs of visible or hidden lines.
     RunTable& made(bool hidden) { return hidden ? hidden_ : visible_; }
@@ -124,6 +130,7 @@ class StrokeStage {
     RunTable visible_, hidden_;
     RunTable penned_, penned_hidden_;
     RunPens pens_;
+    compute::CarriedCoordinates* carried_ = nullptr;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, limits_density_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.

@@ -90,6 +90,9 @@ namespace in_chain {
 namespace in_project_clip {
 #include "project_clip.cl"
 }
+namespace in_carry {
+#include "carry.cl"
+}
 namespace in_temporal {
 #include "temporal.cl"
 }

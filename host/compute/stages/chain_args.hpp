@@ -51,6 +51,8 @@ struct ChainArgs {
     Buffer& ordered;      ///< out: `Segment` each, from candidates.first on
     Buffer& origins;      ///< out: a uint32 per silhouette, in their new order
     Buffer& positions;    ///< out: a uint32 per candidate
+    /// The same of the frame before, whose names and directions chains keep; null: there is none.
+    Buffer* positions_before = nullptr;
 };
 /// Steps in which the ways of any number of silhouettes get to their ends.
 inline constexpr std::uint32_t most_chain_steps = 34;

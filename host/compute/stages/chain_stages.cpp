@@ -53,7 +53,8 @@ void Stages::chain(const ChainArgs& args) {
                                .step = 0,
                                .eye = args.eye,
                                .contours = candidates.edges(),
-                               .lift = lifted ? candidates.contours->edge_count : 0};
+                               .lift = lifted ? candidates.contours->edge_count : 0,
+                               .follows = args.positions_before != nullptr ? 1U : 0U};
     launch<kernels::chain_link>(candidates.count, tuning_.local_size, parameters,
                                 {.segments = args.table.segments,
                                  .contour_ends = contours,
@@ -61,6 +62,10 @@ void Stages::chain(const ChainArgs& args) {
                                  .end_offsets = *candidates.end_offsets,
                                  .ends = *candidates.ends,
                                  .numbers = args.numbers,
+                                 // Any table will do where there is no frame before.
+                                 .positions_before = args.positions_before != nullptr
+                                                         ? *args.positions_before
+                                                         : args.numbers,
                                  .chosen = args.chosen,
                                  .ways = args.ways,
                                  .positions = args.positions});

@@ -108,7 +108,8 @@ void SilhouetteChains::chain(const SegmentTable& table, const glm::vec4& eye) {
                    .starts = *starts_,
                    .ordered = *ordered_,
                    .origins = *origins_,
-                   .positions = *positions_});
+                   .positions = *positions_,
+                   .positions_before = positions_before_});
 }
 
 SegmentTable SilhouetteChains::with_chains(const SegmentTable& table) const {

@@ -23,6 +23,9 @@ class SilhouetteChains {
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
+    /// Chains keep their names and directions from the frame before, whose ChainOrder::positions
+    /// these are; null: from none.
+    void follow(Buffer* positions_before) { positions_before_ = positions_before; }
     /// The table of segments has others in it.
     void forget_lines() { fixed_of_ = nullptr; }
 
@@ -82,6 +85,7 @@ class SilhouetteChains {
     std::uint32_t first_ = 0;
     std::uint32_t count_ = 0; ///< silhouettes of the last frame
     bool has_order_ = false;
+    Buffer* positions_before_ = nullptr;
     const Buffer* fixed_of_ = nullptr;            ///< whose fixed lines stand in `ordered_`
     std::unique_ptr<Buffer> numbers_, positions_; // per candidate
     std::unique_ptr<Buffer> ordered_, chosen_, ways_, longer_, going_, places_; // that grow

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "carry_args.hpp"
 #include "chain_args.hpp"
 #include "depth_args.hpp"
 #include "exact_args.hpp"
@@ -44,6 +45,8 @@ class Stages {
     void project_clip(const ProjectClipArgs& args);
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
     void scan(Buffer& values, std::uint32_t n, ScanKind kind);
+    void carry(const CarryArgs& args);
+    void carry_runs(const CarryRunsArgs& args);
     void atlas(const AtlasArgs& args);
     void temporal(const TemporalArgs& args);
     void intervals(const IntervalsArgs& args);

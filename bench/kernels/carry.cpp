@@ -1,0 +1,83 @@
+// carry: n silhouettes in chains (paths.hpp), of which every eighth is new and every path has moved
+// on by its own number of pixels since the frame before. Bytes per silhouette, what each kernel
+// reads and writes once: recall 120 (segment 32, clipped 48, memory 16, recalled 8, four words),
+// keep 52, list 8, breaks 56, pieces 4, settle 12, place 140 (as recall, and carried 8 and four
+// words more), and 12 for each of four scans.
+
+#include "compute/stages/carried_coordinates.hpp"
+#include "paths.hpp"
+
+namespace lineatlas::bench {
+namespace {
+
+/// What the frame before left: LA_MEMORY_WORDS each.
+std::vector<std::uint32_t> make_memory(const Paths& paths, std::uint32_t frame) {
+    std::vector<std::uint32_t> memory;
+    for (std::uint32_t i = 0; i < paths.segments.size(); ++i) {
+        const Segment& segment = paths.segments[i];
+        const std::uint32_t first = paths.arcs[i - segment.from_start];
+        const std::uint32_t moved = segment.path % 64 * 256;
+        const bool is_new = i % 8 == 0;
+        memory.insert(memory.end(),
+                      {paths.arcs[i] - first + moved, paths.arcs[i + 1] - first + moved,
+                       65535U << 16U, is_new ? 0 : frame << 1U});
+    }
+    return memory;
+}
+
+Job prepare(compute::Stages& stages, std::uint32_t n) {
+    constexpr std::uint32_t before = 5;
+    compute::Device& device = stages.device();
+    const Paths paths = make_paths(n);
+    const PathTables on{device, paths};
+    std::vector<std::uint32_t> origin_values;
+    for (std::uint32_t i = 0; i < n; ++i) origin_values.push_back((i << 1U) + 1);
+    const std::vector<std::uint32_t> memory_values = make_memory(paths, before);
+    const SharedBuffer origins = to_device(device, origin_values);
+    const SharedBuffer memory = to_device(device, memory_values);
+    const auto words = [&](std::size_t count) {
+        return SharedBuffer{device.allocate(count * sizeof(std::uint32_t))};
+    };
+    const std::size_t count = n, more = count + 1;
+    const SharedBuffer lengths = words(more), found = words(more), kept = words(more),
+                       breaks = words(more), means = words(more), pieces = words(more),
+                       recalled = words(2 * count), list = words(count), shifts = words(count),
+                       carried = words(2 * count);
+    const auto run = [=, &stages] {
+        compute::SegmentTable table = on.table();
+        table.origins = origins.get();
+        stages.carry({.table = table,
+                      .first = 0,
+                      .count = n,
+                      .clipped = on.atlas().clipped,
+                      .viewport = Paths::viewport,
+                      .frame = before + 1,
+                      .limit = 0.4F,
+                      .memory = *memory,
+                      .lengths = *lengths,
+                      .found = *found,
+                      .kept = *kept,
+                      .breaks = *breaks,
+                      .means = *means,
+                      .recalled = *recalled,
+                      .list = *list,
+                      .pieces = *pieces,
+                      .shifts = *shifts,
+                      .carried = *carried});
+        stages.device().finish();
+    };
+    run();
+    return {
+        .run = run,
+        .bytes = 440.0 * n,
+        .reset = [=, &device] { write(device, *memory, memory_values); },
+        .result = [=, &device] { return read_back<std::uint8_t>(device, *carried, 8 * count); }};
+}
+
+} // namespace
+
+Rows carry_rows(const Devices& devices) {
+    return own_rows(devices, "carry", prepare);
+}
+
+} // namespace lineatlas::bench

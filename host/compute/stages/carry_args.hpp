@@ -1,0 +1,46 @@
+#pragma once
+
+// What the stage takes that carries texture coordinates over from frame to frame.
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+#include "tables.hpp"
+
+namespace lineatlas::compute {
+
+/// The silhouettes of a frame, see kernels/carry.cl for what each table holds.
+struct CarryArgs {
+    SegmentTable table;  ///< with origins
+    std::uint32_t first; ///< segment of them
+    std::uint32_t count; ///< of them, above 0
+    ClippedTable clipped;
+    glm::vec2 viewport;  ///< pixels
+    std::uint32_t frame; ///< number of this frame, above 1
+    float limit;         ///< pixels by which a coordinate may shift; 0: none may
+    Buffer& memory;      ///< in: of the frame before; out: of this one; LA_MEMORY_WORDS uint32 per
+                         ///< candidate, 0 at first
+    Buffer& lengths;     ///< scratch: a uint32 per silhouette and one more, as the next four
+    Buffer& found;
+    Buffer& kept;
+    Buffer& breaks;
+    Buffer& means;
+    Buffer& recalled; ///< scratch: two uint32 per silhouette
+    Buffer& list;     ///< scratch: a uint32 per silhouette
+    Buffer& pieces;   ///< scratch: a uint32 per silhouette and one more
+    Buffer& shifts;   ///< scratch: a uint32 per silhouette
+    Buffer& carried;  ///< out: two int32 per silhouette, 1/256 pixels
+};
+
+/// Runs with their arc lengths along paths, which become the coordinates that were carried.
+struct CarryRunsArgs {
+    std::uint32_t first; ///< segment of silhouettes
+    Buffer& arcs;        ///< of ClippedTable
+    Buffer& carried;     ///< of CarryArgs
+    Buffer& record;      ///< of the runs
+    std::uint32_t run_capacity;
+    Buffer& runs; ///< in and out
+};
+
+} // namespace lineatlas::compute

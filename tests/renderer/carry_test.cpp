@@ -1,0 +1,159 @@
+// Textures of silhouettes that stay where they are on the surface while the picture moves.
+
+#include <cmath>
+#include <map>
+
+#include <glm/geometric.hpp>
+
+#include "compare.hpp"
+#include "glpasses/canvas.hpp"
+#include "glpasses/headless_context.hpp"
+#include "lineatlas/renderer.hpp"
+#include "test_meshes.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// A silhouette that is seen from end to end: its coordinates there, and where it is.
+struct Drawn {
+    float start, end, length;
+    glm::vec2 middle, along;
+};
+using DrawnLines = std::map<std::uint32_t, Drawn>; ///< by segment
+
+DrawnLines silhouettes_of(const Renderer::Samples& samples) {
+    DrawnLines result;
+    for (const lineatlas::Run& run : samples.runs) {
+        const bool whole =
+            run.start_sample == 0 && run.end_sample == static_cast<float>(run.samples);
+        if (!whole || (run.flags >> LA_RUN_KIND_SHIFT & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE)
+            continue;
+        const glm::vec2 start{run.start[0], run.start[1]}, end{run.end[0], run.end[1]};
+        const float length = glm::distance(start, end);
+        if (length == 0) continue;
+        result[run.segment] = {run.start_arc, run.end_arc, length, 0.5F * (start + end),
+                               (end - start) / length};
+    }
+    return result;
+}
+
+/// Share of the length of all silhouettes in both frames whose texture has moved along them by half
+/// a pixel.
+double crawling(const DrawnLines& before, const DrawnLines& now) {
+    double crawls = 0, all = 0;
+    for (const auto& [segment, drawn] : now) {
+        const auto past = before.find(segment);
+        if (past == before.end()) continue;
+        const float shift =
+            0.5F * ((drawn.start + drawn.end) - (past->second.start + past->second.end)) -
+            glm::dot(drawn.middle - past->second.middle, drawn.along);
+        all += drawn.length;
+        if (std::abs(shift) >= 0.5F) crawls += drawn.length;
+    }
+    EXPECT_GT(all, 400) << "nothing was compared";
+    return crawls / all;
+}
+
+/// Pixels of texture per pixel of silhouette.
+double stretch(const DrawnLines& silhouettes) {
+    double texture = 0, length = 0;
+    for (const auto& [segment, drawn] : silhouettes) {
+        texture += drawn.end - drawn.start;
+        length += drawn.length;
+    }
+    return texture / length;
+}
+
+/// A rough ball, whose silhouettes along edges are zigzags.
+class Carry : public testing::Test {
+  protected:
+    DrawnLines draw(Renderer& renderer, float pixels, const FrameOptions& options) {
+        constexpr float radius = 200; // on the screen
+        const float angle = pixels / radius;
+        const Camera camera =
+            make_camera({.eye = 2.7F * glm::vec3{std::sin(angle), 0, std::cos(angle)}},
+                        canvas_.size(), lines_.bounds);
+        renderer.draw(camera, options, canvas_.framebuffer());
+        return silhouettes_of(renderer.read_samples());
+    }
+    /// Mean share that crawls while the picture moves by so many pixels a frame.
+    double mean_crawling(const FrameOptions& options, int frames) {
+        Renderer renderer;
+        renderer.set_lines(lines_);
+        DrawnLines before = draw(renderer, 0, options);
+        double sum = 0;
+        for (int i = 1; i <= frames; ++i) {
+            const DrawnLines now = draw(renderer, 0.8F * static_cast<float>(i), options);
+            sum += crawling(before, now);
+            before = now;
+        }
+        last_ = before;
+        return sum / frames;
+    }
+    static LineSet ball(Silhouettes silhouettes) {
+        Random random{3};
+        return extract_lines(with_random_radii(sphere(6), random, 0.995F),
+                             {.crease_angle = 2.6F, .silhouettes = silhouettes});
+    }
+    static FrameOptions pencil(bool steady) {
+        FrameOptions options{.steady = steady};
+        options.style.pen.mark = "pencil";
+        return options;
+    }
+
+    gl::HeadlessContext context_;
+    gl::Canvas canvas_{{640, 480}};
+    LineSet lines_ = ball(Silhouettes::mesh);
+    DrawnLines last_;
+};
+
+TEST_F(Carry, TexturesHardlyCrawlInSlowMotion) {
+    EXPECT_GT(mean_crawling(pencil(false), 4), 0.5);
+    EXPECT_LT(mean_crawling(pencil(true), 40), 0.05);
+}
+
+TEST_F(Carry, TexturesOfSmoothSilhouettesHardlyCrawlEither) {
+    lines_ = ball(Silhouettes::smooth);
+    EXPECT_GT(mean_crawling(pencil(false), 4), 0.5);
+    const double carried = mean_crawling(pencil(true), 20);
+    EXPECT_LT(carried, 0.05);
+}
+
+TEST_F(Carry, TexturesDoNotStayStretched) {
+    Renderer fresh;
+    fresh.set_lines(lines_);
+    const double at_first = stretch(draw(fresh, 40, pencil(true)));
+    mean_crawling(pencil(true), 50);
+    EXPECT_NEAR(stretch(last_) / at_first, 1, 0.1);
+}
+
+TEST_F(Carry, AStillPictureStaysTheSame) {
+    Renderer renderer;
+    renderer.set_lines(lines_);
+    for (int i = 0; i < 6; ++i) draw(renderer, static_cast<float>(i), pencil(true));
+    const DrawnLines before = draw(renderer, 6, pencil(true));
+    const DrawnLines now = draw(renderer, 6, pencil(true));
+    std::size_t compared = 0;
+    for (const auto& [segment, drawn] : now) {
+        if (!before.contains(segment)) continue; // visibility still settles
+        ++compared;
+        EXPECT_EQ(drawn.start, before.at(segment).start);
+        EXPECT_EQ(drawn.end, before.at(segment).end);
+    }
+    EXPECT_GT(compared, before.size() / 2);
+}
+
+TEST_F(Carry, PlainPensPayNothing) {
+    Renderer renderer;
+    renderer.set_lines(lines_);
+    const auto bytes = [&](const FrameOptions& options) {
+        const Camera camera = make_camera({.eye = {0, 0, 2.7F}}, canvas_.size(), lines_.bounds);
+        return renderer.draw(camera, options, canvas_.framebuffer()).segment_bytes;
+    };
+    const auto plain = bytes({});
+    EXPECT_EQ(bytes({}), plain);
+    EXPECT_GT(bytes(pencil(true)), plain);
+}
+
+} // namespace
+} // namespace lineatlas::test
