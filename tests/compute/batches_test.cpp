@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "compute/stages/batches.hpp"
 #include "core/contact.hpp"
 #include "lineatlas/scenes.hpp"
@@ -187,6 +190,49 @@ class ExactBatches : public StageTest {
 };
 INSTANTIATE_TEST_SUITE_P(OnDevice, ExactBatches, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });
+
+/// Faces before a path of steps of one pixel, both in pixels; tiles are 64 pixels wide.
+LineSet path_behind(std::vector<glm::vec2> corners, glm::vec2 start) {
+    Mesh mesh;
+    for (const glm::vec2 corner : corners) mesh.positions.emplace_back(corner, 10);
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.polylines.emplace_back();
+    for (std::uint32_t i = 0; i <= LA_BATCH; ++i) {
+        mesh.polylines[0].push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        mesh.positions.emplace_back(start.x + static_cast<float>(i), start.y, -10);
+    }
+    return extract_lines(mesh, {.kinds = mask_of(LineKind::file)});
+}
+
+Camera straight_camera() {
+    Camera camera;
+    camera.size = {256, 256};
+    camera.view = glm::translate(glm::mat4{1}, {0, 0, -1000});
+    camera.projection = glm::ortho(0.0F, 256.0F, 0.0F, 256.0F, 1.0F, 2000.0F);
+    return camera;
+}
+
+TEST_P(ExactBatches, AreHiddenWhereBothHalvesOfAQuadCoverTheirTiles) {
+    const std::vector<glm::vec2> wall{{-9, -9}, {140, -9}, {140, 300}, {-9, 300}};
+    // The diagonal crosses the first path; the second goes on beyond the wall.
+    const LineSet hidden = path_behind(wall, {20, 100}), shown = path_behind(wall, {100, 100});
+    const auto nothing = find(hidden, straight_camera(), 2, false);
+    EXPECT_NEAR(nothing[0].length, 256 * LA_BATCH, LA_BATCH);
+    EXPECT_EQ(nothing[1].length, 0U);
+    EXPECT_TRUE(nothing[1].spans.empty());
+    const auto some = find(shown, straight_camera(), 2, false);
+    EXPECT_EQ(some[1].length, some[0].length);
+    EXPECT_TRUE(equal(some[1].spans, some[0].spans));
+    EXPECT_EQ(some[1].offsets.back(), 24U); // steps from pixel 140 to 164
+}
+
+TEST_P(ExactBatches, AreSeenBesideAQuadThatHasAGap) {
+    // The second half reaches the diagonal's upper left in part only.
+    const std::vector<glm::vec2> wall{{-9, -9}, {300, -9}, {300, 300}, {100, 160}};
+    const auto found = find(path_behind(wall, {10, 200}), straight_camera(), 2, false);
+    EXPECT_EQ(found[1].offsets.back(), LA_BATCH);
+    EXPECT_EQ(found[1].length, found[0].length);
+}
 
 TEST_P(ExactBatches, FindTheSameSpansOfAWalledHouse) {
     const Scene house = make_scene("house");
