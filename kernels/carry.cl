@@ -22,16 +22,16 @@
 #define SMOOTHED_REACH (12u * 256u)
 /* Offsets that differ by more than this, or by more than half of the way between them, belong to
  * different pieces. */
-#define LARGEST_STEP (8 * 256)
+#define LARGEST_STEP (16 * 256)
 /* A piece shorter than this gives way to a longer one beside it. */
-#define SHORT_PIECE (64u * 256u)
+#define SHORT_PIECE (32u * 256u)
 #define MOST_STEPS 64
 /* Neighbours on either side whose mean offset one is drawn to, and shares per frame of the way to
  * that, to the mean of the piece, and of what is beyond the limit. */
 #define NEIGHBOURS 12u
 #define SHARE_NEAR(offset) ((offset) / 4)
 #define SHARE_PIECE(offset) ((offset) / 50)
-#define SHARE_BEYOND(offset) ((offset) / 8)
+#define SHARE_BEYOND(offset) ((offset) / 16)
 /* Means are of 1/16 pixels, so that their sums fit. */
 #define UNITS_OF_MEANS 16
 

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <map>
 
-#include <glm/geometric.hpp>
-
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
@@ -14,10 +12,9 @@
 namespace lineatlas::test {
 namespace {
 
-/// A silhouette that is seen from end to end: its coordinates there, and where it is.
+/// A silhouette that is seen from end to end: its coordinates there, and how long it is.
 struct Drawn {
     float start, end, length;
-    glm::vec2 middle, along;
 };
 using DrawnLines = std::map<std::uint32_t, Drawn>; ///< by segment
 
@@ -28,25 +25,21 @@ DrawnLines silhouettes_of(const Renderer::Samples& samples) {
             run.start_sample == 0 && run.end_sample == static_cast<float>(run.samples);
         if (!whole || (run.flags >> LA_RUN_KIND_SHIFT & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE)
             continue;
-        const glm::vec2 start{run.start[0], run.start[1]}, end{run.end[0], run.end[1]};
-        const float length = glm::distance(start, end);
-        if (length == 0) continue;
-        result[run.segment] = {run.start_arc, run.end_arc, length, 0.5F * (start + end),
-                               (end - start) / length};
+        const float length = std::hypot(run.end[0] - run.start[0], run.end[1] - run.start[1]);
+        result[run.segment] = {run.start_arc, run.end_arc, length};
     }
     return result;
 }
 
-/// Share of the length of all silhouettes in both frames whose texture has moved along them by half
-/// a pixel.
+/// Share of the length of all silhouettes in both frames whose middle has another coordinate by
+/// half a pixel.
 double crawling(const DrawnLines& before, const DrawnLines& now) {
     double crawls = 0, all = 0;
     for (const auto& [segment, drawn] : now) {
         const auto past = before.find(segment);
         if (past == before.end()) continue;
         const float shift =
-            0.5F * ((drawn.start + drawn.end) - (past->second.start + past->second.end)) -
-            glm::dot(drawn.middle - past->second.middle, drawn.along);
+            0.5F * ((drawn.start + drawn.end) - (past->second.start + past->second.end));
         all += drawn.length;
         if (std::abs(shift) >= 0.5F) crawls += drawn.length;
     }
@@ -64,7 +57,7 @@ double stretch(const DrawnLines& silhouettes) {
     return texture / length;
 }
 
-/// A rough ball, whose silhouettes along edges are zigzags.
+/// A ball that is a little rough, whose silhouettes along edges are zigzags.
 class Carry : public testing::Test {
   protected:
     DrawnLines draw(Renderer& renderer, float pixels, const FrameOptions& options) {
@@ -83,7 +76,7 @@ class Carry : public testing::Test {
         DrawnLines before = draw(renderer, 0, options);
         double sum = 0;
         for (int i = 1; i <= frames; ++i) {
-            const DrawnLines now = draw(renderer, 0.8F * static_cast<float>(i), options);
+            const DrawnLines now = draw(renderer, 0.4F * static_cast<float>(i), options);
             sum += crawling(before, now);
             before = now;
         }
@@ -92,7 +85,7 @@ class Carry : public testing::Test {
     }
     static LineSet ball(Silhouettes silhouettes) {
         Random random{3};
-        return extract_lines(with_random_radii(sphere(6), random, 0.995F),
+        return extract_lines(with_random_radii(sphere(6), random, 0.999F),
                              {.crease_angle = 2.6F, .silhouettes = silhouettes});
     }
     static FrameOptions pencil(bool steady) {
@@ -115,14 +108,13 @@ TEST_F(Carry, TexturesHardlyCrawlInSlowMotion) {
 TEST_F(Carry, TexturesOfSmoothSilhouettesHardlyCrawlEither) {
     lines_ = ball(Silhouettes::smooth);
     EXPECT_GT(mean_crawling(pencil(false), 4), 0.5);
-    const double carried = mean_crawling(pencil(true), 20);
-    EXPECT_LT(carried, 0.05);
+    EXPECT_LT(mean_crawling(pencil(true), 20), 0.05);
 }
 
 TEST_F(Carry, TexturesDoNotStayStretched) {
     Renderer fresh;
     fresh.set_lines(lines_);
-    const double at_first = stretch(draw(fresh, 40, pencil(true)));
+    const double at_first = stretch(draw(fresh, 20, pencil(true)));
     mean_crawling(pencil(true), 50);
     EXPECT_NEAR(stretch(last_) / at_first, 1, 0.1);
 }
