@@ -2,7 +2,8 @@
 // on by its own number of pixels since the frame before. Bytes per silhouette, what each kernel
 // reads and writes once: recall 120 (segment 32, clipped 48, memory 16, recalled 8, four words),
 // keep 52, list 8, breaks 56, pieces 4, settle 12, place 140 (as recall, and carried 8 and four
-// words more), and 12 for each of four scans.
+// words more), and 12 for each of four scans. Per run: itself read and
+// written (80 each), its coordinates and its arc length (20).
 
 #include "compute/stages/carried_coordinates.hpp"
 #include "paths.hpp"
@@ -43,6 +44,8 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                        breaks = words(more), means = words(more), pieces = words(more),
                        recalled = words(2 * count), list = words(count), shifts = words(count),
                        carried = words(2 * count);
+    const RunTables runs{device, on.runs};
+    compact(stages, on, runs);
     const auto run = [=, &stages] {
         compute::SegmentTable table = on.table();
         table.origins = origins.get();
@@ -64,12 +67,18 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                       .pieces = *pieces,
                       .shifts = *shifts,
                       .carried = *carried});
+        stages.carry_runs({.first = 0,
+                           .arcs = *on.arcs,
+                           .carried = *carried,
+                           .record = *runs.record,
+                           .run_capacity = runs.capacity,
+                           .runs = *runs.runs});
         stages.device().finish();
     };
     run();
     return {
         .run = run,
-        .bytes = 440.0 * n,
+        .bytes = 440.0 * n + 180.0 * on.runs,
         .reset = [=, &device] { write(device, *memory, memory_values); },
         .result = [=, &device] { return read_back<std::uint8_t>(device, *carried, 8 * count); }};
 }
