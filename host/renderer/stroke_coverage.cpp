@@ -87,7 +87,7 @@ bool StrokeCoverage::wants(const Frame& frame) const {
 void StrokeCoverage::begin_frame(const Frame& frame, const RunPens& pens) {
     pens_ = &pens;
     has_hidden_ = frame.options.draw && frame.options.style.hidden;
-    draws_ = wants(frame);
+    draws_ = can_draw_ = wants(frame);
     const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
                         static_cast<std::uint64_t>(frame.camera.size.y);
     fewest_runs_ = frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;

@@ -28,7 +28,8 @@ class StrokeCoverage {
     bool draws() const { return draws_; }
 
     /// Once it is known how many runs there are: few are left to GL, unless kernels were asked for.
-    void settle(std::uint64_t runs) { draws_ = draws_ && runs >= fewest_runs_; }
+    /// Again where a table was too small for all of them.
+    void settle(std::uint64_t runs) { draws_ = can_draw_ && runs >= fewest_runs_; }
 
     /// Finds where runs lie in the picture; waits. `half_width`: of their widest pen.
     void list(const Frame& frame, bool hidden, compute::Buffer& runs, compute::Buffer& record,
@@ -80,7 +81,7 @@ class StrokeCoverage {
     gl::CoveragePass pass_;
     // Of the current frame.
     const RunPens* pens_ = nullptr;
-    bool draws_ = false, has_hidden_ = false;
+    bool can_draw_ = false, draws_ = false, has_hidden_ = false;
     std::uint64_t fewest_runs_ = 0;
     gl::CoverageLayers layers_{};
 };

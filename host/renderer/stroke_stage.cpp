@@ -357,7 +357,7 @@ bool StrokeStage::measures_lines(const Frame& frame) const {
 bool StrokeStage::has_textures(const Frame& frame) const {
     const Style& style = frame.options.style;
     const auto is_texture = [](const std::string& mark) {
-        return !mark.empty() && mark != Pen{}.mark;
+        return !mark.empty() && mark != "solid";
     };
     const auto textured = [&](const Pen& pen) {
         return is_texture(pen.mark) || pen.cap == Cap::texture || pen.path_cap == Cap::texture;

@@ -58,8 +58,10 @@ TEST_P(Fault, ARendererGoesOnAfterAQueueThatFailsInTheMiddleOfAFrame) {
     const FrameOptions options = all_effects(Method::atlas);
     const std::unique_ptr<Renderer> renderer = make_renderer();
     const Picture expected = draw(*renderer, options);
-    opencl_faults().commands = 0;
-    EXPECT_EQ(draw(*renderer, options), expected);
+    for (int frame = 0; frame < 2; ++frame) { // the second one has made all that lasts
+        opencl_faults().commands = 0;
+        EXPECT_EQ(draw(*renderer, options), expected);
+    }
     const int commands = opencl_faults().commands;
     EXPECT_GT(commands, 20);
     int failed = 0;

@@ -91,7 +91,7 @@ TEST(FrameSettings, TheMethodIsExactButForSequencesAndWhereSamplesAreAskedFor) {
     EXPECT_EQ(plain.for_sequence().method, Method::atlas);
     for (const auto& [key, value] : samples) {
         if (key == "method") continue;
-        const bool of_samples = key != "lines" && key != "stroke-shader";
+        const bool of_samples = key != "lines" && key != "strokes" && key != "stroke-shader";
         const Method expected = of_samples ? Method::atlas : Method::exact;
         const FrameSettings changed = with({{key, value}});
         EXPECT_EQ(changed.for_pixels().method, expected) << key;

@@ -379,7 +379,14 @@ std::vector<std::uint8_t> FrameStages::strokes(const Camera& camera, const Frame
                               .layer = 0,
                               .pitch = pixels});
     }
-    return read_back<std::uint8_t>(*device_, *coverage, pixels);
+    // Tiles in which nothing shows are left as they were.
+    std::vector<std::uint8_t> result = read_back<std::uint8_t>(*device_, *coverage, pixels);
+    const auto shows = read_back<la_uint>(*device_, *shown, tiles.x * tiles.y);
+    for (std::uint32_t i = 0; i < pixels; ++i) {
+        const int x = static_cast<int>(i) % camera.size.x, y = static_cast<int>(i) / camera.size.x;
+        if (shows[y / LA_STROKE_TILE * tiles.x + x / LA_STROKE_TILE] == 0) result[i] = 0;
+    }
+    return result;
 }
 
 } // namespace lineatlas::test
