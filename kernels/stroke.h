@@ -169,7 +169,9 @@ static lanes_float visibility_at(const StrokesParameters* args, const Stroke* s,
 /* The mark at so many repeats from the middle of the path. */
 static lanes_float mark_at(const StrokesParameters* args, __global const float* mark,
                            const lanes_float turns) {
-    const lanes_float in_turn = turns - TO_FLOAT(FLOOR_TO_INT(turns));
+    /* Beside a very short stroke, where nothing is drawn, there are more turns than an int holds.
+     */
+    const lanes_float in_turn = fmin(fmax(turns - TO_FLOAT(FLOOR_TO_INT(turns)), 0.0f), 1.0f);
     const lanes_float x = in_turn * (float)args->mark_length - 0.5f;
     const lanes_int before = FLOOR_TO_INT(x);
     const lanes_float share = x - TO_FLOAT(before);

@@ -476,7 +476,8 @@ TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
 /// GL that is not software draws the atlas; where it has too many rows for that, kernels do.
 TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
     FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
-    options.depth_form = DepthForm::raster; // else `automatic` takes another form on another GL
+    options.depth_form = DepthForm::raster;   // else `automatic` takes another form on another GL
+    options.stroke_form = StrokeForm::raster; // the same
     options.atlas = AtlasForm::compute;
     const Picture expected = use({"house", {100, 75}, options});
     gl_faults().renderer = "a GPU";

@@ -43,7 +43,7 @@ class SamePicture : public Pictures, public testing::WithParamInterface<std::str
         // Boxes around batches, by which hidden segments are dropped with no samples at all, are
         // made once the model stands still.
         const Camera camera = few_scene_cameras(GetParam(), canvas_.size())[0].camera;
-        for (int frame = 0; frame < 2; ++frame) draw(result, camera, {});
+        for (int frame = 0; frame < 2; ++frame) draw(result, camera, {.steady = false});
         return result;
     }
 

@@ -1,6 +1,7 @@
 #include "stages.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include <glm/gtc/matrix_inverse.hpp>
 
@@ -88,15 +89,22 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
     const glm::mat4 clip_from_world = camera.clip_from_world();
     stages_.facing({.table = table(), .eye = camera.eye(), .front = *front_});
     state.front = read_back<std::uint8_t>(*device_, *front_, triangle_count_);
-    stages_.project_clip({.table = table(),
-                          .front = *front_,
-                          .clip_from_world = clip_from_world,
-                          .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
-                          .viewport = glm::vec2{camera.size},
-                          .step = 2,
-                          .kind_mask = all_line_kinds,
-                          .occlusion = cull_hidden ? &occlusion : nullptr,
-                          .out = {*clipped_, *offsets_, *arcs_}});
+    std::optional<compute::BatchTable> batches;
+    if (batches_.has_segments(table())) batches.emplace(batches_.table());
+    const compute::ProjectClipArgs args{.table = table(),
+                                        .front = *front_,
+                                        .clip_from_world = clip_from_world,
+                                        .world_from_clip =
+                                            glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+                                        .viewport = glm::vec2{camera.size},
+                                        .step = 2,
+                                        .kind_mask = all_line_kinds,
+                                        .occlusion = cull_hidden ? &occlusion : nullptr,
+                                        .out = {*clipped_, *offsets_, *arcs_},
+                                        .batches = batches ? &*batches : nullptr};
+    constexpr bool drops_hidden = false; // their lengths are looked at
+    if (batches) stages_.project_clip_batches(args, drops_hidden);
+    stages_.project_clip(args);
     state.counts = read_back<std::uint32_t>(*device_, *offsets_, n_);
     state.lengths = read_back<std::uint32_t>(*device_, *arcs_, n_);
     state.clipped = read_back<ClippedSegment>(*device_, *clipped_, n_);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compute/stages/stages.hpp"
+#include "compute/stages/batches.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -119,6 +119,7 @@ class FrameStages {
 
     std::unique_ptr<compute::Device> device_;
     compute::Stages stages_;
+    compute::Batches batches_{stages_}; ///< of the segments, from the second project() on
     StageSettings settings_;
     std::uint32_t n_, triangle_count_;
     std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_,
