@@ -156,22 +156,23 @@ static Stroke make_stroke(const StrokesParameters* args, __global const Run* run
 static lanes_float visibility_at(const StrokesParameters* args, const Stroke* s,
                                  __global const uchar* own, const lanes_float along) {
     const lanes_float position = s->first_sample + along * s->sample_step;
-    const lanes_float x = fmin(fmax(position - 0.5f, 0.0f), s->last_sample);
+    const lanes_float none = 0.0f, all = 1.0f, last = s->last_sample;
+    const lanes_float x = fmin(fmax(position - 0.5f, none), last);
     const lanes_int before = FLOOR_TO_INT(x);
-    const lanes_int after = min(before + 1, (int)s->last_sample);
+    const lanes_int last_one = (int)s->last_sample, after = min(before + 1, last_one);
     const lanes_float a = TO_FLOAT(GATHER_INTS(own, before));
     const lanes_float b = TO_FLOAT(GATHER_INTS(own, after));
     const lanes_float alpha = a + (b - a) * (x - TO_FLOAT(before));
-    const lanes_float visible = fmin(alpha * (1.0f / LA_FULLY_SHOWN), 1.0f);
+    const lanes_float visible = fmin(alpha * (1.0f / LA_FULLY_SHOWN), all);
     return args->hidden != 0 ? 1.0f - visible : visible;
 }
 
 /* The mark at so many repeats from the middle of the path. */
 static lanes_float mark_at(const StrokesParameters* args, __global const float* mark,
                            const lanes_float turns) {
-    /* Beside a very short stroke, where nothing is drawn, there are more turns than an int holds.
-     */
-    const lanes_float in_turn = fmin(fmax(turns - TO_FLOAT(FLOOR_TO_INT(turns)), 0.0f), 1.0f);
+    const lanes_float none = 0.0f, one = 1.0f;
+    /* Very short strokes have more turns than an int holds, where nothing of them is drawn. */
+    const lanes_float in_turn = fmin(fmax(turns - TO_FLOAT(FLOOR_TO_INT(turns)), none), one);
     const lanes_float x = in_turn * (float)args->mark_length - 0.5f;
     const lanes_int before = FLOOR_TO_INT(x);
     const lanes_float share = x - TO_FLOAT(before);
@@ -187,10 +188,10 @@ static lanes_float bin_weight(const StrokesParameters* args, __global const floa
     const int2 cells = to_int2(args->cells);
     const lanes_int column = FLOOR_TO_INT(x), row = FLOOR_TO_INT(y);
     const lanes_float right = x - TO_FLOAT(column), up = y - TO_FLOAT(row);
-    const lanes_int x0 = min(max(column, 0), cells.x - 1),
-                    x1 = min(max(column + 1, 0), cells.x - 1);
-    const lanes_int y0 = (min(max(row, 0), cells.y - 1) + (int)bin * cells.y) * cells.x;
-    const lanes_int y1 = (min(max(row + 1, 0), cells.y - 1) + (int)bin * cells.y) * cells.x;
+    const lanes_int none = 0, last_x = cells.x - 1, last_y = cells.y - 1;
+    const lanes_int x0 = min(max(column, none), last_x), x1 = min(max(column + 1, none), last_x);
+    const lanes_int y0 = (min(max(row, none), last_y) + (int)bin * cells.y) * cells.x;
+    const lanes_int y1 = (min(max(row + 1, none), last_y) + (int)bin * cells.y) * cells.x;
     const lanes_int at00 = y0 + x0, at10 = y0 + x1, at01 = y1 + x0, at11 = y1 + x1;
     const lanes_float w00 = GATHER_LANES(weights, at00), w10 = GATHER_LANES(weights, at10);
     const lanes_float w01 = GATHER_LANES(weights, at01), w11 = GATHER_LANES(weights, at11);
@@ -222,26 +223,27 @@ SPECIALISED lanes_float coverage_at(const StrokesParameters* args, const Stroke*
                               (s->end_side.x * ey - ex * s->end_side.y > -s->after);
     const lanes_float across = s->along.x * dy - dx * s->along.y;
     const lanes_float along = dx * s->along.x + s->along.y * dy;
+    /* Constants of their own: Oclgrind's min and max take no scalar beside a vector. */
+    const lanes_float none = 0.0f, one = 1.0f, most = s->most, length = s->length;
     lanes_float distance = fabs(across);
     if (rounds) {
         const lanes_float outside = fmax(s->round_from - along, along - s->round_to);
-        const lanes_float beyond = fmax(outside, 0.0f);
+        const lanes_float beyond = fmax(outside, none);
         distance = SQUARE_ROOT(beyond * beyond + across * across);
     }
-    lanes_float covered = fmin(fmax(s->reach - distance, 0.0f), s->most);
+    lanes_float covered = fmin(fmax(s->reach - distance, none), most);
     covered = covered * s->opacity;
     if (rest) {
         if (s->has_cut) {
             const lanes_float over = fmax(s->cut_from - along, along - s->cut_to);
-            covered = covered * fmin(fmax(0.5f - over, 0.0f), 1.0f);
+            covered = covered * fmin(fmax(0.5f - over, none), one);
         }
-        const lanes_float within = fmin(fmax(along, 0.0f), s->length);
+        const lanes_float within = fmin(fmax(along, none), length);
         if (!s->is_even) covered = covered * visibility_at(args, s, own, within);
         if (s->is_thinned) covered = covered * density_at(args, s, weights, within);
         if (s->is_marked)
             covered = covered * mark_at(args, mark, s->first_turn + along * s->turn_step);
     }
-    const lanes_float none = 0.0f;
     return SELECT(none, covered, inside);
 }
 

@@ -249,6 +249,10 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
     append(result, visible);
     append(result, state.tiles);
     append(result, state.front);
+    // What has no samples, and no length, has no record.
+    for (std::size_t i = 0; i < state.clipped.size(); ++i) {
+        if (state.lengths[i] == 0) state.clipped[i] = {};
+    }
     append(result, state.clipped);
     append(result, state.offsets);
     append(result, state.arcs);
