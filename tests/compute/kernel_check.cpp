@@ -9,6 +9,7 @@
 
 #include "compare.hpp"
 #include "compute/opencl/opencl_backend.hpp"
+#include "compute/stages/carried_coordinates.hpp"
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/clusters.hpp"
 #include "core/contact.hpp"
@@ -55,6 +56,39 @@ void append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
+/// The coordinates of runs, one of each silhouette from `first` on, in the second of two frames.
+void append_carried(std::vector<std::byte>& result, compute::Stages& stages,
+                    const compute::SegmentTable& table, std::uint32_t first, compute::Buffer& front,
+                    const Camera& camera) {
+    compute::Device& device = stages.device();
+    const std::uint32_t n = table.segment_count, count = n - first;
+    const glm::mat4 clip_from_world = camera.clip_from_world();
+    const auto clipped = device.allocate(n * sizeof(ClippedSegment));
+    const auto offsets = device.allocate((n + 1) * sizeof(la_uint));
+    const auto arcs = device.allocate((n + 1) * sizeof(la_uint));
+    stages.project_clip({.table = table,
+                         .front = front,
+                         .clip_from_world = clip_from_world,
+                         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+                         .viewport = glm::vec2{camera.size},
+                         .step = 2,
+                         .kind_mask = all_line_kinds,
+                         .occlusion = nullptr,
+                         .out = {*clipped, *offsets, *arcs}});
+    stages.scan(*arcs, n, compute::ScanKind::wrap);
+    std::vector<Run> runs(count);
+    for (std::uint32_t i = 0; i < count; ++i) runs[i].segment = first + i;
+    FrameRecord record{};
+    record.points[0] = record.run_total = count;
+    const auto on_device = to_device(device, runs);
+    const auto totals = to_device(device, std::vector{record});
+    compute::CarriedCoordinates carried{stages};
+    for (int frame = 0; frame < 2; ++frame)
+        carried.find(table, first, {*clipped, *offsets, *arcs}, glm::vec2{camera.size}, 0.4F);
+    carried.apply(*on_device, *totals, count);
+    append(result, read_back<Run>(device, *on_device, count));
+}
+
 /// The silhouettes that a camera sees, in chains; `result` gets the segments and where they came
 /// from.
 void append_chains(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
@@ -73,6 +107,7 @@ void append_chains(std::vector<std::byte>& result, compute::Stages& stages, cons
     if (origins.empty()) throw Error("there are no silhouettes: the check would prove nothing");
     append(result, origins);
     append(result, read_back<Segment>(stages.device(), found.segments, found.segment_count));
+    append_carried(result, stages, found, chains.first(), *front, camera);
 }
 
 /// What of the lines the exact method finds to be outline.
