@@ -36,7 +36,7 @@ bool Session::sketch_due() const {
 
 void Session::renew_sketch() {
     sketched_ = navigation.view(); // if it fails, it is not tried again
-    constexpr float shortest = 20; // pixels of the window
+    constexpr float shortest = 25; // pixels of the window
     const LineSet lines = long_lines(model_->lines, camera(), shortest);
     if (sketch_ == nullptr) sketch_ = std::make_unique<Renderer>(device_);
     sketch_->set_lines(lines);
