@@ -118,7 +118,8 @@ struct FrameOptions {
     /// that to pay. Changes nothing in the picture.
     bool cull_hidden = true;
     /// Average visibility with that of the frame before where the picture moves slowly, so that
-    /// lines don't sparkle. A still picture, or the first after a jump, is not touched. Atlas only.
+    /// lines don't sparkle, and carry texture coordinates of silhouettes over, so that they don't
+    /// crawl. A still picture, or the first after a jump, is not touched. Atlas only.
     bool steady = true;
     KeptIntervals intervals = KeptIntervals::none; ///< atlas and exact only
     /// Draw the picture; without it a frame is only computed, for its intervals.
@@ -260,8 +261,9 @@ class LINEATLAS_API Renderer {
         std::vector<float> density{};
     };
     /// The samples of the last frame: for tests and studies; waits for the device. With
-    /// `cull_hidden`, segments that are hidden whole have none. Throws UsageError unless the last
-    /// frame was one of method atlas or item_buffer.
+    /// `cull_hidden`, segments that are hidden whole have none, and where the style measures no
+    /// lengths they do not count in those of their paths (Run::start_arc). Throws UsageError unless
+    /// the last frame was one of method atlas or item_buffer.
     Samples read_samples();
 
     /// The visible pieces of the lines of the last frame (`FrameOptions::intervals`; with `all` the
