@@ -44,7 +44,7 @@ static uint reach_of(const Frame frame, const uint from, const bool forward) {
     uint sum = 0;
     for (uint r = 0; r < SMOOTHED_SEGMENTS && sum < SMOOTHED_REACH; ++r) {
         const uint s = forward ? from + r : from - 1u - r;
-        if (r > 0 && (!is_drawn(frame.arcs, s) || !goes_on(frame, forward ? s - 1u : s))) break;
+        if (r > 0 && !(goes_on(frame, forward ? s - 1u : s) && is_drawn(frame.arcs, s))) break;
         sum += frame.arcs[s + 1] - frame.arcs[s];
         if (!forward && frame.segments[s].from_start == 0) break;
     }

@@ -84,15 +84,16 @@ bool StrokeCoverage::wants(const Frame& frame) const {
     return layers <= gl::CoveragePass::most_layers && has_bytes(frame.framebuffer);
 }
 
-void StrokeCoverage::begin_frame(const Frame& frame, const RunPens& pens) {
+void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
     pens_ = &pens;
     has_hidden_ = frame.options.draw && frame.options.style.hidden;
     draws_ = can_draw_ = wants(frame);
     const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
                         static_cast<std::uint64_t>(frame.camera.size.y);
     fewest_runs_ = frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
-    if (draws_ && coverage_)
-        handover_.to_compute({coverage_.get(), shown_.get()}); // while GL has nothing to do
+    if (!draws_ || !coverage_) return;
+    // While GL has nothing to do.
+    frame.clock.handover([&] { handover_.to_compute({coverage_.get(), shown_.get()}); });
 }
 
 void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs,

@@ -23,7 +23,7 @@ class StrokeCoverage {
     explicit StrokeCoverage(const interop::Connection& connection);
 
     /// Before all else: chooses the frame's form.
-    void begin_frame(const Frame& frame, const RunPens& pens);
+    void begin_frame(Frame& frame, const RunPens& pens);
     /// Whether kernels draw the frame's strokes.
     bool draws() const { return draws_; }
 

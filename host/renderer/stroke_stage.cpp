@@ -368,7 +368,7 @@ bool StrokeStage::has_textures(const Frame& frame) const {
             (style.focus.on && is_texture(style.focus.mark)));
 }
 
-void StrokeStage::begin_frame(const Frame& frame) {
+void StrokeStage::begin_frame(Frame& frame) {
     pens_.prepare(frame);
     coverage_.begin_frame(frame, pens_);
     kept_.clear();

@@ -33,7 +33,7 @@ class StrokeStage {
     /// Other lines have come.
     void forget_lines() { pens_.forget(); }
     /// Before the first make_runs() of a frame.
-    void begin_frame(const Frame& frame);
+    void begin_frame(Frame& frame);
     /// Whether it matters to what is drawn where along its path a run lies, or which lines are
     /// hidden. After begin_frame().
     bool measures_lines(const Frame& frame) const;
