@@ -293,13 +293,16 @@ TEST_F(Profiles, TimesLieWithinThoseOfTheHost) {
 TEST_F(Profiles, StagesAddUpToTheFrame) {
     for (const char* compute : {"opencl", "cpp"}) {
         Renderer renderer = warm("house", {.compute = compute});
-        for (const FrameProfile& frame : profile(renderer, 3)) {
+        // What has no stage is missing in every frame; other programs take their time from some.
+        double largest = 0;
+        for (const FrameProfile& frame : profile(renderer, 5)) {
             double sum = 0;
             for (const StageShare& share : stage_shares(frame)) sum += share.nanoseconds;
             const auto length = static_cast<double>(frame.end - frame.start);
-            EXPECT_GE(sum, 0.95 * length) << compute;
+            largest = std::max(largest, sum / length);
             EXPECT_LE(sum, length + 1) << compute;
         }
+        EXPECT_GE(largest, 0.95) << compute;
     }
 }
 
