@@ -152,10 +152,11 @@ struct StrokeArgs {
     PictureTile part; ///< of the picture, what is drawn
     float half_width; ///< pixels
     float opacity;
-    std::uint32_t end_kinds;            ///< LA_STROKES_*
-    bool hidden = false;                ///< runs of hidden samples
-    std::uint32_t pen = LA_ALL_PENS;    ///< whose runs are drawn
-    Buffer* mark = nullptr;             ///< floats along the mark, see even_mark(); null: solid
+    std::uint32_t end_kinds;         ///< LA_STROKES_*
+    bool hidden = false;             ///< runs of hidden samples
+    std::uint32_t pen = LA_ALL_PENS; ///< whose runs are drawn
+    Buffer* mark = nullptr; ///< floats along the mark, the last before the first and the first
+                            ///< behind the last; null: solid
     std::uint32_t mark_length = 0;      ///< of them, without the two at its ends
     float repeat_length = 1;            ///< pixels
     Buffer* weights = nullptr;          ///< of `density`; null: all is drawn
