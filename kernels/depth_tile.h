@@ -68,12 +68,16 @@ static void store_tile(const Tile* tile, __global float* depth, __global uint* n
 
 static float farthest_of_block(const Tile* tile, const int x, const int y) {
     __local const float* row = tile->texels + y * LA_TILE * TILE_STRIDE + x * LA_TILE;
-    lanes_float farthest = 0.0f;
-    for (int k = 0; k < LA_TILE; ++k) {
-        for (int i = 0; i < LA_TILE; i += LANES) farthest = fmax(farthest, LOAD_LANES(row + i));
-        row += TILE_STRIDE;
+    /* Two, since each waits for its last; max, since fmax would look for what is no number. */
+    lanes_float even = 0.0f, odd = 0.0f;
+    for (int k = 0; k < LA_TILE; k += 2) {
+        for (int i = 0; i < LA_TILE; i += LANES) {
+            even = max(even, LOAD_LANES(row + i));
+            odd = max(odd, LOAD_LANES(row + TILE_STRIDE + i));
+        }
+        row += 2 * TILE_STRIDE;
     }
-    return LARGEST(farthest);
+    return LARGEST(max(even, odd));
 }
 
 static void store_farthest(const Tile* tile, __global float* pyramid, const int2 corner,

@@ -1,6 +1,7 @@
 /* Vectors that do several things of a kernel at once. LANES: how many, 1 on GPUs, else 4, 8 or 16;
  * of those LANES_IN_USE (else all) hold something. Included once by each kernel file that says how
  * many it wants, so there is no guard.
+ * LARGEST(x): of lanes that are numbers.
  *
  * A comparison of vectors gives -1 for true, of scalars 1; `& 1` serves both. LANE_BITS makes bit k
  * of an uint of what lane k has. */
@@ -104,7 +105,7 @@ static int count_lanes(const int4 mask) {
     return ones.x + ones.y + ones.z + ones.w;
 }
 static float largest_lane(const float4 x) {
-    return fmax(fmax(x.x, x.y), fmax(x.z, x.w));
+    return max(max(x.x, x.y), max(x.z, x.w));
 }
 #elif LANES == 8
 #define LANE_INDEX (int8)(0, 1, 2, 3, 4, 5, 6, 7)
@@ -115,8 +116,8 @@ static float largest_lane(const float4 x) {
     (int8)((int)(from)[i.s0], (int)(from)[i.s1], (int)(from)[i.s2], (int)(from)[i.s3],             \
            (int)(from)[i.s4], (int)(from)[i.s5], (int)(from)[i.s6], (int)(from)[i.s7])
 static float largest_lane(const float8 x) {
-    const float4 four = fmax(x.lo, x.hi);
-    return fmax(fmax(four.x, four.y), fmax(four.z, four.w));
+    const float4 four = max(x.lo, x.hi);
+    return max(max(four.x, four.y), max(four.z, four.w));
 }
 #elif LANES == 16
 #define LANE_INDEX (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
@@ -146,9 +147,9 @@ static int count_lanes(const int16 mask) {
     return four.x + four.y + four.z + four.w;
 }
 static float largest_lane(const float16 x) {
-    const float8 eight = fmax(x.lo, x.hi);
-    const float4 four = fmax(eight.lo, eight.hi);
-    return fmax(fmax(four.x, four.y), fmax(four.z, four.w));
+    const float8 eight = max(x.lo, x.hi);
+    const float4 four = max(eight.lo, eight.hi);
+    return max(max(four.x, four.y), max(four.z, four.w));
 }
 #endif
 

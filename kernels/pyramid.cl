@@ -20,7 +20,7 @@ KERNEL(pyramid, PyramidParameters) {
     if (x + LA_TILE <= depth_size.x) {
         lanes_float row_farthest = LOAD_LANES(depth + y * depth_size.x + x);
         for (int row = 1; row < rows; ++row) {
-            row_farthest = fmax(row_farthest, LOAD_LANES(depth + (y + row) * depth_size.x + x));
+            row_farthest = max(row_farthest, LOAD_LANES(depth + (y + row) * depth_size.x + x));
         }
         farthest = LARGEST(row_farthest);
     } else {

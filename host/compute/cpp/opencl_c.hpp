@@ -178,6 +178,9 @@ inline float fmin(float a, float b) {
 inline float fmax(float a, float b) {
     return (a < b) | (a != a) ? b : a;
 }
+inline float max(float a, float b) {
+    return a < b ? b : a;
+}
 inline float2 fmin(float2 a, float2 b) {
     return {fmin(a.x, b.x), fmin(a.y, b.y)};
 }
@@ -438,7 +441,7 @@ int count_true_lanes(const LanesOf<int, n>& mask) {
 template <int n>
 float largest_of_lanes(const LanesOf<float, n>& a) {
     float largest = a.all[0];
-    for (int i = 1; i < n; ++i) largest = fmax(largest, a.all[i]);
+    for (int i = 1; i < n; ++i) largest = max(largest, a.all[i]);
     return largest;
 }
 template <int in_use, class T, class From, int n>
