@@ -36,7 +36,7 @@ typedef struct Entry {
 #define LA_BOX_FLOATS 6u
 
 typedef struct ExactParameters {
-    la_uint count; /* segments */
+    la_uint count; /* segments; of surfaces_occluders and surfaces_batches: batches */
     la_uint vertex_count, triangle_count;
     la_mat4 clip_from_world;
     la_vec4 eye;      /* homogeneous, as in FacingParameters; a unit vector if its w is 0 */
@@ -119,9 +119,11 @@ typedef struct SpansParameters {
     in(float, blocks) in(float, boxes)
 
 #define surfaces_vertices_tables(in, out, inout, unordered) in(float, vertices) out(float, screen)
+#define surfaces_occluders_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) in(float, screen) in(Batch, batches) inout(uint, occluders)
 #define surfaces_faces_tables(in, out, inout, unordered) \
-    EXACT_MODEL_TABLES(in) in(float, screen) out(ScreenFace, faces) out(float, planes) \
-        inout(uint, occluders)
+    EXACT_MODEL_TABLES(in) in(float, screen) in(uchar, states) out(ScreenFace, faces) \
+        out(float, planes) inout(uint, occluders)
 #define surfaces_boxes_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) out(Batch, batches)
 #define surfaces_batches_tables(in, out, inout, unordered) \

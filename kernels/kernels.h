@@ -68,6 +68,7 @@ typedef struct FacingParameters {
 typedef struct Batch {
     float low[3], high[3]; /* the box around them; of segments around the faces beside them too */
     la_uint joined[2];     /* bit i % 32 of i / 32: the path of segment i goes on in another batch */
+    float widest;          /* no face among triangles is wider than this; of segments 0 */
 } Batch;
 /* What is known of a batch in a frame: */
 #define LA_BATCH_SEEN 0u    /* nothing: each of it is to be looked at */
@@ -301,6 +302,7 @@ typedef struct IntervalsParameters {
     kernel(surfaces, surfaces_vertices, ExactParameters) \
     kernel(surfaces, surfaces_faces, ExactParameters) \
     kernel(surfaces, surfaces_boxes, CountParameters) \
+    kernel(surfaces, surfaces_occluders, ExactParameters) \
     kernel(surfaces, surfaces_batches, ExactParameters) \
     kernel(tile_lists, tile_lists_count, ExactParameters) \
     kernel(tile_lists, tile_lists_groups, ExactParameters) \

@@ -43,6 +43,7 @@ KERNEL(project_clip_boxes, CountParameters) {
     vstore3(box.high, 0, batches[b].high);
     batches[b].joined[0] = joined[0];
     batches[b].joined[1] = joined[1];
+    batches[b].widest = 0.0f;
 }
 
 /* states: of every batch an LA_BATCH_*. With a pyramid, whose depth must be that of the numbered

@@ -2,8 +2,10 @@
  * space, and what hides a whole tile.
  *
  * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. surfaces_boxes,
- * surfaces_batches: one per batch of triangles, the first after the model has changed; the second
- * for batches of segments too. */
+ * surfaces_occluders, surfaces_batches: one per batch of triangles, the first after the model has
+ * changed; the last for batches of segments too. Where there are batches the kernels run in the
+ * order boxes, vertices, occluders, batches, faces, and what is hidden by the batch has no faces;
+ * else faces finds occluders, too. */
 
 #include "batches.h"
 #include "exact.h"
@@ -39,6 +41,12 @@ static float4 plane_of(const float3 a, const float3 b, const float3 c, const flo
     if (fabs(reach) < EDGE_ON * sqrt(dot_product(to_eye, to_eye)))
         return float4(0.0f, 0.0f, 0.0f, 0.0f);
     return reach > 0.0f ? float4(-n.x, -n.y, -n.z, reach) : float4(n.x, n.y, n.z, -reach);
+}
+
+static float4 plane_of_face(const ExactParameters* args, const uint t,
+                            __global const float* vertices, __global const uint* triangles) {
+    return plane_of(vload3(triangles[3 * t], vertices), vload3(triangles[3 * t + 1], vertices),
+                    vload3(triangles[3 * t + 2], vertices), to_float4(args->eye));
 }
 
 static void enclose(ScreenFace* face, const float2 place) {
@@ -110,10 +118,7 @@ static Partner partner_of(const ExactParameters* args, const uint t, const uint 
     const float2 way = xy(to) - xy(from), at_own = xy(own) - xy(from), at = xy(other) - xy(from);
     if (!((way.x * at_own.y - way.y * at_own.x) * (way.x * at.y - way.y * at.x) < 0.0f))
         return partner;
-    partner.reach =
-        plane_of(vload3(triangles[3 * u], vertices), vload3(triangles[3 * u + 1], vertices),
-                 vload3(triangles[3 * u + 2], vertices), to_float4(args->eye))
-            .w;
+    partner.reach = plane_of_face(args, u, vertices, triangles).w;
     if (partner.reach > 0.0f) partner.face = u;
     return partner;
 }
@@ -167,48 +172,108 @@ static void cover_tiles(const ExactParameters* args, const uint t, const ScreenF
     }
 }
 
-/* planes: four numbers a triangle, see plane_of; 0 where it hides nothing. */
-KERNEL(surfaces_faces, ExactParameters) {
-    const uint t = (uint)get_global_id(0);
-    if (t >= args.triangle_count) return;
+/* Where face t is on the screen; UNSEEN beside it. */
+static ScreenFace face_on_screen(const ExactParameters* args, const uint t,
+                                 __global const float* vertices, __global const uint* triangles,
+                                 __global const float* screen) {
     ScreenFace face = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}, 0.0f, FACE_UNSEEN};
-    const uint i0 = triangles[3 * t], i1 = triangles[3 * t + 1], i2 = triangles[3 * t + 2];
-    const float4 a = vload4(i0, screen), b = vload4(i1, screen), c = vload4(i2, screen);
-    const bool any = a.w > 0.0f || b.w > 0.0f || c.w > 0.0f;
-    const bool all = a.w > 0.0f && b.w > 0.0f && c.w > 0.0f;
-    if (all) {
+    const float4 a = vload4(triangles[3 * t], screen), b = vload4(triangles[3 * t + 1], screen),
+                 c = vload4(triangles[3 * t + 2], screen);
+    if (a.w > 0.0f && b.w > 0.0f && c.w > 0.0f) {
         face.kind = FACE_PLAIN;
         enclose(&face, xy(a));
         enclose(&face, xy(b));
         enclose(&face, xy(c));
         face.nearest = fmax(a.z, fmax(b.z, c.z));
-    } else if (any) {
+    } else if (a.w > 0.0f || b.w > 0.0f || c.w > 0.0f) {
         face.kind = FACE_CROSSES;
-        enclose_crossing(&args, t, vertices, triangles, &face);
+        enclose_crossing(args, t, vertices, triangles, &face);
     }
     face.nearest *= 1.0f + FEW_ULPS;
     for (int k = 0; k < 2; ++k) {
-        face.low[k] -= 2.0f * args.slack;
-        face.high[k] += 2.0f * args.slack;
+        face.low[k] -= 2.0f * args->slack;
+        face.high[k] += 2.0f * args->slack;
     }
-    const float2 viewport = to_float2(args.viewport);
-    const bool beside = !(face.high[0] >= 0.0f && face.high[1] >= 0.0f &&
-                          face.low[0] <= viewport.x && face.low[1] <= viewport.y);
+    const float2 viewport = to_float2(args->viewport);
+    if (!(face.high[0] >= 0.0f && face.high[1] >= 0.0f && face.low[0] <= viewport.x &&
+          face.low[1] <= viewport.y))
+        face.kind = FACE_UNSEEN;
+    return face;
+}
+
+/* Whether there may be a tile that the face covers, alone or with its partner. */
+static bool may_cover(const ExactParameters* args, const ScreenFace face) {
+    return face.kind == FACE_PLAIN && face.high[0] - face.low[0] > args->tile_size &&
+           face.high[1] - face.low[1] > args->tile_size;
+}
+
+static void find_occluders(const ExactParameters* args, const uint t, const ScreenFace face,
+                           const float reach, __global const float* vertices,
+                           __global const uint* triangles, __global const float* screen,
+                           __global uint* occluders) {
+    if (!(reach > 0.0f)) return;
+    Partner partner = partner_of(args, t, t + 1u, vertices, triangles, screen);
+    if (partner.face == LA_NO_FACE)
+        partner = partner_of(args, t, t - 1u, vertices, triangles, screen);
+    cover_tiles(args, t, face, reach, partner, vertices, triangles, screen, occluders);
+}
+
+/* Most pixels that anything of one model unit is long on the screen, in the picture and as far as
+ * w is at least `least_w`: by the derivative of clip xy / w. */
+static float pixels_per_unit(const ExactParameters* args, const float least_w) {
+    const Matrix m = to_matrix(args->clip_from_world);
+    const float w = sqrt((m.x.w * m.x.w + m.y.w * m.y.w) + m.z.w * m.z.w);
+    const float x = sqrt((m.x.x * m.x.x + m.y.x * m.y.x) + m.z.x * m.z.x) + w;
+    const float y = sqrt((m.x.y * m.x.y + m.y.y * m.y.y) + m.z.y * m.z.y) + w;
+    const float2 half_size = to_float2(args->viewport) * 0.5f;
+    return fmax(x * half_size.x, y * half_size.y) / least_w;
+}
+
+/* Finds what faces of a batch cover. Of two that cover a tile together the one that has more of it
+ * is half as wide as the tile at least; a batch of narrower ones is passed over. */
+KERNEL(surfaces_occluders, ExactParameters) {
+    const uint b = (uint)get_global_id(0);
+    if (b >= args.count) return;
+    const BatchOnScreen box =
+        batch_on_screen(to_matrix(args.clip_from_world), to_float2(args.viewport), batches + b);
+    if (box.is_outside) return;
+    if (box.is_bounded &&
+        batches[b].widest * pixels_per_unit(&args, box.least_w) < 0.5f * args.tile_size)
+        return;
+    const uint last = min((b + 1u) * LA_BATCH, args.triangle_count);
+    for (uint t = b * LA_BATCH; t < last; ++t) {
+        const ScreenFace face = face_on_screen(&args, t, vertices, triangles, screen);
+        if (!may_cover(&args, face)) continue;
+        find_occluders(&args, t, face, plane_of_face(&args, t, vertices, triangles).w, vertices,
+                       triangles, screen, occluders);
+    }
+}
+
+/* planes: four numbers a triangle, see plane_of; 0 where it hides nothing. states: of batches of
+ * the first `batched` triangles; of those that are not seen nothing but that is written. */
+KERNEL(surfaces_faces, ExactParameters) {
+    const uint t = (uint)get_global_id(0);
+    if (t >= args.triangle_count) return;
+    if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
+        faces[t].kind = FACE_UNSEEN;
+        return;
+    }
+    ScreenFace face = face_on_screen(&args, t, vertices, triangles, screen);
     float4 plane = float4(0.0f, 0.0f, 0.0f, 0.0f);
-    if (!beside) {
-        plane = plane_of(vload3(i0, vertices), vload3(i1, vertices), vload3(i2, vertices),
-                         to_float4(args.eye));
-    }
+    if (face.kind != FACE_UNSEEN) plane = plane_of_face(&args, t, vertices, triangles);
     if (!(plane.w > 0.0f)) face.kind = FACE_UNSEEN;
     faces[t] = face;
     vstore4(plane, t, planes);
-    const bool large =
-        face.high[0] - face.low[0] > args.tile_size && face.high[1] - face.low[1] > args.tile_size;
-    if (face.kind != FACE_PLAIN || !large) return;
-    Partner partner = partner_of(&args, t, t + 1u, vertices, triangles, screen);
-    if (partner.face == LA_NO_FACE)
-        partner = partner_of(&args, t, t - 1u, vertices, triangles, screen);
-    cover_tiles(&args, t, face, plane.w, partner, vertices, triangles, screen, occluders);
+    if (t >= args.batched && may_cover(&args, face))
+        find_occluders(&args, t, face, plane.w, vertices, triangles, screen, occluders);
+}
+
+/* The least distance of a corner of a triangle from the opposite side. */
+static float width_of(const float3 a, const float3 b, const float3 c) {
+    const float3 ab = b - a, bc = c - b, ca = a - c, across = cross_product(ab, bc);
+    const float longest =
+        fmax(dot_product(ab, ab), fmax(dot_product(bc, bc), dot_product(ca, ca)));
+    return longest > 0.0f ? sqrt(dot_product(across, across) / longest) : 0.0f;
 }
 
 /* batches: of `count` triangles. */
@@ -218,10 +283,17 @@ KERNEL(surfaces_boxes, CountParameters) {
     if (first >= args.count) return;
     const uint last = min(first + LA_BATCH, args.count);
     Box box = no_box();
-    for (uint t = first; t < last; ++t) add_face_to_box(&box, t, vertices, triangles);
+    float widest = 0.0f;
+    for (uint t = first; t < last; ++t) {
+        add_face_to_box(&box, t, vertices, triangles);
+        widest = fmax(widest, width_of(vload3(triangles[3 * t], vertices),
+                                       vload3(triangles[3 * t + 1], vertices),
+                                       vload3(triangles[3 * t + 2], vertices)));
+    }
     vstore3(box.low, 0, batches[b].low);
     vstore3(box.high, 0, batches[b].high);
     batches[b].joined[0] = batches[b].joined[1] = 0;
+    batches[b].widest = widest;
 }
 
 /* Whether in every tile of a box in pixels a face covers the tile alone that is nearer than

@@ -16,7 +16,7 @@ namespace lineatlas::compute {
 struct ExactArgs {
     SegmentTable table;
     ClippedTable clipped;       ///< `offsets` is not read
-    ExactParameters parameters; ///< without `chunk` and `chunks`, which are the device's
+    ExactParameters parameters; ///< without those of chunks and `batched`
     Buffer& screen;             ///< 4 floats per vertex
     Buffer& faces;              ///< `ScreenFace` per triangle
     Buffer& planes;             ///< 4 floats per triangle
@@ -29,7 +29,7 @@ struct ExactArgs {
     Buffer& kept;               ///< 4 floats per segment
     Buffer& span_offsets;       ///< out: a uint32 per segment, and the number of spans
     Buffer& spans;              ///< out: 2 floats per span; none if span_capacity is too small
-    /// What is known of batches of triangles; null: each is looked at alone.
+    /// Of all triangles: surfaces() finds which can't be seen; null: each is looked at alone.
     const BatchTable* batches = nullptr;
 };
 

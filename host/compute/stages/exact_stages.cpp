@@ -17,7 +17,14 @@ Buffer& patches_of(const SegmentTable& table) {
     return contours ? *contours->patches : table.triangles;
 }
 
-ExactParameters in_chunks(ExactParameters parameters, const Tuning& tuning) {
+/// A table that is not read where there are no batches.
+Buffer& states_of(const ExactArgs& args) {
+    return args.batches != nullptr ? args.batches->states : args.screen;
+}
+
+ExactParameters in_chunks(const ExactArgs& args, const Tuning& tuning) {
+    ExactParameters parameters = args.parameters;
+    parameters.batched = args.batches != nullptr ? args.batches->count : 0;
     parameters.chunks = tuning.face_chunks;
     parameters.chunk = std::max(divide_up(parameters.triangle_count, tuning.face_chunks), 1U);
     return parameters;
@@ -26,14 +33,26 @@ ExactParameters in_chunks(ExactParameters parameters, const Tuning& tuning) {
 } // namespace
 
 void Stages::surfaces(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    const ExactParameters parameters = in_chunks(args, tuning_);
     launch<kernels::surfaces_vertices>(parameters.vertex_count, tuning_.local_size, parameters,
                                        {.vertices = args.table.vertices, .screen = args.screen});
     device_.clear(args.occluders, tiles_of(parameters) * sizeof(la_uint));
+    if (args.batches != nullptr) {
+        ExactParameters by_batch = parameters;
+        by_batch.count = args.batches->batches();
+        launch<kernels::surfaces_occluders>(by_batch.count, tuning_.local_size, by_batch,
+                                            {.vertices = args.table.vertices,
+                                             .triangles = args.table.triangles,
+                                             .screen = args.screen,
+                                             .batches = args.batches->boxes,
+                                             .occluders = args.occluders});
+        surfaces_batches(args, *args.batches, true);
+    }
     launch<kernels::surfaces_faces>(parameters.triangle_count, tuning_.local_size, parameters,
                                     {.vertices = args.table.vertices,
                                      .triangles = args.table.triangles,
                                      .screen = args.screen,
+                                     .states = states_of(args),
                                      .faces = args.faces,
                                      .planes = args.planes,
                                      .occluders = args.occluders});
@@ -55,10 +74,8 @@ void Stages::surfaces_batches(const ExactArgs& args, const BatchTable& batches, 
 }
 
 void Stages::tile_lists(const ExactArgs& args) {
-    ExactParameters parameters = in_chunks(args.parameters, tuning_);
-    parameters.batched = args.batches != nullptr ? args.batches->count : 0;
-    // Not read where there are none.
-    Buffer& states = args.batches != nullptr ? args.batches->states : args.occluders;
+    const ExactParameters parameters = in_chunks(args, tuning_);
+    Buffer& states = states_of(args);
     const std::uint32_t tiles = tiles_of(parameters);
     const std::uint32_t counts = tiles * parameters.chunks;
     device_.clear(args.ends, counts * sizeof(la_uint));
@@ -99,7 +116,7 @@ void Stages::tile_lists(const ExactArgs& args) {
 }
 
 void Stages::visible(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args.parameters, tuning_);
+    const ExactParameters parameters = in_chunks(args, tuning_);
     const std::uint32_t n = parameters.count;
     launch<kernels::visible_count>(n, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,

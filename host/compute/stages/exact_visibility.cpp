@@ -99,6 +99,7 @@ std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t elem
 void ExactVisibility::release() {
     table_.reset();
     triangles_.release();
+    batches_.reset();
     for (std::unique_ptr<Buffer>* buffer : tables(*this)) buffer->reset();
     beside_.capacity = within_.capacity = part_capacity_ = 0;
     parameters_ = {};
@@ -175,13 +176,14 @@ ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParamete
             .boxes = *boxes_,
             .kept = kept,
             .span_offsets = span_offsets,
-            .spans = spans};
+            .spans = spans,
+            .batches = batches_ ? &*batches_ : nullptr};
 }
 
 void ExactVisibility::surfaces(const ClippedTable& clipped) {
+    batches_.reset();
+    if (triangles_.has_triangles(*table_)) batches_.emplace(triangles_.table());
     stages_.surfaces(args(clipped));
-    by_batches_ = triangles_.has_triangles(*table_);
-    if (by_batches_) find_batches(clipped, triangles_.table(), true);
 }
 
 void ExactVisibility::find_batches(const ClippedTable& clipped, const BatchTable& batches,
@@ -190,11 +192,7 @@ void ExactVisibility::find_batches(const ClippedTable& clipped, const BatchTable
 }
 
 void ExactVisibility::tile_lists(const ClippedTable& clipped) {
-    if (!by_batches_) return stages_.tile_lists(args(clipped));
-    const BatchTable batches = triangles_.table();
-    ExactArgs by_batches = args(clipped);
-    by_batches.batches = &batches;
-    stages_.tile_lists(by_batches);
+    stages_.tile_lists(args(clipped));
 }
 
 void ExactVisibility::visible(const ClippedTable& clipped) {

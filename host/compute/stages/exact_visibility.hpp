@@ -76,7 +76,7 @@ class ExactVisibility {
     std::optional<SegmentTable> table_; ///< of the current frame
     ExactParameters parameters_{};
     Batches triangles_;
-    bool by_batches_ = false; ///< the current frame's triangles
+    std::optional<BatchTable> batches_; ///< of the current frame's triangles
     std::unique_ptr<Buffer> screen_, faces_, planes_, kept_, span_offsets_; // per model
     std::unique_ptr<Buffer> occluders_, ends_, groups_;                     // per picture
     std::unique_ptr<Buffer> entries_, blocks_, boxes_, spans_;              // that grow
