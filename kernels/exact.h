@@ -204,14 +204,14 @@ static int4 tiles_of(const ExactParameters* args, const ScreenFace face) {
 }
 
 /* Nearest that a face comes in a tile whose face it is; below 0 if it isn't there after all. */
-static float nearness_in_tile(const ExactParameters* args, const TileFace face,
+static float nearness_in_tile(const ExactParameters* args, const TileFace* face,
                               const float nearest) {
     const float size = args->tile_size;
     for (int k = 0; k < 3; ++k) {
-        if (most_in(face.sides[k], size) < -2.0f * args->slack) return -1.0f;
+        if (most_in(face->sides[k], size) < -2.0f * args->slack) return -1.0f;
     }
-    if (face.doubt == INFINITY) return nearest;
-    return fmin(nearest, most_in(face.nearness, size) + face.doubt);
+    if (face->doubt == INFINITY) return nearest;
+    return fmin(nearest, most_in(face->nearness, size) + face->doubt);
 }
 
 #endif

@@ -32,7 +32,7 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
                 if (!face_in_tile(args, t, box.kind, planes[4 * t + 3], vertices, triangles, screen,
                                   origin, &face))
                     return;
-                nearness = nearness_in_tile(args, face, nearness);
+                nearness = nearness_in_tile(args, &face, nearness);
                 if (nearness < as_float(occluders[tile]) || nearness < 0.0f) continue;
             }
             __global uint* end = ends + (tile * args->chunks + chunk);
@@ -110,7 +110,7 @@ static void write_nothing(__global float* group, const uint lane) {
     group[LA_ENTRY_NEAREST * LA_GROUP + lane] = -1.0f;
 }
 
-static void write_entry(const TileFace face, const ScreenFace box, const float nearness,
+static void write_entry(const TileFace* face, const ScreenFace box, const float nearness,
                         const float2 origin, __global float* group, const uint lane) {
     __global float* to = group + lane;
     to[LA_ENTRY_LOW_X * LA_GROUP] = box.low[0] - origin.x;
@@ -119,14 +119,14 @@ static void write_entry(const TileFace face, const ScreenFace box, const float n
     to[LA_ENTRY_HIGH_Y * LA_GROUP] = box.high[1] - origin.y;
     to[LA_ENTRY_NEAREST * LA_GROUP] = nearness;
     for (uint k = 0; k < 3; ++k) {
-        to[(LA_ENTRY_SIDES + 3 * k) * LA_GROUP] = face.sides[k].a;
-        to[(LA_ENTRY_SIDES + 3 * k + 1) * LA_GROUP] = face.sides[k].b;
-        to[(LA_ENTRY_SIDES + 3 * k + 2) * LA_GROUP] = face.sides[k].c;
+        to[(LA_ENTRY_SIDES + 3 * k) * LA_GROUP] = face->sides[k].a;
+        to[(LA_ENTRY_SIDES + 3 * k + 1) * LA_GROUP] = face->sides[k].b;
+        to[(LA_ENTRY_SIDES + 3 * k + 2) * LA_GROUP] = face->sides[k].c;
     }
-    to[LA_ENTRY_PLANE * LA_GROUP] = face.nearness.a;
-    to[(LA_ENTRY_PLANE + 1) * LA_GROUP] = face.nearness.b;
-    to[(LA_ENTRY_PLANE + 2) * LA_GROUP] = face.nearness.c;
-    to[LA_ENTRY_DOUBT * LA_GROUP] = face.doubt;
+    to[LA_ENTRY_PLANE * LA_GROUP] = face->nearness.a;
+    to[(LA_ENTRY_PLANE + 1) * LA_GROUP] = face->nearness.b;
+    to[(LA_ENTRY_PLANE + 2) * LA_GROUP] = face->nearness.c;
+    to[LA_ENTRY_DOUBT * LA_GROUP] = face->doubt;
 }
 
 /* The box around a group, and the nearest that anything in it and behind it in the list comes. */
@@ -197,7 +197,7 @@ KERNEL(tile_lists_arrange, ExactParameters) {
         TileFace face;
         if (face_in_tile(&args, entry.face, box.kind, planes[4 * entry.face + 3], vertices,
                          triangles, screen, origin, &face))
-            write_entry(face, box, entry.nearness, origin, group, place % LA_GROUP);
+            write_entry(&face, box, entry.nearness, origin, group, place % LA_GROUP);
         else
             write_nothing(group, place % LA_GROUP);
     }
