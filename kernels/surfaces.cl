@@ -271,8 +271,7 @@ KERNEL(surfaces_faces, ExactParameters) {
 /* The least distance of a corner of a triangle from the opposite side. */
 static float width_of(const float3 a, const float3 b, const float3 c) {
     const float3 ab = b - a, bc = c - b, ca = a - c, across = cross_product(ab, bc);
-    const float longest =
-        fmax(dot_product(ab, ab), fmax(dot_product(bc, bc), dot_product(ca, ca)));
+    const float longest = fmax(dot_product(ab, ab), fmax(dot_product(bc, bc), dot_product(ca, ca)));
     return longest > 0.0f ? sqrt(dot_product(across, across) / longest) : 0.0f;
 }
 

@@ -158,10 +158,10 @@ struct Sample {
 };
 
 /// By how many percent memory differs within the last half of the samples.
-double growth_of(const std::vector<Sample>& samples, long Sample::* memory) {
+double growth_of(const std::vector<Sample>& samples, long Sample::*memory) {
     const auto half = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
-    const auto [least, most] = std::ranges::minmax(
-        std::ranges::subrange(half, samples.end()) | std::views::transform(memory));
+    const auto [least, most] = std::ranges::minmax(std::ranges::subrange(half, samples.end()) |
+                                                   std::views::transform(memory));
     return 100.0 * static_cast<double>(most - least) / static_cast<double>(least);
 }
 
@@ -181,18 +181,19 @@ int run(int least_frames, const char* layer) {
     std::vector<double> times;
     bool equal = true;
     int frames = 0;
-    std::cout << "frames   MiB allocated   MiB held   GL objects   OpenCL objects   ms of processor time a frame\n";
+    std::cout << "frames   MiB allocated   MiB held   GL objects   OpenCL objects   ms of "
+                 "processor time a frame\n";
     const auto draw_round = [&] {
         for (int i = 0; i < period; ++i, ++frames) {
             const std::clock_t start = std::clock();
             equal = soak.draw(frames) && equal;
             times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
         }
-        samples.push_back({allocated_memory(), held_memory(), test::gl_faults().live, opencl_objects(layer),
-                           median(std::exchange(times, {}))});
+        samples.push_back({allocated_memory(), held_memory(), test::gl_faults().live,
+                           opencl_objects(layer), median(std::exchange(times, {}))});
         const Sample& s = samples.back();
-        std::cout << frames << "   " << s.allocated / 1024 << "   " << s.held / 1024 << "   " << s.gl << "   " << s.opencl
-                  << "   " << s.frame << std::endl;
+        std::cout << frames << "   " << s.allocated / 1024 << "   " << s.held / 1024 << "   "
+                  << s.gl << "   " << s.opencl << "   " << s.frame << std::endl;
     };
     for (int i = 0; i < rounds; ++i) draw_round();
     // Memory settles late where a machine is busy. What leaks goes on growing.
@@ -209,7 +210,8 @@ int run(int least_frames, const char* layer) {
     std::cout << frames << " frames, " << soak.pictures() << " different pictures, equal frames "
               << (equal ? "equal" : "DIFFER") << "; last half: allocated within "
               << growth_of(samples, &Sample::allocated) << " %, held within "
-              << growth_of(samples, &Sample::held) << " %, objects " << (objects_flat ? "flat" : "GROW") << ", a frame takes "
+              << growth_of(samples, &Sample::held) << " %, objects "
+              << (objects_flat ? "flat" : "GROW") << ", a frame takes "
               << time_of(half, samples.end()) / time_of(samples.begin(), half)
               << " of its time in the first half\n";
     return equal && objects_flat && is_flat(samples) ? 0 : 1;

@@ -53,8 +53,8 @@ class Stages {
     void surfaces(const ExactArgs& args);
     /// Boxes around all triangles, in batches.
     void surfaces_boxes(const SegmentTable& table, const BatchTable& batches);
-    /// After occluders are found: which batches of segments or triangles lie outside the picture or, where
-    /// `drops_hidden`, behind faces that cover whole tiles.
+    /// After occluders are found: which batches of segments or triangles lie outside the picture
+    /// or, where `drops_hidden`, behind faces that cover whole tiles.
     void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
     void tile_lists(const ExactArgs& args);
     void visible(const ExactArgs& args);
