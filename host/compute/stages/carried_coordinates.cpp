@@ -3,16 +3,8 @@
 namespace lineatlas::compute {
 
 void CarriedCoordinates::release() {
-    for (std::unique_ptr<Buffer>* buffer : tables(*this)) buffer->reset();
+    tables_.release();
     count_ = 0;
-}
-
-void CarriedCoordinates::make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t words) {
-    const std::uint64_t bytes = words * sizeof(la_uint);
-    if (buffer && buffer->size() >= bytes) return;
-    const bool grows = buffer != nullptr;
-    buffer.reset(); // it may not fit beside another
-    buffer = allocate(device_, grows ? room_to_grow(device_, bytes) : bytes, purpose::segments);
 }
 
 void CarriedCoordinates::find(const SegmentTable& table, std::uint32_t first,
@@ -21,17 +13,16 @@ void CarriedCoordinates::find(const SegmentTable& table, std::uint32_t first,
     count_ = table.segment_count - first;
     arcs_ = &clipped.arcs;
     if (count_ == 0) return forget();
-    const std::uint64_t n = count_, words = std::uint64_t{table.candidates.count} * LA_MEMORY_WORDS;
-    if (!memory_ || memory_->size() < words * sizeof(la_uint)) {
-        make_room(memory_, words);
-        device_.clear(*memory_, words * sizeof(la_uint));
+    constexpr std::uint64_t word = sizeof(la_uint);
+    const std::uint64_t n = count_, remembered = table.candidates.count * LA_MEMORY_WORDS * word;
+    if (tables_.make_room(Table::memory, remembered))
+        device_.clear(tables_[Table::memory], remembered);
+    for (const Table each : {Table::lengths, Table::found, Table::kept, Table::breaks, Table::means,
+                             Table::pieces, Table::list, Table::shifts}) {
+        tables_.make_room(each, (n + 1) * word);
     }
-    for (std::unique_ptr<Buffer>* each :
-         {&lengths_, &found_, &kept_, &breaks_, &means_, &pieces_, &list_, &shifts_}) {
-        make_room(*each, n + 1);
-    }
-    make_room(recalled_, 2 * n);
-    make_room(carried_, 2 * n);
+    tables_.make_room(Table::recalled, 2 * n * word);
+    tables_.make_room(Table::carried, 2 * n * word);
     stages_.carry({.table = table,
                    .first = first,
                    .count = count_,
@@ -39,35 +30,27 @@ void CarriedCoordinates::find(const SegmentTable& table, std::uint32_t first,
                    .viewport = viewport,
                    .frame = frame_++,
                    .limit = limit,
-                   .memory = *memory_,
-                   .lengths = *lengths_,
-                   .found = *found_,
-                   .kept = *kept_,
-                   .breaks = *breaks_,
-                   .means = *means_,
-                   .recalled = *recalled_,
-                   .list = *list_,
-                   .pieces = *pieces_,
-                   .shifts = *shifts_,
-                   .carried = *carried_});
+                   .memory = tables_[Table::memory],
+                   .lengths = tables_[Table::lengths],
+                   .found = tables_[Table::found],
+                   .kept = tables_[Table::kept],
+                   .breaks = tables_[Table::breaks],
+                   .means = tables_[Table::means],
+                   .recalled = tables_[Table::recalled],
+                   .list = tables_[Table::list],
+                   .pieces = tables_[Table::pieces],
+                   .shifts = tables_[Table::shifts],
+                   .carried = tables_[Table::carried]});
 }
 
 void CarriedCoordinates::apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity) {
     if (count_ == 0) return;
     stages_.carry_runs({.first = first_,
                         .arcs = *arcs_,
-                        .carried = *carried_,
+                        .carried = tables_[Table::carried],
                         .record = record,
                         .run_capacity = run_capacity,
                         .runs = runs});
-}
-
-std::uint64_t CarriedCoordinates::bytes() const {
-    std::uint64_t sum = 0;
-    for (const std::unique_ptr<Buffer>* buffer : tables(*this)) {
-        if (*buffer) sum += (*buffer)->size();
-    }
-    return sum;
 }
 
 } // namespace lineatlas::compute

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-
 #include "stages.hpp"
 
 namespace lineatlas::compute {
@@ -12,7 +9,8 @@ namespace lineatlas::compute {
 class CarriedCoordinates {
   public:
     /// `stages` must outlive it.
-    explicit CarriedCoordinates(Stages& stages) : stages_(stages), device_(stages.device()) {}
+    explicit CarriedCoordinates(Stages& stages)
+        : stages_(stages), device_(stages.device()), tables_(device_, purpose::segments) {}
 
     /// Gives up its tables, and what it remembers.
     void release();
@@ -24,26 +22,32 @@ class CarriedCoordinates {
               glm::vec2 viewport, float limit);
     /// Puts them into runs of that frame.
     void apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity);
-    std::uint64_t bytes() const; ///< of all its tables
+    std::uint64_t bytes() const { return tables_.bytes(); } ///< of all its tables
 
   private:
-    void make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t words);
-
-    template <class Self>
-    static auto tables(Self& self) {
-        return std::array{&self.memory_, &self.lengths_, &self.found_,  &self.kept_,
-                          &self.breaks_, &self.means_,   &self.pieces_, &self.recalled_,
-                          &self.list_,   &self.shifts_,  &self.carried_};
-    }
+    enum class Table {
+        // Per candidate:
+        memory,
+        // Per silhouette:
+        lengths,
+        found,
+        kept,
+        breaks,
+        means,
+        pieces,
+        recalled,
+        list,
+        shifts,
+        carried,
+        count
+    };
 
     Stages& stages_;
     Device& device_; ///< of stages_
     std::uint32_t frame_ = 2;
     std::uint32_t first_ = 0, count_ = 0; ///< silhouettes of the last frame
     Buffer* arcs_ = nullptr;              ///< of that frame
-    std::unique_ptr<Buffer> memory_;      ///< per candidate
-    std::unique_ptr<Buffer> lengths_, found_, kept_, breaks_, means_, pieces_; // that grow
-    std::unique_ptr<Buffer> recalled_, list_, shifts_, carried_;
+    GrowingTables<Table> tables_;
 };
 
 } // namespace lineatlas::compute

@@ -100,15 +100,9 @@ void ExactVisibility::release() {
     table_.reset();
     triangles_.release();
     batches_.reset();
-    for (std::unique_ptr<Buffer>* buffer : tables(*this)) buffer->reset();
+    tables_.release();
     beside_.capacity = within_.capacity = part_capacity_ = 0;
     parameters_ = {};
-}
-
-void ExactVisibility::make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes) {
-    if (buffer && buffer->size() >= bytes) return;
-    buffer.reset(); // it may not fit beside another
-    buffer = allocate(device_, bytes, purpose::exact);
 }
 
 void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
@@ -127,20 +121,21 @@ void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, con
     parameters_.span_capacity = std::max(
         before.span_capacity, first_capacity<std::array<float, 2>>(device_, first_span_capacity));
     constexpr std::uint64_t four = 4 * sizeof(float);
-    make_room(screen_, parameters_.vertex_count * four);
-    make_room(faces_, std::uint64_t{parameters_.triangle_count} * sizeof(ScreenFace));
-    make_room(planes_, parameters_.triangle_count * four);
+    tables_.fit(Table::screen, parameters_.vertex_count * four);
+    tables_.fit(Table::faces, std::uint64_t{parameters_.triangle_count} * sizeof(ScreenFace));
+    tables_.fit(Table::planes, parameters_.triangle_count * four);
     make_room_for_segments();
-    make_room(occluders_, std::uint64_t{tiles()} * sizeof(la_uint));
-    make_room(ends_, (std::uint64_t{tiles()} * device_.tuning().face_chunks + 1) * sizeof(la_uint));
-    make_room(groups_, (std::uint64_t{tiles()} + 1) * sizeof(la_uint));
+    tables_.fit(Table::occluders, std::uint64_t{tiles()} * sizeof(la_uint));
+    tables_.fit(Table::ends,
+                (std::uint64_t{tiles()} * device_.tuning().face_chunks + 1) * sizeof(la_uint));
+    tables_.fit(Table::groups, (std::uint64_t{tiles()} + 1) * sizeof(la_uint));
     make_lists();
-    make_room(spans_, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
+    tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
 }
 
 void ExactVisibility::make_room_for_segments() {
-    make_room(kept_, parameters_.count * std::uint64_t{4 * sizeof(float)});
-    make_room(span_offsets_, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
+    tables_.fit(Table::kept, parameters_.count * std::uint64_t{4 * sizeof(float)});
+    tables_.fit(Table::span_offsets, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
 }
 
 void ExactVisibility::go_on(const SegmentTable& table) {
@@ -151,13 +146,14 @@ void ExactVisibility::go_on(const SegmentTable& table) {
 
 void ExactVisibility::make_lists() {
     const std::uint64_t groups = parameters_.group_capacity;
-    make_room(entries_, std::uint64_t{parameters_.entry_capacity} * sizeof(Entry));
-    make_room(blocks_, groups * LA_GROUP_FLOATS * sizeof(float));
-    make_room(boxes_, (groups + LA_GROUP) * LA_BOX_FLOATS * sizeof(float));
+    tables_.fit(Table::entries, std::uint64_t{parameters_.entry_capacity} * sizeof(Entry));
+    tables_.fit(Table::blocks, groups * LA_GROUP_FLOATS * sizeof(float));
+    tables_.fit(Table::boxes, (groups + LA_GROUP) * LA_BOX_FLOATS * sizeof(float));
 }
 
 ExactArgs ExactVisibility::args(const ClippedTable& clipped) const {
-    return args(clipped, parameters_, *kept_, *span_offsets_, *spans_);
+    return args(clipped, parameters_, tables_[Table::kept], tables_[Table::span_offsets],
+                tables_[Table::spans]);
 }
 
 ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParameters& parameters,
@@ -165,15 +161,15 @@ ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParamete
     return {.table = *table_,
             .clipped = clipped,
             .parameters = parameters,
-            .screen = *screen_,
-            .faces = *faces_,
-            .planes = *planes_,
-            .occluders = *occluders_,
-            .ends = *ends_,
-            .groups = *groups_,
-            .entries = *entries_,
-            .blocks = *blocks_,
-            .boxes = *boxes_,
+            .screen = tables_[Table::screen],
+            .faces = tables_[Table::faces],
+            .planes = tables_[Table::planes],
+            .occluders = tables_[Table::occluders],
+            .ends = tables_[Table::ends],
+            .groups = tables_[Table::groups],
+            .entries = tables_[Table::entries],
+            .blocks = tables_[Table::blocks],
+            .boxes = tables_[Table::boxes],
             .kept = kept,
             .span_offsets = span_offsets,
             .spans = spans,
@@ -209,17 +205,17 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t way
     const std::uint64_t count = std::uint64_t{parameters_.count} * ways;
     beside.capacity = std::max(beside.capacity,
                                first_capacity<std::array<float, 2>>(device_, first_span_capacity));
-    make_room(beside.kept, count * 4 * sizeof(float));
-    make_room(beside.offsets, (count + 1) * sizeof(la_uint));
+    tables_.fit(beside.kept, count * 4 * sizeof(float));
+    tables_.fit(beside.offsets, (count + 1) * sizeof(la_uint));
     ExactParameters parameters = parameters_;
     parameters.count = static_cast<std::uint32_t>(count);
     parameters.beside = ways;
     for (bool again = true; again;) {
-        make_room(beside.spans, std::uint64_t{beside.capacity} * 2 * sizeof(float));
+        tables_.fit(beside.spans, std::uint64_t{beside.capacity} * 2 * sizeof(float));
         parameters.span_capacity = beside.capacity;
-        stages_.visible(args({*pushed_, clipped.offsets, clipped.arcs}, parameters, *beside.kept,
-                             *beside.offsets, *beside.spans));
-        const std::uint32_t found = read(*beside.offsets, count);
+        stages_.visible(args({tables_[Table::pushed], clipped.offsets, clipped.arcs}, parameters,
+                             tables_[beside.kept], tables_[beside.offsets], tables_[beside.spans]));
+        const std::uint32_t found = read(tables_[beside.offsets], count);
         again = found > beside.capacity;
         if (again) beside.capacity = grown(device_, found, 2 * sizeof(float));
     }
@@ -231,8 +227,8 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
         throw DeviceError(beyond_limit(purpose::exact, "over 1 billion lines with outlines",
                                        "kernels count to 4 billion"));
     }
-    make_room(pushed_, ways * sizeof(ClippedSegment));
-    make_room(part_offsets_, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
+    tables_.fit(Table::pushed, ways * sizeof(ClippedSegment));
+    tables_.fit(Table::part_offsets, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
     const OutlineArgs outline{.table = *table_,
                               .clipped = clipped,
                               .spans = spans(),
@@ -241,31 +237,33 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                               .parallel = parameters_.depth_rate > 0,
                               .clip_from_world = parameters_.clip_from_world,
                               .lift = parameters_.lift,
-                              .pushed = *pushed_};
+                              .pushed = tables_[Table::pushed]};
     stages_.outline_push(outline);
     find_beside(clipped, LA_OUTLINE_BESIDE, beside_);
-    stages_.outline_push_in(outline, *beside_.offsets);
+    stages_.outline_push_in(outline, tables_[beside_.offsets]);
     find_beside(clipped, LA_OUTLINE_WITHIN, within_);
     part_capacity_ = std::max(part_capacity_, beside_.capacity);
     for (bool again = true; again;) {
-        make_room(parts_, std::uint64_t{part_capacity_} * 2 * sizeof(float));
-        stages_.outline_parts({.segment_count = parameters_.count,
-                               .beside = {*beside_.offsets, *beside_.spans, beside_.capacity},
-                               .within = {*within_.offsets, *within_.spans, within_.capacity},
-                               .offsets = *part_offsets_,
-                               .parts = *parts_,
-                               .part_capacity = part_capacity_});
-        const std::uint32_t found = read(*part_offsets_, parameters_.count);
+        tables_.fit(Table::parts, std::uint64_t{part_capacity_} * 2 * sizeof(float));
+        stages_.outline_parts(
+            {.segment_count = parameters_.count,
+             .beside = {tables_[beside_.offsets], tables_[beside_.spans], beside_.capacity},
+             .within = {tables_[within_.offsets], tables_[within_.spans], within_.capacity},
+             .offsets = tables_[Table::part_offsets],
+             .parts = tables_[Table::parts],
+             .part_capacity = part_capacity_});
+        const std::uint32_t found = read(tables_[Table::part_offsets], parameters_.count);
         again = found > part_capacity_;
         if (again) part_capacity_ = grown(device_, found, 2 * sizeof(float));
     }
-    return {*part_offsets_, *parts_};
+    return {tables_[Table::part_offsets], tables_[Table::parts]};
 }
 
 bool ExactVisibility::grow() {
-    const std::uint32_t entries = read(*ends_, std::size_t{tiles()} * device_.tuning().face_chunks);
-    const std::uint32_t groups = read(*groups_, tiles());
-    const std::uint32_t spans = read(*span_offsets_, parameters_.count);
+    const std::uint32_t entries =
+        read(tables_[Table::ends], std::size_t{tiles()} * device_.tuning().face_chunks);
+    const std::uint32_t groups = read(tables_[Table::groups], tiles());
+    const std::uint32_t spans = read(tables_[Table::span_offsets], parameters_.count);
     bool again = false;
     if (entries > parameters_.entry_capacity) {
         parameters_.entry_capacity = grown(device_, entries, sizeof(Entry));
@@ -278,23 +276,14 @@ bool ExactVisibility::grow() {
     if (again) make_lists();
     if (spans > parameters_.span_capacity) {
         parameters_.span_capacity = grown(device_, spans, 2 * sizeof(float));
-        make_room(spans_, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
+        tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
         again = true;
     }
     return again;
 }
 
 SpanTable ExactVisibility::spans() const {
-    return {*span_offsets_, *spans_, parameters_.span_capacity};
-}
-
-std::uint64_t ExactVisibility::bytes() const {
-    std::uint64_t sum = 0;
-    for (const std::unique_ptr<Buffer>* buffer : tables(*this)) {
-        if (*buffer) sum += (*buffer)->size();
-    }
-    sum += triangles_.bytes();
-    return sum;
+    return {tables_[Table::span_offsets], tables_[Table::spans], parameters_.span_capacity};
 }
 
 } // namespace lineatlas::compute

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
 #include <optional>
 
 #include "batches.hpp"
@@ -16,7 +14,8 @@ class ExactVisibility {
   public:
     /// `stages` must outlive it.
     explicit ExactVisibility(Stages& stages)
-        : stages_(stages), device_(stages.device()), triangles_(stages) {}
+        : stages_(stages), device_(stages.device()), triangles_(stages),
+          tables_(device_, purpose::exact) {}
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
@@ -46,24 +45,41 @@ class ExactVisibility {
     SpanTable spans() const;
     /// A uint32 per segment and one more, not in use before visible(): for what project_clip
     /// counts.
-    Buffer& counts() const { return *span_offsets_; }
-    std::uint64_t bytes() const; ///< of all its tables
+    Buffer& counts() const { return tables_[Table::span_offsets]; }
+    std::uint64_t bytes() const { return tables_.bytes() + triangles_.bytes(); }
 
   private:
-    template <class Self>
-    static auto tables(Self& self) {
-        return std::array{&self.screen_,      &self.faces_,          &self.planes_,
-                          &self.kept_,        &self.span_offsets_,   &self.occluders_,
-                          &self.ends_,        &self.groups_,         &self.entries_,
-                          &self.blocks_,      &self.boxes_,          &self.spans_,
-                          &self.pushed_,      &self.part_offsets_,   &self.parts_,
-                          &self.beside_.kept, &self.beside_.offsets, &self.beside_.spans,
-                          &self.within_.kept, &self.within_.offsets, &self.within_.spans};
-    }
+    enum class Table {
+        // Per model:
+        screen,
+        faces,
+        planes,
+        kept,
+        span_offsets,
+        // Per picture:
+        occluders,
+        ends,
+        groups,
+        // That grow:
+        entries,
+        blocks,
+        boxes,
+        spans,
+        // While outlines are asked for:
+        pushed,
+        part_offsets,
+        parts,
+        beside_kept,
+        beside_offsets,
+        beside_spans,
+        within_kept,
+        within_offsets,
+        within_spans,
+        count
+    };
     ExactArgs args(const ClippedTable& clipped) const;
     ExactArgs args(const ClippedTable& clipped, const ExactParameters& parameters, Buffer& kept,
                    Buffer& span_offsets, Buffer& spans) const;
-    void make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes);
     void make_lists();
     void make_room_for_segments();
     std::uint32_t read(Buffer& buffer, std::size_t index) const;
@@ -77,19 +93,17 @@ class ExactVisibility {
     ExactParameters parameters_{};
     Batches triangles_;
     std::optional<BatchTable> batches_; ///< of the current frame's triangles
-    std::unique_ptr<Buffer> screen_, faces_, planes_, kept_, span_offsets_; // per model
-    std::unique_ptr<Buffer> occluders_, ends_, groups_;                     // per picture
-    std::unique_ptr<Buffer> entries_, blocks_, boxes_, spans_;              // that grow
-    /// What is seen of ways beside the segments, while outlines are asked for.
+    GrowingTables<Table> tables_;
+    /// What is seen of ways beside the segments.
     struct Beside {
-        std::unique_ptr<Buffer> kept, offsets, spans;
+        Table kept, offsets, spans;
         std::uint32_t capacity = 0; ///< of spans
     };
-    /// Of what stands in pushed_, so many ways per segment.
+    /// Of what stands in Table::pushed, so many ways per segment.
     void find_beside(const ClippedTable& clipped, std::uint32_t ways, Beside& beside);
-    std::unique_ptr<Buffer> pushed_, part_offsets_, parts_;
-    Beside beside_, within_;
-    std::uint32_t part_capacity_ = 0; ///< of parts_
+    Beside beside_{Table::beside_kept, Table::beside_offsets, Table::beside_spans};
+    Beside within_{Table::within_kept, Table::within_offsets, Table::within_spans};
+    std::uint32_t part_capacity_ = 0; ///< of Table::parts
 };
 
 } // namespace lineatlas::compute

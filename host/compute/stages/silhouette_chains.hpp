@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
 #include <vector>
 
 #include "stages.hpp"
@@ -19,7 +17,8 @@ class SilhouetteChains {
 
     /// `stages` must outlive it.
     explicit SilhouetteChains(Stages& stages, Contours drawn)
-        : stages_(stages), device_(stages.device()), drawn_(drawn) {}
+        : stages_(stages), device_(stages.device()), drawn_(drawn),
+          tables_(device_, purpose::segments) {}
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
@@ -54,30 +53,40 @@ class SilhouetteChains {
     /// frame was without().
     ChainOrder order(const SegmentTable& table, Buffer& positions_before) const;
     bool has_order() const { return has_order_; }
-    std::uint64_t bytes() const; ///< of all its tables
+    std::uint64_t bytes() const { return tables_.bytes(); } ///< of all its tables
 
   private:
     void contour(const SegmentTable& table, Buffer& front, const glm::vec4& eye);
     /// With the vertices of the frame's contours behind its own.
     SegmentTable with_contours(const SegmentTable& table) const;
     Buffer* contour_ends(const SegmentTable& table) const {
-        return table.candidates.contours ? contour_ends_.get() : nullptr;
+        return table.candidates.contours ? &tables_[Table::contour_ends] : nullptr;
     }
     void count(const SegmentTable& table, Buffer& front);
     void chain(const SegmentTable& table, const glm::vec4& eye);
     SegmentTable with_none(const SegmentTable& table);
     SegmentTable with_chains(const SegmentTable& table) const;
-    /// True if the buffer is new.
-    bool make_room(std::unique_ptr<Buffer>& buffer, std::uint64_t bytes);
     void copy_fixed(const SegmentTable& table);
 
-    template <class Self>
-    static auto tables(Self& self) {
-        return std::array{&self.numbers_,     &self.positions_, &self.ordered_,  &self.chosen_,
-                          &self.ways_,        &self.longer_,    &self.going_,    &self.places_,
-                          &self.starts_,      &self.origins_,   &self.vertices_, &self.crossed_,
-                          &self.contour_ends_};
-    }
+    enum class Table {
+        // Per candidate:
+        numbers,
+        positions,
+        // Per silhouette:
+        ordered,
+        chosen,
+        ways,
+        longer,
+        going,
+        places,
+        starts,
+        origins,
+        // Per edge and face, where there are contours:
+        vertices,
+        crossed,
+        contour_ends,
+        count
+    };
 
     Stages& stages_;
     Device& device_; ///< of stages_
@@ -86,12 +95,9 @@ class SilhouetteChains {
     std::uint32_t count_ = 0; ///< silhouettes of the last frame
     bool has_order_ = false;
     Buffer* positions_before_ = nullptr;
-    const Buffer* fixed_of_ = nullptr;            ///< whose fixed lines stand in `ordered_`
-    std::unique_ptr<Buffer> numbers_, positions_; // per candidate
-    std::unique_ptr<Buffer> ordered_, chosen_, ways_, longer_, going_, places_; // that grow
-    std::unique_ptr<Buffer> starts_, origins_;
-    const Buffer* vertices_of_ = nullptr; ///< whose vertices stand in `vertices_`
-    std::unique_ptr<Buffer> vertices_, crossed_, contour_ends_; // where there are contours
+    const Buffer* fixed_of_ = nullptr;    ///< whose fixed lines stand in `ordered`
+    const Buffer* vertices_of_ = nullptr; ///< whose vertices stand in `vertices`
+    GrowingTables<Table> tables_;
 };
 
 } // namespace lineatlas::compute

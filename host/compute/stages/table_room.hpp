@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -37,5 +38,46 @@ std::uint32_t capacity_for(const Device& device, std::uint32_t needed) {
 inline std::unique_ptr<Buffer> allocate(Device& device, std::size_t bytes, const Purpose& purpose) {
     return for_purpose(purpose, [&] { return device.allocate(bytes); });
 }
+
+/// The tables of a stage, by the names of an enumeration that ends in `count`: made when a frame
+/// needs them, and made anew when one needs more than they have.
+template <class Name>
+class GrowingTables {
+  public:
+    /// `device` and `purpose` must outlive it.
+    GrowingTables(Device& device, const Purpose& purpose) : device_(device), purpose_(purpose) {}
+
+    /// Makes room for so many bytes; true if the table is new, and nothing stands in it.
+    bool fit(Name name, std::uint64_t bytes) { return make_room(name, bytes, bytes); }
+    /// The same of a table that may have to grow again soon.
+    bool make_room(Name name, std::uint64_t bytes) {
+        return make_room(name, bytes, has(name) ? room_to_grow(device_, bytes) : bytes);
+    }
+    Buffer& operator[](Name name) const { return *tables_[index(name)]; }
+    bool has(Name name) const { return tables_[index(name)] != nullptr; }
+    void release() {
+        for (std::unique_ptr<Buffer>& table : tables_) table.reset();
+    }
+    std::uint64_t bytes() const {
+        std::uint64_t sum = 0;
+        for (const std::unique_ptr<Buffer>& table : tables_) sum += table ? table->size() : 0;
+        return sum;
+    }
+
+  private:
+    static constexpr std::size_t index(Name name) { return static_cast<std::size_t>(name); }
+
+    bool make_room(Name name, std::uint64_t needed, std::uint64_t bytes) {
+        std::unique_ptr<Buffer>& table = tables_[index(name)];
+        if (table && table->size() >= needed) return false;
+        table.reset(); // it may not fit beside another
+        table = allocate(device_, bytes, purpose_);
+        return true;
+    }
+
+    Device& device_;
+    const Purpose& purpose_;
+    std::array<std::unique_ptr<Buffer>, index(Name::count)> tables_;
+};
 
 } // namespace lineatlas::compute
