@@ -90,7 +90,7 @@ class Renderer::State {
         exact_.reset();
         picking_.reset();
         if (scene_) scene_->use(*connection.stages, connection.mode, std::move(*tables));
-        connection_ = std::move(connection);
+        std::swap(connection_, connection); // an assignment would end the device before the stages
         samples_drawn_ = broken_ = false;
     }
 
