@@ -208,7 +208,8 @@ const Layout& layout_of(std::string_view type) {
                                     Layout{"Batch",
                                            {{"low", FieldKind::number, 3},
                                             {"high", FieldKind::number, 3},
-                                            {"joined", FieldKind::integer, 2}}}};
+                                            {"joined", FieldKind::integer, 2},
+                                            {"widest", FieldKind::number}}}};
     const auto found = std::ranges::find(layouts, type, &Layout::name);
     if (found == layouts.end())
         throw Error("no layout says how two tables of " + std::string{type} + " are compared");
