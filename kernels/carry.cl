@@ -1,13 +1,12 @@
 /* carry: texture coordinates of silhouettes carried over from frame to frame.
  *
  * Measured along its chain anew, a silhouette's coordinate shifts whenever another edge of the
- * chain comes or goes, and textures crawl. So every candidate remembers its coordinates, as the
- * samples of Kalnins et al. 2003 ("Coherent stylized silhouettes") and the vertices of Benard et
- * al. 2012
- * ("Active strokes") do, and the next frame's chain takes them over. What is new lies between what
- * is remembered; what was remembered from different places of other chains stays in pieces, a short
- * one taking the coordinates of a longer one beside it. So that nothing stays stretched,
- * coordinates shift towards what the length of the chain says: towards the mean of their
+ * chain comes or goes, and textures crawl. So every candidate remembers its coordinates, as do the
+ * samples of "Coherent stylized silhouettes" (Kalnins et al. 2003) and the vertices of "Active
+ * strokes" (Benard et al. 2012), and the next frame's chain takes them over. What is new lies
+ * between what is remembered; what was remembered from different places of other chains stays in
+ * pieces, a short one taking the coordinates of a longer one beside it. So that nothing stays
+ * stretched, coordinates shift towards what the length of the chain says: towards the mean of their
  * neighbours, and slowly towards that of their piece, by no more than `limit`.
  *
  * Lengths are those of the chain with its zigzags smoothed away: along edges of the mesh these come
