@@ -71,7 +71,7 @@ std::uint64_t hash(const std::vector<std::uint8_t>& pixels) {
     return value;
 }
 
-/// So that the system counts what the program holds, to less than 1 %: by default the allocator
+/// So that the system counts what the program holds: by default the allocator
 /// keeps large blocks that were freed wherever something small stands behind them, and the kernel
 /// gives memory in pages of 2 MiB.
 void keep_no_free_memory() {

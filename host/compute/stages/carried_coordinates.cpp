@@ -14,7 +14,7 @@ void CarriedCoordinates::find(const SegmentTable& table, std::uint32_t first,
     arcs_ = &clipped.arcs;
     if (count_ == 0) return forget();
     constexpr std::uint64_t word = sizeof(la_uint);
-    const std::uint64_t n = count_, remembered = table.candidates.count * LA_MEMORY_WORDS * word;
+    const std::uint64_t n = count_, remembered = word * LA_MEMORY_WORDS * table.candidates.count;
     if (tables_.make_room(Table::memory, remembered))
         device_.clear(tables_[Table::memory], remembered);
     for (const Table each : {Table::lengths, Table::found, Table::kept, Table::breaks, Table::means,
