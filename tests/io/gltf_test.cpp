@@ -228,6 +228,48 @@ TEST_F(Gltf, QuantizedPositionsAreNumbers) {
     EXPECT_FLOAT_EQ(loaded.mesh.precision, std::sqrt(3.0F) / 255);
 }
 
+// Two squares side by side, the left one on a grid of 1/127, the right one on one of 1/255: their
+// common corners at 0.3 are 0.29921 and 0.30196.
+TEST_F(Gltf, PrimitivesMeetWhereRoundingHasPartedThem) {
+    const auto read = [&](int of_left, int of_right) {
+        const auto a = static_cast<std::int8_t>(of_left);
+        const auto b = static_cast<std::uint8_t>(of_right);
+        const std::string bytes =
+            GltfBytes{}
+                .add<std::int8_t>({0, 0, 0, a, 0, 0, a, 127, 0, 0, 127, 0})
+                .add<std::uint8_t>({b, 0, 0, 255, 0, 0, 255, 255, 0, b, 255, 0})
+                .add<std::uint8_t>({0, 1, 2, 0, 2, 3})
+                .bytes();
+        return load("a.glb",
+                    to_glb(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+            "extensionsRequired":["KHR_mesh_quantization"],"nodes":[{"mesh":0}],
+            "materials":[{"name":"steel"},{"name":"glass"}],"buffers":[{"byteLength":30}],
+            "bufferViews":[{"buffer":0,"byteLength":12},{"buffer":0,"byteOffset":12,"byteLength":12},
+                {"buffer":0,"byteOffset":24,"byteLength":6}],
+            "accessors":[
+                {"bufferView":0,"componentType":5120,"normalized":true,"count":4,"type":"VEC3"},
+                {"bufferView":1,"componentType":5121,"normalized":true,"count":4,"type":"VEC3"},
+                {"bufferView":2,"componentType":5121,"count":6,"type":"SCALAR"}],
+            "meshes":[{"primitives":[
+                {"attributes":{"POSITION":0},"indices":2,"material":0},
+                {"attributes":{"POSITION":1},"indices":2,"material":1}]}]})",
+                           bytes));
+    };
+    const LoadedMesh joined = read(38, 77);
+    const auto& kinds = extract_lines(joined.mesh).kind_counts;
+    EXPECT_EQ(kinds[LA_KIND_MATERIAL], 1U);
+    EXPECT_EQ(kinds[LA_KIND_BOUNDARY], 6U);
+    std::vector<float> across;
+    for (const glm::vec3& position : joined.mesh.positions) across.push_back(position.x);
+    EXPECT_EQ(std::ranges::count(across, 38 / 127.0F), 4) << "the later one goes to the earlier";
+    EXPECT_EQ(std::ranges::count(across, 1.0F), 2) << "what has no counterpart stays";
+
+    // Half a step of both in three directions is 0.0102; these are 0.0139 apart.
+    const LoadedMesh apart = read(38, 80);
+    for (const glm::vec3& position : apart.mesh.positions)
+        EXPECT_TRUE(position.x < 0.3F || position.x > 0.31F) << position.x;
+}
+
 TEST_F(Gltf, SkinsTakeTheirStoredPose) {
     // All of the cube hangs on one joint, which stands at (0, 5, 0); the node's own place is
     // nothing to it.

@@ -108,6 +108,10 @@ TEST_F(SharedModels, MilkTruck) {
         const LoadedMesh loaded = load(file);
         EXPECT_EQ(loaded.mesh.triangles.size(), 3624U);
         expect_box(loaded.mesh, {-2.4309, 0.0015, -1.3960}, {2.4380, 2.5844, 1.3960}, 2e-3);
+        // Its windows meet the body, also where each of them lies on a grid of its own.
+        const auto& kinds = extract_lines(loaded.mesh).kind_counts;
+        EXPECT_EQ(kinds[LA_KIND_MATERIAL], 120U);
+        EXPECT_EQ(kinds[LA_KIND_BOUNDARY], 8U);
     }
 }
 

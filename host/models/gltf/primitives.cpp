@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "borders.hpp"
 #include "draco.hpp"
 
 namespace lineatlas::gltf {
@@ -149,6 +150,7 @@ std::vector<Primitive> read_mesh(const Document& document, Buffers& buffers, std
                            node_weights != nullptr ? node_weights : find(json, "weights"),
                            numbered("primitive", i) + " of " + name));
     }
+    join_borders(primitives);
     return primitives;
 }
 
