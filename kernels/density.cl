@@ -94,9 +94,10 @@ KERNEL(density_lines, DensityParameters) {
         int2 low = int2(0, 0);
         float4 sums = float4(0.0f, 0.0f, 0.0f, 0.0f);
         for (int j = convert_int_rtn(first); j < end; ++j) {
-            const float opacity =
+            const float visible =
                 solid ? 1.0f
                       : fmin((float)own[clamp(j, 0, last_own)] * (1.0f / LA_FULLY_SHOWN), 1.0f);
+            const float opacity = args.hidden != 0 && !solid ? 1.0f - visible : visible;
             if (opacity == 0.0f) continue;
             const float from = fmax((float)j, first);
             const float to = fmin((float)(j + 1), last);

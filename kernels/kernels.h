@@ -219,6 +219,7 @@ typedef struct DensityParameters {
     la_vec4 focus;   /* centre x and y, radius and falloff in pixels; falloff 0: no focus */
     float far_limit; /* factor of the limit far from the focus */
     la_uint again;   /* 1: where the first weights left too much */
+    la_uint hidden;  /* 1: runs are of hidden lines, drawn where samples are not visible */
 } DensityParameters;
 #define density_lines_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, arcs) in(uchar, alpha) in(FrameRecord, record) \

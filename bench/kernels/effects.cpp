@@ -125,6 +125,7 @@ Job prepare_density(compute::Stages& stages, std::uint32_t n) {
     const std::size_t count =
         LA_DENSITY_BINS * static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
     const SharedBuffer weights = device.allocate(count * sizeof(float));
+    const SharedBuffer grid = device.allocate(count * sizeof(std::uint32_t));
     const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, 7, 16384);
     const auto run = [=, &stages] {
         stages.density({.table = on.table(),
@@ -136,6 +137,7 @@ Job prepare_density(compute::Stages& stages, std::uint32_t n) {
                         .density = {.limit = 0.1F},
                         .focus = glm::vec4{0},
                         .far_limit = 1,
+                        .grid = *grid,
                         .weights = *weights});
         stages.device().finish();
     };

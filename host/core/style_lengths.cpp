@@ -8,6 +8,7 @@ void multiply_lengths(Style& style, float factor) {
              style.hidden_pen.cap_length, style.filter.fill, style.filter.drop,
              style.filter.overshoot, style.filter.undershoot, style.filter.halo);
     style.density.limit /= factor; // as many lines in fewer pixels
+    style.hidden_density /= factor;
     for (PenRule& rule : style.pens) {
         if (rule.width) *rule.width *= factor;
         if (rule.cap_length) *rule.cap_length *= factor;

@@ -1,13 +1,8 @@
 #include "stroke_stage.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
-
-#include "glpasses/storage.hpp"
 
 namespace lineatlas {
 namespace {
@@ -30,22 +25,6 @@ bool needs_filter(const Style& style, const std::vector<Pen>& pens) {
                                      pen.path_cap == Cap::texture;
                return has_caps || varies(pen.width_profile) || varies(pen.opacity_profile);
            });
-}
-
-/// The focus in pixels, of a point in the scene too: for density, which knows no depth.
-glm::vec4 focus_on_screen(const Frame& frame) {
-    const Focus& focus = frame.options.style.focus;
-    const glm::vec2 size = frame.viewport();
-    if (!focus.on) return glm::vec4{0};
-    if (!focus.in_scene) {
-        return {glm::vec2{focus.point} * size, focus.radius * size.y, focus.falloff * size.y};
-    }
-    const glm::vec4 clip = frame.camera.clip_from_world() * glm::vec4{focus.point, 1};
-    const float w = std::max(clip.w, 1e-6F);
-    const glm::vec2 centre = (glm::vec2{clip} / w + 1.0F) * 0.5F * size;
-    const float unit_height = std::abs(frame.camera.projection[1][1]) / w * 0.5F * size.y;
-    const float scale = frame.scene.diagonal() * unit_height;
-    return {centre, focus.radius * scale, focus.falloff * scale};
 }
 
 } // namespace
@@ -95,18 +74,11 @@ void StrokeStage::prepare(const Frame& frame) {
         make_table(table);
         handover_.to_compute({table.runs.get(), table.record.get()});
     }
-    limits_density_ = frame.options.draw && style.density.limit > 0;
-    if (limits_density_) {
-        cells_ = compute::density_cells(frame.viewport());
-        const std::size_t bytes = std::size_t{LA_DENSITY_BINS} *
-                                  static_cast<std::size_t>(cells_.x * cells_.y) * sizeof(float);
-        if (!weights_ || weights_->size() < bytes) {
-            gl::check_buffer_texture(bytes / sizeof(float), purpose::density);
-            weights_.reset(); // it may not fit beside another
-            weights_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::density);
-            handover_.to_compute({weights_.get()});
-        }
-    }
+    cells_ = compute::density_cells(frame.viewport());
+    thinning(false).on = frame.options.draw && style.density.limit > 0;
+    thinning(true).on = has_hidden_ && style.hidden_density > 0;
+    for (Thinning& thinning : thinning_)
+        if (thinning.on) make_room(thinning);
 }
 
 void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
@@ -152,6 +124,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
                     hidden_.record->compute());
             device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
         });
+        if (thinning(true).on) density(frame, input, true);
         carry(frame, hidden_);
         if (tells_pens(true)) tell_pens(frame, true, nullptr);
     }
@@ -159,7 +132,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
         if (frame.options.style.filter.halo > 0) halo(frame, input);
         filter(frame, input);
     }
-    if (limits_density_) density(frame, input);
+    if (thinning(false).on) density(frame, input, false);
     carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
     frame.clock(stage,
@@ -208,23 +181,6 @@ void StrokeStage::filter(Frame& frame, const compute::SegmentAtlas& input) {
                         .filtered = visible_.runs->compute(),
                         .filtered_capacity = visible_.capacity,
                         .filtered_record = visible_.record->compute()});
-    });
-}
-
-void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input) {
-    frame.clock("density", [&] {
-        const Style& style = frame.options.style;
-        stages_.density({.table = frame.scene.table(),
-                         .atlas = input,
-                         .runs = visible_.runs->compute(),
-                         .record = visible_.record->compute(),
-                         .run_capacity = visible_.capacity,
-                         .viewport = frame.viewport(),
-                         .density = style.density,
-                         .focus = focus_on_screen(frame),
-                         .far_limit = style.focus.on ? style.focus.density : 1,
-                         .drawn_before = kept_density_,
-                         .weights = weights_->compute()});
     });
 }
 
@@ -283,7 +239,7 @@ StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> 
         *next++ = table->runs.get();
         *next++ = table->record.get();
     }
-    *next = weights_.get();
+    for (const Thinning& thinning : thinning_) *next++ = thinning.weights.get();
     return shared;
 }
 
@@ -311,7 +267,8 @@ void StrokeStage::note_written() {
     if (has_hidden_) note(hidden_);
     for (const bool hidden : {false, true})
         if (tells_pens(hidden)) note(penned(hidden));
-    if (limits_density_) weights_->wrote(weights_->size());
+    for (const Thinning& thinning : thinning_)
+        if (thinning.on) thinning.weights->wrote(thinning.weights->size());
 }
 
 gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hidden) const {
@@ -372,7 +329,7 @@ void StrokeStage::begin_frame(Frame& frame) {
     pens_.prepare(frame);
     coverage_.begin_frame(frame, pens_);
     kept_.clear();
-    kept_density_.clear();
+    for (Thinning& thinning : thinning_) thinning.drawn_before.clear();
     chunks_kept_ = false;
     kept_samples_ = kept_runs_ = 0;
 }
@@ -382,7 +339,12 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
     kept_runs_ += visible_.totals.run_total;
     chunks_kept_ = true;
     if (!frame.options.draw) return;
-    if (limits_density_) stages_.read_density_grid(kept_density_, frame.viewport());
+    for (Thinning& thinning : thinning_) {
+        if (!thinning.on) continue;
+        thinning.drawn_before.resize(std::size_t{LA_DENSITY_BINS} *
+                                     static_cast<std::size_t>(cells_.x * cells_.y));
+        device_.download(*thinning.grid, std::as_writable_bytes(std::span{thinning.drawn_before}));
+    }
     const auto read_back = [&](RunTable& table) {
         std::vector<Run> runs(table.totals.points[0]);
         device_.download(table.runs->compute(), std::as_writable_bytes(std::span{runs}));
@@ -416,11 +378,11 @@ void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha) {
     coverage_.begin_drawing(frame);
     for (const bool hidden : {true, false}) {
         if (hidden && !has_hidden_) continue;
+        const Thinning& own = thinning(hidden);
         const auto draw = [&](bool again) {
             const RunTable& table = drawn(hidden);
             coverage_.draw(frame, hidden, table.runs->compute(), table.totals.points[0],
-                           alpha.compute(),
-                           limits_density_ && !hidden ? &weights_->compute() : nullptr,
+                           alpha.compute(), own.on ? &own.weights->compute() : nullptr,
                            has_exact_ends(hidden), again);
         };
         if (!chunks_kept_) draw(false);
@@ -455,11 +417,11 @@ void StrokeStage::draw(Frame& frame, interop::SharedBuffer& alpha) {
 void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen) {
     frame.clock.gl(hidden ? "strokes hidden" : "strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+        const Thinning& own = thinning(hidden);
         const gl::DensityWeights density =
-            limits_density_ && !hidden
-                ? gl::DensityWeights{weights_->gl(), cells_,
-                                     static_cast<float>(compute::density_cell(frame.viewport()))}
-                : gl::DensityWeights{};
+            own.on ? gl::DensityWeights{own.weights->gl(), cells_,
+                                        static_cast<float>(compute::density_cell(frame.viewport()))}
+                   : gl::DensityWeights{};
         const RunTable& table = drawn(hidden);
         const gl::RunBuffers runs{
             .runs = table.runs->gl(), .record = table.record->gl(), .alpha = alpha};
@@ -474,9 +436,11 @@ std::uint64_t StrokeStage::bytes() const {
     const auto size_of = [](const auto& buffer) -> std::uint64_t {
         return buffer ? buffer->size() : 0;
     };
-    return size_of(visible_.runs) + size_of(hidden_.runs) + size_of(penned_.runs) +
-           size_of(penned_hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) + size_of(weights_) +
-           coverage_.bytes();
+    std::uint64_t sum = 0;
+    for (const Thinning& thinning : thinning_)
+        sum += size_of(thinning.weights) + size_of(thinning.grid);
+    return sum + size_of(visible_.runs) + size_of(hidden_.runs) + size_of(penned_.runs) +
+           size_of(penned_hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) + coverage_.bytes();
 }
 
 std::vector<Run> StrokeStage::read_runs() {
@@ -485,16 +449,6 @@ std::vector<Run> StrokeStage::read_runs() {
     device_.download(visible_.runs->compute(), std::as_writable_bytes(std::span{runs}));
     handover_.to_gl({visible_.runs.get()});
     return runs;
-}
-
-std::vector<float> StrokeStage::read_density() {
-    if (!limits_density_) return {};
-    std::vector<float> weights(std::size_t{LA_DENSITY_BINS} *
-                               static_cast<std::size_t>(cells_.x * cells_.y));
-    handover_.to_compute({weights_.get()});
-    device_.download(weights_->compute(), std::as_writable_bytes(std::span{weights}));
-    handover_.to_gl({weights_.get()});
-    return weights;
 }
 
 } // namespace lineatlas

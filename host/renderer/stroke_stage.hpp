@@ -28,7 +28,7 @@ class StrokeStage {
 
     /// What it shares with GL, after `others`, of which there are at most three; null where there
     /// is none yet.
-    using Tables = std::array<interop::Shared*, 12>;
+    using Tables = std::array<interop::Shared*, 13>;
     Tables tables(std::initializer_list<interop::Shared*> others) const;
     /// Other lines have come.
     void forget_lines() { pens_.forget(); }
@@ -87,6 +87,15 @@ class StrokeStage {
         std::vector<std::byte> alpha;
     };
 
+    /// What `density` leaves of lines.
+    struct Thinning {
+        bool on = false;                                ///< in the current frame
+        std::unique_ptr<interop::SharedBuffer> weights; ///< 0 to 1, per bin and cell
+        std::unique_ptr<compute::Buffer> grid;          ///< drawn length, likewise
+        std::vector<std::uint32_t> drawn_before;        ///< `grid` of the chunks that are kept
+    };
+    Thinning& thinning(bool hidden) { return thinning_[hidden ? 1 : 0]; }
+
     std::uint32_t unkept(std::uint32_t total) const { return chunks_kept_ ? 0 : total; }
     void draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen);
     /// The compute form of draw().
@@ -108,7 +117,8 @@ class StrokeStage {
                  compute::Buffer& record);
     void halo(Frame& frame, const compute::SegmentAtlas& input);
     void filter(Frame& frame, const compute::SegmentAtlas& input);
-    void density(Frame& frame, const compute::SegmentAtlas& input);
+    void make_room(Thinning& thinning);
+    void density(Frame& frame, const compute::SegmentAtlas& input, bool hidden);
     void carry(Frame& frame, RunTable& table);
     void tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline);
     /// The runs of visible or hidden lines.
@@ -132,14 +142,13 @@ class StrokeStage {
     RunPens pens_;
     compute::CarriedCoordinates* carried_ = nullptr;
     // Of the current frame.
-    bool has_hidden_ = false, filters_ = false, limits_density_ = false, by_spans_ = false;
+    bool has_hidden_ = false, filters_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.
     std::unique_ptr<compute::Buffer> raw_runs_, raw_record_, cuts_;
     std::uint32_t raw_capacity_ = 0;
-    std::unique_ptr<interop::SharedBuffer> weights_; ///< of `density`
+    std::array<Thinning, 2> thinning_; ///< of visible lines and of hidden ones
     glm::ivec2 cells_{0, 0};
-    std::vector<Kept> kept_;                  ///< of the frame's chunks, if it is drawn
-    std::vector<std::uint32_t> kept_density_; ///< of the same, what they drew where
+    std::vector<Kept> kept_; ///< of the frame's chunks, if it is drawn
     bool chunks_kept_ = false;
     std::uint32_t kept_samples_ = 0, kept_runs_ = 0;
     StrokeCoverage coverage_; ///< the compute form

@@ -164,6 +164,9 @@ std::vector<Setting> make_settings() {
     t.push_back(number(
         "density", [](auto& s) -> auto& { return s.density.limit; }, {0, 100},
         "pixels of line per pixel", "Most lines in a neighbourhood; 0 for any"));
+    t.push_back(number(
+        "hidden-density", [](auto& s) -> auto& { return s.hidden_density; }, {0, 100},
+        "pixels of line per pixel", "Most hidden lines in a neighbourhood; 0 for any"));
     t.push_back(density_priority());
 
     t.push_back(choice(

@@ -58,6 +58,7 @@ void save_time(FrameOptions& options, Economy economy, glm::ivec2 size) {
         options.style.fill.mode = FillMode::none;
         options.style.filter.halo = 0;
         options.style.density = {};
+        options.style.hidden_density = 0;
         std::erase_if(options.style.pens, is_for_outlines);
     }
     if (economy >= Economy::marks) {

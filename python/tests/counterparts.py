@@ -82,7 +82,7 @@ ELSEWHERE = {
     "SectionPlane.*": "Mesh.cut(planes)", "cut_mesh()": "Mesh.cut()", "parse_section()": "Mesh.cut(planes)",
     # styles
     "Style.density": "Style[density]", "Style.fill": "Style[fill]", "Style.filter": "Style[drop-runs]",
-    "Style.focus": "Style[focus]", "Style.hidden": "Style[hidden]", "Style.hidden_pen": "Style[hidden-pen]",
+    "Style.focus": "Style[focus]", "Style.hidden": "Style[hidden]", "Style.hidden_density": "Style[hidden-density]", "Style.hidden_pen": "Style[hidden-pen]",
     "Style.paper": "Style[paper]", "Style.pen": "Style[pen]",
     "Cap.*": "Style[cap]", "FillMode.*": "Style[fill]", "Join.*": "Style[join]",
     "Pen": "Style[pen]", "Pen.cap": "Style[cap]", "Pen.cap_length": "Style[cap-length]", "Pen.color": "Style[color]",

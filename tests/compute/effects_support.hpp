@@ -123,6 +123,7 @@ class Effects {
         const std::size_t count =
             LA_DENSITY_BINS * static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
         const auto weights = on_.device->allocate(count * sizeof(float));
+        const auto grid = on_.device->allocate(count * sizeof(std::uint32_t));
         on_.stages.density({.table = table(),
                             .atlas = atlas(),
                             .runs = *runs_,
@@ -132,6 +133,7 @@ class Effects {
                             .density = {.limit = limit, .priority = {0.2F, 0.4F, 0.6F, 0.8F, 1}},
                             .focus = focus,
                             .far_limit = far_limit,
+                            .grid = *grid,
                             .weights = *weights});
         return read_back<float>(*on_.device, *weights, count);
     }

@@ -64,6 +64,8 @@ void haloed(FrameOptions& options) {
 }
 void thinned(FrameOptions& options) {
     options.style.density.limit = 0.15F;
+    options.style.hidden = true;
+    options.style.hidden_density = 0.05F;
 }
 void pens(FrameOptions& options) {
     options.style.hidden = true;
@@ -75,6 +77,7 @@ void pens(FrameOptions& options) {
 void exact(FrameOptions& options) {
     options.method = Method::exact;
     options.style.hidden = true;
+    options.style.hidden_density = 0.05F;
 }
 
 constexpr Look looks[] = {{"as it is", as_it_is}, {"wide", wide},       {"thin", thin},

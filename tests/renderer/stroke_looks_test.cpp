@@ -195,6 +195,32 @@ TEST_P(Strokes, DensityFallsToAboutItsLimit) {
     }
 }
 
+TEST_P(Strokes, HiddenLinesHaveALimitOfTheirOwn) {
+    Scene scene; // twenty lines behind a box, and as many beside it
+    scene.box({100, 140}, {300, 260});
+    for (int i = 0; i < 20; ++i) {
+        const float y = 150.5F + 5 * static_cast<float>(i);
+        scene.line({{10, y, -100}, {390, y, -100}});
+    }
+    FrameOptions options{.lines = mask_of(LineKind::file)};
+    options.style.pen.width = 2;
+    options.style.hidden = true;
+    options.style.hidden_pen = options.style.pen;
+    const auto mean = [&](int from, int to) { // pixels of line per pixel
+        const Drawing drawing = draw(scene, options);
+        double sum = 0;
+        for (int y = 180; y < 220; ++y) sum += drawing.row(y, from, to);
+        return sum / (40 * (to - from)) / 2;
+    };
+    EXPECT_NEAR(mean(150, 250), 0.2, 0.01);
+    for (const float limit : {0.05F, 0.1F}) {
+        options.style.hidden_density = limit;
+        EXPECT_LE(mean(150, 250), 1.05 * limit) << "hidden";
+        EXPECT_GE(mean(150, 250), 0.7 * limit) << "hidden";
+        EXPECT_NEAR(mean(30, 70), 0.2, 0.01) << "visible";
+    }
+}
+
 TEST_P(Strokes, LinesOfMorePriorityStay) {
     Scene scene; // edges of boxes, and wires between them
     for (int i = 0; i < 10; ++i) {

@@ -65,6 +65,7 @@ const std::map<std::string, std::string>& samples() {
         {"undershoot", "8"},
         {"halo", "9"},
         {"density", "0.25"},
+        {"hidden-density", "0.25"},
         {"density-priority", "0,0.25,0.5,0.75,1,0.125,1,0.5"},
         {"fill", "toon"},
         {"fill-color", "0.1,0.2,0.3"},

@@ -292,6 +292,7 @@ void FrameStages::density(const Camera& camera, const AtlasLayout& layout, Frame
     const glm::ivec2 cells = compute::density_cells(viewport);
     const auto count = LA_DENSITY_BINS * static_cast<std::size_t>(cells.x * cells.y);
     const auto weights = device_->allocate(count * sizeof(float));
+    const auto grid = device_->allocate(count * sizeof(std::uint32_t));
     stages_.density({.table = table(),
                      .atlas = atlas_of(*alpha, layout, state.offsets.back()),
                      .runs = *runs,
@@ -301,6 +302,7 @@ void FrameStages::density(const Camera& camera, const AtlasLayout& layout, Frame
                      .density = settings_.density,
                      .focus = StageSettings::focus(viewport),
                      .far_limit = settings_.far_limit,
+                     .grid = *grid,
                      .weights = *weights});
     state.weights = read_back<float>(*device_, *weights, count);
     state.flags.clear();

@@ -76,14 +76,15 @@ struct DensityArgs {
     Buffer& runs;   ///< in and out: `Run` each; gets the bin of its line's priority
     Buffer& record; ///< their `FrameRecord`
     std::uint32_t run_capacity;
-    glm::vec2 viewport; ///< pixels
-    Density density;    ///< limit and priorities
-    glm::vec4 focus;    ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
-    float far_limit;    ///< factor of the limit far from the focus
-    /// Where segments come in chunks: what was drawn per cell and bin of those before,
-    /// nothing before the first (see Stages::read_density_grid()).
+    glm::vec2 viewport;  ///< pixels
+    Density density;     ///< limit and priorities
+    glm::vec4 focus;     ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
+    float far_limit;     ///< factor of the limit far from the focus
+    bool hidden = false; ///< runs are of hidden lines
+    /// Where segments come in chunks: `grid` of those before; nothing before the first.
     std::span<const std::uint32_t> drawn_before{};
-    Buffer& weights; ///< out: floats 0 to 1, LA_DENSITY_BINS planes of density_cells(viewport)
+    Buffer& grid; ///< out: what was drawn, a uint each, LA_DENSITY_BINS planes of density_cells()
+    Buffer& weights; ///< out: floats 0 to 1, as many
 };
 
 /// Parts of segments that have the background on one side. They may overlap.

@@ -203,27 +203,27 @@ void Stages::density(const DensityArgs& args) {
                                  .density = args.density,
                                  .focus = args.focus,
                                  .far_limit = args.far_limit,
-                                 .again = 0};
-    Buffer& grid = scratch(density_grid_, planes);
+                                 .again = 0,
+                                 .hidden = args.hidden ? 1U : 0U};
     Buffer& smooth = scratch(density_rows_, planes);
     Buffer& drawn = scratch(density_drawn_, plane);
     Buffer& excess = scratch(density_excesses_, plane);
     if (args.drawn_before.empty())
-        device_.clear(grid, planes * sizeof(la_uint));
+        device_.clear(args.grid, planes * sizeof(la_uint));
     else
-        device_.upload(grid, std::as_bytes(args.drawn_before));
+        device_.upload(args.grid, std::as_bytes(args.drawn_before));
     launch<kernels::density_lines>(items, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,
                                     .arcs = args.atlas.clipped.arcs,
                                     .alpha = args.atlas.alpha,
                                     .record = args.record,
                                     .runs = args.runs,
-                                    .grid = grid});
+                                    .grid = args.grid});
     launch<kernels::density_smooth>(LA_DENSITY_BINS * plane, tuning_.local_size, parameters,
-                                    {.grid = grid, .smooth = smooth});
+                                    {.grid = args.grid, .smooth = smooth});
     const auto share_out = [&] {
         launch<kernels::density_weights>(plane, tuning_.local_size, parameters,
-                                         {.grid = grid,
+                                         {.grid = args.grid,
                                           .smooth = smooth,
                                           .excess = excess,
                                           .weights = args.weights,
@@ -234,12 +234,6 @@ void Stages::density(const DensityArgs& args) {
                                     {.drawn = drawn, .excess = excess});
     parameters.again = 1;
     share_out();
-}
-
-void Stages::read_density_grid(std::vector<std::uint32_t>& drawn, glm::vec2 viewport) {
-    const glm::ivec2 cells = density_cells(viewport);
-    drawn.resize(std::size_t{LA_DENSITY_BINS} * static_cast<std::size_t>(cells.x * cells.y));
-    device_.download(*density_grid_, std::as_writable_bytes(std::span{drawn}));
 }
 
 } // namespace lineatlas::compute

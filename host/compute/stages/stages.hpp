@@ -73,8 +73,6 @@ class Stages {
     void density(const DensityArgs& args);
     void list_strokes(const StrokeListArgs& args);
     void draw_strokes(const StrokeArgs& args);
-    /// What the last density() has added up, with what was there before: for the next chunk.
-    void read_density_grid(std::vector<std::uint32_t>& drawn, glm::vec2 viewport);
 
   private:
     /// Launches `items` work-items in groups of `group`; nothing if there are none.
@@ -97,7 +95,7 @@ class Stages {
     std::unique_ptr<Buffer> scan_sums_, block_counts_, run_counts_, halo_ends_, halo_lists_;
     std::unique_ptr<Buffer> depth_places_, depth_boxes_, depth_nearest_, depth_order_;
     std::unique_ptr<Buffer> depth_total_, depth_next_, depth_no_numbers_;
-    std::unique_ptr<Buffer> density_grid_, density_rows_, density_drawn_, density_excesses_;
+    std::unique_ptr<Buffer> density_rows_, density_drawn_, density_excesses_;
 };
 
 } // namespace lineatlas::compute

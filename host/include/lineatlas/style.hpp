@@ -123,6 +123,9 @@ struct Style {
     Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
     StrokeFilter filter{}; ///< changes along the lines
     Density density{};     ///< what is left out where lines are dense
+    /// Pixels of hidden line per pixel at most, where `hidden` draws them, by the priorities of
+    /// `density`; 0: any.
+    float hidden_density = 0;
     Fill fill{};           ///< under the lines
     Paper paper{};         ///< what is drawn on
     Focus focus{};         ///< what stands out

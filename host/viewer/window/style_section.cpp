@@ -91,6 +91,8 @@ bool effect_rows(Ui& ui, Style& style) {
     changed |=
         slider(ui, "hidden-width", "  their width", style.hidden_pen.width, 0.3F, 6.0F, "%.1f px");
     changed |= color(ui, "hidden-color", "  their colour", style.hidden_pen.color);
+    changed |= slider(ui, "hidden-density", "  their density", style.hidden_density, 0.0F, 1.0F,
+                      style.hidden_density > 0 ? "%.2f" : "no limit");
     return changed;
 }
 

@@ -1,0 +1,75 @@
+// What a StrokeStage does where lines are dense.
+#include <algorithm>
+#include <cmath>
+
+#include "glpasses/storage.hpp"
+#include "stroke_stage.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// The focus in pixels, of a point in the scene too: for density, which knows no depth.
+glm::vec4 focus_on_screen(const Frame& frame) {
+    const Focus& focus = frame.options.style.focus;
+    const glm::vec2 size = frame.viewport();
+    if (!focus.on) return glm::vec4{0};
+    if (!focus.in_scene) {
+        return {glm::vec2{focus.point} * size, focus.radius * size.y, focus.falloff * size.y};
+    }
+    const glm::vec4 clip = frame.camera.clip_from_world() * glm::vec4{focus.point, 1};
+    const float w = std::max(clip.w, 1e-6F);
+    const glm::vec2 centre = (glm::vec2{clip} / w + 1.0F) * 0.5F * size;
+    const float unit_height = std::abs(frame.camera.projection[1][1]) / w * 0.5F * size.y;
+    const float scale = frame.scene.diagonal() * unit_height;
+    return {centre, focus.radius * scale, focus.falloff * scale};
+}
+
+} // namespace
+
+void StrokeStage::make_room(Thinning& thinning) {
+    const std::size_t values =
+        std::size_t{LA_DENSITY_BINS} * static_cast<std::size_t>(cells_.x * cells_.y);
+    const std::size_t bytes = values * sizeof(float);
+    make_room(thinning.grid, values * sizeof(std::uint32_t), purpose::density);
+    if (thinning.weights && thinning.weights->size() >= bytes) return;
+    gl::check_buffer_texture(values, purpose::density);
+    thinning.weights.reset(); // it may not fit beside another
+    thinning.weights = interop::make_shared_buffer(device_, mode_, bytes, purpose::density);
+    handover_.to_compute({thinning.weights.get()});
+}
+
+void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool hidden) {
+    frame.clock("density", [&] {
+        const Style& style = frame.options.style;
+        Density limit = style.density;
+        if (hidden) limit.limit = style.hidden_density;
+        RunTable& table = made(hidden);
+        Thinning& own = thinning(hidden);
+        stages_.density({.table = frame.scene.table(),
+                         .atlas = input,
+                         .runs = table.runs->compute(),
+                         .record = table.record->compute(),
+                         .run_capacity = table.capacity,
+                         .viewport = frame.viewport(),
+                         .density = limit,
+                         .focus = focus_on_screen(frame),
+                         .far_limit = style.focus.on ? style.focus.density : 1,
+                         .hidden = hidden,
+                         .drawn_before = own.drawn_before,
+                         .grid = *own.grid,
+                         .weights = own.weights->compute()});
+    });
+}
+
+std::vector<float> StrokeStage::read_density() {
+    if (!thinning(false).on) return {};
+    interop::SharedBuffer& own = *thinning(false).weights;
+    std::vector<float> weights(std::size_t{LA_DENSITY_BINS} *
+                               static_cast<std::size_t>(cells_.x * cells_.y));
+    handover_.to_compute({&own});
+    device_.download(own.compute(), std::as_writable_bytes(std::span{weights}));
+    handover_.to_gl({&own});
+    return weights;
+}
+
+} // namespace lineatlas
