@@ -78,11 +78,17 @@ static OutlineParts parts_of(const PensParameters* args, __global const Run* run
     return table;
 }
 
-/* A piece of a run from one place to another. */
-static void write_piece(__global const Run* run, const float from, const float to, const uint pen,
-                        __global Run* piece) {
+/* Flags of a piece of outline: where lines are dense it is the last to fade, whatever its kind. */
+static uint first_in_density(const uint flags) {
+    const uint most = (LA_DENSITY_BINS - 1u) * LA_BIN_STEPS;
+    return (flags & ~(LA_RUN_BIN_MASK << LA_RUN_BIN_SHIFT)) | most << LA_RUN_BIN_SHIFT;
+}
+
+/* A piece of a run, with its flags, from one place to another. */
+static void write_piece(__global const Run* run, const uint run_flags, const float from,
+                        const float to, const uint pen, __global Run* piece) {
     *piece = *run;
-    uint flags = run->flags & ~(LA_RUN_PEN_MASK << LA_RUN_PEN_SHIFT);
+    uint flags = run_flags & ~(LA_RUN_PEN_MASK << LA_RUN_PEN_SHIFT);
     const float scale = 1.0f / (run->end_sample - run->start_sample);
     const float2 start = vload2(0, run->start), way = vload2(0, run->end) - start;
     const float arc = run->end_arc - run->start_arc, deep = run->end_depth - run->start_depth;
@@ -120,15 +126,16 @@ static uint divide_run(__global const Run* run, const OutlineParts table, const 
         const float from = fmax(part.x, at), to = fmin(part.y, end);
         if (!(from < to)) continue;
         if (from > at) {
-            if (out != 0) write_piece(run, at, from, inner, out + count);
+            if (out != 0) write_piece(run, run->flags, at, from, inner, out + count);
             ++count;
         }
-        if (out != 0) write_piece(run, from, to, outline, out + count);
+        if (out != 0)
+            write_piece(run, first_in_density(run->flags), from, to, outline, out + count);
         ++count;
         at = to;
     }
     if (at < end || count == 0) {
-        if (out != 0) write_piece(run, at, end, inner, out + count);
+        if (out != 0) write_piece(run, run->flags, at, end, inner, out + count);
         ++count;
     }
     return count;

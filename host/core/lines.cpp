@@ -16,12 +16,14 @@
 #include "added_vertices.hpp"
 #include "box_tree.hpp"
 #include "contours.hpp"
+#include "cracks.hpp"
 #include "edges.hpp"
 #include "host_clock.hpp"
 #include "intersections.hpp"
 #include "known_edges.hpp"
 #include "line_set_builder.hpp"
 #include "lineatlas/error.hpp"
+#include "lying_faces.hpp"
 #include "noisy_creases.hpp"
 #include "pair_key.hpp"
 #include "parts.hpp"
@@ -156,6 +158,7 @@ class Extraction {
         : mesh_(mesh), options_(options), done_(started(progress)),
           objects_(options.separate_objects ? find_objects(mesh) : MeshObjects{}),
           welded_(weld(mesh, objects_)), edges_(mesh_edges(welded_)) {
+        if (!options.crease_angle && mesh.known_edges.empty()) mend_surfaces();
         first_face_.reserve(edges_.size());
         for (const MeshEdge& edge : edges_) first_face_.push_back(edge.face_a);
         replace_slivers(welded_, edges_);
@@ -184,6 +187,12 @@ class Extraction {
         const ProgressPart all{progress, "finding lines"};
         all(0);
         return all;
+    }
+
+    /// A number means every edge by that number, and who names edges has whole surfaces.
+    void mend_surfaces() {
+        if (close_cracks(welded_, edges_)) edges_ = mesh_edges(welded_);
+        see_lying_faces_as_one(welded_, edges_);
     }
 
     bool wanted(LineKind kind) const { return (options_.kinds & mask_of(kind)) != 0; }

@@ -55,7 +55,7 @@ double length_of(const LineSet& lines, LineKind kind) {
 TEST(Seams, OfTwoSquaresSideBySideAreTheirCommonEdge) {
     Mesh mesh;
     add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    add_rectangle(mesh, {1.00001F, 0, 0}, {1, 0, 0}, {0, 1, 0}); // not welded
+    add_rectangle(mesh, {1.0001F, 0, 0}, {1, 0, 0}, {0, 1, 0}); // not welded
     const LineSet lines = extract_lines(mesh);
     EXPECT_EQ(lines.left_out.seams, 2U);
     EXPECT_EQ(lines.left_out.cut_seams, 0U);
@@ -66,7 +66,7 @@ TEST(Seams, OfTwoSquaresSideBySideAreTheirCommonEdge) {
 TEST(Seams, StayWhereAnAngleIsGiven) {
     Mesh mesh;
     add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    add_rectangle(mesh, {1.00001F, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    add_rectangle(mesh, {1.0001F, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const LineSet lines = extract_lines(mesh, {.crease_angle = 0.5F});
     EXPECT_EQ(lines.left_out.seams, 0U);
     EXPECT_NEAR(length_of(lines, LineKind::boundary), 8, 1e-4);
@@ -75,7 +75,7 @@ TEST(Seams, StayWhereAnAngleIsGiven) {
 TEST(Seams, AreNoneBetweenMaterials) {
     Mesh mesh;
     add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    add_rectangle(mesh, {1.00001F, 0, 0}, {1, 0, 0}, {0, 1, 0}, "glass");
+    add_rectangle(mesh, {1.0001F, 0, 0}, {1, 0, 0}, {0, 1, 0}, "glass");
     const LineSet lines = extract_lines(mesh);
     EXPECT_EQ(lines.left_out.seams, 0U);
     EXPECT_NEAR(length_of(lines, LineKind::boundary), 8, 1e-4);
@@ -85,7 +85,7 @@ TEST(Seams, AreNoneBetweenNamedObjectsWithoutMaterials) {
     for (const bool same : {false, true}) {
         Mesh mesh;
         add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, "a");
-        add_rectangle(mesh, {1.00001F, 0, 0}, {1, 0, 0}, {0, 1, 0}, "b");
+        add_rectangle(mesh, {1.0001F, 0, 0}, {1, 0, 0}, {0, 1, 0}, "b");
         mesh.groups = {{.object = "a", .material = ""},
                        {.object = same ? "a" : "b", .material = ""}};
         EXPECT_EQ(extract_lines(mesh).left_out.seams, same ? 2U : 0U);

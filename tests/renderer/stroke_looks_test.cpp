@@ -247,6 +247,26 @@ TEST_P(Strokes, LinesOfMorePriorityStay) {
     EXPECT_GT(edges[0], edges[1] + 0.4) << edges[0] << " " << edges[1];
 }
 
+TEST_P(Strokes, OutlinesStayWhereLinesAreDense) {
+    Scene scene; // wires beside the upper edge of a box, on both sides
+    scene.box({60, 120}, {340, 280});
+    for (int i = 0; i < 12; ++i) {
+        const float y = 96.5F + 4 * static_cast<float>(i) + (i < 6 ? 0 : 4);
+        scene.line({{60, y, 100}, {340, y, 100}});
+    }
+    FrameOptions options{.lines = mask_of(LineKind::file) | mask_of(LineKind::boundary)};
+    options.style.density = {.limit = 0.15F, .priority = {0, 0, 0, 0, 1}};
+    const auto edge = [&] {
+        const Drawing drawing = draw(scene, options);
+        return std::max(drawing.darkness(200, 119), drawing.darkness(200, 120));
+    };
+    EXPECT_LT(edge(), 0.3);
+    options.style.pens = {{.match = {.kinds = {"outline"}}, .width = 4}};
+    EXPECT_GT(edge(), 0.9);
+    options.style.pens = {{.match = {.kinds = {"boundary"}}, .width = 4}};
+    EXPECT_LT(edge(), 0.4) << "any other rule leaves it as it was";
+}
+
 TEST_P(Strokes, DashesKeepTheirPhase) {
     for (const float overshoot : {0.0F, 6.0F}) {
         SCOPED_TRACE(overshoot);

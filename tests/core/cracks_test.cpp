@@ -1,0 +1,115 @@
+#include "core/cracks.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "lineatlas/lines.hpp"
+#include "test_meshes.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// Adds a rectangle with corners of its own.
+void add_panel(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
+    mesh.triangles.insert(mesh.triangles.end(),
+                          {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+}
+
+/// The open mantle of a prism: its diagonal is 3 for a radius and a height of 1.
+Mesh mantle(int sides, float off) {
+    test::Random random{91};
+    Mesh mesh;
+    const auto corner = [&](int i, float y) {
+        const double angle = 2 * std::numbers::pi * (i % sides) / sides;
+        return glm::vec3{static_cast<float>(std::cos(angle)), y,
+                         static_cast<float>(-std::sin(angle))} +
+               glm::vec3{random.between(-off, off), random.between(-off, off),
+                         random.between(-off, off)};
+    };
+    for (int i = 0; i < sides; ++i)
+        add_panel(mesh, corner(i, 0), corner(i + 1, 0), corner(i + 1, 1), corner(i, 1));
+    return mesh;
+}
+
+/// Two squares that meet at a right angle but for a gap.
+Mesh corner_of_squares(float gap, float size = 1) {
+    Mesh mesh;
+    add_panel(mesh, {0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0});
+    add_panel(mesh, {-gap, 0, 0}, {-gap, size, 0}, {-gap, size, size}, {-gap, 0, size});
+    return mesh;
+}
+
+TEST(Cracks, OfAMantleOfPanelsAreClosed) {
+    for (const float off : {1e-7F, 1e-6F, 2e-5F}) {
+        const LineSet lines = extract_lines(mantle(24, off));
+        EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 48U) << off << ": its two rims";
+        EXPECT_EQ(lines.kind_counts[LA_KIND_CREASE], 0U) << off;
+        EXPECT_GE(lines.kind_counts[LA_KIND_SILHOUETTE], 24U) << off << ": where panels meet";
+    }
+}
+
+TEST(Cracks, OfACornerBecomeItsCrease) {
+    const LineSet lines = extract_lines(corner_of_squares(1e-6F));
+    EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 6U);
+    EXPECT_EQ(lines.kind_counts[LA_KIND_CREASE], 1U);
+}
+
+TEST(Cracks, AreClosedWhateverTheWindings) {
+    Mesh mesh = corner_of_squares(1e-6F);
+    std::swap(mesh.triangles[2].y, mesh.triangles[2].z);
+    std::swap(mesh.triangles[3].y, mesh.triangles[3].z);
+    EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_CREASE], 1U);
+}
+
+TEST(Cracks, ThatAreWiderStayOpen) {
+    EXPECT_EQ(extract_lines(corner_of_squares(2e-4F)).kind_counts[LA_KIND_BOUNDARY], 8U);
+}
+
+TEST(Cracks, ThatAreWideForTheirEdgesStayOpen) {
+    // The same corner in a model that is ten thousand times as large.
+    Mesh mesh = corner_of_squares(1e-2F);
+    add_panel(mesh, {6000, 0, 0}, {6100, 0, 0}, {6100, 8000, 0}, {6000, 8000, 0});
+    EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_BOUNDARY], 8U + 4U);
+}
+
+TEST(Cracks, StayOpenWhereAnAngleIsGiven) {
+    const LineSet lines = extract_lines(corner_of_squares(1e-6F), {.crease_angle = 0.5F});
+    EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 8U);
+}
+
+TEST(Cracks, AreNoneBetweenObjectsThatMove) {
+    Mesh mesh = corner_of_squares(1e-6F);
+    mesh.groups = {{.object = "floor", .material = ""}, {.object = "door", .material = ""}};
+    mesh.triangle_group = {0, 0, 1, 1};
+    EXPECT_EQ(extract_lines(mesh, {.separate_objects = true}).kind_counts[LA_KIND_BOUNDARY], 8U);
+    EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_BOUNDARY], 6U);
+}
+
+TEST(Cracks, AreAsWideAsTheFileIsPrecise) {
+    Mesh mesh = corner_of_squares(3e-3F);
+    EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_BOUNDARY], 8U);
+    mesh.precision = 2e-3F;
+    EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_BOUNDARY], 6U);
+}
+
+TEST(Cracks, TakeASliverBesideThemAlong) {
+    // A triangle whose short side bridges the gap has no place once it is closed.
+    Mesh mesh = corner_of_squares(1e-6F);
+    mesh.triangles.emplace_back(0, 4, 7);
+    WeldedMesh welded = weld(mesh);
+    ASSERT_TRUE(close_cracks(welded, mesh_edges(welded)));
+    EXPECT_EQ(welded.triangles.size(), 4U);
+    EXPECT_EQ(welded.triangle_source, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+    EXPECT_EQ(welded.odd.collapsed, 1U);
+    EXPECT_FALSE(close_cracks(welded, mesh_edges(welded)));
+}
+
+} // namespace
+} // namespace lineatlas
