@@ -91,15 +91,13 @@ static uint touching(const Tile* tile, __global const int* boxes, const uint str
                      (LOAD_INTS(boxes + 3u * stride) >= below));
 }
 
-/* Draws all that touches the tile into it; false if there was nothing, and the tile is as it
- * was. */
+/* Draws all that touches the tile into it; false if there was nothing. */
 static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
                       __global const int* boxes, __global const float* nearest,
                       __global const uint* order, const uint total,
                       __global const Cluster* clusters, __global const Meshlet* meshlets,
                       __global const uint* vertex_list, __global const uchar* corners,
-                      __global const float* vertices, __global const float* depth,
-                      __global const uint* numbers, __global uchar* seen) {
+                      __global const float* vertices, __global uchar* seen) {
     const int2 origin = to_int2(args->origin);
     const int2 corner = tile->low - origin; /* in `depth` */
     bool any = false;
@@ -110,11 +108,7 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
             const uint k = first + lowest_bit(bits);
             bits &= bits - 1u;
             if (k >= end) break;
-            if (!any) {
-                any = true;
-                clear_tile(tile);
-                if (args->begin > 0) load_tile(tile, depth, numbers, corner, args->depth_size.v[0]);
-            }
+            any = true;
             const int4 box =
                 int4(max(boxes[k] - corner.x, 0), max(boxes[args->stride + k] - corner.y, 0),
                      min(boxes[2u * args->stride + k] - corner.x, tile->size.x - 1),
@@ -129,7 +123,8 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
     return any;
 }
 
-/* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it.
+/* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it. blank: of
+ * each of its tiles 1 if `depth` and `numbers` are known to show nothing there; before, too.
  * seen[i]: 1 if cluster i was drawn anywhere. */
 KERNEL(depth_tiles, DepthParameters) {
     LOCAL_TABLE(float, texels, TILE_STRIDE* DEPTH_TILE);
@@ -149,17 +144,24 @@ KERNEL(depth_tiles, DepthParameters) {
 #else
     tile.numbers = 0;
 #endif
+    tile.begins = args.begin == 0;
+    tile.width = depth_size.x;
+    tile.blocks_a_row = (depth_size.x + LA_TILE - 1) / LA_TILE;
     for (uint t = atomic_inc(next); t < tile_count; t = one_each ? tile_count : atomic_inc(next)) {
         const int2 place = int2((int)t % tiles.x, (int)t / tiles.x);
         const int2 corner = covered + int2(place.x * DEPTH_TILE, place.y * DEPTH_TILE);
         tile.low = corner + origin;
         tile.size = int2(min(depth_size.x - corner.x, DEPTH_TILE),
                          min(depth_size.y - corner.y, DEPTH_TILE));
+        const size_t first = (size_t)corner.y * (size_t)depth_size.x + (size_t)corner.x;
+        const int first_block = corner.y / LA_TILE * tile.blocks_a_row + corner.x / LA_TILE;
+        tile.depth = depth + first;
+        tile.depth_numbers = (__global int*)numbers + first;
+        tile.pyramid = pyramid + first_block;
+        tile.blank = blank + first_block;
+        begin_tile(&tile);
         const bool any = draw_tile(&args, &view, &tile, boxes, nearest, order, total[0], clusters,
-                                   meshlets, vertex_list, corners, vertices, depth, numbers, seen);
-        if (!any && args.begin > 0) continue; /* it was cleared before */
-        if (!any) clear_tile(&tile);
-        store_tile(&tile, depth, numbers, corner, depth_size.x);
-        store_farthest(&tile, pyramid, corner, (depth_size.x + LA_TILE - 1) / LA_TILE);
+                                   meshlets, vertex_list, corners, vertices, seen);
+        if (any || tile.begins) store_tile(&tile);
     }
 }

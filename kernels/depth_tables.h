@@ -38,6 +38,6 @@ typedef struct DepthParameters {
     in(int, boxes) in(float, nearest) in(uint, order) in(uint, total) \
     in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
     in(float, vertices) unordered(uint, next) inout(float, depth) inout(uint, numbers) \
-    inout(float, pyramid) inout(uchar, seen)
+    inout(float, pyramid) inout(uchar, blank) inout(uchar, seen)
 /* clang-format on */
 #endif

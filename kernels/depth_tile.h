@@ -8,61 +8,93 @@
 /* Floats from row to row: vectors that begin in the tile may end beyond it. */
 #define TILE_STRIDE (DEPTH_TILE + 2 * LANES)
 
+/* What a block of a tile is: untouched, and not even in local memory; drawn to, its farthest depth
+ * as said; drawn to since. */
+#define BLOCK_UNTOUCHED 0
+#define BLOCK_KNOWN 1
+#define BLOCK_STALE 2
+
 typedef struct Tile {
     __local float* texels;
     __local int* numbers; /* NUMBERED: of the triangle that each texel shows */
     int2 low;             /* its first texel in the whole picture */
     int2 size;            /* texels of the picture that it has */
+    bool begins;          /* what is untouched shows nothing; else what was drawn before */
+    /* The images from the tile's first texel on, and texels of theirs from row to row. */
+    __global float* depth;
+    __global int* depth_numbers;
+    int width;
+    /* The tables of blocks from its first on, and blocks from row to row. */
+    __global float* pyramid;
+    __global uchar* blank;
+    int blocks_a_row;
     /* Of each block the farthest depth, or something farther while it is stale. */
     float farthest[TILE_BLOCKS * TILE_BLOCKS];
-    uchar stale[TILE_BLOCKS * TILE_BLOCKS];
+    uchar state[TILE_BLOCKS * TILE_BLOCKS];
 } Tile;
 
-/* Texels that the picture has not hide all and never change what is farthest. */
-static void clear_tile(Tile* tile) {
-    for (int i = 0; i < TILE_STRIDE * DEPTH_TILE; ++i) tile->texels[i] = 1.0f;
-#ifdef NUMBERED
-    for (int i = 0; i < TILE_STRIDE * DEPTH_TILE; ++i) tile->numbers[i] = (int)LA_NO_FACE;
-#endif
-    if (tile->size.x < DEPTH_TILE || tile->size.y < DEPTH_TILE) {
-        for (int y = 0; y < DEPTH_TILE; ++y) {
-            for (int x = y < tile->size.y ? tile->size.x : 0; x < DEPTH_TILE; ++x)
-                tile->texels[y * TILE_STRIDE + x] = 0.0f;
-        }
-    }
+static void begin_tile(Tile* tile) {
     for (int i = 0; i < TILE_BLOCKS * TILE_BLOCKS; ++i) {
         tile->farthest[i] = 1.0f;
-        tile->stale[i] = 0;
+        tile->state[i] = BLOCK_UNTOUCHED;
+    }
+    if (tile->begins) return;
+    for (int y = 0; y * LA_TILE < tile->size.y; ++y) {
+        for (int x = 0; x * LA_TILE < tile->size.x; ++x)
+            tile->farthest[y * TILE_BLOCKS + x] = tile->pyramid[y * tile->blocks_a_row + x];
     }
 }
 
-/* corner: of the tile in `depth`; width: of `depth`. */
-static void load_tile(Tile* tile, __global const float* depth, __global const uint* numbers,
-                      const int2 corner, const int width) {
-    for (int y = 0; y < tile->size.y; ++y) {
-        const size_t row = (size_t)(corner.y + y) * (size_t)width + (size_t)corner.x;
-        for (int x = 0; x < tile->size.x; ++x) {
-            tile->texels[y * TILE_STRIDE + x] = depth[row + (size_t)x];
+static void clear_row(const Tile* tile, const int at) {
+    const lanes_float far = 1.0f;
+    for (int i = 0; i < LA_TILE; i += LANES) STORE_LANES(far, tile->texels + at + i);
 #ifdef NUMBERED
-            tile->numbers[y * TILE_STRIDE + x] = (int)numbers[row + (size_t)x];
+    const lanes_int nobody = (int)LA_NO_FACE;
+    for (int i = 0; i < LA_TILE; i += LANES) STORE_LANES(nobody, tile->numbers + at + i);
+#endif
+}
+
+static void load_row(const Tile* tile, const int at, const size_t from, const int count) {
+    for (int i = 0; i < count; ++i) {
+        tile->texels[at + i] = tile->depth[from + (size_t)i];
+#ifdef NUMBERED
+        tile->numbers[at + i] = tile->depth_numbers[from + (size_t)i];
+#endif
+    }
+}
+
+static void store_row(const Tile* tile, const int at, const size_t to, const int count) {
+    if (count < LA_TILE) {
+        for (int i = 0; i < count; ++i) {
+            tile->depth[to + (size_t)i] = tile->texels[at + i];
+#ifdef NUMBERED
+            tile->depth_numbers[to + (size_t)i] = tile->numbers[at + i];
 #endif
         }
+        return;
     }
-    for (int i = 0; i < TILE_BLOCKS * TILE_BLOCKS; ++i) tile->stale[i] = 1;
+    for (int i = 0; i < LA_TILE; i += LANES) {
+        STORE_LANES(LOAD_LANES(tile->texels + at + i), tile->depth + to + (size_t)i);
+#ifdef NUMBERED
+        STORE_LANES(LOAD_INTS(tile->numbers + at + i), tile->depth_numbers + to + (size_t)i);
+#endif
+    }
 }
 
-static void store_tile(const Tile* tile, __global float* depth, __global uint* numbers,
-                       const int2 corner, const int width) {
-    for (int y = 0; y < tile->size.y; ++y) {
-        const size_t row = (size_t)(corner.y + y) * (size_t)width + (size_t)corner.x;
-        __global float* to = depth + row;
-        __local const float* from = tile->texels + y * TILE_STRIDE;
-        for (int x = 0; x < tile->size.x; ++x) to[x] = from[x];
-#ifdef NUMBERED
-        __global uint* to_numbers = numbers + row;
-        __local const int* from_numbers = tile->numbers + y * TILE_STRIDE;
-        for (int x = 0; x < tile->size.x; ++x) to_numbers[x] = (uint)from_numbers[x];
-#endif
+/* Fetches what the block shows, before it is drawn to. */
+static void touch_block(const Tile* tile, const int x, const int y) {
+    const int columns = min(tile->size.x - x * LA_TILE, LA_TILE);
+    const int rows = min(tile->size.y - y * LA_TILE, LA_TILE);
+    for (int k = 0; k < LA_TILE; ++k) {
+        const int row = y * LA_TILE + k;
+        const int at = row * TILE_STRIDE + x * LA_TILE;
+        const int count = k < rows ? columns : 0;
+        if (tile->begins)
+            clear_row(tile, at);
+        else
+            load_row(tile, at, (size_t)row * (size_t)tile->width + (size_t)(x * LA_TILE), count);
+        /* Texels that the picture has not hide all and never change what is farthest. */
+        for (int i = count; i < LA_TILE; ++i) tile->texels[at + i] = 0.0f;
     }
 }
 
@@ -80,13 +112,53 @@ static float farthest_of_block(const Tile* tile, const int x, const int y) {
     return LARGEST(max(even, odd));
 }
 
-static void store_farthest(const Tile* tile, __global float* pyramid, const int2 corner,
-                           const int blocks_a_row) {
+/* Whether a block that is all the picture's, or as good as all, shows nothing. */
+static bool shows_nothing(const Tile* tile, const int x, const int y) {
+    __local const float* row = tile->texels + y * LA_TILE * TILE_STRIDE + x * LA_TILE;
+    const lanes_float far = 1.0f;
+    for (int k = 0; k < LA_TILE; ++k) {
+        for (int i = 0; i < LA_TILE; i += LANES) {
+            if (ANY(LOAD_LANES(row + i) < far)) return false;
+        }
+        row += TILE_STRIDE;
+    }
+    return true;
+}
+
+/* Whether the block must be written to the images; says in the tables of blocks what it shows. */
+static bool differs(Tile* tile, const int x, const int y) {
+    const int block = y * TILE_BLOCKS + x, there = y * tile->blocks_a_row + x;
+    const bool untouched = tile->state[block] == BLOCK_UNTOUCHED;
+    if (untouched && !tile->begins) return false;
+    if (tile->state[block] == BLOCK_STALE) tile->farthest[block] = farthest_of_block(tile, x, y);
+    const float farthest = tile->farthest[block];
+    const bool was_blank = tile->blank[there] != 0;
+    const bool is_blank = untouched || (farthest >= 1.0f && shows_nothing(tile, x, y));
+    tile->pyramid[there] = farthest;
+    tile->blank[there] = is_blank ? 1 : 0;
+    if (is_blank && was_blank) return false;
+    if (untouched) touch_block(tile, x, y);
+    return true;
+}
+
+/* Writes what is new. Most of a frame's time is memory's where a model is small: what was blank and
+ * stays so is left alone. */
+static void store_tile(Tile* tile) {
     for (int y = 0; y * LA_TILE < tile->size.y; ++y) {
-        __global float* to = pyramid + (corner.y / LA_TILE + y) * blocks_a_row + corner.x / LA_TILE;
+        bool written[TILE_BLOCKS], any = false;
         for (int x = 0; x * LA_TILE < tile->size.x; ++x) {
-            const int block = y * TILE_BLOCKS + x;
-            to[x] = tile->stale[block] != 0 ? farthest_of_block(tile, x, y) : tile->farthest[block];
+            written[x] = differs(tile, x, y);
+            any = any || written[x];
+        }
+        if (!any) continue;
+        const int end = min((y + 1) * LA_TILE, tile->size.y);
+        for (int row = y * LA_TILE; row < end; ++row) {
+            for (int x = 0; x * LA_TILE < tile->size.x; ++x) {
+                if (!written[x]) continue;
+                store_row(tile, row * TILE_STRIDE + x * LA_TILE,
+                          (size_t)row * (size_t)tile->width + (size_t)(x * LA_TILE),
+                          min(tile->size.x - x * LA_TILE, LA_TILE));
+            }
         }
     }
 }
@@ -101,16 +173,20 @@ static bool cluster_shows(Tile* tile, const int4 box, const float nearest) {
         for (int x = left; x <= right; ++x) {
             const int block = y * TILE_BLOCKS + x;
             if (tile->farthest[block] < nearest) continue;
-            if (tile->stale[block] != 0) {
+            if (tile->state[block] == BLOCK_STALE) {
                 tile->farthest[block] = farthest_of_block(tile, x, y);
-                tile->stale[block] = 0;
+                tile->state[block] = BLOCK_KNOWN;
             }
             shows = shows || tile->farthest[block] >= nearest;
         }
     }
     if (!shows) return false;
     for (int y = below; y <= above; ++y) {
-        for (int x = left; x <= right; ++x) tile->stale[y * TILE_BLOCKS + x] = 1;
+        for (int x = left; x <= right; ++x) {
+            const int block = y * TILE_BLOCKS + x;
+            if (tile->state[block] == BLOCK_UNTOUCHED) touch_block(tile, x, y);
+            tile->state[block] = BLOCK_STALE;
+        }
     }
     return true;
 }

@@ -49,6 +49,13 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
     visible_ = compute::allocate(device_, clusters_.size(), purpose::model);
 }
 
+void DepthStage::choose_form(const Frame& frame) {
+    imported_ = frame.options.depth.has_value();
+    by_kernels_ = wants_kernels(frame);
+    // What GL draws replaces what kernels drew, or the buffers themselves.
+    if (!by_kernels_) blank_of_.reset();
+}
+
 void DepthStage::prepare(const Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
     prepare_depth(texels);
@@ -79,8 +86,8 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
     const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
     check_depth_size(size);
     prepare_depth(size);
+    choose_form(frame);
     imported_ = false;
-    by_kernels_ = wants_kernels(frame);
     if (by_kernels_) {
         draw_by_kernels(frame, whole, {low, low + size}, {{0, 0}, size});
     } else {
@@ -124,6 +131,22 @@ bool DepthStage::wants_kernels(const Frame& frame) const {
            (frame.options.depth_form == DepthForm::automatic && kernels_are_faster_);
 }
 
+compute::Buffer& DepthStage::blank_tiles() {
+    const std::size_t words =
+        (compute::count_of_tiles(size_) + sizeof(la_uint) - 1) / sizeof(la_uint);
+    const std::size_t bytes = words * sizeof(la_uint);
+    const BlankOf now{size_, surfaces_.numbers() != nullptr};
+    if (blank_of_ == now) return *blank_;
+    blank_of_.reset();
+    if (!blank_ || blank_->size() < bytes) {
+        blank_.reset(); // it may not fit beside another
+        blank_ = compute::allocate(device_, bytes, purpose::depth);
+    }
+    device_.clear(*blank_, bytes);
+    blank_of_ = now;
+    return *blank_;
+}
+
 void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
                                  const TexelRectangle& covered) {
     size_ = part.size();
@@ -135,18 +158,19 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
         surfaces_.to_compute();
     });
     frame.clock("depth", [&] {
-        stages_.depth({.model = frame.scene.meshlets(),
-                       .vertices = frame.scene.candidate_table().vertices,
-                       .clip_from_world = frame.camera.clip_from_world(),
-                       .whole_size = whole,
-                       .origin = part.low,
-                       .size = size_,
-                       .covered = covered,
-                       .depth = depth_->compute(),
-                       .tiles = tiles_->compute(),
-                       .seen = *visible_,
-                       .numbers = surfaces_.numbers() != nullptr ? &surfaces_.numbers()->compute()
-                                                                 : nullptr});
+        stages_.depth(
+            {.model = frame.scene.meshlets(),
+             .vertices = frame.scene.candidate_table().vertices,
+             .clip_from_world = frame.camera.clip_from_world(),
+             .whole_size = whole,
+             .origin = part.low,
+             .size = size_,
+             .covered = covered,
+             .depth = depth_->compute(),
+             .tiles = tiles_->compute(),
+             .seen = *visible_,
+             .numbers = surfaces_.numbers() != nullptr ? &surfaces_.numbers()->compute() : nullptr,
+             .blank = &blank_tiles()});
     });
     surfaces_.find_planes(frame, visible_.get());
     drawn_is_known_ = false;
@@ -200,8 +224,7 @@ void DepthStage::import_depth(Frame& frame) {
 }
 
 void DepthStage::draw_texture(Frame& frame) {
-    imported_ = frame.options.depth.has_value();
-    by_kernels_ = wants_kernels(frame);
+    choose_form(frame);
     if (by_kernels_) {
         draw_by_kernels(frame);
         return fill_texture(frame);
@@ -224,8 +247,7 @@ void DepthStage::draw_raster(Frame& frame) {
 
 void DepthStage::draw_for_compute(Frame& frame) {
     prepare(frame);
-    imported_ = frame.options.depth.has_value();
-    by_kernels_ = wants_kernels(frame);
+    choose_form(frame);
     if (by_kernels_) return draw_by_kernels(frame);
     drawn_is_known_ = true;
     frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });

@@ -87,6 +87,8 @@ class DepthStage {
     interop::SharedBuffer& tiles() const { return *tiles_; }
 
   private:
+    /// Of the current frame.
+    void choose_form(const Frame& frame);
     void prepare(const Frame& frame);
     void prepare_depth(glm::ivec2 size);
     /// Draws the texture by GL.
@@ -98,6 +100,8 @@ class DepthStage {
     /// Draws a part of a depth buffer of `whole` texels, of which `covered` is wanted.
     void draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
                          const TexelRectangle& covered);
+    /// What kernels know of `depth_` and the numbers from their last frame, see DepthArgs::blank.
+    compute::Buffer& blank_tiles();
     /// Draws all of it, that way.
     void draw_by_kernels(Frame& frame);
     /// What kernels have drawn, where nobody knows yet.
@@ -133,9 +137,17 @@ class DepthStage {
     std::span<const Cluster> clusters_; ///< of the model
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_; ///< a byte per cluster
-    std::vector<std::uint8_t> seen_;           ///< per cluster: seen in the last frame
-    std::vector<std::uint8_t> appeared_;       ///< per cluster: to be drawn in the second step
-    std::vector<gl::TriangleRange> ranges_;    ///< drawn so far in this frame
+    /// Of depth of which size, with numbers or without, blank_ is; none: GL has drawn since.
+    struct BlankOf {
+        glm::ivec2 size;
+        bool numbered;
+        bool operator==(const BlankOf&) const = default;
+    };
+    std::optional<BlankOf> blank_of_;
+    std::unique_ptr<compute::Buffer> blank_;
+    std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame
+    std::vector<std::uint8_t> appeared_;    ///< per cluster: to be drawn in the second step
+    std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame
     std::uint32_t triangles_drawn_ = 0;
 };
 

@@ -261,5 +261,54 @@ TEST_P(DepthStage, NumbersAreThoseOfTheTrianglesThatTexelsShow) {
     }
 }
 
+/// Where a tile was blank and still is nothing is written, and everywhere else all is: what stood
+/// there before is planted.
+TEST_P(DepthStage, OnlyWhatWasBlankAndStaysSoIsLeftAlone) {
+    constexpr float planted = 0.125F;
+    constexpr glm::ivec2 size{70, 64}; // tiles of 16 texels, the last in a row of 6
+    constexpr int columns = 5;
+    const auto count = static_cast<std::size_t>(size.x * size.y);
+    const auto sheet = [&](glm::vec2 low, glm::vec2 high) {
+        const auto corner = [&](float x, float y) {
+            return glm::vec3{glm::vec2{x, y} / glm::vec2{size} * 2.0F - 1.0F, 0};
+        };
+        return DepthModel{device(),
+                          {corner(low.x, low.y), corner(high.x, low.y), corner(high.x, high.y),
+                           corner(low.x, high.y)},
+                          {{0, 1, 2}, {0, 2, 3}},
+                          64};
+    };
+    const DepthWanted all{glm::mat4{1}, size, {{0, 0}, size}, true};
+    const std::vector<float> before(count, planted);
+    const auto depth = to_device(device(), before);
+    const auto numbers = to_device(device(), std::vector(count, 7U));
+    const auto blank = to_device(device(), std::vector<std::uint8_t>(20, 0));
+    const auto draw = [&](DepthModel model) {
+        model.draw_into(stages(), all, *depth, *numbers, *blank);
+    };
+    const auto expect_tile = [&](int x, int y, bool is_blank, float texel, bool has_number) {
+        SCOPED_TRACE(std::to_string(x) + ", " + std::to_string(y));
+        const auto tile = static_cast<std::size_t>(y * columns + x);
+        const auto at = static_cast<std::size_t>(16 * y * size.x + 16 * x);
+        EXPECT_EQ(read_back<std::uint8_t>(device(), *blank, 20)[tile], is_blank ? 1 : 0);
+        EXPECT_FLOAT_EQ(read_back<float>(device(), *depth, count)[at], texel);
+        EXPECT_EQ(read_back<std::uint32_t>(device(), *numbers, count)[at] < 2U, has_number);
+    };
+    // Nothing is known: all is written.
+    draw(sheet({0, 0}, {32, 32}));
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+        expect_tile(x, y, false, 0.5F, true);
+    for (const auto& [x, y] : {std::pair{2, 0}, {3, 1}, {4, 0}, {4, 3}, {0, 2}})
+        expect_tile(x, y, true, 1.0F, false);
+    // Blank tiles hold something else: it stays, but where the next frame draws.
+    device().upload(*depth, std::as_bytes(std::span{before}));
+    draw(sheet({16, 0}, {48, 32}));
+    for (const auto& [x, y] : {std::pair{1, 0}, {2, 0}, {1, 1}, {2, 1}})
+        expect_tile(x, y, false, 0.5F, true);
+    for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}}) expect_tile(x, y, true, 1.0F, false);
+    for (const auto& [x, y] : {std::pair{3, 1}, {4, 0}, {4, 3}, {0, 2}})
+        expect_tile(x, y, true, planted, false);
+}
+
 } // namespace
 } // namespace lineatlas::test

@@ -20,6 +20,33 @@ DepthModel::DepthModel(compute::Device& device, const std::vector<glm::vec3>& ve
     order_ = std::move(parts.order);
 }
 
+compute::DepthArgs DepthModel::args(const DepthWanted& wanted, compute::Buffer& depth,
+                                    compute::Buffer& tiles, compute::Buffer& seen) const {
+    const glm::ivec2 size = wanted.part.size();
+    return {.model = {*clusters_, *meshlets_, *vertex_list_, *corners_, count_},
+            .vertices = *vertices_,
+            .clip_from_world = wanted.clip_from_world,
+            .whole_size = wanted.whole_size,
+            .origin = wanted.part.low,
+            .size = size,
+            .covered = {{0, 0}, size},
+            .depth = depth,
+            .tiles = tiles,
+            .seen = seen};
+}
+
+void DepthModel::draw_into(compute::Stages& stages, const DepthWanted& wanted,
+                           compute::Buffer& depth, compute::Buffer& numbers,
+                           compute::Buffer& blank) {
+    const auto tiles =
+        device_.allocate(compute::count_of_tiles(wanted.part.size()) * sizeof(float));
+    const auto seen = device_.allocate(count_);
+    compute::DepthArgs into = args(wanted, depth, *tiles, *seen);
+    into.numbers = &numbers;
+    into.blank = &blank;
+    stages.depth(into);
+}
+
 DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) {
     const glm::ivec2 size = wanted.part.size();
     const glm::ivec2 tiles = compute::tiles_for(size);
@@ -29,17 +56,9 @@ DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) 
     const auto pyramid = to_device(device_, std::vector(tile_count, 0.125F));
     const auto seen = to_device(device_, std::vector<std::uint8_t>(count_, 7));
     const auto numbers = to_device(device_, std::vector(texel_count, 7U));
-    stages.depth({.model = {*clusters_, *meshlets_, *vertex_list_, *corners_, count_},
-                  .vertices = *vertices_,
-                  .clip_from_world = wanted.clip_from_world,
-                  .whole_size = wanted.whole_size,
-                  .origin = wanted.part.low,
-                  .size = size,
-                  .covered = {{0, 0}, size},
-                  .depth = *depth,
-                  .tiles = *pyramid,
-                  .seen = *seen,
-                  .numbers = wanted.numbered ? numbers.get() : nullptr});
+    compute::DepthArgs into = args(wanted, *depth, *pyramid, *seen);
+    if (wanted.numbered) into.numbers = numbers.get();
+    stages.depth(into);
     std::vector<std::uint32_t> triangles;
     if (wanted.numbered) triangles = read_back<std::uint32_t>(device_, *numbers, texel_count);
     for (std::uint32_t& number : triangles)

@@ -32,12 +32,18 @@ class DepthModel {
     std::size_t clusters() const { return count_; }
     /// Draws into memory that held something else.
     DrawnDepth draw(compute::Stages& stages, const DepthWanted& wanted);
+    /// The same into the given images, of which `blank` says what is known.
+    void draw_into(compute::Stages& stages, const DepthWanted& wanted, compute::Buffer& depth,
+                   compute::Buffer& numbers, compute::Buffer& blank);
     /// All of a buffer.
     DrawnDepth draw(compute::Stages& stages, const glm::mat4& clip_from_world, glm::ivec2 size) {
         return draw(stages, {clip_from_world, size, {{0, 0}, size}});
     }
 
   private:
+    compute::DepthArgs args(const DepthWanted& wanted, compute::Buffer& depth,
+                            compute::Buffer& tiles, compute::Buffer& seen) const;
+
     compute::Device& device_;
     std::uint32_t count_;
     std::vector<std::uint32_t> order_; ///< of the triangles that `depth` numbers

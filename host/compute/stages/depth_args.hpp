@@ -66,6 +66,9 @@ struct DepthArgs {
     Buffer& tiles;             ///< out: as of `pyramid`, where something is wanted
     Buffer& seen;              ///< out: a byte per cluster, 1 if any of it may be seen
     Buffer* numbers = nullptr; ///< out: as of SurfaceTables; null: nobody asks
+    /// In and out: a byte per tile of `tiles`, 1 where `depth` and `numbers` are known to show
+    /// nothing; null: nothing is known.
+    Buffer* blank = nullptr;
 };
 
 /// The planes of a model's triangles on the screen.
@@ -81,6 +84,11 @@ struct PlanesArgs {
 /// Tiles of the depth pyramid per axis.
 inline glm::ivec2 tiles_for(glm::ivec2 depth_size) {
     return (depth_size + (LA_TILE - 1)) / LA_TILE;
+}
+
+inline std::uint32_t count_of_tiles(glm::ivec2 depth_size) {
+    const glm::ivec2 tiles = tiles_for(depth_size);
+    return static_cast<std::uint32_t>(tiles.x) * static_cast<std::uint32_t>(tiles.y);
 }
 
 struct PyramidArgs {

@@ -19,6 +19,14 @@ float guard_band(glm::ivec2 whole_size) {
 
 } // namespace
 
+Buffer& Stages::blank_tiles(const DepthArgs& args) {
+    if (args.blank != nullptr) return *args.blank;
+    const std::size_t words = divide_up(count_of_tiles(args.size), sizeof(la_uint));
+    Buffer& blank = scratch(depth_blank_, words);
+    device_.clear(blank, words * sizeof(la_uint));
+    return blank;
+}
+
 void Stages::depth(const DepthArgs& args) {
     const MeshletTables& model = args.model;
     // One work-item sorts all of them.
@@ -57,6 +65,7 @@ void Stages::depth(const DepthArgs& args) {
         1, 1, parameters,
         {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
     Buffer& numbers = args.numbers != nullptr ? *args.numbers : scratch(depth_no_numbers_, 1);
+    Buffer& blank = blank_tiles(args);
     const Kernel& kernel = kernel_of<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0);
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
@@ -79,6 +88,7 @@ void Stages::depth(const DepthArgs& args) {
                                       .depth = args.depth,
                                       .numbers = numbers,
                                       .pyramid = args.tiles,
+                                      .blank = blank,
                                       .seen = args.seen},
                                      kernel);
     } while (parameters.end < model.count);

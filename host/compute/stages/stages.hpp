@@ -84,6 +84,8 @@ class Stages {
         device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
     }
 
+    /// Those of `args`, or such of which nothing is known.
+    Buffer& blank_tiles(const DepthArgs& args);
     /// Of what `wanted` asks for, per block of segments, scanned.
     Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
                         const SpanTable& spans, const SpansParameters& parameters);
@@ -94,7 +96,7 @@ class Stages {
     const Tuning& tuning_; ///< of device_
     std::unique_ptr<Buffer> scan_sums_, block_counts_, run_counts_, halo_ends_, halo_lists_;
     std::unique_ptr<Buffer> depth_places_, depth_boxes_, depth_nearest_, depth_order_;
-    std::unique_ptr<Buffer> depth_total_, depth_next_, depth_no_numbers_;
+    std::unique_ptr<Buffer> depth_total_, depth_next_, depth_no_numbers_, depth_blank_;
     std::unique_ptr<Buffer> density_rows_, density_drawn_, density_excesses_;
 };
 
