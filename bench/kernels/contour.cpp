@@ -27,7 +27,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
     }
     const SharedBuffer corner_table = to_device(device, corners),
                        edge_table = to_device(device, edges), face_table = to_device(device, faces),
-                       places = to_device(device, vertices),
+                       places = to_device(device, vertices), triangles = to_device(device, faces),
                        front = to_device(device, std::vector<std::uint8_t>(n, 1)),
                        crossed = SharedBuffer{device.allocate(n)},
                        ends = SharedBuffer{device.allocate(n * sizeof(glm::uvec2))};
@@ -39,6 +39,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                                      .face_count = n,
                                      .replaced = 0,
                                      .vertex_count = n},
+                        .triangles = *triangles,
                         .eye = {0, 0, 1, 0},
                         .front = *front,
                         .vertices = *places,
