@@ -308,9 +308,9 @@ TEST_P(Chunks, KeepSmoothSilhouettesWhole) {
     ASSERT_EQ(lines_.contours.faces.size(), ball.triangles.size());
     camera_ = make_camera({.eye = {1, 2, 6}, .target = {1, 0, 0}}, {160, 120}, lines_.bounds);
     FrameOptions options = by_paths(Method::atlas);
-    expect_the_same(options, 700 * kib); // 20,480 candidates, creases by themselves
+    expect_the_same(options, 800 * kib); // 20,480 candidates, creases by themselves
     options.method = Method::exact;
-    expect_the_same(options, 700 * kib);
+    expect_the_same(options, 800 * kib);
 }
 
 TEST_P(Chunks, GoByTilesToo) {

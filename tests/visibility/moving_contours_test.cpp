@@ -172,6 +172,7 @@ TEST_P(MovingContours, OfABallAreTheEllipseThatItBecomes) {
         shown_.renderer.set_transforms(transforms);
         LineSet moved = lines;
         move_objects(moved, transforms);
+        LineVisibility visibility{moved, {.compute = GetParam()}};
         for (const glm::vec3 view : views) {
             SCOPED_TRACE(testing::Message() << place[0].x << ' ' << view.y);
             const Camera camera = parallel_view(view);
@@ -181,8 +182,7 @@ TEST_P(MovingContours, OfABallAreTheEllipseThatItBecomes) {
                 glm::translate(glm::mat4{1}, {-1.4F, 0, 0}) * scaled(glm::vec3{0.3F});
             expect_ellipse(of_object(lines, 0, found), {small, camera}, exactly);
             expect_loops(moved, camera, found, 2);
-            const std::vector<Interval> host =
-                LineVisibility{moved, {.compute = GetParam()}}.find(camera);
+            const std::vector<Interval> host = visibility.find(camera);
             expect_ellipse(of_object(lines, 1, host), {place, camera}, exactly);
             expect_loops(moved, camera, host, 2);
             expect_ellipse(of_object(lines, 1, shown_.by(Method::atlas, camera)), {place, camera},
@@ -224,6 +224,41 @@ TEST_P(MovingContours, AreThoseOfLinesThatStandThere) {
         EXPECT_EQ(a[i].segment, b[i].segment);
         EXPECT_EQ(a[i].start[0], b[i].start[0]);
         EXPECT_EQ(a[i].start[1], b[i].start[1]);
+    }
+}
+
+/// What a mirror image shows is the mirror image of what is shown, also where silhouettes end at
+/// creases, whose faces both look away behind the body.
+TEST_P(MovingContours, EndAtTheSameCreasesInAMirror) {
+    const LineSet lines = extract_lines(
+        cylinder(14, true), {.separate_objects = true, .silhouettes = Silhouettes::smooth});
+    ASSERT_FALSE(lines.contours.empty());
+    const glm::mat4 mirror = scaled({-1, 1, 1});
+    Shown mirrored{GetParam()};
+    shown_.renderer.set_lines(lines);
+    mirrored.renderer.set_lines(lines);
+    mirrored.renderer.set_transforms(std::array{mirror});
+    Random random{71};
+    for (int view = 0; view < 20; ++view) {
+        SCOPED_TRACE(view);
+        const glm::vec3 to_eye = random.direction();
+        const std::vector<Interval> wanted = shown_.by(Method::exact, parallel_view(to_eye)),
+                                    found = mirrored.by(
+                                        Method::exact,
+                                        parallel_view(glm::vec3{mirror * glm::vec4{to_eye, 0}}));
+        ASSERT_EQ(found.size(), wanted.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            ASSERT_EQ(found[i].segment, wanted[i].segment);
+            // Of silhouettes the side that shows its front is left of one, and right of the other.
+            const auto as_wanted = [&](const float* start, const float* end) {
+                return std::abs(400 - start[0] - wanted[i].start[0]) < 0.02F &&
+                       std::abs(start[1] - wanted[i].start[1]) < 0.02F &&
+                       std::abs(400 - end[0] - wanted[i].end[0]) < 0.02F &&
+                       std::abs(end[1] - wanted[i].end[1]) < 0.02F;
+            };
+            EXPECT_TRUE(as_wanted(found[i].start, found[i].end) ||
+                        as_wanted(found[i].end, found[i].start));
+        }
     }
 }
 
@@ -272,6 +307,10 @@ TEST_P(MovingContours, OfAnotherShapeGoByItsTriangles) {
         // And moved, in that shape.
         const glm::mat4 turn = turned(2, {3, 1, -1});
         shown_.renderer.set_transforms(std::array{turn});
+        expect_ellipse(shown_.by(Method::exact, camera), {turn * shape, camera}, exactly);
+        // On another device, too.
+        shown_.renderer.set_positions(0, bent.vertices);
+        shown_.renderer.set_device({.compute = "cpp"});
         expect_ellipse(shown_.by(Method::exact, camera), {turn * shape, camera}, exactly);
     }
 }
