@@ -69,11 +69,18 @@ void MovingTables::set_object(std::uint32_t object, std::uint32_t first_vertex,
     device_.upload(*cluster_objects_, bytes.first(clusters * size), first_cluster * size);
 }
 
-void MovingTables::transform(const Rest& rest, std::span<const glm::mat4> world_from_object) {
+void MovingTables::place(std::span<const glm::mat4> world_from_object) {
     rows_.clear();
     for (const glm::mat4& m : world_from_object) add_rows<4>(rows_, m);
-    handover_.to_compute({drawn_.get()});
     device_.upload(*matrices_, std::as_bytes(std::span{rows_}));
+    if (!turns_) return;
+    rows_.clear();
+    for (const glm::mat4& m : world_from_object) add_rows<3>(rows_, normal_turn(m));
+    device_.upload(*turns_, std::as_bytes(std::span{rows_}));
+}
+
+void MovingTables::transform(const Rest& rest) {
+    handover_.to_compute({drawn_.get()});
     stages_.transform({.rest = rest.vertices,
                        .objects = *objects_,
                        .matrices = *matrices_,
@@ -84,20 +91,15 @@ void MovingTables::transform(const Rest& rest, std::span<const glm::mat4> world_
                        .cluster_objects = *cluster_objects_,
                        .cluster_count = cluster_count_,
                        .clusters = *clusters_});
+    if (turns_ && rest.corners != nullptr) {
+        stages_.contour_turn({.rest = *rest.corners,
+                              .objects = *objects_,
+                              .turns = *turns_,
+                              .count = corner_count_,
+                              .corners = *corners_});
+    }
     drawn_->wrote(vertex_count_ * sizeof(glm::vec3));
     handover_.to_gl({drawn_.get()});
-    if (rest.corners != nullptr) turn(*rest.corners, world_from_object);
-}
-
-void MovingTables::turn(compute::Buffer& corners, std::span<const glm::mat4> world_from_object) {
-    rows_.clear();
-    for (const glm::mat4& m : world_from_object) add_rows<3>(rows_, normal_turn(m));
-    device_.upload(*turns_, std::as_bytes(std::span{rows_}));
-    stages_.contour_turn({.rest = corners,
-                          .objects = *objects_,
-                          .turns = *turns_,
-                          .count = corner_count_,
-                          .corners = *corners_});
 }
 
 void MovingTables::forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,

@@ -32,13 +32,16 @@ class MovingTables {
     void set_object(std::uint32_t object, std::uint32_t first_vertex, std::uint32_t vertices,
                     std::uint32_t first_cluster, std::uint32_t clusters);
 
+    /// Where transform() moves objects to. Writes tables, and so waits for kernels that were
+    /// launched before.
+    void place(std::span<const glm::mat4> world_from_object);
     /// What is moved: as the model was made.
     struct Rest {
         compute::Buffer& vertices;
         compute::Buffer& clusters;
         compute::Buffer* corners; ///< of contours; null if there are none
     };
-    void transform(const Rest& rest, std::span<const glm::mat4> world_from_object);
+    void transform(const Rest& rest);
     /// Empties the `ranges` of `temporal` for segments of objects with a 1 in `jumped`.
     void forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
                 compute::Buffer& ranges);
@@ -50,8 +53,6 @@ class MovingTables {
     std::uint64_t bytes() const;
 
   private:
-    void turn(compute::Buffer& corners, std::span<const glm::mat4> world_from_object);
-
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     interop::Handover handover_;

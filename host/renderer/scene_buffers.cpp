@@ -202,9 +202,10 @@ std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
 }
 
 void SceneBuffers::move() {
+    tables_.moving->place(motion_.transforms());
     if (normals_are_old_) find_normals();
-    tables_.moving->transform({*tables_.vertices, *tables_.clusters, contour_chunk().corners.get()},
-                              motion_.transforms());
+    tables_.moving->transform(
+        {*tables_.vertices, *tables_.clusters, contour_chunk().corners.get()});
     moved_ = false;
     ++tables_.version;
     boxes_are_old_ = true;
