@@ -76,9 +76,14 @@ typedef struct ChainParameters {
 
 /* Lists stay lists: */
 /* clang-format off */
+#define contour_normals_tables(in, out, inout, unordered) \
+    in(float, vertices) in(uint, triangles) in(uint, offsets) in(uint, places) \
+    inout(ContourCorner, corners)
+#define contour_turn_tables(in, out, inout, unordered) \
+    in(ContourCorner, rest) in(uint, objects) in(float, turns) out(ContourCorner, corners)
 #define contour_points_tables(in, out, inout, unordered) \
-    in(ContourCorner, corners) in(ContourEdge, edges) in(uchar, front) inout(float, vertices) \
-    out(uchar, crossed)
+    in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) in(uchar, front) \
+    inout(float, vertices) out(uchar, crossed)
 #define contour_ends_tables(in, out, inout, unordered) \
     in(uint, faces) in(uchar, crossed) out(uint, contour_ends)
 #define silhouette_tables(in, out, inout, unordered) \

@@ -7,7 +7,10 @@
  * that leaves its ends at right angles to their normals (the borders of PN triangles: Vlachos et
  * al. 2001). Only at a border of the surface it is on the chord, as the line is that goes on there.
  * Beside it stands a place lifted off the surface, by more than triangles reach beyond
- * their contour: methods that know nothing of surfaces ask what is visible of that. */
+ * their contour: methods that know nothing of surfaces ask what is visible of that.
+ *
+ * contour_turn and contour_normals keep normals right of what moves and of what changes its shape.
+ * They run only after such a change. */
 
 #include "kernels.h"
 
@@ -31,16 +34,79 @@ static float3 unit_of(const float3 v) {
     return length > 0.0f ? v / length : v;
 }
 
+static float3 across(const float3 u, const float3 v) {
+    return float3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+}
+
 static bool faces_front(const uint face, __global const uchar* front) {
     const uint flipped = (face & LA_FACE_FLIPPED) != 0 ? 1u : 0u;
     return (front[face & LA_FACE_INDEX] ^ flipped) != 0;
 }
 
-/* Whether the line along a border is hidden by its own two faces, so that it is seen up to that
- * end of the edge whose surface shows its front. */
-static bool turns_away(__global const ContourEdge* edge, __global const uchar* front) {
-    return edge->border != 0 && edge->face_b != LA_NO_FACE && !faces_front(edge->face_a, front) &&
-           !faces_front(edge->face_b, front);
+/* Whether a triangle's corners run about it against the normal there, as those of a mirrored object
+ * do: what `facing` takes for its front is its back. */
+static bool is_mirrored(const uint face, const float3 normal, __global const uint* triangles,
+                        __global const float* vertices) {
+    __global const uint* corner = triangles + 3 * (face & LA_FACE_INDEX);
+    const float3 a = vload3(corner[0], vertices), b = vload3(corner[1], vertices),
+                 c = vload3(corner[2], vertices);
+    return dot_of(across(b - a, c - a), normal) < 0.0f;
+}
+
+/* Whether the line along a border, whose ends have these normals together, is hidden by its own two
+ * faces, so that it is seen up to that end of the edge whose surface shows its front. */
+static bool turns_away(__global const ContourEdge* edge, const float3 normals,
+                       __global const uint* triangles, __global const float* vertices,
+                       __global const uchar* front) {
+    if (edge->border == 0 || edge->face_b == LA_NO_FACE) return false;
+    const bool away = is_mirrored(edge->face_a, normals, triangles, vertices);
+    return faces_front(edge->face_a, front) == away && faces_front(edge->face_b, front) == away;
+}
+
+#define QUARTER_TURN 1.57079633f
+
+/* An angle between 0 and pi by the tangent of its half, within 2e-5 and the same on every device
+ * (Abramowitz and Stegun 4.4.47). */
+static float twice_arc_of(const float tangent) {
+    const float t = tangent > 1.0f ? 1.0f / tangent : tangent, s = t * t;
+    const float arc =
+        t * ((((0.0208351f * s - 0.0851330f) * s + 0.1801410f) * s - 0.3302995f) * s + 0.9998660f);
+    return 2.0f * (tangent > 1.0f ? QUARTER_TURN - arc : arc);
+}
+
+/* Normals anew, of a model whose shape has changed: those of the triangles about a corner, by the
+ * angles that they have there. places: of corner i those from offsets[i] up to offsets[i + 1], each
+ * one of `triangles`. One work-item per corner. */
+KERNEL(contour_normals, CountParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    float3 sum = 0.0f;
+    for (uint k = offsets[i]; k < offsets[i + 1]; ++k) {
+        const uint at = places[k] % 3u, first = places[k] - at;
+        const float3 a = vload3(triangles[first + at], vertices);
+        const float3 u = unit_of(vload3(triangles[first + (at + 1u) % 3u], vertices) - a);
+        const float3 v = unit_of(vload3(triangles[first + (at + 2u) % 3u], vertices) - a);
+        const float3 normal = across(u, v);
+        const float sine = sqrt(dot_of(normal, normal));
+        if (sine > 0.0f) sum += normal * (twice_arc_of(sine / (1.0f + dot_of(u, v))) / sine);
+    }
+    vstore3(unit_of(sum), 0, corners[i].normal);
+}
+
+/* A corner's normal where its object has moved to. turns: for every object the three rows of
+ * normal_turn() in host/core/objects.hpp. objects: of vertices. What is as long as it should be
+ * stays so, bit by bit. One work-item per corner. */
+KERNEL(contour_turn, CountParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    const uint vertex = rest[i].vertex;
+    const float3 normal = vload3(0, rest[i].normal);
+    __global const float* rows = turns + 9 * objects[vertex];
+    float3 turned = float3(dot_of(vload3(0, rows), normal), dot_of(vload3(1, rows), normal),
+                           dot_of(vload3(2, rows), normal));
+    if (fabs(dot_of(turned, turned) - 1.0f) > 1e-6f) turned = unit_of(turned);
+    corners[i].vertex = vertex;
+    vstore3(turned, 0, corners[i].normal);
 }
 
 /* One work-item per edge. crossed: whether the contour crosses it, LA_CONTOUR_*. vertices: behind
@@ -66,7 +132,7 @@ KERNEL(contour_points, ContourParameters) {
     float3 place = a + way * t;
     /* The cubic less the chord: its inner points are moved by a third of these. */
     if (edge->border == 0) place += (bend_b * t - bend_a * s) * (s * t);
-    if (turns_away(edge, front)) place = front_a ? a : b;
+    if (turns_away(edge, normal_a + normal_b, triangles, vertices, front)) place = front_a ? a : b;
     const float3 turn = normal_b - normal_a;
     const float lift = LA_CONTOUR_LIFT * sqrt(dot_of(way, way) * dot_of(turn, turn));
     const float3 normal = unit_of(normal_a * s + normal_b * t);
@@ -76,7 +142,8 @@ KERNEL(contour_points, ContourParameters) {
 
 /* One work-item per candidate. faces: its three edges, around the triangle; with LA_CONTOUR_TURNED
  * those that run the other way. contour_ends: the vertices between which it has its segment, with
- * the side that shows its front to the left as seen from outside; LA_NO_VERTEX if it has none. */
+ * the side that shows its front to the left as seen from outside, of a mirrored object to the
+ * right; LA_NO_VERTEX if it has none. */
 KERNEL(contour_ends, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;

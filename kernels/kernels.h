@@ -265,6 +265,8 @@ typedef struct IntervalsParameters {
     kernel(transform, transform_bounds, CountParameters) \
     kernel(transform, transform, CountParameters) \
     kernel(transform, transform_boxes, CountParameters) \
+    kernel(contour, contour_normals, CountParameters) \
+    kernel(contour, contour_turn, CountParameters) \
     kernel(depth, depth_bin, DepthParameters) \
     kernel(depth, depth_order, DepthParameters) \
     of_numbers(depth, depth_tiles, DepthParameters) \

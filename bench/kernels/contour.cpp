@@ -3,9 +3,13 @@
 // places (24) and how it is crossed (1); per triangle its edges (12), how they are crossed (3) and
 // its ends (8).
 
+#include <algorithm>
+#include <iterator>
+
 #include <glm/geometric.hpp>
 
 #include "common.hpp"
+#include "terrain.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -27,7 +31,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
     }
     const SharedBuffer corner_table = to_device(device, corners),
                        edge_table = to_device(device, edges), face_table = to_device(device, faces),
-                       places = to_device(device, vertices),
+                       places = to_device(device, vertices), triangles = to_device(device, faces),
                        front = to_device(device, std::vector<std::uint8_t>(n, 1)),
                        crossed = SharedBuffer{device.allocate(n)},
                        ends = SharedBuffer{device.allocate(n * sizeof(glm::uvec2))};
@@ -39,6 +43,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                                      .face_count = n,
                                      .replaced = 0,
                                      .vertex_count = n},
+                        .triangles = *triangles,
                         .eye = {0, 0, 1, 0},
                         .front = *front,
                         .vertices = *places,
@@ -52,10 +57,67 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
+/// contour_turn: n corners of 500 objects. Bytes: per corner itself read and written (32) and its
+/// object (4).
+Job prepare_turn(compute::Stages& stages, std::uint32_t n) {
+    constexpr std::uint32_t object_count = 500;
+    compute::Device& device = stages.device();
+    std::vector<ContourCorner> values(n);
+    std::vector<std::uint32_t> object_values(n);
+    std::vector<float> turn_values(9 * std::size_t{object_count});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        values[i] = {.vertex = i, .normal = {0.6F, 0, 0.8F}};
+        object_values[i] = static_cast<std::uint32_t>(std::uint64_t{i} * object_count / n);
+    }
+    for (std::size_t i = 0; i < turn_values.size(); ++i)
+        turn_values[i] = i % 4 == 0 ? 2.0F : 0.1F; // 4 goes around three rows of three
+    const SharedBuffer rest = to_device(device, values), corners = to_device(device, values),
+                       objects = to_device(device, object_values),
+                       turns = to_device(device, turn_values);
+    const auto run = [=, &stages] {
+        stages.contour_turn({*rest, *objects, *turns, n, *corners});
+        stages.device().finish();
+    };
+    run();
+    return {.run = run, .bytes = 36.0 * n, .result = [&device, corners, n] {
+                return read_back<std::uint8_t>(device, *corners, n * sizeof(ContourCorner));
+            }};
+}
+
+/// contour_normals: n corners of a terrain of n triangles, with two triangles at each. Bytes: per
+/// corner its normal (12) and offset (4), per triangle there which it is (4) and its vertices (12).
+Job prepare_normals(compute::Stages& stages, std::uint32_t n) {
+    compute::Device& device = stages.device();
+    const Terrain terrain = make_terrain(n, 0);
+    std::vector<std::uint32_t> offset_values(std::size_t{n} + 1), place_values(2 * std::size_t{n});
+    for (std::uint32_t i = 0; i <= n; ++i) offset_values[i] = 2 * i;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        place_values[2 * i] = 3 * i;
+        place_values[2 * i + 1] = 3 * i + 1;
+    }
+    const SharedBuffer vertices = to_device(device, terrain.vertices),
+                       triangles = to_device(device, terrain.triangles),
+                       offsets = to_device(device, offset_values),
+                       places = to_device(device, place_values),
+                       corners = to_device(device, std::vector<ContourCorner>(n));
+    const auto run = [=, &stages] {
+        stages.contour_normals({*vertices, *triangles, *offsets, *places, n, *corners});
+        stages.device().finish();
+    };
+    run();
+    return {.run = run, .bytes = 48.0 * n, .result = [&device, corners, n] {
+                return read_back<std::uint8_t>(device, *corners, n * sizeof(ContourCorner));
+            }};
+}
+
 } // namespace
 
 Rows contour_rows(const Devices& devices) {
-    return own_rows(devices, "contour", prepare_contour);
+    Rows rows = own_rows(devices, "contour", prepare_contour);
+    std::ranges::move(own_rows(devices, "contour_turn", prepare_turn), std::back_inserter(rows));
+    std::ranges::move(own_rows(devices, "contour_normals", prepare_normals),
+                      std::back_inserter(rows));
+    return rows;
 }
 
 } // namespace lineatlas::bench

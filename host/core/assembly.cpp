@@ -10,6 +10,7 @@
 #include "assembly_state.hpp"
 #include "lineatlas/error.hpp"
 #include "meshlet_table.h"
+#include "objects_apart.hpp"
 
 namespace lineatlas {
 namespace {
@@ -25,8 +26,8 @@ std::uint32_t count_of(std::size_t size) {
 }
 
 template <class T>
-std::span<T> in(std::vector<T>& table, PartRoom room, std::uint32_t before = 0) {
-    return std::span{table}.subspan(before + room.first, room.size);
+std::span<T> in(std::vector<T>& table, PartRoom room) {
+    return std::span{table}.subspan(room.first, room.size);
 }
 template <class T>
 std::span<const T> in(const std::vector<T>& table, std::uint32_t first, std::uint32_t count) {
@@ -51,19 +52,35 @@ Segment empty_segment(bool candidate, std::uint32_t number) {
 }
 
 /// Each of the tables of rooms.
-constexpr std::array tables{&PartRooms::vertices, &PartRooms::triangles, &PartRooms::fixed,
-                            &PartRooms::candidates, &PartRooms::clusters};
+constexpr std::array tables{&PartRooms::vertices,   &PartRooms::triangles, &PartRooms::fixed,
+                            &PartRooms::candidates, &PartRooms::replaced,  &PartRooms::faces,
+                            &PartRooms::corners,    &PartRooms::edges,     &PartRooms::clusters};
 
-PartRooms sizes_for(const LineSet& part) {
-    const auto candidates =
+/// What a part has.
+PartRooms sizes_of(const LineSet& part) {
+    const auto silhouettes =
         count_of(static_cast<std::size_t>(std::ranges::count_if(part.segments, is_silhouette)));
+    const Contours& contours = part.contours;
+    const auto faces = count_of(contours.faces.size());
     const auto triangles = count_of(part.triangles.size());
     PartRooms sizes;
-    sizes.vertices.size = count_of(part.vertices.size()) + 1;
+    sizes.vertices.size = count_of(part.vertices.size());
     sizes.triangles.size = triangles;
-    sizes.fixed.size = count_of(part.segments.size()) - candidates;
-    sizes.candidates.size = candidates;
+    sizes.fixed.size = count_of(part.segments.size()) - silhouettes;
+    sizes.candidates.size = silhouettes - contours.replaced - faces;
+    sizes.replaced.size = contours.replaced;
+    sizes.faces.size = faces;
+    sizes.corners.size = count_of(contours.corners.size());
+    sizes.edges.size = count_of(contours.edges.size());
     sizes.clusters.size = (triangles + LA_MESHLET_TRIANGLES - 1) / LA_MESHLET_TRIANGLES;
+    return sizes;
+}
+
+/// What it needs.
+PartRooms sizes_for(const LineSet& part) {
+    PartRooms sizes = sizes_of(part);
+    ++sizes.vertices.size;
+    if (sizes.edges.size > 0) ++sizes.edges.size;
     return sizes;
 }
 
@@ -74,51 +91,6 @@ bool fits(const PartRooms& sizes, const PartRooms& rooms) {
 
 void add_sizes(PartRooms& sum, const PartRooms& sizes) {
     for (const auto table : tables) (sum.*table).size += (sizes.*table).size;
-}
-
-/// The objects of a line set each by itself.
-std::vector<LineSet> apart(const LineSet& lines) {
-    std::vector<LineSet> parts(lines.objects.size());
-    std::vector<std::uint32_t> object_of(lines.vertices.size());
-    std::vector<std::uint32_t> number_of(lines.triangles.size()); // within its object
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const LineObject& object = lines.objects[i];
-        const std::span vertices = in(lines.vertices, object.first_vertex, object.vertex_count);
-        std::ranges::fill(std::span{object_of}.subspan(object.first_vertex, object.vertex_count),
-                          count_of(i));
-        LineSet& part = parts[i];
-        part.objects = {{object.name, 0, object.vertex_count}};
-        part.vertices.assign(vertices.begin(), vertices.end());
-        const std::span sources =
-            in(lines.vertex_sources, object.first_vertex, object.vertex_count);
-        part.vertex_sources.assign(sources.begin(), sources.end());
-        part.groups = lines.groups;
-        part.colors = lines.colors;
-    }
-    for (std::uint32_t i = 0; i < lines.triangles.size(); ++i) {
-        const std::uint32_t object = object_of[lines.triangles[i].x];
-        LineSet& part = parts[object];
-        number_of[i] = count_of(part.triangles.size());
-        part.triangles.push_back(lines.triangles[i] - lines.objects[object].first_vertex);
-        part.triangle_sources.push_back(lines.triangle_sources[i]);
-        if (!lines.triangle_group.empty()) part.triangle_group.push_back(lines.triangle_group[i]);
-        if (!lines.triangle_color.empty()) part.triangle_color.push_back(lines.triangle_color[i]);
-    }
-    const auto renumbered = [&](std::uint32_t face) {
-        return face == LA_NO_FACE ? face
-                                  : number_of[face & LA_FACE_INDEX] | (face & LA_FACE_FLIPPED);
-    };
-    for (std::uint32_t i = 0; i < lines.segments.size(); ++i) {
-        Segment segment = lines.segments[i];
-        const std::uint32_t object = object_of[segment.p];
-        segment.p -= lines.objects[object].first_vertex;
-        segment.q -= lines.objects[object].first_vertex;
-        segment.face_a = renumbered(segment.face_a);
-        segment.face_b = renumbered(segment.face_b);
-        parts[object].segments.push_back(segment);
-        parts[object].sources.push_back(lines.sources[i]);
-    }
-    return parts;
 }
 
 /// Fills a part's rooms, and changes what all parts have together.
@@ -157,9 +129,11 @@ class Layout {
 
     void remove(std::uint32_t object) {
         AssemblyState::Part& part = state_.parts[object];
-        for (const Segment& segment : in(state_.lines.segments, part.rooms.fixed.first, part.fixed))
+        for (const Segment& segment :
+             in(state_.lines.segments, part.rooms.fixed.first, part.has.fixed.size))
             --state_.lines.kind_counts[segment.tag & LA_TAG_KIND_MASK];
-        state_.lines.kind_counts[LA_KIND_SILHOUETTE] -= part.candidates;
+        state_.lines.kind_counts[LA_KIND_SILHOUETTE] -=
+            part.has.candidates.size + part.has.replaced.size + part.has.faces.size;
         part = {.rooms = part.rooms};
         empty(part.rooms);
         state_.lines.objects[object] = {};
@@ -178,12 +152,12 @@ class Layout {
             add_sizes(sum, sizes_for(kept.back().second));
         }
         LineSet& lines = state_.lines;
-        // The first vertex and the first triangle are what stands in empty room.
-        state_.used = {.vertices = {.size = 1},
-                       .triangles = {.size = 1},
-                       .fixed = {},
-                       .candidates = {},
-                       .clusters = {.size = 1}};
+        // The first vertex and the first triangle are what stands in empty room, and the first
+        // corner and the first edge of contours, if there are any.
+        const std::uint32_t one = sum.faces.size > 0 ? 1 : 0;
+        state_.used = {};
+        state_.used.vertices.size = state_.used.triangles.size = state_.used.clusters.size = 1;
+        state_.used.corners.size = state_.used.edges.size = one;
         add_sizes(sum, state_.used);
         const auto roomy = [](PartRoom room) {
             constexpr std::uint32_t least = 64;
@@ -199,7 +173,16 @@ class Layout {
         if (!lines.groups.empty()) lines.triangle_group.assign(lines.triangles.size(), 0);
         if (!lines.colors.empty())
             lines.triangle_color.assign(lines.triangles.size(), LineSet::no_color);
-        lines.segments.resize(std::size_t{state_.first_candidate} + roomy(sum.candidates));
+        state_.first_replaced = state_.first_candidate + roomy(sum.candidates);
+        lines.contours = {};
+        if (one > 0) {
+            lines.contours.replaced = roomy(sum.replaced);
+            lines.contours.faces.resize(roomy(sum.faces));
+            lines.contours.corners.resize(roomy(sum.corners));
+            lines.contours.edges.resize(roomy(sum.edges));
+        }
+        state_.first_face = state_.first_replaced + lines.contours.replaced;
+        lines.segments.resize(state_.first_face + lines.contours.faces.size());
         lines.sources.assign(lines.segments.size(), LineSource{});
         lines.path_count = count_of(lines.segments.size());
         lines.kind_counts = {};
@@ -229,7 +212,11 @@ class Layout {
         return sum.vertices.size <= lines.vertices.size() &&
                sum.triangles.size <= lines.triangles.size() &&
                sum.fixed.size <= state_.first_candidate &&
-               sum.candidates.size <= lines.segments.size() - state_.first_candidate &&
+               sum.candidates.size <= state_.first_replaced - state_.first_candidate &&
+               sum.replaced.size <= lines.contours.replaced &&
+               sum.faces.size <= lines.contours.faces.size() &&
+               sum.corners.size <= lines.contours.corners.size() &&
+               sum.edges.size <= lines.contours.edges.size() &&
                sum.clusters.size <= state_.cluster_count;
     }
 
@@ -293,11 +280,16 @@ class Layout {
             std::ranges::copy(numbers.groups, lines.triangle_group.begin() + triangle);
         if (!numbers.colors.empty())
             std::ranges::copy(numbers.colors, lines.triangle_color.begin() + triangle);
-        std::uint32_t fixed = rooms.fixed.first;
-        std::uint32_t candidate = state_.first_candidate + rooms.candidates.first;
+        const std::size_t first_face = part.segments.size() - part.contours.faces.size();
+        const std::size_t first_replaced = first_face - part.contours.replaced;
+        std::array<PartRoom, 4> free = segment_rooms(state_, rooms);
         for (std::size_t i = 0; i < part.segments.size(); ++i) {
             Segment segment = part.segments[i];
-            const std::uint32_t at = is_silhouette(segment) ? candidate++ : fixed++;
+            const std::size_t table = i >= first_face          ? 3
+                                      : i >= first_replaced    ? 2
+                                      : is_silhouette(segment) ? 1
+                                                               : 0;
+            const std::uint32_t at = free[table].first++;
             segment.p += vertex;
             segment.q += vertex;
             segment.face_a = shifted(segment.face_a, triangle);
@@ -307,32 +299,44 @@ class Layout {
             lines.sources[at] = part.sources[i];
             ++lines.kind_counts[segment.tag & LA_TAG_KIND_MASK];
         }
-        own = {.rooms = rooms,
-               .is_there = true,
-               .vertices = count_of(part.vertices.size()),
-               .triangles = count_of(part.triangles.size()),
-               .fixed = fixed - rooms.fixed.first,
-               .candidates = candidate - state_.first_candidate - rooms.candidates.first};
+        fill_contours(rooms, part.contours);
+        own = {.rooms = rooms, .is_there = true, .has = sizes_of(part)};
         for (const glm::vec3& v : part.vertices) {
             own.box.min = glm::min(own.box.min, v);
             own.box.max = glm::max(own.box.max, v);
         }
         lines.objects[object] = {part.objects.empty() ? "" : part.objects.front().name, vertex,
-                                 own.vertices};
+                                 own.has.vertices.size};
         find_bounds();
+    }
+
+    void fill_contours(const PartRooms& rooms, const Contours& part) {
+        Contours& all = state_.lines.contours;
+        std::ranges::transform(part.corners, all.corners.begin() + rooms.corners.first,
+                               [&](ContourCorner corner) {
+                                   corner.vertex += rooms.vertices.first;
+                                   return corner;
+                               });
+        std::ranges::transform(part.edges, all.edges.begin() + rooms.edges.first,
+                               [&](glm::uvec2 edge) { return edge + rooms.corners.first; });
+        std::ranges::transform(part.faces, all.faces.begin() + rooms.faces.first,
+                               [&](glm::uvec3 face) { return face + rooms.edges.first; });
     }
 
     void empty(const PartRooms& rooms) {
         LineSet& lines = state_.lines;
         std::ranges::fill(in(lines.triangles, rooms.triangles), glm::uvec3{0});
-        for (const auto& [room, before, candidate] :
-             {std::tuple{rooms.fixed, 0U, false},
-              std::tuple{rooms.candidates, state_.first_candidate, true}}) {
-            std::uint32_t number = before + room.first;
-            for (Segment& segment : in(lines.segments, room, before))
-                segment = empty_segment(candidate, number++);
-            std::ranges::fill(in(lines.sources, room, before), LineSource{});
+        for (const PartRoom& room : segment_rooms(state_, rooms)) {
+            std::uint32_t number = room.first;
+            for (Segment& segment : in(lines.segments, room)) {
+                segment = empty_segment(number >= state_.first_candidate, number);
+                ++number;
+            }
+            std::ranges::fill(in(lines.sources, room), LineSource{});
         }
+        std::ranges::fill(in(lines.contours.corners, rooms.corners), ContourCorner{});
+        std::ranges::fill(in(lines.contours.edges, rooms.edges), glm::uvec2{0});
+        std::ranges::fill(in(lines.contours.faces, rooms.faces), glm::uvec3{0});
     }
 
     void find_bounds() {
@@ -364,18 +368,28 @@ LineSet part_lines(const AssemblyState& state, std::uint32_t object) {
         to.insert(to.end(), part.begin(), part.end());
     };
     LineSet part;
-    copy(lines.vertices, vertex, own.vertices, part.vertices);
-    copy(lines.vertex_sources, vertex, own.vertices, part.vertex_sources);
-    copy(lines.triangles, triangle, own.triangles, part.triangles);
-    copy(lines.triangle_sources, triangle, own.triangles, part.triangle_sources);
-    copy(lines.triangle_group, triangle, own.triangles, part.triangle_group);
-    copy(lines.triangle_color, triangle, own.triangles, part.triangle_color);
-    for (const auto& [first, count] :
-         {std::pair{own.rooms.fixed.first, own.fixed},
-          std::pair{state.first_candidate + own.rooms.candidates.first, own.candidates}}) {
-        copy(lines.segments, first, count, part.segments);
-        copy(lines.sources, first, count, part.sources);
+    const std::uint32_t vertices = own.has.vertices.size, triangles = own.has.triangles.size;
+    copy(lines.vertices, vertex, vertices, part.vertices);
+    copy(lines.vertex_sources, vertex, vertices, part.vertex_sources);
+    copy(lines.triangles, triangle, triangles, part.triangles);
+    copy(lines.triangle_sources, triangle, triangles, part.triangle_sources);
+    copy(lines.triangle_group, triangle, triangles, part.triangle_group);
+    copy(lines.triangle_color, triangle, triangles, part.triangle_color);
+    const std::array<PartRoom, 4> rooms = segment_rooms(state, own.rooms);
+    const std::array counts{own.has.fixed.size, own.has.candidates.size, own.has.replaced.size,
+                            own.has.faces.size};
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+        copy(lines.segments, rooms[i].first, counts[i], part.segments);
+        copy(lines.sources, rooms[i].first, counts[i], part.sources);
     }
+    Contours& contours = part.contours;
+    copy(lines.contours.corners, own.rooms.corners.first, own.has.corners.size, contours.corners);
+    copy(lines.contours.edges, own.rooms.edges.first, own.has.edges.size, contours.edges);
+    copy(lines.contours.faces, own.rooms.faces.first, own.has.faces.size, contours.faces);
+    contours.replaced = own.has.replaced.size;
+    for (ContourCorner& corner : contours.corners) corner.vertex -= vertex;
+    for (glm::uvec2& edge : contours.edges) edge -= own.rooms.corners.first;
+    for (glm::uvec3& face : contours.faces) face -= own.rooms.edges.first;
     for (glm::uvec3& t : part.triangles) t -= vertex;
     for (Segment& segment : part.segments) {
         segment.p -= vertex;
@@ -383,7 +397,7 @@ LineSet part_lines(const AssemblyState& state, std::uint32_t object) {
         segment.face_a = shifted(segment.face_a, 0U - triangle);
         segment.face_b = shifted(segment.face_b, 0U - triangle);
     }
-    part.objects = {{lines.objects[object].name, 0, own.vertices}};
+    part.objects = {{lines.objects[object].name, 0, vertices}};
     part.bounds = own.box;
     return part;
 }
@@ -396,14 +410,10 @@ Assembly::Assembly(Assembly&&) noexcept = default;
 Assembly& Assembly::operator=(Assembly&&) noexcept = default;
 
 std::vector<std::uint32_t> Assembly::add(const LineSet& lines) {
-    if (!lines.contours.empty()) {
-        throw UsageError("assembly: silhouettes of parts must run along edges "
-                         "(LineOptions::silhouettes)");
-    }
     Layout layout{*state_};
     if (lines.objects.empty()) return {layout.add(lines)};
     std::vector<std::uint32_t> numbers;
-    const std::vector<LineSet> parts = apart(lines);
+    const std::vector<LineSet> parts = objects_apart(lines);
     PartRooms sum;
     for (const LineSet& part : parts) add_sizes(sum, sizes_for(part));
     layout.make_room(sum, count_of(parts.size()));

@@ -266,9 +266,7 @@ class Extraction {
     }
 
     void find_smooth_patches() {
-        if (options_.silhouettes == Silhouettes::mesh || options_.separate_objects ||
-            !wanted(LineKind::silhouette))
-            return;
+        if (options_.silhouettes == Silhouettes::mesh || !wanted(LineKind::silhouette)) return;
         // Where creases are not wanted their edges are silhouettes, and part patches all the same.
         const bool by_kind = wanted(LineKind::crease);
         const double crease = options_.crease_angle.value_or(least_crease_angle);

@@ -10,6 +10,7 @@
 
 #include "check_mesh.hpp"
 #include "constants.h"
+#include "contours.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -73,6 +74,27 @@ std::vector<LineObject> objects_of(const LineSet& lines) {
     return {{.name = {}, .vertex_count = static_cast<std::uint32_t>(lines.vertices.size())}};
 }
 
+/// As the kernel contour_turn does.
+void turn_normals(LineSet& lines, std::span<const LineObject> objects,
+                  std::span<const glm::mat4> world_from_object) {
+    if (lines.contours.empty()) return;
+    std::vector<std::uint32_t> object_of(lines.vertices.size());
+    std::vector<glm::mat3> turns;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        turns.push_back(normal_turn(world_from_object[i]));
+        std::ranges::fill(
+            std::span{object_of}.subspan(objects[i].first_vertex, objects[i].vertex_count),
+            static_cast<std::uint32_t>(i));
+    }
+    for (ContourCorner& corner : lines.contours.corners) {
+        const glm::mat3& turn = turns[object_of[corner.vertex]];
+        glm::vec3 normal = turn * glm::vec3{corner.normal[0], corner.normal[1], corner.normal[2]};
+        const float square = glm::dot(normal, normal);
+        if (std::abs(square - 1) > 1e-6F && square > 0) normal /= std::sqrt(square);
+        for (int axis = 0; axis < 3; ++axis) corner.normal[axis] = normal[axis];
+    }
+}
+
 } // namespace
 
 MeshObjects find_objects(const Mesh& mesh) {
@@ -101,6 +123,17 @@ Bounds moved(const Bounds& box, const glm::mat4& world_from_object) {
     // A little larger, so that no vertex that is rounded differently lies outside.
     const glm::vec3 most = reach + LA_BOX_ROUNDING * (reach + glm::abs(at));
     return {at - most, at + most};
+}
+
+glm::mat3 normal_turn(const glm::mat4& world_from_object) {
+    const glm::dmat3 m{world_from_object};
+    const glm::dmat3 cofactors{glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                               glm::cross(m[0], m[1])};
+    const double determinant = glm::dot(m[0], cofactors[0]);
+    if (determinant == 0) return glm::mat3{0};
+    // Of what is neither stretched nor skewed, normals stay as long as they are.
+    const double size = std::cbrt(determinant);
+    return glm::mat3{cofactors / std::copysign(size * size, determinant)};
 }
 
 void check_transforms(std::span<const glm::mat4> world_from_object, std::size_t count) {
@@ -173,11 +206,13 @@ void move_vertices(LineSet& lines, std::span<const glm::vec3> positions) {
         lines.bounds.min = glm::min(lines.bounds.min, v);
         lines.bounds.max = glm::max(lines.bounds.max, v);
     }
+    find_normals(lines);
 }
 
 void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object) {
     const std::vector<LineObject> objects = objects_of(lines);
     check_transforms(world_from_object, objects.size());
+    turn_normals(lines, objects, world_from_object);
     lines.bounds = {};
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const glm::mat4& m = world_from_object[i];

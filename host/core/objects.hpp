@@ -28,6 +28,11 @@ MeshObjects find_objects(const Mesh& mesh);
 /// The box around a moved box.
 Bounds moved(const Bounds& box, const glm::mat4& world_from_object);
 
+/// What turns normals as an object is moved: the inverse of the matrix, transposed, but for its
+/// size. A mirror image keeps its outside; of what is not turned, it is exactly the identity.
+/// Zero for a matrix that takes all to one point.
+glm::mat3 normal_turn(const glm::mat4& world_from_object);
+
 /// Throws UsageError unless there is a matrix for each of `count` objects, and all are affine and
 /// can be inverted.
 void check_transforms(std::span<const glm::mat4> world_from_object, std::size_t count);

@@ -5,10 +5,19 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/objects.hpp"
+
 namespace lineatlas {
 namespace {
 
-constexpr std::size_t matrix_floats = 12;
+constexpr std::size_t matrix_floats = 12, turn_floats = 9;
+
+/// Three of them, as long as a column count says.
+template <int columns, class Matrix>
+void add_rows(std::vector<float>& rows, const Matrix& matrix) {
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < columns; ++column) rows.push_back(matrix[column][row]);
+}
 
 template <class T>
 std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const T> values) {
@@ -34,6 +43,7 @@ MovingTables::MovingTables(compute::Stages& stages, interop::SharingMode mode, c
     : stages_(stages), device_(stages.device()), handover_(device_),
       vertex_count_(shape.vertex_count),
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
+      corner_count_(shape.corner_count),
       objects_(upload<std::uint32_t>(device_, object_of_vertices(shape))),
       cluster_objects_(upload(device_, shape.cluster_objects)),
       matrices_(compute::allocate(device_, shape.object_room * matrix_floats * sizeof(float),
@@ -42,7 +52,12 @@ MovingTables::MovingTables(compute::Stages& stages, interop::SharingMode mode, c
       vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
       clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)),
       drawn_(interop::make_shared_buffer(device_, mode, vertex_count_ * sizeof(glm::vec3),
-                                         purpose::motion)) {}
+                                         purpose::motion)) {
+    if (corner_count_ == 0) return;
+    turns_ = compute::allocate(device_, shape.object_room * turn_floats * sizeof(float),
+                               purpose::motion);
+    corners_ = compute::allocate(device_, corner_count_ * sizeof(ContourCorner), purpose::motion);
+}
 
 void MovingTables::set_object(std::uint32_t object, std::uint32_t first_vertex,
                               std::uint32_t vertices, std::uint32_t first_cluster,
@@ -54,26 +69,35 @@ void MovingTables::set_object(std::uint32_t object, std::uint32_t first_vertex,
     device_.upload(*cluster_objects_, bytes.first(clusters * size), first_cluster * size);
 }
 
-void MovingTables::transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
-                             std::span<const glm::mat4> world_from_object) {
+void MovingTables::place(std::span<const glm::mat4> world_from_object) {
     rows_.clear();
-    for (const glm::mat4& m : world_from_object) {
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 4; ++column) rows_.push_back(m[column][row]);
-        }
-    }
-    handover_.to_compute({drawn_.get()});
+    for (const glm::mat4& m : world_from_object) add_rows<4>(rows_, m);
     device_.upload(*matrices_, std::as_bytes(std::span{rows_}));
-    stages_.transform({.rest = rest,
+    if (!turns_) return;
+    rows_.clear();
+    for (const glm::mat4& m : world_from_object) add_rows<3>(rows_, normal_turn(m));
+    device_.upload(*turns_, std::as_bytes(std::span{rows_}));
+}
+
+void MovingTables::transform(const Rest& rest) {
+    handover_.to_compute({drawn_.get()});
+    stages_.transform({.rest = rest.vertices,
                        .objects = *objects_,
                        .matrices = *matrices_,
                        .vertex_count = vertex_count_,
                        .vertices = *vertices_,
                        .drawn = drawn_->compute(),
-                       .rest_clusters = rest_clusters,
+                       .rest_clusters = rest.clusters,
                        .cluster_objects = *cluster_objects_,
                        .cluster_count = cluster_count_,
                        .clusters = *clusters_});
+    if (turns_ && rest.corners != nullptr) {
+        stages_.contour_turn({.rest = *rest.corners,
+                              .objects = *objects_,
+                              .turns = *turns_,
+                              .count = corner_count_,
+                              .corners = *corners_});
+    }
     drawn_->wrote(vertex_count_ * sizeof(glm::vec3));
     handover_.to_gl({drawn_.get()});
 }
@@ -94,6 +118,7 @@ std::uint64_t MovingTables::bytes() const {
          {&objects_, &cluster_objects_, &matrices_, &jumped_, &vertices_, &clusters_}) {
         sum += (*buffer)->size();
     }
+    if (corners_) sum += turns_->size() + corners_->size();
     return sum;
 }
 

@@ -23,6 +23,7 @@ class MovingTables {
         std::span<const LineObject> objects;
         std::size_t object_room;                        ///< at least as many
         std::span<const std::uint32_t> cluster_objects; ///< per cluster
+        std::uint32_t corner_count = 0;                 ///< of contours
     };
     /// Throws DeviceError when memory runs out.
     MovingTables(compute::Stages& stages, interop::SharingMode mode, const Shape& shape);
@@ -31,9 +32,16 @@ class MovingTables {
     void set_object(std::uint32_t object, std::uint32_t first_vertex, std::uint32_t vertices,
                     std::uint32_t first_cluster, std::uint32_t clusters);
 
-    /// Moves what is made as in `rest` and `rest_clusters`.
-    void transform(compute::Buffer& rest, compute::Buffer& rest_clusters,
-                   std::span<const glm::mat4> world_from_object);
+    /// Where transform() moves objects to. Writes tables, and so waits for kernels that were
+    /// launched before.
+    void place(std::span<const glm::mat4> world_from_object);
+    /// What is moved: as the model was made.
+    struct Rest {
+        compute::Buffer& vertices;
+        compute::Buffer& clusters;
+        compute::Buffer* corners; ///< of contours; null if there are none
+    };
+    void transform(const Rest& rest);
     /// Empties the `ranges` of `temporal` for segments of objects with a 1 in `jumped`.
     void forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
                 compute::Buffer& ranges);
@@ -41,17 +49,19 @@ class MovingTables {
     compute::Buffer& vertices() const { return *vertices_; }
     GLuint gl_vertices() const { return drawn_->gl(); }
     compute::Buffer& clusters() const { return *clusters_; }
+    compute::Buffer* corners() const { return corners_.get(); } ///< null if there are none
     std::uint64_t bytes() const;
 
   private:
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     interop::Handover handover_;
-    std::uint32_t vertex_count_, cluster_count_;
+    std::uint32_t vertex_count_, cluster_count_, corner_count_;
     std::unique_ptr<compute::Buffer> objects_, cluster_objects_, matrices_, jumped_;
     std::unique_ptr<compute::Buffer> vertices_, clusters_;
+    std::unique_ptr<compute::Buffer> turns_, corners_; ///< where there are contours
     std::unique_ptr<interop::SharedBuffer> drawn_;
-    std::vector<float> rows_; ///< of the matrices, kept for its memory
+    std::vector<float> rows_; ///< of matrices, kept for its memory
 };
 
 } // namespace lineatlas

@@ -10,6 +10,7 @@
 
 #include "core/clusters.hpp"
 #include "core/contact.hpp"
+#include "core/contours.hpp"
 #include "core/meshlets.hpp"
 #include "core/part_clusters.hpp"
 #include "core/patches.hpp"
@@ -67,8 +68,9 @@ bool SceneBuffers::is_cut_up() const {
 std::uint64_t SceneBuffers::mesh_bytes() const {
     std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() +
                         (tables_.moving ? tables_.moving->bytes() : 0);
-    for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners,
-                               &tables_.numbers, &tables_.patches, &tables_.colors}) {
+    for (const auto* buffer :
+         {&tables_.meshlets, &tables_.vertex_list, &tables_.corners, &tables_.numbers,
+          &tables_.patches, &tables_.colors, &tables_.corner_offsets, &tables_.corner_places}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -133,7 +135,7 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
     motion_.set_positions(first, positions);
     start_moving(std::move(made));
     device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
-    if (clusters_.empty()) return;
+    if (clusters_.empty()) return; // then there are no triangles
     if (!tables_.cluster_triangles) {
         tables_.cluster_triangles =
             upload(device(), bytes_of(download_gl_triangles()), purpose::motion);
@@ -142,6 +144,31 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
                                .triangles = *tables_.cluster_triangles,
                                .clusters = *tables_.clusters,
                                .count = static_cast<std::uint32_t>(clusters_.size())});
+    expect_normals();
+}
+
+/// Those of contours are to be found anew.
+void SceneBuffers::expect_normals() {
+    if (!contour_chunk().corners) return;
+    if (!tables_.corner_offsets) {
+        const CornerPlaces found =
+            find_corner_places(download_contours().contours, download_segments());
+        auto offsets = upload(device(), bytes_of(found.offsets), purpose::motion);
+        tables_.corner_places = upload(device(), bytes_of(found.places), purpose::motion);
+        tables_.corner_offsets = std::move(offsets);
+    }
+    normals_are_old_ = true;
+}
+
+void SceneBuffers::find_normals() {
+    const LineTables::Chunk& chunk = contour_chunk();
+    stages_->contour_normals({.vertices = *tables_.vertices,
+                              .triangles = *tables_.triangles,
+                              .offsets = *tables_.corner_offsets,
+                              .places = *tables_.corner_places,
+                              .count = chunk.corner_count(),
+                              .corners = *chunk.corners});
+    normals_are_old_ = false;
 }
 
 void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
@@ -170,11 +197,15 @@ std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
                             .objects = motion_.objects(),
                             .object_room =
                                 followed_ ? followed_->object_room : motion_.objects().size(),
-                            .cluster_objects = cluster_objects_});
+                            .cluster_objects = cluster_objects_,
+                            .corner_count = contour_chunk().corner_count()});
 }
 
 void SceneBuffers::move() {
-    tables_.moving->transform(*tables_.vertices, *tables_.clusters, motion_.transforms());
+    tables_.moving->place(motion_.transforms());
+    if (normals_are_old_) find_normals();
+    tables_.moving->transform(
+        {*tables_.vertices, *tables_.clusters, contour_chunk().corners.get()});
     moved_ = false;
     ++tables_.version;
     boxes_are_old_ = true;
@@ -262,6 +293,7 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
         return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
                       purpose::model);
     };
+    if (normals_are_old_) find_normals();
     const LineSet contours = download_contours();
     std::vector<LineTables::Chunk> chunks =
         upload_segments(stages.device(), download_segments(), &contours);
@@ -280,13 +312,12 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
 /// A line set that has nothing but these, and as many vertices and triangles as there are.
 LineSet SceneBuffers::download_contours() {
     LineSet result;
-    const std::optional<compute::ContourTables> tables = tables_.chunks.front().contours();
+    const std::optional<compute::ContourTables> tables = contour_chunk().contours();
     if (!tables) return result;
     result.vertices.resize(tables->vertex_count);
     result.triangles.resize(triangle_count_);
     Contours& contours = result.contours;
-    contours.corners =
-        download<ContourCorner>(*tables->corners, tables->corners->size() / sizeof(ContourCorner));
+    contours.corners = download<ContourCorner>(*tables->corners, contour_chunk().corner_count());
     for (const compute::ContourEdge& edge :
          download<compute::ContourEdge>(*tables->edges, tables->edge_count))
         contours.edges.emplace_back(edge.from, edge.to);

@@ -58,6 +58,8 @@ class SceneBuffers {
         std::unique_ptr<compute::Buffer> clusters;
         std::unique_ptr<compute::Buffer> cluster_triangles{}; ///< from the first set_positions() on
         std::unique_ptr<MovingTables> moving{};               ///< of a model that moves; else null
+        /// Of contours, as CornerPlaces; from the first set_positions() on.
+        std::unique_ptr<compute::Buffer> corner_offsets{}, corner_places{};
         /// What the kernels of `depth` draw; null until first asked for.
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
         /// What probes that know surfaces read; null until first asked for.
@@ -85,7 +87,8 @@ class SceneBuffers {
     /// Where they stand now, for what looks at them beside a frame.
     PlacedLines placed() const {
         return {tables_, tables_.moving ? tables_.moving->vertices() : *tables_.vertices,
-                motion_.vertex_count(), triangle_count_};
+                motion_.vertex_count(), triangle_count_,
+                tables_.moving ? tables_.moving->corners() : nullptr};
     }
     std::size_t chunk_count() const { return tables_.chunks.size(); }
     void select(std::size_t chunk) {
@@ -145,8 +148,9 @@ class SceneBuffers {
     // Of parts: host/renderer/scene_parts.cpp.
     void follow(const AssemblyState& parts);
     void update_part(const AssemblyState& parts, const AssemblyState::Change& change);
-    void upload_part_lines(const LineSet& lines, const PartRooms& rooms);
-    void upload_part_ends(const PartRooms& rooms, const LineSet& part);
+    void upload_part_lines(const AssemblyState& parts, const PartRooms& rooms);
+    void upload_part_ends(const AssemblyState& parts, const PartRooms& rooms, const LineSet& part);
+    void upload_part_contours(const Contours& all, const PartRooms& rooms, const LineSet& part);
     void upload_part_triangles(std::uint32_t object, const PartRooms& rooms, const LineSet& part);
     void upload_part_surfaces(const PartRooms& rooms, const LineSet& part);
 
@@ -157,6 +161,8 @@ class SceneBuffers {
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     std::vector<Segment> download_segments();
     LineSet download_contours();
+    void expect_normals();
+    void find_normals();
     /// Null if they are there already.
     std::unique_ptr<MovingTables> make_moving_once() const;
     void start_moving(std::unique_ptr<MovingTables> made);
@@ -168,6 +174,8 @@ class SceneBuffers {
 
     compute::Device& device() const { return stages_->device(); }
     const LineTables::Chunk& chunk() const { return tables_.chunks[chunk_]; }
+    /// That with all candidates, where contours are, if there are any.
+    const LineTables::Chunk& contour_chunk() const { return tables_.chunks.back(); }
 
     compute::Stages* stages_;
     interop::SharingMode mode_;
@@ -182,12 +190,12 @@ class SceneBuffers {
     struct Followed {
         std::uint64_t layout;
         std::size_t changes;     ///< that were taken over
-        std::size_t object_room; ///< see AssemblyState, and the next
-        std::uint32_t first_candidate;
+        std::size_t object_room; ///< see AssemblyState
     };
     std::optional<Followed> followed_;
     std::vector<Cluster> clusters_;
-    bool boxes_are_old_ = false; ///< in `clusters_`
+    bool boxes_are_old_ = false;   ///< in `clusters_`
+    bool normals_are_old_ = false; ///< of contours: positions have changed
     std::vector<std::uint32_t> cluster_objects_;
     std::vector<std::uint32_t> triangle_order_; ///< where each of gl_triangles() stands among the
                                                 ///< line set's

@@ -13,16 +13,16 @@ struct PlacedLines {
     const LineTables& tables;
     compute::Buffer& vertices; ///< in place of those of `tables`
     std::uint32_t vertex_count, triangle_count;
+    compute::Buffer* corners = nullptr; ///< in place of those of contours; null: they stand there
 
     compute::SegmentTable chunk(std::size_t i) const {
         const LineTables::Chunk& part = tables.chunks[i];
-        const bool moved = &vertices != tables.vertices.get();
         return {.vertices = vertices,
                 .triangles = *tables.triangles,
                 .segments = *part.segments,
                 .triangle_count = triangle_count,
                 .segment_count = part.range.count,
-                .candidates = moved ? part.edge_candidates() : part.candidates(),
+                .candidates = part.candidates(corners),
                 .version = tables.version};
     }
 };

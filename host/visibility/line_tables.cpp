@@ -22,6 +22,16 @@ std::span<const Segment> candidates_of(std::span<const Segment> segments) {
     return segments.subspan(first);
 }
 
+/// Whether the device has buffers for all that frames keep of contours, of which the first are in
+/// the line set and the last in SilhouetteChains.
+bool has_room_for_contours(const LineSet& lines, std::uint64_t candidates,
+                           std::uint64_t largest_buffer) {
+    const std::uint64_t edges = lines.contours.edges.size();
+    return edges * sizeof(compute::ContourEdge) <= largest_buffer &&
+           (lines.vertices.size() + 2 * edges) * sizeof(glm::vec3) <= largest_buffer &&
+           3 * candidates * sizeof(la_uint) <= largest_buffer;
+}
+
 /// Candidates stay together if a buffer holds them: the silhouettes among them, few of all, are
 /// chained, and any two may be neighbours.
 std::vector<SegmentRange> cut_into_chunks(std::span<const Segment> segments, std::uint64_t usual,
@@ -69,7 +79,22 @@ void add_candidates(compute::Device& device, std::span<const Segment> segments,
     chunk.ends = upload(device, std::as_bytes(std::span{ends}), purpose::segments);
 }
 
-/// What lies beside the edges that contours may cross.
+void add_contours(compute::Device& device, const LineSet& lines, std::span<const Segment> segments,
+                  LineTables::Chunk& chunk) {
+    const Contours& contours = lines.contours;
+    const auto to_device = [&](const auto& values) {
+        return upload(device, std::as_bytes(std::span{values}), purpose::segments);
+    };
+    chunk.corners = to_device(contours.corners);
+    chunk.edges = to_device(contour_edges(contours, segments));
+    chunk.faces = to_device(contours.faces);
+    chunk.patches = to_device(contour_patches(lines, segments));
+    chunk.replaced = contours.replaced;
+    chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
+}
+
+} // namespace
+
 std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
                                                 std::span<const Segment> segments) {
     std::vector<compute::ContourEdge> edges;
@@ -93,7 +118,8 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
     std::unordered_multimap<std::uint64_t, compute::ContourEdge*> borders;
     const auto vertex = [&](std::uint32_t corner) { return contours.corners[corner].vertex; };
     for (compute::ContourEdge& edge : edges)
-        if (edge.border != 0) borders.emplace(pair_key(vertex(edge.from), vertex(edge.to)), &edge);
+        if (edge.border != 0 && edge.from != edge.to)
+            borders.emplace(pair_key(vertex(edge.from), vertex(edge.to)), &edge);
     for (const Segment& segment : segments.first(segments.size() - faces.size())) {
         const auto [first, last] = borders.equal_range(pair_key(segment.p, segment.q));
         for (auto at = first; at != last; ++at) {
@@ -106,8 +132,8 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
     return edges;
 }
 
-/// Of every triangle the surface that contours run through: faces hang together across edges.
-std::vector<std::uint32_t> patches_of(const LineSet& lines, std::span<const Segment> segments) {
+std::vector<std::uint32_t> contour_patches(const LineSet& lines,
+                                           std::span<const Segment> segments) {
     const std::vector<glm::uvec3>& faces = lines.contours.faces;
     VertexSets sets{lines.contours.edges.size()};
     for (const glm::uvec3& face : faces) {
@@ -121,26 +147,10 @@ std::vector<std::uint32_t> patches_of(const LineSet& lines, std::span<const Segm
     return patches;
 }
 
-void add_contours(compute::Device& device, const LineSet& lines, std::span<const Segment> segments,
-                  LineTables::Chunk& chunk) {
-    const Contours& contours = lines.contours;
-    const auto to_device = [&](const auto& values) {
-        return upload(device, std::as_bytes(std::span{values}), purpose::segments);
-    };
-    chunk.corners = to_device(contours.corners);
-    chunk.edges = to_device(contour_edges(contours, segments));
-    chunk.faces = to_device(contours.faces);
-    chunk.patches = to_device(patches_of(lines, segments));
-    chunk.replaced = contours.replaced;
-    chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
-}
-
-} // namespace
-
-std::optional<compute::ContourTables> LineTables::Chunk::contours() const {
+std::optional<compute::ContourTables> LineTables::Chunk::contours(compute::Buffer* turned) const {
     if (!faces) return {};
     return compute::ContourTables{
-        .corners = corners.get(),
+        .corners = turned != nullptr ? turned : corners.get(),
         .edges = edges.get(),
         .faces = faces.get(),
         .patches = patches.get(),
@@ -148,6 +158,10 @@ std::optional<compute::ContourTables> LineTables::Chunk::contours() const {
         .face_count = static_cast<std::uint32_t>(faces->size() / sizeof(glm::uvec3)),
         .replaced = replaced,
         .vertex_count = vertex_count};
+}
+
+std::uint32_t LineTables::Chunk::corner_count() const {
+    return corners ? static_cast<std::uint32_t>(corners->size() / sizeof(ContourCorner)) : 0;
 }
 
 std::uint64_t LineTables::Chunk::bytes() const {
@@ -172,9 +186,8 @@ std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const
     return buffer;
 }
 
-std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
-                                               std::span<const Segment> segments,
-                                               const LineSet* contours) {
+std::vector<LineTables::Chunk>
+upload_segments(compute::Device& device, std::span<const Segment> segments, const LineSet* lines) {
     // The widest table per segment decides. Once it must be cut, the strokes and intervals of a
     // chunk shall fit too: some per segment, where all are visible and hidden in parts.
     constexpr std::uint64_t runs_per_segment = 4;
@@ -184,13 +197,15 @@ std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
     const std::vector<SegmentRange> ranges =
         is_whole ? cut_segments(segments, segments.size())
                  : cut_into_chunks(segments, largest / (runs_per_segment * sizeof(Run)), largest);
-    if (ranges.size() > 1 || (contours != nullptr && contours->contours.empty()))
-        contours = nullptr;
+    const std::size_t candidates = candidates_of(segments).size();
     for (const SegmentRange& range : ranges) {
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
+        const bool has_contours = lines != nullptr && !lines->contours.empty() &&
+                                  candidates_of(part).size() == candidates &&
+                                  has_room_for_contours(*lines, candidates, largest);
         chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
-        add_candidates(device, part, contours, chunks.back());
-        if (contours != nullptr) add_contours(device, *contours, part, chunks.back());
+        add_candidates(device, part, has_contours ? lines : nullptr, chunks.back());
+        if (has_contours) add_contours(device, *lines, segments, chunks.back());
     }
     return chunks;
 }

@@ -22,19 +22,17 @@ struct LineTables {
         /// Those that are silhouettes in some frames, at the end of `segments`.
         std::uint32_t candidate_count = 0;
         std::unique_ptr<compute::Buffer> end_offsets{}, ends{}; ///< where there are any
-        /// Of contours; there are none where there are several chunks.
+        /// Of contours, in the chunk that has all candidates.
         std::unique_ptr<compute::Buffer> corners{}, edges{}, faces{}, patches{};
         std::uint32_t replaced = 0, vertex_count = 0;
 
-        compute::SilhouetteCandidates candidates() const {
+        /// `turned`: of objects that have moved, in place of `corners`; null: none has.
+        compute::SilhouetteCandidates candidates(compute::Buffer* turned = nullptr) const {
             return {range.count - candidate_count, candidate_count, end_offsets.get(), ends.get(),
-                    contours()};
+                    contours(turned)};
         }
-        /// The same without contours: for vertices that have moved.
-        compute::SilhouetteCandidates edge_candidates() const {
-            return {range.count - candidate_count, candidate_count, end_offsets.get(), ends.get()};
-        }
-        std::optional<compute::ContourTables> contours() const;
+        std::optional<compute::ContourTables> contours(compute::Buffer* turned = nullptr) const;
+        std::uint32_t corner_count() const;
         std::uint64_t bytes() const;
     };
     std::unique_ptr<compute::Buffer> vertices, triangles;
@@ -49,10 +47,18 @@ struct LineTables {
 /// A buffer of the device with that content.
 std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
                                         const Purpose& purpose);
-/// `contours`: of the line set, if its vertices stand as they were made; else null.
+/// `lines`: whose segments these are, for its contours; of its vertices and triangles it is looked
+/// at how many there are. Null, or where the device has no room for all: silhouettes run along
+/// edges.
 std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
                                                std::span<const Segment> segments,
-                                               const LineSet* contours = nullptr);
+                                               const LineSet* lines = nullptr);
+/// What lies beside the edges that contours may cross.
+std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
+                                                std::span<const Segment> segments);
+/// Of every triangle the surface that contours run through, named after one of its edges, or
+/// LA_NO_SURFACE. Faces hang together across edges.
+std::vector<std::uint32_t> contour_patches(const LineSet& lines, std::span<const Segment> segments);
 /// Throws DeviceError when memory runs out, or where there is more than GL and kernels can count.
 LineTables upload_lines(compute::Device& device, const LineSet& lines);
 

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/objects.hpp"
 #include "stage_test.hpp"
 
 namespace lineatlas::test {
@@ -30,6 +32,7 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
     const auto edges =
         put(std::vector<compute::ContourEdge>{{0, 1, 0, 0, 0}, {1, 2, 0, 0, 0}, {0, 2, 0, 0, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2 | LA_CONTOUR_TURNED}});
+    const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}});
     const auto places = put(vertices);
     const auto front = put(std::vector<std::uint8_t>{1});
     const auto crossed = device().allocate(3);
@@ -41,6 +44,7 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
                                    .face_count = 1,
                                    .replaced = 0,
                                    .vertex_count = 3},
+                      .triangles = *triangles,
                       .eye = {1, 0, 0, 0},
                       .front = *front,
                       .vertices = *places,
@@ -79,28 +83,34 @@ TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
     const float middle = 0.5F * 3.14159265F, ahead = 0.13F, behind = 0.07F;
     const std::array<float, 2> angle{middle + ahead, middle - behind};
     std::vector<glm::vec3> vertices{{std::cos(angle[0]), std::sin(angle[0]), 0},
-                                    {std::cos(angle[1]), std::sin(angle[1]), 0}};
-    vertices.resize(2 + 2);
+                                    {std::cos(angle[1]), std::sin(angle[1]), 0},
+                                    {0, 1, 1},
+                                    {0, 1, -1}};
+    vertices.resize(4 + 2);
     const auto corners = put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1])});
     const auto edges = put(std::vector<compute::ContourEdge>{{0, 1, 1, 0, 1}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 0, 0}});
     const auto crossed = device().allocate(1);
     const auto ends = device().allocate(sizeof(glm::uvec2));
-    const auto place = [&](std::vector<std::uint8_t> shows_front) {
+    const auto place = [&](std::vector<std::uint8_t> shows_front, bool mirrored = false) {
         const auto places = put(vertices);
+        // Counter-clockwise as seen from where the normals point to, or clockwise.
+        const auto triangles = put(mirrored ? std::vector<glm::uvec3>{{0, 1, 2}, {1, 0, 3}}
+                                            : std::vector<glm::uvec3>{{1, 0, 2}, {0, 1, 3}});
         const auto front = put(shows_front);
         stages().contour({.contours = {.corners = corners.get(),
                                        .edges = edges.get(),
                                        .faces = faces.get(),
                                        .edge_count = 1,
                                        .face_count = 0,
-                                       .vertex_count = 2},
+                                       .vertex_count = 4},
+                          .triangles = *triangles,
                           .eye = {1, 0, 0, 0},
                           .front = *front,
                           .vertices = *places,
                           .crossed = *crossed,
                           .ends = *ends});
-        return get<glm::vec3>(*places, 4)[2];
+        return get<glm::vec3>(*places, 6)[4];
     };
     // The line along the edge is straight, and all of it is seen if one of its faces shows its
     // front. Else none of it is, and the line before it ends at the vertex whose surface does.
@@ -112,6 +122,10 @@ TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
         EXPECT_NEAR(place(front).y, height, 1e-6);
     }
     EXPECT_EQ(place({0, 0}), vertices[1]);
+    // What is mirrored shows its front where its triangles are clockwise.
+    EXPECT_EQ(place({1, 1}, true), vertices[1]);
+    EXPECT_NEAR(place({0, 0}, true).y, height, 1e-6);
+    EXPECT_NEAR(place({0, 1}, true).y, height, 1e-6);
 }
 
 TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
@@ -120,6 +134,7 @@ TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
     const auto edges =
         put(std::vector<compute::ContourEdge>{{0, 1, 0, 0, 0}, {1, 2, 0, 0, 0}, {2, 0, 0, 0, 0}});
     const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2}});
+    const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}});
     const auto places = put(std::vector<glm::vec3>(9, glm::vec3{1, 2, 3}));
     const auto front = put(std::vector<std::uint8_t>{1});
     const auto crossed = device().allocate(3);
@@ -130,6 +145,7 @@ TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
                                    .edge_count = 3,
                                    .face_count = 1,
                                    .vertex_count = 3},
+                      .triangles = *triangles,
                       .eye = {1, 2, 30, 1},
                       .front = *front,
                       .vertices = *places,
@@ -137,6 +153,68 @@ TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
                       .ends = *ends});
     EXPECT_EQ(get<std::uint8_t>(*crossed, 3), (std::vector<std::uint8_t>{0, 0, 0}));
     EXPECT_EQ(get<glm::uvec2>(*ends, 1)[0], glm::uvec2(LA_NO_VERTEX));
+}
+
+void expect_normal(const ContourCorner& corner, glm::vec3 expected, float within) {
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(corner.normal[axis], expected[axis], within) << axis;
+}
+
+TEST_P(ContourStage, NormalsTurnWithTheirObjects) {
+    const float third = 1.0F / 3;
+    const std::vector<ContourCorner> made{{0, {third, 2 * third, -2 * third}},
+                                          {1, {0.6F, 0.8F, 0}},
+                                          {2, {0.6F, 0.8F, 0}},
+                                          {3, {0.6F, 0.8F, 0}},
+                                          {1, {0, 0, 1}}};
+    const glm::mat4 moved = glm::translate(glm::mat4{1}, {5, -6, 7});
+    const glm::mat4 quarter = glm::rotate(moved, 0.5F * 3.14159265F, {0, 0, 1});
+    // A plane along (4, -3, 0) lies along (-8, -3, 0) then: its normal is (-3, 8, 0).
+    const glm::mat4 mirrored = glm::scale(glm::mat4{1}, {-2, 1, 3});
+    std::vector<float> turns;
+    for (const glm::mat4& m : {moved, quarter, mirrored, glm::mat4{0}}) {
+        const glm::mat3 turn = normal_turn(m);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column) turns.push_back(turn[column][row]);
+    }
+    const auto rest = put(made), corners = put(std::vector<ContourCorner>(made.size()));
+    const auto objects = put(std::vector<std::uint32_t>{0, 1, 2, 3});
+    const auto rows = put(turns);
+    stages().contour_turn({.rest = *rest,
+                           .objects = *objects,
+                           .turns = *rows,
+                           .count = static_cast<std::uint32_t>(made.size()),
+                           .corners = *corners});
+    const auto turned = get<ContourCorner>(*corners, made.size());
+    for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(turned[i].vertex, made[i].vertex);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(turned[0].normal[axis], made[0].normal[axis]);
+    expect_normal(turned[1], {-0.8F, 0.6F, 0}, 1e-6F);
+    expect_normal(turned[2], glm::vec3{-3, 8, 0} / std::sqrt(73.0F), 1e-6F);
+    expect_normal(turned[3], {0, 0, 0}, 0);
+    expect_normal(turned[4], {0, 0, 1}, 1e-6F);
+}
+
+TEST_P(ContourStage, NormalsAnewAreThoseOfTrianglesByTheirAngles) {
+    // Around the first vertex three squares of a cube, one of them in two triangles; at the next
+    // corner 135 degrees of one plane and 45 of another; the last one has a triangle without area.
+    const auto vertices = put(std::vector<glm::vec3>{
+        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 0, 3}, {-1, 1, 0}, {0, 1, 1}});
+    const auto triangles = put(std::vector<glm::uvec3>{
+        {0, 1, 2}, {3, 0, 2}, {3, 4, 0}, {0, 4, 1}, {0, 1, 5}, {0, 2, 6}, {0, 1, 1}});
+    const auto offsets = put(std::vector<std::uint32_t>{0, 4, 6, 7});
+    const auto places = put(std::vector<std::uint32_t>{0, 4, 8, 9, 12, 15, 18});
+    const auto corners =
+        put(std::vector<ContourCorner>{{0, {9, 9, 9}}, {0, {9, 9, 9}}, {0, {9, 9, 9}}});
+    stages().contour_normals({.vertices = *vertices,
+                              .triangles = *triangles,
+                              .offsets = *offsets,
+                              .places = *places,
+                              .count = 3,
+                              .corners = *corners});
+    const auto found = get<ContourCorner>(*corners, 3);
+    expect_normal(found[0], glm::vec3{1, 1, 1} / std::sqrt(3.0F), 2e-5F);
+    expect_normal(found[1], glm::vec3{1, 0, 3} / std::sqrt(10.0F), 2e-5F);
+    expect_normal(found[2], {0, 0, 0}, 0);
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/clusters.hpp"
 #include "core/contact.hpp"
+#include "core/contours.hpp"
 #include "core/meshlets.hpp"
 #include "core/surface_view.hpp"
 #include "depth_model.hpp"
@@ -108,6 +109,31 @@ void append_chains(std::vector<std::byte>& result, compute::Stages& stages, cons
     append(result, origins);
     append(result, read_back<Segment>(stages.device(), found.segments, found.segment_count));
     append_carried(result, stages, found, chains.first(), *front, camera);
+}
+
+/// Normals of a smooth body that has been bent and turned.
+void append_normals(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines) {
+    const LineTables tables = upload_lines(stages.device(), lines);
+    const LineTables::Chunk& chunk = tables.chunks[0];
+    const CornerPlaces found = find_corner_places(lines.contours, lines.segments);
+    const auto offsets = to_device(stages.device(), found.offsets);
+    const auto places = to_device(stages.device(), found.places);
+    const auto objects =
+        to_device(stages.device(), std::vector<std::uint32_t>(lines.vertices.size(), 0));
+    const auto turns = to_device(stages.device(), std::vector<float>{0, -1, 0, 2, 0, 0, 0, 0, 1});
+    const auto turned = stages.device().allocate(chunk.corners->size());
+    stages.contour_normals({.vertices = *tables.vertices,
+                            .triangles = *tables.triangles,
+                            .offsets = *offsets,
+                            .places = *places,
+                            .count = chunk.corner_count(),
+                            .corners = *chunk.corners});
+    stages.contour_turn({.rest = *chunk.corners,
+                         .objects = *objects,
+                         .turns = *turns,
+                         .count = chunk.corner_count(),
+                         .corners = *turned});
+    append(result, read_back<ContourCorner>(stages.device(), *turned, chunk.corner_count()));
 }
 
 /// What of the lines the exact method finds to be outline.
@@ -270,6 +296,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
                                                      .silhouettes = Silhouettes::smooth});
     append_chains(result, on_device, smooth, look_at_it(0, smooth.bounds));
     append_outline(result, on_device, smooth, look_at_it(0, smooth.bounds));
+    append_normals(result, on_device, smooth);
     append(result, drawn.texels);
     append(result, drawn.tiles);
     append(result, drawn.seen);

@@ -223,6 +223,32 @@ TEST_P(Parts, OneByOneUntilTheTablesGrow) {
     }
 }
 
+TEST_P(Parts, WithSmoothSilhouettesOneByOneToo) {
+    Assembly scene;
+    Renderer renderer{device()};
+    std::vector<std::uint32_t> numbers;
+    for (int i = 0; i < 16; ++i) {
+        const auto x = static_cast<float>(i % 4), z = static_cast<float>(i / 4);
+        const glm::vec3 place{2 * x - 4, 1 + 0.3F * x, 2 * z - 4};
+        Mesh ball = sphere(2 + i % 3);
+        for (glm::vec3& p : ball.positions) p = place + 0.9F * p;
+        numbers.push_back(scene
+                              .add(i % 4 == 2
+                                       ? block(place, 0.5F)
+                                       : extract_lines(ball, {.separate_objects = true,
+                                                              .silhouettes = Silhouettes::smooth}))
+                              .front());
+        if (i % 4 == 3) {
+            scene.remove(numbers[numbers.size() - 3]);
+            numbers.erase(numbers.end() - 3);
+        }
+        renderer.set_lines(scene);
+        const auto drawn = picture(renderer);
+        if (i % 3 != 0) continue;
+        EXPECT_TRUE(equal(drawn, picture_of(scene.lines()))) << i;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     By, Parts,
     testing::Values(Form{"atlas", Method::atlas, DepthForm::compute, "cpp"},

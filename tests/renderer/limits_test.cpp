@@ -297,6 +297,22 @@ TEST_P(Chunks, KeepChainsOfSilhouettesWhole) {
     expect_the_same(by_paths(Method::atlas), 500 * kib);
 }
 
+TEST_P(Chunks, KeepSmoothSilhouettesWhole) {
+    use({"clevis", {160, 120}, {}});
+    Mesh mesh = cube(), ball = sphere(5);
+    for (glm::vec3& p : mesh.positions) p += glm::vec3{2.5F, 0, 0};
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), ball.positions.begin(), ball.positions.end());
+    for (const glm::uvec3& t : ball.triangles) mesh.triangles.push_back(t + first);
+    lines_ = extract_lines(mesh, {.silhouettes = Silhouettes::automatic});
+    ASSERT_EQ(lines_.contours.faces.size(), ball.triangles.size());
+    camera_ = make_camera({.eye = {1, 2, 6}, .target = {1, 0, 0}}, {160, 120}, lines_.bounds);
+    FrameOptions options = by_paths(Method::atlas);
+    expect_the_same(options, 800 * kib); // 20,480 candidates, creases by themselves
+    options.method = Method::exact;
+    expect_the_same(options, 800 * kib);
+}
+
 TEST_P(Chunks, GoByTilesToo) {
     const LargeFrame frame{"house", {400, 300}, by_paths(Method::atlas)};
     FrameOptions options = frame.options;

@@ -14,6 +14,21 @@ Buffer& contour_ends(const SegmentTable& table, Buffer* ends) {
 
 } // namespace
 
+void Stages::contour_normals(const ContourNormalsArgs& args) {
+    launch<kernels::contour_normals>(args.count, tuning_.local_size, {args.count},
+                                     {.vertices = args.vertices,
+                                      .triangles = args.triangles,
+                                      .offsets = args.offsets,
+                                      .places = args.places,
+                                      .corners = args.corners});
+}
+
+void Stages::contour_turn(const ContourTurnArgs& args) {
+    launch<kernels::contour_turn>(
+        args.count, tuning_.local_size, {args.count},
+        {.rest = args.rest, .objects = args.objects, .turns = args.turns, .corners = args.corners});
+}
+
 void Stages::contour(const ContourArgs& args) {
     const ContourTables& contours = args.contours;
     ContourParameters parameters{
@@ -21,6 +36,7 @@ void Stages::contour(const ContourArgs& args) {
     launch<kernels::contour_points>(contours.edge_count, tuning_.local_size, parameters,
                                     {.corners = *contours.corners,
                                      .edges = *contours.edges,
+                                     .triangles = args.triangles,
                                      .front = args.front,
                                      .vertices = args.vertices,
                                      .crossed = args.crossed});

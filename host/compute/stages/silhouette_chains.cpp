@@ -6,7 +6,8 @@ void SilhouetteChains::release() {
     tables_.release();
     first_ = count_ = 0;
     has_order_ = false;
-    fixed_of_ = vertices_of_ = nullptr;
+    fixed_of_ = nullptr;
+    vertices_of_ = {};
 }
 
 SegmentTable SilhouetteChains::without(const SegmentTable& table) {
@@ -24,13 +25,15 @@ void SilhouetteChains::contour(const SegmentTable& table, Buffer& front, const g
     const std::uint64_t edges = contours.edge_count;
     const bool is_new =
         tables_.make_room(Table::vertices, (contours.vertex_count + 2 * edges) * vertex);
-    if (is_new || vertices_of_ != &table.vertices)
+    const std::pair<const Buffer*, std::uint64_t> own{&table.vertices, table.version};
+    if (is_new || vertices_of_ != own)
         device_.copy(table.vertices, tables_[Table::vertices], contours.vertex_count * vertex);
-    vertices_of_ = &table.vertices;
+    vertices_of_ = own;
     tables_.make_room(Table::crossed, edges);
     tables_.make_room(Table::contour_ends,
                       std::uint64_t{contours.face_count} * 2 * sizeof(la_uint));
     stages_.contour({.contours = contours,
+                     .triangles = table.triangles,
                      .eye = eye,
                      .front = front,
                      .vertices = tables_[Table::vertices],

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "stages.hpp"
@@ -26,7 +27,10 @@ class SilhouetteChains {
     /// these are; null: from none.
     void follow(Buffer* positions_before) { positions_before_ = positions_before; }
     /// The table of segments has others in it.
-    void forget_lines() { fixed_of_ = nullptr; }
+    void forget_lines() {
+        fixed_of_ = nullptr;
+        vertices_of_ = {};
+    }
 
     /// The table of a frame in which no candidate is drawn.
     SegmentTable without(const SegmentTable& table);
@@ -95,8 +99,9 @@ class SilhouetteChains {
     std::uint32_t count_ = 0; ///< silhouettes of the last frame
     bool has_order_ = false;
     Buffer* positions_before_ = nullptr;
-    const Buffer* fixed_of_ = nullptr;    ///< whose fixed lines stand in `ordered`
-    const Buffer* vertices_of_ = nullptr; ///< whose vertices stand in `vertices`
+    const Buffer* fixed_of_ = nullptr; ///< whose fixed lines stand in `ordered`
+    /// Whose vertices stand in `vertices`, and their SegmentTable::version.
+    std::pair<const Buffer*, std::uint64_t> vertices_of_{};
     GrowingTables<Table> tables_;
 };
 

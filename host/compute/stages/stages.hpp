@@ -34,6 +34,8 @@ class Stages {
     void pyramid(const PyramidArgs& args);
     void cull(const CullArgs& args);
     void facing(const FacingArgs& args);
+    void contour_normals(const ContourNormalsArgs& args);
+    void contour_turn(const ContourTurnArgs& args);
     void contour(const ContourArgs& args);
     void silhouette(const SilhouetteArgs& args);
     void chain(const ChainArgs& args);

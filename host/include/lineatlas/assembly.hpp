@@ -26,8 +26,7 @@ class LINEATLAS_API Assembly {
     Assembly& operator=(Assembly&&) noexcept; ///< likewise
 
     /// Adds the objects of a line set, or all of it as one where it has none, and gives their
-    /// numbers in lines().objects: those of parts that are gone first, then the next. `lines` comes
-    /// of extract_lines() with Silhouettes::mesh; UsageError for others, and all is as it was.
+    /// numbers in lines().objects: those of parts that are gone first, then the next.
     std::vector<std::uint32_t> add(const LineSet& lines);
 
     /// Takes a part out. Its number stands for nothing until add() gives it again. Throws

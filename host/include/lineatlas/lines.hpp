@@ -70,8 +70,7 @@ struct LineOptions {
     bool separate_objects = false;
     /// Of what KnownEdge::Kind::smooth is, draw creases too: where a fillet ends.
     bool smooth_edges = false;
-    /// With separate_objects they run along edges. So they do by methods other than `exact` and
-    /// `atlas`, and once anything has moved.
+    /// By methods other than `exact` and `atlas` they run along edges.
     Silhouettes silhouettes = Silhouettes::mesh;
 };
 
@@ -184,8 +183,8 @@ struct OutlinePart {
 LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {},
                                     const Progress& progress = {});
 
-/// Moves the vertices as Renderer::set_transforms() shows them: for make_vector_drawing() and
-/// LineVisibility, and for a renderer whose objects stay there. Throws UsageError as that does.
+/// Moves vertices and normals as Renderer::set_transforms() shows them: for make_vector_drawing()
+/// and LineVisibility, and for a renderer whose objects stay there. Throws UsageError as that does.
 LINEATLAS_API void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object);
 
 /// Takes the objects out of sight as Renderer::set_hidden() does, for the same: their lines become
@@ -194,9 +193,10 @@ LINEATLAS_API void move_objects(LineSet& lines, std::span<const glm::mat4> world
 LINEATLAS_API void hide_objects(LineSet& lines, std::span<const std::uint32_t> objects);
 
 /// Puts the vertices where they would be had the mesh these positions, in its order: a mesh that
-/// bends and stretches, but keeps its triangles. Lines stay what they are in the mesh. A renderer
-/// shows it by Renderer::set_positions() of LineSet::vertices. Throws UsageError where there are
-/// fewer positions than vertices come from, or one of them is not finite; then all is as it was.
+/// bends and stretches, but keeps its triangles. Lines stay what they are in the mesh, and what is
+/// smooth stays so, by normals of the triangles as they are now. A renderer shows it by
+/// Renderer::set_positions() of LineSet::vertices. Throws UsageError where there are fewer
+/// positions than vertices come from, or one of them is not finite; then all is as it was.
 LINEATLAS_API void move_vertices(LineSet& lines, std::span<const glm::vec3> positions);
 
 } // namespace lineatlas

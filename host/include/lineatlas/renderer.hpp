@@ -219,14 +219,16 @@ class LINEATLAS_API Renderer {
 
     /// Moves the objects (LineSet::objects; the whole model, if it has none): a matrix for each,
     /// world from object as it was made. The next frame shows it; nothing is rebuilt. Which edges
-    /// are creases stays as it is; what is a silhouette does not. A mirror image is fine. Throws
-    /// UsageError before set_lines(), for another number of matrices, and for one that is not
-    /// affine, not finite or singular; then all is as it was.
+    /// are creases stays as it is; what is a silhouette does not, smooth or not: normals turn with
+    /// their objects, mirrored and stretched ones, too. Throws UsageError before set_lines(), for
+    /// another number of matrices, and for one that is not affine, not finite or singular; then all
+    /// is as it was.
     void set_transforms(std::span<const glm::mat4> world_from_object);
 
     /// Changes the shape: puts vertices (LineSet::vertices) from `first` on at other positions,
-    /// in the coordinates of their objects. Lines stay what and where they are in the mesh. Throws
-    /// UsageError for vertices that there are not, and positions that are not finite.
+    /// in the coordinates of their objects. Lines stay what and where they are in the mesh; smooth
+    /// silhouettes go by normals of the triangles as they are then, even if the file had its own.
+    /// Throws UsageError for vertices that there are not, and positions that are not finite.
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
 
     /// Shows all objects (as of set_transforms()) but these, by their numbers: the others' lines
