@@ -126,9 +126,9 @@ struct Style {
     /// Pixels of hidden line per pixel at most, where `hidden` draws them, by the priorities of
     /// `density`; 0: any.
     float hidden_density = 0;
-    Fill fill{};           ///< under the lines
-    Paper paper{};         ///< what is drawn on
-    Focus focus{};         ///< what stands out
+    Fill fill{};   ///< under the lines
+    Paper paper{}; ///< what is drawn on
+    Focus focus{}; ///< what stands out
     /// Every rule that is for a line changes its pen, in this order: `pen`, and of hidden lines
     /// `hidden_pen`.
     std::vector<PenRule> pens{};
