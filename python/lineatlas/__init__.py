@@ -60,7 +60,7 @@ __all__ = [
 ]
 
 _Model = _Union[Mesh, str, "_os.PathLike[str]"]
-_OF_RENDERER = ("lines", "crease", "separate_objects", "progress", "compute", "device", "interop")
+_OF_RENDERER = ("lines", "crease", "silhouettes", "separate_objects", "progress", "compute", "device", "interop")
 
 
 class LineKind(_enum.IntEnum):

@@ -177,6 +177,7 @@ class Renderer:
         *,
         lines: Optional[_Kinds] = None,
         crease: Union[float, str] = "auto",
+        silhouettes: Optional[str] = None,
         separate_objects: bool = False,
         progress: Optional[_Progress] = None,
         compute: str = "",
@@ -189,6 +190,7 @@ class Renderer:
         *,
         lines: Optional[_Kinds] = None,
         crease: Union[float, str] = "auto",
+        silhouettes: Optional[str] = None,
         separate_objects: bool = False,
         progress: Optional[_Progress] = None,
     ) -> None: ...

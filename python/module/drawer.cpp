@@ -6,6 +6,7 @@
 
 #include "assembling.hpp"
 #include "compute/choose_device.hpp"
+#include "core/contours.hpp"
 #include "core/line_pens.hpp"
 #include "images/pixels.hpp"
 #include "io/pen_images.hpp"
@@ -135,6 +136,7 @@ std::shared_ptr<const ModelLines> Drawer::placed(const Placement& placement) con
     if (!placement.vertices.empty()) {
         lines.vertices = placement.vertices;
         lines.bounds = placement.bounds;
+        find_normals(lines);
     }
     if (!placement.transforms.empty()) move_objects(lines, placement.transforms);
     if (!placement.hidden.empty()) hide_objects(lines, placement.hidden);

@@ -36,11 +36,13 @@ void warn(const std::string& note) {
 }
 
 std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgument& lines,
-                                    const CreaseArgument& crease, Flag<"separate_objects"> apart,
-                                    const py::object& progress, const Word<"compute">& compute,
-                                    const Word<"device">& device, const Word<"interop">& interop) {
+                                    const CreaseArgument& crease,
+                                    const MaybeSilhouettes& silhouettes,
+                                    Flag<"separate_objects"> apart, const py::object& progress,
+                                    const Word<"compute">& compute, const Word<"device">& device,
+                                    const Word<"interop">& interop) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, *crease, apart);
+    const LineOptions found = line_options(mesh->mesh, lines, *crease, *silhouettes, apart);
     std::string note;
     auto drawer = released(progress, [&](const Progress& asked) {
         auto made = std::make_unique<Drawer>(
@@ -54,10 +56,10 @@ std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgum
 }
 
 void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& lines,
-               const CreaseArgument& crease, Flag<"separate_objects"> apart,
-               const py::object& progress) {
+               const CreaseArgument& crease, const MaybeSilhouettes& silhouettes,
+               Flag<"separate_objects"> apart, const py::object& progress) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(lines, *crease, apart);
+    const LineOptions found = line_options(mesh->mesh, lines, *crease, *silhouettes, apart);
     released(progress, [&](const Progress& asked) {
         drawer.set_subject(find_lines(std::move(mesh), found, asked));
     });
@@ -277,6 +279,7 @@ void bind_renderer(py::module_& module) {
     bind_options(module);
     const py::arg_v lines = py::arg("lines") = py::none();
     const py::arg_v crease = py::arg("crease") = "auto";
+    const py::arg_v silhouettes = py::arg("silhouettes") = py::none();
     const py::arg_v apart = py::arg("separate_objects") = false;
     const py::arg_v progress = py::arg("progress") = py::none();
     py::class_<Drawer> renderer(
@@ -289,17 +292,22 @@ void bind_renderer(py::module_& module) {
         "other, and several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
         "crease: all edges bent by more degrees are creases; \"auto\": by more than 30, but for\n"
-        "noise of scanned or sculpted surfaces and for seams. separate_objects: what "
+        "noise of scanned or sculpted surfaces and for seams. silhouettes: along edges of the\n"
+        "\"mesh\", \"smooth\" by its normals, or \"auto\": smooth where the surface is, as in "
+        "scans;\n"
+        "none: \"auto\" of files with normals of their surfaces, else \"mesh\". separate_objects: "
+        "what\n"
         "Mesh.triangle_object\n"
         "or groups of one name hold moves on its own (set_transforms(), hide()). progress: called "
         "with\n"
         "the share that is done, 0 to 1, here and in other methods; Cancelled is raised once it\n"
         "returns False. compute, device, interop: as in `lineatlas draw --help`.");
     renderer
-        .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease, apart,
-             progress, py::arg("compute") = "", py::arg("device") = "", py::arg("interop") = "")
-        .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease, apart,
-             progress, "Another model, or other lines of the same, from now on.");
+        .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease, silhouettes,
+             apart, progress, py::arg("compute") = "", py::arg("device") = "",
+             py::arg("interop") = "")
+        .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease, silhouettes,
+             apart, progress, "Another model, or other lines of the same, from now on.");
     bind_drawing(renderer);
     bind_motion(renderer);
     bind_picking(module, renderer);

@@ -40,6 +40,7 @@ ELSEWHERE = {
     "check_image_settings()": "save(dpi)",
     # lines
     "LineOptions": "Renderer(crease)", "LineOptions.crease_angle": "Renderer(crease)", "LineOptions.kinds": "Renderer(lines)",
+    "LineOptions.silhouettes": "Renderer(silhouettes)", "Silhouettes.*": "Renderer(silhouettes)",
     "LineSource": "intervals[edge]", "LineSource.from": "intervals[edge]", "LineSource.to": "intervals[edge]",
     "LineSource.triangle": "intervals[triangle]", "LineSource.crossing": "intervals[crossing]",
     "extract_lines()": "Renderer()",
@@ -140,7 +141,7 @@ NOT_IN_PYTHON = {
     "not bound yet: what files say beside their mesh, and how they are read": """
         LoadedMesh.deflection LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits Mesh.precision""",
-    "not bound yet: smooth silhouettes": "LineOptions.silhouettes Silhouettes.* Mesh.corner_normals",
+    "not bound yet: normals of a program's own": "Mesh.corner_normals",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
         DxfOptions.description VectorOptions.tolerance with_shown_height()""",
