@@ -1,6 +1,7 @@
 #include "drawing_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -32,6 +33,13 @@ bool is_near(glm::dvec2 at) {
 
 bool is_picture(glm::dvec2 size) {
     return std::min(size.x, size.y) >= 1 && std::max(size.x, size.y) <= longest_picture_side;
+}
+
+/// What a drawing says of itself, which messages repeat, in one line.
+std::string one_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return text;
 }
 
 /// "..., seen at 1024x768 pixels", as to_svg() says it; 0 where it does not.
@@ -74,7 +82,7 @@ DrawingFile of_svg(const SourceFile& file) {
     if (!document.load_buffer(file.bytes.data(), file.bytes.size()))
         throw read_error(file.path, "it is no XML, or damaged");
     const pugi::xml_node svg = document.child("svg");
-    DrawingFile drawing{.description = svg.child_value("desc")};
+    DrawingFile drawing{.description = one_line(svg.child_value("desc"))};
     drawing.size = size_in(drawing.description);
     if (!svg || !is_picture(drawing.size)) throw read_error(file.path, not_ours);
     const Sheet sheet = sheet_of(drawing, file.path);
@@ -127,7 +135,8 @@ DrawingFile of_json(const SourceFile& file) {
         if (json.value("format", "") != "lineatlas-drawing") throw read_error(file.path, not_ours);
         const glm::dvec2 size = point(json.at("size"));
         if (!is_picture(size)) throw read_error(file.path, not_ours);
-        DrawingFile drawing{.size = glm::ivec2{size}, .description = json.value("description", "")};
+        DrawingFile drawing{.size = glm::ivec2{size},
+                            .description = one_line(json.value("description", ""))};
         for (const nlohmann::json& path : json.at("paths")) add_path(path, drawing);
         check_places(drawing, file.path);
         return drawing;

@@ -130,13 +130,16 @@ TEST_F(DrawingFileTest, RefusesWhatNoPictureShows) {
                                             svg("; seen at 9", "M0 0L1 1"),
                                             svg(" --units=ell" + seen, "M0 0L1 1"),
                                             svg(" --page=a4 --margin=1000mm" + seen, "M0 0L1 1"),
+                                            svg(" --page=two\nlines" + seen, "M0 0L1 1"),
                                             svg(" --page=1e-323x1mm" + seen, "M0 0L1 1")};
     for (const std::string& text : drawings) {
         try {
             through("a.svg", text);
             ADD_FAILURE() << "read: " << text;
         } catch (const FileError& error) {
-            EXPECT_NE(std::string{error.what()}.find("a.svg"), std::string::npos) << error.what();
+            const std::string message = error.what();
+            EXPECT_NE(message.find("a.svg"), std::string::npos) << message;
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
         }
     }
     EXPECT_EQ(through("a.svg", svg(seen, "M0 0L1 1")).legs.size(), 1U);
