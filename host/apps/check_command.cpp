@@ -68,6 +68,17 @@ LoadOptions load_options(const DrawingFile& drawing) {
     return options;
 }
 
+/// What `use` makes of what the drawing says. Throws FileError where it says what no option takes.
+template <typename Use>
+auto said_by(const std::string& path, const Use& use) {
+    try {
+        return use();
+    } catch (const UsageError& error) {
+        throw FileError("cannot check \"" + path + "\": " + error.what() +
+                        "; draw it again by `lineatlas draw`");
+    }
+}
+
 /// `origin`: of the model, in its file's coordinates. Throws FileError when the drawing does not
 /// say how it was made.
 Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3 origin) {
@@ -76,7 +87,7 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
         if (!value) throw UsageError(std::string{"it does not say "} + option);
         return *value;
     };
-    try {
+    return said_by(path, [&] {
         Making making{.view = {.eye = parse_point("--eye", given("--eye")) - origin,
                                .target = parse_point("--target", given("--target")) - origin,
                                .up = parse_up("--up", given("--up")),
@@ -96,10 +107,7 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
         making.sections = {all_described(drawing.description, "--section"),
                            described(drawing.description, "--hatching").value_or("")};
         return making;
-    } catch (const UsageError& error) {
-        throw FileError("cannot check \"" + path + "\": " + error.what() +
-                        "; draw it again by `lineatlas draw`");
-    }
+    });
 }
 
 /// Throws Error when more of the drawing is wrong than may be.
@@ -121,13 +129,18 @@ void check(const CheckArguments& arguments) {
     LoadedMesh loaded =
         load_mesh_isolated(arguments.model, arguments.read.limits(), load_options(drawing));
     // As `draw` goes about it: parts, then cuts, then lines.
-    const PartFilter parts{all_described(drawing.description, "--only"),
-                           all_described(drawing.description, "--hide")};
-    parts.apply(loaded);
+    said_by(arguments.drawing, [&] {
+        const PartFilter parts{all_described(drawing.description, "--only"),
+                               all_described(drawing.description, "--hide")};
+        parts.apply(loaded);
+    });
     Mesh& mesh = loaded.mesh;
     const Making making = making_of(drawing, arguments.drawing, loaded.origin);
-    if (making.sections.given())
-        mesh = std::move(making.sections.cut(mesh, loaded.origin, making.view).mesh);
+    if (making.sections.given()) {
+        mesh = said_by(arguments.drawing, [&] {
+            return std::move(making.sections.cut(mesh, loaded.origin, making.view).mesh);
+        });
+    }
     const std::vector<std::uint32_t> patches =
         smooth_patches(extract_lines(mesh, {.crease_angle = making.lines.crease_angle}));
     const LineSet lines = extract_lines(mesh, making.lines);

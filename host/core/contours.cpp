@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <ranges>
 
 #include <glm/geometric.hpp>
 
@@ -137,9 +136,9 @@ class ContourFinder {
 
     /// Whether the file says of a face where its surface looks, but for a tip.
     bool knows_normals(std::uint32_t face) const {
-        return std::ranges::any_of(std::views::iota(3 * face, 3 * face + 3), [&](auto corner) {
-            return known_normal(corner) != glm::dvec3{0};
-        });
+        for (std::uint32_t corner = 3 * face; corner < 3 * face + 3; ++corner)
+            if (known_normal(corner) != glm::dvec3{0}) return true;
+        return false;
     }
 
     bool is_sliver(std::uint32_t face) const {

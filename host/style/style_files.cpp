@@ -293,9 +293,9 @@ class StyleLoader {
                 continue;
             }
             std::vector<std::string> texts;
-            const auto add = [&](const toml::node& one) {
+            const auto add = [&texts, name = key.str()](const toml::node& one) {
                 const auto text = one.value_exact<std::string>();
-                if (!text) throw UsageError(fmt::format("pens: {} must be a text", key.str()));
+                if (!text) throw UsageError(fmt::format("pens: {} must be a text", name));
                 texts.push_back(*text);
             };
             if (const toml::array* list = value.as_array())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -39,12 +40,30 @@ double sum(const std::vector<WrongPoint>& points) {
     return result;
 }
 
+/// Between which shares of a piece it may be in the picture: {1, 0} where it is not.
+std::pair<double, double> shares_inside(const DrawnPiece& piece, glm::dvec2 size) {
+    double first = 0, last = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double from = piece.from[axis], length = piece.to[axis] - from;
+        const double at_zero = -from / length, at_size = (size[axis] - from) / length;
+        if (length == 0 && (from < 0 || from > size[axis])) return {1, 0};
+        if (length == 0) continue;
+        first = std::max(first, std::min(at_zero, at_size));
+        last = std::min(last, std::max(at_zero, at_size));
+    }
+    return {first, last};
+}
+
 std::vector<WrongPoint> sampled(const EdgeTruth& truth, std::span<const DrawnPiece> drawn) {
     std::vector<WrongPoint> points;
     for (const DrawnPiece& piece : drawn) {
         const double length = glm::distance(piece.from, piece.to);
         const double steps = std::max(1.0, std::ceil(length / drawn_step));
-        for (double i = 0.5; i < steps; ++i) {
+        // Of a line that goes far beyond the picture only what may be in it, and a step more.
+        const auto [first, last] = shares_inside(piece, truth.size());
+        const double begin = std::max(0.0, std::floor(first * steps) - 1);
+        const double end = std::min(steps, std::ceil(last * steps) + 1);
+        for (double i = begin + 0.5; i < end; ++i) {
             const glm::dvec2 at = glm::mix(piece.from, piece.to, i / steps);
             if (is_inside(truth, at))
                 points.push_back({glm::vec2{at}, static_cast<float>(length / steps)});

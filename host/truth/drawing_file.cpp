@@ -1,6 +1,10 @@
 #include "drawing_file.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
@@ -9,6 +13,7 @@
 #include <pugixml.hpp>
 
 #include "core/pair_key.hpp"
+#include "core/picture_size.hpp"
 #include "io/extension.hpp"
 #include "io/source_file.hpp"
 #include "svg_path.hpp"
@@ -19,16 +24,44 @@ namespace {
 
 constexpr const char* not_ours = "it is no drawing of lineatlas; check what `lineatlas draw` wrote";
 
-/// "..., seen at 1024x768 pixels", as to_svg() says it.
-glm::ivec2 size_in(const std::string& description) {
+/// Pixels; lines end near the picture.
+constexpr double farthest = 1e6;
+
+bool is_near(glm::dvec2 at) {
+    return std::abs(at.x) <= farthest && std::abs(at.y) <= farthest;
+}
+
+bool is_picture(glm::dvec2 size) {
+    return std::min(size.x, size.y) >= 1 && std::max(size.x, size.y) <= longest_picture_side;
+}
+
+/// What a drawing says of itself, which messages repeat, in one line.
+std::string one_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return text;
+}
+
+/// "..., seen at 1024x768 pixels", as to_svg() says it; 0 where it does not.
+glm::ivec2 size_in(std::string_view description) {
+    constexpr std::string_view before = "seen at ";
     glm::ivec2 size{0};
-    const std::size_t at = description.rfind("seen at ");
-    if (at != std::string::npos)
-        std::sscanf(description.c_str() + at, "seen at %dx%d pixels", &size.x, &size.y);
+    const std::size_t at = description.rfind(before);
+    if (at == description.npos) return size;
+    const char* const end = description.data() + description.size();
+    const auto width = std::from_chars(description.data() + at + before.size(), end, size.x);
+    if (width.ptr != end && *width.ptr == 'x') std::from_chars(width.ptr + 1, end, size.y);
     return size;
 }
 
-Sheet sheet_of(const DrawingFile& drawing) {
+/// Throws FileError for a drawing whose lines no picture shows.
+void check_places(const DrawingFile& drawing, const std::filesystem::path& path) {
+    const auto known = [](const auto& line) { return is_near(line.from) && is_near(line.to); };
+    if (!std::ranges::all_of(drawing.legs, known) || !std::ranges::all_of(drawing.tags, known))
+        throw read_error(path, "its lines are far outside its picture");
+}
+
+Sheet sheet_of(const DrawingFile& drawing, const std::filesystem::path& path) try {
     SvgOptions options;
     const auto page = described(drawing.description, "--page");
     if (page) {
@@ -40,6 +73,8 @@ Sheet sheet_of(const DrawingFile& drawing) {
     if (const auto margin = described(drawing.description, "--margin"))
         options.margin = parse_length(*margin, options.units);
     return lay_out(drawing.size, options);
+} catch (const UsageError& error) {
+    throw read_error(path, std::string{"of its page: "} + error.what());
 }
 
 DrawingFile of_svg(const SourceFile& file) {
@@ -47,10 +82,10 @@ DrawingFile of_svg(const SourceFile& file) {
     if (!document.load_buffer(file.bytes.data(), file.bytes.size()))
         throw read_error(file.path, "it is no XML, or damaged");
     const pugi::xml_node svg = document.child("svg");
-    DrawingFile drawing{.description = svg.child_value("desc")};
+    DrawingFile drawing{.description = one_line(svg.child_value("desc"))};
     drawing.size = size_in(drawing.description);
-    if (!svg || drawing.size.x <= 0 || drawing.size.y <= 0) throw read_error(file.path, not_ours);
-    const Sheet sheet = sheet_of(drawing);
+    if (!svg || !is_picture(drawing.size)) throw read_error(file.path, not_ours);
+    const Sheet sheet = sheet_of(drawing, file.path);
     for (const pugi::xml_node group : svg.children("g")) {
         if (std::string_view{group.attribute("class").value()}.ends_with("hidden")) continue;
         for (const pugi::xml_node path : group.children("path")) {
@@ -61,11 +96,19 @@ DrawingFile of_svg(const SourceFile& file) {
                     {(from - sheet.corner) / sheet.scale, (to - sheet.corner) / sheet.scale});
         }
     }
+    check_places(drawing, file.path);
     return drawing;
 }
 
 glm::dvec2 point(const nlohmann::json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>()};
+}
+
+/// A whole number from 0 on, of which there is one; the library would make one of anything.
+std::uint32_t index(const nlohmann::json& json) {
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > LineSource::none)
+        throw std::out_of_range{"index"};
+    return json.get<std::uint32_t>();
 }
 
 void add_path(const nlohmann::json& path, DrawingFile& drawing) {
@@ -76,13 +119,13 @@ void add_path(const nlohmann::json& path, DrawingFile& drawing) {
         drawing.legs.push_back({points[i], points[i + 1]});
     if (!path.contains("pieces")) return;
     for (const nlohmann::json& piece : path.at("pieces")) {
-        const auto at = piece.at("point").get<std::size_t>();
+        const std::size_t at = index(piece.at("point"));
         const glm::dvec2 a = points.at(at);
         const glm::dvec2 b = points.at((at + 1) % points.size());
         const glm::dvec2 part = piece.contains("part") ? point(piece.at("part")) : glm::dvec2{0, 1};
         drawing.tags.push_back({glm::mix(a, b, part.x), glm::mix(a, b, part.y),
-                                piece.value("from", LineSource::none),
-                                piece.value("to", LineSource::none)});
+                                index(piece.value("from", nlohmann::json(LineSource::none))),
+                                index(piece.value("to", nlohmann::json(LineSource::none)))});
     }
 }
 
@@ -90,9 +133,12 @@ DrawingFile of_json(const SourceFile& file) {
     try {
         const nlohmann::json json = nlohmann::json::parse(file.bytes);
         if (json.value("format", "") != "lineatlas-drawing") throw read_error(file.path, not_ours);
-        DrawingFile drawing{.size = glm::ivec2{point(json.at("size"))},
-                            .description = json.value("description", "")};
+        const glm::dvec2 size = point(json.at("size"));
+        if (!is_picture(size)) throw read_error(file.path, not_ours);
+        DrawingFile drawing{.size = glm::ivec2{size},
+                            .description = one_line(json.value("description", ""))};
         for (const nlohmann::json& path : json.at("paths")) add_path(path, drawing);
+        check_places(drawing, file.path);
         return drawing;
     } catch (const nlohmann::json::exception&) {
         throw read_error(file.path, "it is no JSON of a drawing, or damaged");

@@ -41,7 +41,8 @@ class PathParser {
     bool number(double& value) {
         skip_spaces();
         const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-        if (error != std::errc{}) return false;
+        constexpr double largest = 1e9; // of what any drawing has; its square is finite
+        if (error != std::errc{} || !(std::abs(value) <= largest)) return false;
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return true;
     }

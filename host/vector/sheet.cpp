@@ -32,7 +32,7 @@ Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin
     sheet.corner = 0.5 * (sheet.size - pixels * sheet.scale);
     constexpr double precision = 0.01; // pixels
     sheet.digits =
-        std::clamp(static_cast<int>(std::ceil(-std::log10(precision * sheet.scale))), 0, 6);
+        static_cast<int>(std::clamp(std::ceil(-std::log10(precision * sheet.scale)), 0.0, 6.0));
     return sheet;
 }
 

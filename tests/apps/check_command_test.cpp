@@ -226,6 +226,13 @@ TEST_F(CheckCommand, SaysWhatIsMissing) {
     expect_refused("check " + path("model.obj") + " " + path("model.obj"), 1, ".svg or .json");
     write("other.svg", "<svg><desc>draw a.obj; seen at 9x9 pixels</desc></svg>");
     expect_refused("check " + path("other.svg") + " " + path("model.obj"), 1, "--eye");
+    // What a drawing says of itself is of a file, not of the command.
+    const std::string svg = content("a.svg");
+    const std::size_t at = svg.find(" --size");
+    for (const char* said : {" --section=bogus", " --only=nothing", " --units=ell"}) {
+        write("said.svg", svg.substr(0, at) + said + svg.substr(at));
+        expect_refused("check " + path("said.svg") + " " + path("model.obj"), 1, "said.svg");
+    }
     ::setenv("LINEATLAS_MODULE_DIR", path("nowhere").c_str(), 1);
     expect_refused("check" + both, 1, "nowhere/lineatlas-rays.so\", which checks drawings by rays");
     expect_refused("draw " + path("model.obj") + " --certify -o " + path("c.svg"), 1,

@@ -67,6 +67,14 @@ TEST_F(DrawingErrorsTest, SeesWhatIsMissing) {
     EXPECT_EQ(compare_paths(truth_, {}, 0.5).missed_share(), 1);
 }
 
+TEST_F(DrawingErrorsTest, OfALineOnlyWhatIsInThePictureCounts) {
+    // Every quarter of a pixel of all of it would take years.
+    const std::vector<DrawnPiece> drawn{{{-1e12, 60}, {1e12, 60}}, {{50, 1e12}, {50, 2e12}}};
+    const DrawingErrors errors = compare_paths(truth_, drawn, 0.5);
+    EXPECT_NEAR(errors.drawn, truth_.size().x - 4, 0.5);            // without the picture's border
+    EXPECT_NEAR(errors.false_pixels(), truth_.size().x - 4 - 1, 1); // but where it meets the panel
+}
+
 TEST_F(DrawingErrorsTest, SeesWhatTheOldRuleExcused) {
     // What stands within two pixels behind a panel, drawn.
     std::vector<DrawnPiece> drawn = right();

@@ -114,6 +114,53 @@ TEST_F(DrawingFileTest, RefusesWhatIsNoDrawing) {
     EXPECT_NE(refused("a.png", "x").find(".svg or .json"), std::string::npos);
 }
 
+TEST_F(DrawingFileTest, RefusesWhatNoPictureShows) {
+    const auto svg = [](const std::string& told, const std::string& data) {
+        return "<svg><desc>draw a.obj" + told + "</desc><g><path d=\"" + data + "\"/></g></svg>";
+    };
+    const std::string seen = "; 1 path, seen at 9x9 pixels";
+    const std::vector<std::string> drawings{svg(seen, "M0 0L1e300 0"),
+                                            svg(seen, "M0 0L1e8 0"),
+                                            svg(seen, "Mnan 0L1 1"),
+                                            svg(seen, "M0 0A1e300 1e300 0 0 0 1 1"),
+                                            svg(seen, "M0 0Ainf inf 0 0 0 1 1"),
+                                            svg("; seen at 99999999999x9 pixels", "M0 0L1 1"),
+                                            svg("; seen at 65537x9 pixels", "M0 0L1 1"),
+                                            svg("; seen at 9x-9 pixels", "M0 0L1 1"),
+                                            svg("; seen at 9", "M0 0L1 1"),
+                                            svg(" --units=ell" + seen, "M0 0L1 1"),
+                                            svg(" --page=a4 --margin=1000mm" + seen, "M0 0L1 1"),
+                                            svg(" --page=two\nlines" + seen, "M0 0L1 1"),
+                                            svg(" --page=1e-323x1mm" + seen, "M0 0L1 1")};
+    for (const std::string& text : drawings) {
+        try {
+            through("a.svg", text);
+            ADD_FAILURE() << "read: " << text;
+        } catch (const FileError& error) {
+            const std::string message = error.what();
+            EXPECT_NE(message.find("a.svg"), std::string::npos) << message;
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        }
+    }
+    EXPECT_EQ(through("a.svg", svg(seen, "M0 0L1 1")).legs.size(), 1U);
+
+    const auto json = [](const std::string& size, const std::string& points,
+                         const std::string& piece) {
+        return R"({"format":"lineatlas-drawing","size":)" + size +
+               R"(,"paths":[{"visible":true,"points":)" + points + R"(,"pieces":[{)" + piece +
+               "}]}]}";
+    };
+    const std::string size = "[9,9]", points = "[[0,0],[1,1]]", piece = R"("point":0)";
+    for (const std::string& text :
+         {json("[1e300,9]", points, piece), json("[0,9]", points, piece),
+          json(size, "[[0,0],[1e300,1]]", piece), json(size, points, R"("point":-1)"),
+          json(size, points, R"("point":1e300)"), json(size, points, R"("point":0,"from":-1)"),
+          json(size, points, R"("point":0,"part":[0,1e300])")}) {
+        EXPECT_THROW(through("a.json", text), FileError) << text;
+    }
+    EXPECT_EQ(through("a.json", json(size, points, piece)).tags.size(), 1U);
+}
+
 TEST_F(DrawingFileTest, OptionsAreFoundInADescription) {
     const std::string text = "draw a.obj --crease=12 --style='my own' --fov 40; 3 paths";
     EXPECT_EQ(described(text, "--crease"), "12");

@@ -46,9 +46,14 @@ class Filter {
     std::unique_ptr<void, decltype(&::seccomp_release)> context_;
 };
 
+/// As SCMP_A0_64 and its kin, which are no C++.
+scmp_arg_cmp argument(unsigned number, scmp_compare compare, scmp_datum_t a, scmp_datum_t b = 0) {
+    return {number, compare, a, b};
+}
+
 void allow_descriptors(Filter& filter) {
     // To those up to stderr only: none of the others has a business here.
-    const scmp_arg_cmp standard = SCMP_A0_64(SCMP_CMP_LE, STDERR_FILENO);
+    const scmp_arg_cmp standard = argument(0, SCMP_CMP_LE, STDERR_FILENO);
     for (const int call : {SCMP_SYS(read), SCMP_SYS(write), SCMP_SYS(writev), SCMP_SYS(recvfrom),
                            SCMP_SYS(sendto), SCMP_SYS(fstat), SCMP_SYS(lseek)})
         filter.allow(call, standard);
@@ -59,14 +64,14 @@ void allow_memory(Filter& filter) {
     for (const int call : {SCMP_SYS(brk), SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(madvise)})
         filter.allow(call);
     // What was written cannot be run.
-    const scmp_arg_cmp not_run = SCMP_A2_64(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0);
+    const scmp_arg_cmp not_run = argument(2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0);
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2), SCMP_SYS(mprotect)})
         filter.allow(call, not_run);
 }
 
 /// Threads of this process, and no process.
 void allow_threads(Filter& filter) {
-    filter.allow(SCMP_SYS(clone), SCMP_A0_64(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
+    filter.allow(SCMP_SYS(clone), argument(0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
     // Its flags are in memory, where no filter sees them. As if the kernel were older, so that the
     // C library takes clone.
     filter.rule(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
@@ -89,7 +94,7 @@ void allow_the_end(Filter& filter) {
           SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack), SCMP_SYS(restart_syscall)})
         filter.allow(call);
     filter.allow(SCMP_SYS(tgkill),
-                 SCMP_A0_64(SCMP_CMP_EQ, static_cast<scmp_datum_t>(::getpid()))); // abort()
+                 argument(0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(::getpid()))); // abort()
 }
 
 } // namespace
