@@ -77,6 +77,8 @@ typedef struct OutlineParameters {
 #define LA_OUTLINE_STEPS 2u
 #define LA_OUTLINE_BESIDE 2u
 #define LA_OUTLINE_WITHIN (2u * LA_OUTLINE_STEPS)
+/* How far a body may not be deep towards a corner, in the depth that it must have. */
+#define LA_OUTLINE_CORNER 3.0f
 
 typedef struct OutlineSamplesParameters {
     la_uint count; /* segments */
@@ -162,10 +164,10 @@ typedef struct SpansParameters {
 #define outline_push_in_tables(in, out, inout, unordered) \
     in(ClippedSegment, clipped) in(uint, beside_offsets) inout(ClippedSegment, pushed)
 #define outline_parts_count_tables(in, out, inout, unordered) \
-    in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
+    in(uint, arcs) in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
     out(uint, counts)
 #define outline_parts_write_tables(in, out, inout, unordered) \
-    in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
+    in(uint, arcs) in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
     in(uint, part_offsets) out(float, parts)
 #define outline_samples_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \

@@ -8,7 +8,11 @@
  * beside the middle of every sample.
  *
  * Either way they are parts of segments, in the units of runs: samples of the segment, or 0 to 1.
- * Several of one segment may overlap, and are in no order. */
+ * Several of one segment may overlap, and are in no order.
+ *
+ * Towards a corner of less than a right angle a body is not deep any more. What is left of the
+ * segment there is outline like the part before it, if it is no longer than that, and than
+ * LA_OUTLINE_CORNER times the depth asked for: so the outline of a wedge of 20 degrees is whole. */
 
 #include "atlas_address.h"
 #include "exact.h"
@@ -79,8 +83,9 @@ KERNEL(outline_push_in, OutlineParameters) {
 }
 
 /* The parts of segment i that have the background beside them and a body on the other side that is
- * deep enough, written if there is a table; how many. */
-static uint find_deep_parts(const uint i, __global const uint* beside_offsets,
+ * deep enough, written if there is a table; how many. corner: the longest end that is not, as a
+ * share of the segment. */
+static uint find_deep_parts(const uint i, const float corner, __global const uint* beside_offsets,
                             __global const float* beside, __global const uint* within_offsets,
                             __global const float* within, __global float* out) {
     uint count = 0;
@@ -99,7 +104,10 @@ static uint find_deep_parts(const uint i, __global const uint* beside_offsets,
                     end = fmin(end, fmax(thin.x, at));
                 }
                 if (end > at) {
-                    if (out != 0) vstore2(float2(at, end), count, out);
+                    const float most = fmin(corner, end - at);
+                    const float from = at <= most && part.x <= 1e-4f ? 0.0f : at;
+                    const float to = 1.0f - end <= most && part.y >= 1.0f - 1e-4f ? 1.0f : end;
+                    if (out != 0) vstore2(float2(from, to), count, out);
                     ++count;
                 }
                 at = end;
@@ -114,18 +122,24 @@ static uint find_deep_parts(const uint i, __global const uint* beside_offsets,
     return count;
 }
 
+static float corner_of(const float depth, __global const uint* arcs, const uint i) {
+    const float units = (float)max(arcs[i + 1] - arcs[i], 1u);
+    return LA_OUTLINE_CORNER * LA_ARC_UNITS_PER_PIXEL * depth / units;
+}
+
 KERNEL(outline_parts_count, OutlineParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    counts[i] = find_deep_parts(i, beside_offsets, beside, within_offsets, within, 0);
+    counts[i] = find_deep_parts(i, corner_of(args.depth, arcs, i), beside_offsets, beside,
+                                within_offsets, within, 0);
 }
 
 KERNEL(outline_parts_write, OutlineParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || part_offsets[args.count] > args.capacity) return;
     if (part_offsets[i + 1] == part_offsets[i]) return;
-    find_deep_parts(i, beside_offsets, beside, within_offsets, within,
-                    parts + 2 * (size_t)part_offsets[i]);
+    find_deep_parts(i, corner_of(args.depth, arcs, i), beside_offsets, beside, within_offsets,
+                    within, parts + 2 * (size_t)part_offsets[i]);
 }
 
 /* Whether the depth buffer has nothing at a place of the window. */
@@ -144,6 +158,12 @@ static bool is_deep(const OutlineSamplesParameters* args, __global const float* 
         if (is_background(args, depth, place + left * inside)) return false;
     }
     return true;
+}
+
+static bool is_beside(const OutlineSamplesParameters* args, __global const float* depth,
+                      const float2 place, const float2 left) {
+    const float2 off = left * args->reach;
+    return is_background(args, depth, place + off) || is_background(args, depth, place - off);
 }
 
 static bool sample_is_outline(const OutlineSamplesParameters* args, __global const float* depth,
@@ -166,18 +186,29 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
     const float length_px = sqrt(way.x * way.x + way.y * way.y);
     if (!(length_px > 0.0f)) return 0;
     const float2 left = float2(-way.y, way.x) * (1.0f / length_px);
-    uint count = 0;
-    bool open = false;
-    for (uint k = 0; k < l; ++k) {
+    const uint corner = (uint)(LA_OUTLINE_CORNER * args->depth * (float)l / length_px);
+    uint count = 0, first = l; /* of the part that is open */
+    uint beside_since = 0;     /* the background, up to here */
+    for (uint k = 0; k <= l; ++k) {
         const float2 place = p + way * (((float)k + 0.5f) / (float)l);
-        const bool free = sample_is_outline(args, depth, place, left);
-        if (free && !open && out != 0) out[2 * count] = (float)k;
-        if (!free && open && out != 0) out[2 * count + 1] = (float)k;
-        if (!free && open) ++count;
-        open = free;
+        const bool free = k < l && sample_is_outline(args, depth, place, left);
+        if (free && first == l) {
+            first = k;
+        } else if (!free && first < l) {
+            const uint most = min(corner, k - first);
+            const uint from = first <= most && beside_since == 0 ? 0 : first;
+            uint to = k;
+            if (l - k <= most)
+                while (to < l &&
+                       is_beside(args, depth, p + way * (((float)to + 0.5f) / (float)l), left))
+                    ++to;
+            if (out != 0) vstore2(float2((float)from, (float)(to == l ? l : k)), count, out);
+            ++count;
+            first = l;
+        }
+        if (first == l && k < l && !is_beside(args, depth, place, left)) beside_since = k + 1;
     }
-    if (open && out != 0) out[2 * count + 1] = (float)l;
-    return open ? count + 1 : count;
+    return count;
 }
 
 KERNEL(outline_samples_count, OutlineSamplesParameters) {

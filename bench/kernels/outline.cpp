@@ -105,6 +105,8 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
         stages.outline_push(outline);
         stages.outline_push_in(outline, *offsets);
         stages.outline_parts({.segment_count = n,
+                              .arcs = *on.arcs,
+                              .depth = body,
                               .beside = {*offsets, *spans, most},
                               .within = {*nothing, *spans, most},
                               .offsets = *part_offsets,

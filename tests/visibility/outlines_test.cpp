@@ -105,6 +105,30 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high, const MeshGroup& group) 
     mesh.groups.push_back(group);
 }
 
+TEST(Outlines, ReachTheTipsOfAcuteCorners) {
+    // A flat pyramid from above: its base of 27, 63 and 90 degrees is the outline.
+    Mesh mesh;
+    mesh.positions = {{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {1, -0.3F, 1}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    const LineSet lines = extract_lines(mesh);
+    for (const bool parallel : {false, true}) {
+        SCOPED_TRACE(parallel);
+        const Camera camera = make_camera(
+            {.eye = {0, 0, 8},
+             .target = {0, 0, 0},
+             .projection = parallel ? Projection::orthographic : Projection::perspective},
+            size, lines.bounds);
+        double border = 0;
+        for (int i = 0; i < 3; ++i)
+            border += glm::distance(
+                on_screen(camera, mesh.positions[static_cast<std::size_t>(i)]),
+                on_screen(camera, mesh.positions[static_cast<std::size_t>((i + 1) % 3)]));
+        const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
+        EXPECT_NEAR(length_of(drawing, true), border, 0.1);
+        EXPECT_EQ(loose_ends(drawing, 0.1), 0);
+    }
+}
+
 TEST(Outlines, OfACubeAreTheSixEdgesOfItsBorder) {
     const LineSet lines = extract_lines(cube());
     for (const bool parallel : {false, true}) {

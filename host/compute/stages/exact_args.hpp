@@ -56,6 +56,8 @@ struct OutlineArgs {
 /// Of what is seen of the ways beside segments, which parts are outline.
 struct OutlinePartsArgs {
     std::uint32_t segment_count;
+    Buffer& arcs;             ///< of ClippedTable
+    float depth;              ///< as in OutlineArgs
     SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()
     Buffer& offsets;          ///< out: segment_count + 1 uint32
     Buffer& parts;            ///< out: 2 floats each; none if `part_capacity` is too small

@@ -188,16 +188,19 @@ void Stages::outline_push_in(const OutlineArgs& args, Buffer& beside_offsets) {
 void Stages::outline_parts(const OutlinePartsArgs& args) {
     OutlineParameters parameters{};
     parameters.count = args.segment_count;
+    parameters.depth = args.depth;
     parameters.capacity = args.part_capacity;
     launch<kernels::outline_parts_count>(args.segment_count, tuning_.local_size, parameters,
-                                         {.beside_offsets = args.beside.offsets,
+                                         {.arcs = args.arcs,
+                                          .beside_offsets = args.beside.offsets,
                                           .beside = args.beside.spans,
                                           .within_offsets = args.within.offsets,
                                           .within = args.within.spans,
                                           .counts = args.offsets});
     scan(args.offsets, args.segment_count, ScanKind::saturate);
     launch<kernels::outline_parts_write>(args.segment_count, tuning_.local_size, parameters,
-                                         {.beside_offsets = args.beside.offsets,
+                                         {.arcs = args.arcs,
+                                          .beside_offsets = args.beside.offsets,
                                           .beside = args.beside.spans,
                                           .within_offsets = args.within.offsets,
                                           .within = args.within.spans,

@@ -247,6 +247,8 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
         tables_.fit(Table::parts, std::uint64_t{part_capacity_} * 2 * sizeof(float));
         stages_.outline_parts(
             {.segment_count = parameters_.count,
+             .arcs = clipped.arcs,
+             .depth = depth,
              .beside = {tables_[beside_.offsets], tables_[beside_.spans], beside_.capacity},
              .within = {tables_[within_.offsets], tables_[within_.spans], within_.capacity},
              .offsets = tables_[Table::part_offsets],
