@@ -13,7 +13,7 @@
 namespace lineatlas {
 namespace {
 
-constexpr double widest_crack = 3e-5; ///< share of the model's diagonal, as of faces in one plane
+constexpr double widest_crack = 1e-5; ///< share of the model's diagonal
 constexpr double least_length = 20;   ///< cracks are wide at most a share of their edges: 1 over it
 
 class CrackFinder {

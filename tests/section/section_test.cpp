@@ -75,7 +75,9 @@ double face_area(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal) {
 }
 
 std::size_t open_edges(const Mesh& mesh) {
-    const LineSet lines = extract_lines(mesh, {.kinds = mask_of(LineKind::boundary)});
+    // With an angle given cracks stay as they are.
+    const LineSet lines =
+        extract_lines(mesh, {.kinds = mask_of(LineKind::boundary), .crease_angle = 0.5F});
     return lines.segments.size();
 }
 
