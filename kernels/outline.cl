@@ -188,7 +188,7 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
     const float2 left = float2(-way.y, way.x) * (1.0f / length_px);
     const uint corner = (uint)(LA_OUTLINE_CORNER * args->depth * (float)l / length_px);
     uint count = 0, first = l; /* of the part that is open */
-    uint beside_since = 0;     /* the background, up to here */
+    bool beside_so_far = true; /* the background, from the segment's start on */
     for (uint k = 0; k <= l; ++k) {
         const float2 place = p + way * (((float)k + 0.5f) / (float)l);
         const bool free = k < l && sample_is_outline(args, depth, place, left);
@@ -196,7 +196,7 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
             first = k;
         } else if (!free && first < l) {
             const uint most = min(corner, k - first);
-            const uint from = first <= most && beside_since == 0 ? 0 : first;
+            const uint from = first <= most && beside_so_far ? 0 : first;
             uint to = k;
             if (l - k <= most)
                 while (to < l &&
@@ -206,7 +206,8 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
             ++count;
             first = l;
         }
-        if (first == l && k < l && !is_beside(args, depth, place, left)) beside_since = k + 1;
+        if (beside_so_far && first == l && k < l)
+            beside_so_far = k < corner && is_beside(args, depth, place, left);
     }
     return count;
 }
