@@ -27,8 +27,7 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 } // namespace
 
 void StrokeStage::make_room(Thinning& thinning) {
-    const std::size_t values =
-        std::size_t{LA_DENSITY_BINS} * static_cast<std::size_t>(cells_.x * cells_.y);
+    const std::size_t values = density_values();
     const std::size_t bytes = values * sizeof(float);
     make_room(thinning.grid, values * sizeof(std::uint32_t), purpose::density);
     if (thinning.weights && thinning.weights->size() >= bytes) return;
@@ -64,8 +63,7 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
 std::vector<float> StrokeStage::read_density() {
     if (!thinning(false).on) return {};
     interop::SharedBuffer& own = *thinning(false).weights;
-    std::vector<float> weights(std::size_t{LA_DENSITY_BINS} *
-                               static_cast<std::size_t>(cells_.x * cells_.y));
+    std::vector<float> weights(density_values());
     handover_.to_compute({&own});
     device_.download(own.compute(), std::as_writable_bytes(std::span{weights}));
     handover_.to_gl({&own});

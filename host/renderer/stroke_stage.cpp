@@ -341,8 +341,7 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
     if (!frame.options.draw) return;
     for (Thinning& thinning : thinning_) {
         if (!thinning.on) continue;
-        thinning.drawn_before.resize(std::size_t{LA_DENSITY_BINS} *
-                                     static_cast<std::size_t>(cells_.x * cells_.y));
+        thinning.drawn_before.resize(density_values());
         device_.download(*thinning.grid, std::as_writable_bytes(std::span{thinning.drawn_before}));
     }
     const auto read_back = [&](RunTable& table) {

@@ -95,6 +95,10 @@ class StrokeStage {
         std::vector<std::uint32_t> drawn_before;        ///< `grid` of the chunks that are kept
     };
     Thinning& thinning(bool hidden) { return thinning_[hidden ? 1 : 0]; }
+    /// In each table of `density`.
+    std::size_t density_values() const {
+        return std::size_t{LA_DENSITY_BINS} * static_cast<std::size_t>(cells_.x * cells_.y);
+    }
 
     std::uint32_t unkept(std::uint32_t total) const { return chunks_kept_ ? 0 : total; }
     void draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen);
