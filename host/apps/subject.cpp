@@ -18,6 +18,7 @@
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
 #include "output/vector_output.hpp"
+#include "style/frame_settings.hpp"
 #include "vector/sheet.hpp"
 
 namespace lineatlas::apps {

@@ -81,18 +81,6 @@ std::optional<float> parse_crease(std::string_view option, const std::string& te
     throw UsageError(fmt::format("{} must be auto or from 0 to 180 degrees, not {}", option, text));
 }
 
-Silhouettes parse_silhouettes(std::string_view option, const std::string& text) {
-    const auto found = std::ranges::find(silhouettes_names, text);
-    if (found != silhouettes_names.end())
-        return static_cast<Silhouettes>(found - silhouettes_names.begin());
-    throw UsageError(
-        fmt::format("{} must be {}, not {}", option, fmt::join(silhouettes_names, ", "), text));
-}
-
-Silhouettes usual_silhouettes(const Mesh& mesh) {
-    return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
-}
-
 glm::vec3 parse_vector(std::string_view option, const std::string& text) {
     return parse_point(option, text);
 }

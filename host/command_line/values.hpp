@@ -27,11 +27,6 @@ std::vector<int> parse_frames(std::string_view option, const std::string& text, 
 /// LineOptions::crease_angle, in degrees or "auto".
 std::optional<float> parse_crease(std::string_view option, const std::string& text);
 
-/// LineOptions::silhouettes, by silhouettes_names.
-Silhouettes parse_silhouettes(std::string_view option, const std::string& text);
-/// Those of `draw` where it is not told: smooth where the file has the normals of its surfaces.
-Silhouettes usual_silhouettes(const Mesh& mesh);
-
 /// The parts of `text` between separators.
 std::vector<std::string> split(const std::string& text, char separator);
 

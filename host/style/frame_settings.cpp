@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/limits.hpp"
+#include "lineatlas/error.hpp"
 #include "setting_makers.hpp"
 
 namespace lineatlas {
@@ -195,6 +196,18 @@ std::string line_kinds_to_text(LineKindMask kinds) {
         if ((kinds >> kind & 1U) != 0) names.push_back(line_kind_names.at(kind));
     }
     return fmt::format("{}", fmt::join(names, ","));
+}
+
+Silhouettes parse_silhouettes(std::string_view option, const std::string& text) {
+    const auto found = std::ranges::find(silhouettes_names, text);
+    if (found != silhouettes_names.end())
+        return static_cast<Silhouettes>(found - silhouettes_names.begin());
+    throw UsageError(
+        fmt::format("{} must be {}, not {}", option, fmt::join(silhouettes_names, ", "), text));
+}
+
+Silhouettes usual_silhouettes(const Mesh& mesh) {
+    return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
 }
 
 } // namespace lineatlas

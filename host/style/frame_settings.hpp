@@ -78,4 +78,9 @@ std::string frame_settings_table();
 std::optional<LineKindMask> line_kinds_from(std::string_view text);
 std::string line_kinds_to_text(LineKindMask kinds);
 
+/// LineOptions::silhouettes, by silhouettes_names.
+Silhouettes parse_silhouettes(std::string_view option, const std::string& text);
+/// Those of `draw` where it is not told: smooth where the file has the normals of its surfaces.
+Silhouettes usual_silhouettes(const Mesh& mesh);
+
 } // namespace lineatlas

@@ -18,6 +18,7 @@
 #include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/scenes.hpp"
+#include "style/frame_settings.hpp"
 #include "style/member_names.hpp"
 
 namespace lineatlas::viewer {

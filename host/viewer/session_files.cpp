@@ -6,6 +6,7 @@
 #include "command_line/values.hpp"
 #include "saving.hpp"
 #include "session.hpp"
+#include "style/frame_settings.hpp"
 
 namespace lineatlas::viewer {
 namespace {

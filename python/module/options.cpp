@@ -95,15 +95,6 @@ std::optional<float> crease_angle(const Crease& crease) {
     throw UsageError(fmt::format("crease must be from 0 to 180 degrees, not {}", degrees));
 }
 
-Silhouettes silhouettes_of(const std::optional<std::string>& name, const Mesh& mesh) {
-    if (!name) return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
-    const auto found = std::ranges::find(silhouettes_names, *name);
-    if (found != silhouettes_names.end())
-        return static_cast<Silhouettes>(found - silhouettes_names.begin());
-    throw UsageError(
-        fmt::format("silhouettes must be {}, not {}", fmt::join(silhouettes_names, ", "), *name));
-}
-
 LineKindMask mask_of_names(const std::string& names) {
     if (const std::optional<LineKindMask> kinds = line_kinds_from(names)) return *kinds;
     throw UsageError(fmt::format("there is no line kind \"{}\"; there is {}", names,
@@ -131,7 +122,8 @@ LineOptions line_options(const Mesh& mesh, const LineKinds& kinds, const Crease&
                          const std::optional<std::string>& silhouettes, bool separate_objects) {
     LineOptions options{.crease_angle = crease_angle(crease),
                         .separate_objects = separate_objects,
-                        .silhouettes = silhouettes_of(silhouettes, mesh)};
+                        .silhouettes = silhouettes ? parse_silhouettes("silhouettes", *silhouettes)
+                                                   : usual_silhouettes(mesh)};
     if (!kinds) return options;
     if (const auto* text = std::get_if<std::string>(&*kinds)) {
         options.kinds = mask_of_names(*text);
