@@ -14,14 +14,14 @@
 namespace lineatlas {
 namespace {
 
-/// How many creases a mesh has at 30 degrees, and how many of them a draughtsman would draw.
+/// How many creases a mesh has at 28.8 degrees, and how many of them a draughtsman would draw.
 struct Creases {
     std::uint32_t all, drawn;
     std::size_t noisy;
 
     explicit Creases(const Mesh& mesh) {
         constexpr LineKindMask kinds = mask_of(LineKind::crease) | mask_of(LineKind::silhouette);
-        const LineSet fixed = extract_lines(mesh, {.kinds = kinds, .crease_angle = 0.5235988F});
+        const LineSet fixed = extract_lines(mesh, {.kinds = kinds, .crease_angle = 0.5026548F});
         const LineSet chosen = extract_lines(mesh, {.kinds = kinds});
         all = fixed.kind_counts[LA_KIND_CREASE];
         drawn = chosen.kind_counts[LA_KIND_CREASE];
