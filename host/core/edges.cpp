@@ -148,15 +148,6 @@ class SliverReplacement {
     bool any_ = false;
 };
 
-/// How far the farthest corner of a face lies from the line through an edge.
-double height_above(const WeldedMesh& mesh, const MeshEdge& edge, std::uint32_t face) {
-    const glm::dvec3 p = mesh.vertices[edge.p], way = glm::dvec3{mesh.vertices[edge.q]} - p;
-    double most = 0;
-    for (int i = 0; i < 3; ++i)
-        most = std::max(most, glm::length(glm::cross(way, corner(mesh, face, i) - p)));
-    return most / glm::length(way);
-}
-
 } // namespace
 
 std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh) {
@@ -230,26 +221,6 @@ std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
         bends[i] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
     }
     return bends;
-}
-
-void settle_bends(std::vector<double>& bends, const WeldedMesh& mesh,
-                  const std::vector<MeshEdge>& edges) {
-    constexpr double half_a_float = 0x1p-24; // of a coordinate, how far a float may be off
-    constexpr double limit = least_crease_angle;
-    constexpr double least = limit * 5 / 6; // what is finer than its file has no bend to be told
-    float largest = 0;
-    for (const glm::vec3& v : mesh.vertices)
-        largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    const double off = std::max<double>(mesh.precision, half_a_float * largest);
-    const double above = std::nextafter(limit, 2 * limit);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (bends[i] > limit || bends[i] < least) continue;
-        // Both ends of the edge and the corner above it are off: the face turns by so much.
-        const double turned =
-            2 * off / height_above(mesh, edges[i], edges[i].face_a) +
-            2 * off / height_above(mesh, edges[i], edges[i].face_b & LA_FACE_INDEX);
-        if (bends[i] + turned >= limit) bends[i] = above;
-    }
 }
 
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,

@@ -41,15 +41,10 @@ std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
                              const std::vector<glm::dvec3>& normals);
 
 /// LineOptions::crease_angle where it is nothing: what bends less is no crease, and what bends more
-/// is none only where it is noise (noisy_creases.hpp). 30 degrees.
-inline constexpr float least_crease_angle = 0.5235988F;
-
-/// Takes bends that lie so little below least_crease_angle that the file's coordinates cannot tell
-/// them from it (floats, or Mesh::precision where that is coarser) for a little above it. The sides
-/// of a prism with twelve corners bend by 30 degrees each: all of them are creases, not those that
-/// rounding chose.
-void settle_bends(std::vector<double>& bends, const WeldedMesh& mesh,
-                  const std::vector<MeshEdge>& edges);
+/// is none only where it is noise (noisy_creases.hpp). 28.8 degrees: the sides of a prism with
+/// twelve corners bend by 30, those of one with thirteen by 27.7, and however coarsely a file
+/// rounds its coordinates, the middle tells them apart as far as it can be done.
+inline constexpr float least_crease_angle = 0.5026548F;
 
 /// The kind of line that an edge with this bend is under `options`; nothing if it is never one.
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,

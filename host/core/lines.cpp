@@ -200,7 +200,6 @@ class Extraction {
     void classify_edges() {
         const std::int64_t start = host_nanoseconds();
         bends_ = bends_of(edges_, normals_);
-        if (!options_.crease_angle) settle_bends(bends_, welded_, edges_);
         const KnownEdges known{mesh_, welded_};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             kinds_.push_back(known.all() || known.drawn(edges_[i])

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -36,6 +37,7 @@ constexpr std::size_t straightness_window = 4; ///< edges
 // The least network.
 constexpr double least_network = 0.012; ///< of the model's diagonal
 constexpr int least_loop_edges = 9;
+constexpr double most_fading = 45 * degree; ///< of a fold that ends in smooth surface everywhere
 
 /// Rings of edges around a vertex that count as its surroundings.
 constexpr int rings = 2;
@@ -79,7 +81,8 @@ class Networks {
   public:
     explicit Networks(std::size_t vertices) : sets_(vertices), of_(vertices) {}
 
-    void add(const MeshEdge& edge, double length) {
+    /// An edge that is drawn whatever the view; the bend of a crease, else pi.
+    void add(const MeshEdge& edge, double length, double bend) {
         const std::uint32_t a = sets_.find(edge.p), b = sets_.find(edge.q);
         const std::uint32_t joined = sets_.unite(a, b);
         const Network& other = of_[joined == a ? b : a];
@@ -90,7 +93,9 @@ class Networks {
             network.cyclic = network.cyclic || other.cyclic;
             network.length += other.length;
             network.edges += other.edges;
+            network.sharpest = std::max(network.sharpest, other.sharpest);
         }
+        network.sharpest = std::max(network.sharpest, bend);
         network.length += length;
         ++network.edges;
     }
@@ -100,9 +105,16 @@ class Networks {
                (!network.cyclic || network.edges < least_loop_edges);
     }
 
+    /// Folds that end in smooth surface and nowhere else.
+    bool fades(const MeshEdge& edge) {
+        const Network& network = of_[sets_.find(edge.p)];
+        return !network.cyclic && network.sharpest < most_fading;
+    }
+
   private:
     struct Network {
         double length = 0;
+        double sharpest = 0;
         int edges = 0;
         bool cyclic = false;
     };
@@ -179,11 +191,12 @@ class CreaseFilter {
 
     std::vector<bool> run() {
         find_doubtful();
-        if (doubtful_.empty()) return std::move(noisy_);
-        measure_noise();
-        measure_edge_lengths();
-        keep_chains();
-        drop_crumbs();
+        if (!doubtful_.empty()) {
+            measure_noise();
+            measure_edge_lengths();
+            keep_chains();
+        }
+        if (!doubtful_.empty() || !trusted_.empty()) drop_networks();
         return std::move(noisy_);
     }
 
@@ -215,9 +228,11 @@ class CreaseFilter {
             if (is_crease(i) && flatness.about(edges_[i]) <= flat_share) doubtful_.push_back(i);
         }
         if (doubtful_.empty()) return;
+        const std::vector<std::uint32_t> curved = doubtful_;
         const MeshParts parts = find_parts(mesh_);
         trust_coarse_parts(parts);
         trust_repeating_parts(parts);
+        std::ranges::set_difference(curved, doubtful_, std::back_inserter(trusted_));
     }
 
     void trust_coarse_parts(const MeshParts& parts) {
@@ -343,17 +358,22 @@ class CreaseFilter {
         return arcs > 0 ? chords / arcs : 1;
     }
 
-    /// What is left and too small, beside nothing else that is drawn whatever the view.
-    void drop_crumbs() {
+    /// What is left and too small, beside nothing else that is drawn whatever the view. And of
+    /// curved parts that are no scans, as surfaces of subdivision, folds that fade at all their
+    /// ends: the surface is smooth there, bent a little more than the least for a crease and less
+    /// around.
+    void drop_networks() {
         Networks networks{mesh_.vertices.size()};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             const bool is_fixed =
                 kinds_[i] ? *kinds_[i] != LineKind::silhouette : edges_[i].face_count != 2;
-            if (is_fixed && !noisy_[i]) networks.add(edges_[i], length(edges_[i]));
+            if (!is_fixed || noisy_[i]) continue;
+            networks.add(edges_[i], length(edges_[i]), is_crease(i) ? bends_[i] : std::numbers::pi);
         }
         const double diagonal = diagonal_of(mesh_.vertices);
         for (const std::uint32_t i : doubtful_)
             noisy_[i] = noisy_[i] || networks.is_crumb(edges_[i], diagonal);
+        for (const std::uint32_t i : trusted_) noisy_[i] = networks.fades(edges_[i]);
     }
 
     struct EdgeLengths {
@@ -367,7 +387,8 @@ class CreaseFilter {
     std::span<const std::optional<LineKind>> kinds_;
     std::vector<bool> noisy_;
     std::vector<std::uint32_t> doubtful_; ///< edges
-    std::vector<double> noise_;           ///< of each of them
+    std::vector<std::uint32_t> trusted_;  ///< edges of parts that are curved, but no scans
+    std::vector<double> noise_;           ///< of each doubtful one
     std::vector<EdgeLengths> lengths_;    ///< of the edges at each vertex
 };
 

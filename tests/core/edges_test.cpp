@@ -261,7 +261,7 @@ struct JunctionKinds {
 TEST(Slivers, NeitherMakeNorHideACrease) {
     for (float degrees = -179; degrees < 180; degrees += 2) {
         const JunctionKinds kinds{test::split_edge(glm::radians(degrees))};
-        if (std::abs(degrees) > 30) {
+        if (std::abs(degrees) > 28) { // the limit is 28.8
             EXPECT_TRUE(kinds.covered(LineKind::crease)) << degrees << " degrees";
         } else {
             EXPECT_FALSE(kinds.any(LineKind::crease)) << degrees << " degrees";
