@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,8 @@ TEST_P(SharedMesh, HasTheEdgesOfTheTable) {
     std::vector<MeshEdge> edges = mesh_edges(welded);
     replace_slivers(welded, edges);
     const std::vector<double> bends = bends_of(edges, face_normals(welded));
-    LineOptions options; // 30 degrees, noise and all
+    LineOptions options;
+    options.crease_angle = std::numbers::pi_v<float> / 6; // as the table counts; noise and all
     options.kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
     EdgeCounts difference{.creases = -row.counted.creases,
                           .boundaries = -row.counted.boundaries,

@@ -109,7 +109,7 @@ struct OddTriangles {
 
 /// What extract_lines() did not take for a line, in edges of the mesh.
 struct LeftOut {
-    std::size_t noisy_creases = 0; ///< bent by more than 30 degrees, as noise of the surface is
+    std::size_t noisy_creases = 0; ///< bent by more than 28.8 degrees, as noise of a surface is
     std::size_t seams = 0;         ///< boundaries and creases over which faces go on
     std::size_t cut_seams = 0;     ///< those of which a part is a line
 };
