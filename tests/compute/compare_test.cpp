@@ -20,6 +20,15 @@ TEST(Compare, FirstDifferenceSeesOneChangedElement) {
     EXPECT_FALSE(equal(a, b));
 }
 
+TEST(Compare, SameBitsSeesZeroesOfEitherSignAndLengths) {
+    const std::vector<float> none, a{1, 0};
+    EXPECT_TRUE(same_bits(none, none));
+    EXPECT_TRUE(same_bits(a, a));
+    EXPECT_FALSE(same_bits(a, {1, -0.0F}));
+    EXPECT_FALSE(same_bits(a, {1}));
+    EXPECT_FALSE(same_bits(none, a));
+}
+
 TEST(Compare, FloatsDifferBeyondTheirTolerance) {
     EXPECT_TRUE(close(100.0F, 100.0009F));
     EXPECT_FALSE(close(100.0F, 100.01F));

@@ -169,11 +169,6 @@ TEST(Objects, LieInClustersOfTheirOwn) {
     EXPECT_EQ(triangles, lines.triangles.size());
 }
 
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-    return std::ranges::equal(std::as_bytes(std::span{a}), std::as_bytes(std::span{b}));
-}
-
 class TransformStage : public testing::TestWithParam<TestDevice> {};
 
 TEST_P(TransformStage, IsTheSameBitByBit) {

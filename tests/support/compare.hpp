@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -40,6 +41,12 @@ testing::AssertionResult equal(const std::vector<T>& a, const std::vector<T>& b)
 
 /// Equal within `relative` of the larger magnitude; below `absolute` all values are equal.
 bool close(float a, float b, float relative = 1e-5F, float absolute = 1e-6F);
+
+/// Whether two arrays have the same bytes; their lengths count too.
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+    return std::ranges::equal(std::as_bytes(std::span{a}), std::as_bytes(std::span{b}));
+}
 
 /// Whether two clipped segments agree: floats by `close`, the packed faces to the last kept bit.
 bool close(const ClippedSegment& a, const ClippedSegment& b);

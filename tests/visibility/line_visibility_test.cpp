@@ -4,13 +4,13 @@
 #include "lineatlas/visibility.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <thread>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "compare.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
@@ -21,11 +21,6 @@
 
 namespace lineatlas::test {
 namespace {
-
-bool same(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Interval)) == 0);
-}
 
 /// What a renderer finds.
 class ByRenderer {
@@ -82,7 +77,7 @@ TEST_P(OnDevice, FindsWhatARendererFindsBitByBit) {
                 const VisibilityOptions wanted{.hidden = hidden};
                 const std::vector<Interval> found = visibility.find(view.camera, wanted);
                 EXPECT_GT(found.size(), 10U) << name << ", " << view.name;
-                EXPECT_TRUE(same(found, renderer.find(view.camera, wanted)))
+                EXPECT_TRUE(same_bits(found, renderer.find(view.camera, wanted)))
                     << name << ", " << view.name << (hidden ? ", hidden too" : "");
             }
         }
@@ -100,12 +95,12 @@ TEST_P(OnDevice, TakesOtherKindsStepsAndLines) {
           VisibilityOptions{.hidden = true, .step = 40}}) {
         const std::vector<Interval> found = visibility.find(camera, wanted);
         EXPECT_NE(found.size(), all);
-        EXPECT_TRUE(same(found, renderer.find(camera, wanted)));
+        EXPECT_TRUE(same_bits(found, renderer.find(camera, wanted)));
     }
     const LineSet box = extract_lines(cube());
     visibility.set_lines(box);
     EXPECT_TRUE(
-        same(visibility.find(camera_on(box)), ByRenderer(box, device()).find(camera_on(box))));
+        same_bits(visibility.find(camera_on(box)), ByRenderer(box, device()).find(camera_on(box))));
 }
 
 TEST_P(OnDevice, OfACubeNineEdgesAreVisibleAndThreeHidden) {
@@ -140,7 +135,7 @@ TEST(LineVisibility, RefusesWhatARendererRefuses) {
     const std::string said = outcome([&] { return visibility.find(good, no_step); });
     EXPECT_TRUE(said.starts_with("usage: step")) << said;
     EXPECT_EQ(said, outcome([&] { return renderer.find(good, no_step); }));
-    EXPECT_TRUE(same(visibility.find(good), before)) << "all is as it was";
+    EXPECT_TRUE(same_bits(visibility.find(good), before)) << "all is as it was";
 }
 
 TEST(LineVisibility, OfCamerasThatAreNotFiniteItGivesWhatARendererGives) {
@@ -160,7 +155,7 @@ TEST(LineVisibility, OfCamerasThatAreNotFiniteItGivesWhatARendererGives) {
         EXPECT_EQ(outcome([&] { return visibility.find(camera); }),
                   outcome([&] { return renderer.find(camera); }));
     }
-    EXPECT_TRUE(same(visibility.find(good), before));
+    EXPECT_TRUE(same_bits(visibility.find(good), before));
 }
 
 TEST(LineVisibility, OfNoLinesItFindsNone) {
@@ -186,7 +181,7 @@ TEST(LineVisibility, IsComparedWithAnotherDevice) {
     LineVisibility visibility{lines, {.compute = "cpp", .compare_with = "cpp"}};
     const Camera camera = scene_cameras("clevis").front().camera;
     EXPECT_TRUE(
-        same(visibility.find(camera), LineVisibility(lines, {.compute = "cpp"}).find(camera)));
+        same_bits(visibility.find(camera), LineVisibility(lines, {.compute = "cpp"}).find(camera)));
 }
 
 TEST(LineVisibility, SaysWhatItRunsOnAndMoves) {
@@ -195,7 +190,7 @@ TEST(LineVisibility, SaysWhatItRunsOnAndMoves) {
     EXPECT_TRUE(first.description().starts_with("cpp")) << first.description();
     const std::vector<Interval> found = first.find(camera_on(lines));
     LineVisibility second = std::move(first);
-    EXPECT_TRUE(same(second.find(camera_on(lines)), found));
+    EXPECT_TRUE(same_bits(second.find(camera_on(lines)), found));
 }
 
 TEST(LineVisibility, DifferentOnesWorkAtTheSameTime) {
@@ -204,7 +199,7 @@ TEST(LineVisibility, DifferentOnesWorkAtTheSameTime) {
     const std::vector<Interval> expected = LineVisibility{lines}.find(camera);
     const auto work = [&](int& equal) {
         LineVisibility visibility{lines};
-        for (int i = 0; i < 5; ++i) equal += same(visibility.find(camera), expected) ? 1 : 0;
+        for (int i = 0; i < 5; ++i) equal += same_bits(visibility.find(camera), expected) ? 1 : 0;
     };
     int first = 0, second = 0;
     std::thread thread{[&] { work(first); }};
