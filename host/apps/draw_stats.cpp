@@ -26,8 +26,8 @@ void print_lines(const LineSet& lines) {
     }
     if (!kinds.empty()) fmt::print("segments by kind: {}\n", fmt::join(kinds, ", "));
     const LeftOut& left_out = lines.left_out;
-    fmt::print("left out: {} creases that are noise; {} seams, and parts of {} more\n",
-               left_out.noisy_creases, left_out.seams, left_out.cut_seams);
+    fmt::print("left out: {} creases that are noise; {} seams, and parts of {} more; {} cracks\n",
+               left_out.noisy_creases, left_out.seams, left_out.cut_seams, left_out.cracks);
     fmt::print("extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms\n",
                lines.times.creases, lines.times.seams, lines.times.intersections);
 }

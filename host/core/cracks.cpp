@@ -87,9 +87,9 @@ void remove_collapsed(WeldedMesh& mesh) {
 
 } // namespace
 
-bool close_cracks(WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
+std::size_t close_cracks(WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
     const auto pairs = CrackFinder{mesh, edges}.run();
-    if (pairs.empty()) return false;
+    if (pairs.empty()) return 0;
     VertexSets merged{mesh.vertices.size()};
     for (const auto& [a, b] : pairs) merged.unite(a, b);
     for (glm::uvec3& triangle : mesh.triangles) {
@@ -99,7 +99,7 @@ bool close_cracks(WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
         for (std::uint32_t& vertex : polyline) vertex = merged.find(vertex);
     }
     remove_collapsed(mesh);
-    return true;
+    return pairs.size() / 2; // of each edge both ends
 }
 
 } // namespace lineatlas

@@ -191,7 +191,8 @@ class Extraction {
 
     /// A number means every edge by that number, and who names edges has whole surfaces.
     void mend_surfaces() {
-        if (close_cracks(welded_, edges_)) edges_ = mesh_edges(welded_);
+        left_out_.cracks = close_cracks(welded_, edges_);
+        if (left_out_.cracks > 0) edges_ = mesh_edges(welded_);
         see_lying_faces_as_one(welded_, edges_);
     }
 
