@@ -28,27 +28,6 @@ void copy_texels(GLuint texture, GLenum format, GLenum type, glm::ivec2 whole,
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
-namespace {
-
-/// Takes a rectangle of a texture of `size` texels from its place in a buffer for all of it.
-void load_texels(GLuint texture, GLenum format, GLenum type, GLuint buffer, glm::ivec2 size,
-                 const TexelRectangle& part) {
-    const glm::ivec2 texels = part.size();
-    if (texels.x <= 0 || texels.y <= 0) return;
-    const std::size_t first =
-        static_cast<std::size_t>(part.low.y) * static_cast<std::size_t>(size.x) +
-        static_cast<std::size_t>(part.low.x);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
-    glTextureSubImage2D(texture, 0, part.low.x, part.low.y, texels.x, texels.y, format, type,
-                        reinterpret_cast<const void*>(first * sizeof(float)));
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-}
-
-} // namespace
-
 DepthPass::DepthPass()
     : programs_({"depth.vert", "depth.frag"}), vertex_array_(VertexArray::create()),
       numbered_array_(VertexArray::create()), framebuffer_(Framebuffer::create()),
@@ -153,14 +132,21 @@ void DepthPass::draw_ranges(const TriangleBuffers& triangles, const glm::mat4& c
     glDisable(GL_DEPTH_TEST);
 }
 
-void DepthPass::load(GLuint buffer, glm::ivec2 size, const TexelRectangle& part) {
-    resize(size);
-    load_texels(texture_.id(), GL_DEPTH_COMPONENT, GL_FLOAT, buffer, size, part);
-}
-
 void DepthPass::load_numbers(GLuint buffer, glm::ivec2 size, const TexelRectangle& part) {
     resize_numbers(size);
-    load_texels(numbers_.id(), GL_RED_INTEGER, GL_UNSIGNED_INT, buffer, size, part);
+    const glm::ivec2 texels = part.size();
+    if (texels.x <= 0 || texels.y <= 0) return;
+    const std::size_t first =
+        static_cast<std::size_t>(part.low.y) * static_cast<std::size_t>(size.x) +
+        static_cast<std::size_t>(part.low.x);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, size.x);
+    glTextureSubImage2D(numbers_.id(), 0, part.low.x, part.low.y, texels.x, texels.y,
+                        GL_RED_INTEGER, GL_UNSIGNED_INT,
+                        reinterpret_cast<const void*>(first * sizeof(la_uint)));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
 void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {

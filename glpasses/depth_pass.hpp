@@ -42,9 +42,8 @@ class DepthPass {
     void draw_ranges(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
                      std::span<const TriangleRange> ranges, glm::vec4 tile = whole_picture);
 
-    /// Takes a rectangle of depth from its place in a buffer for all of it, in place of drawing.
-    void load(GLuint buffer, glm::ivec2 size, const TexelRectangle& part);
-    /// The same of the numbers: uint32.
+    /// Takes a rectangle of the numbers (uint32) from its place in a buffer for all of them, in
+    /// place of drawing: there is no depth then.
     void load_numbers(GLuint buffer, glm::ivec2 size, const TexelRectangle& part);
 
     /// Copies a rectangle of the depth of the last draw to its place in a buffer for all of it:

@@ -124,7 +124,7 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
 }
 
 /* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it. blank: of
- * each of its tiles 1 if `depth` and `numbers` are known to show nothing there; before, too.
+ * each of its tiles 1 if what is kept is known to show nothing there; before, too.
  * seen[i]: 1 if cluster i was drawn anywhere. */
 KERNEL(depth_tiles, DepthParameters) {
     LOCAL_TABLE(float, texels, TILE_STRIDE* DEPTH_TILE);
@@ -145,6 +145,7 @@ KERNEL(depth_tiles, DepthParameters) {
     tile.numbers = 0;
 #endif
     tile.begins = args.begin == 0;
+    tile.keeps_depth = args.keeps_depth != 0;
     tile.width = depth_size.x;
     tile.blocks_a_row = (depth_size.x + LA_TILE - 1) / LA_TILE;
     for (uint t = atomic_inc(next); t < tile_count; t = one_each ? tile_count : atomic_inc(next)) {

@@ -26,6 +26,7 @@ typedef struct DepthParameters {
     float guard;         /* times w: what of clip space is drawn without clipping its sides */
     la_uint stride;      /* of the rows of `boxes`: at least `count` + LA_MESHLET_PADDING */
     la_uint begin, end;  /* clusters of the sorted list to draw; from 0 on depth is cleared */
+    la_uint keeps_depth; /* of numbered depth 0: the numbers alone are stored */
 } DepthParameters;
 
 /* Lists stay lists: */

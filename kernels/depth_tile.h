@@ -20,6 +20,7 @@ typedef struct Tile {
     int2 low;             /* its first texel in the whole picture */
     int2 size;            /* texels of the picture that it has */
     bool begins;          /* what is untouched shows nothing; else what was drawn before */
+    bool keeps_depth;     /* `depth` is stored */
     /* The images from the tile's first texel on, and texels of theirs from row to row. */
     __global float* depth;
     __global int* depth_numbers;
@@ -64,21 +65,18 @@ static void load_row(const Tile* tile, const int at, const size_t from, const in
 }
 
 static void store_row(const Tile* tile, const int at, const size_t to, const int count) {
-    if (count < LA_TILE) {
-        for (int i = 0; i < count; ++i) {
-            tile->depth[to + (size_t)i] = tile->texels[at + i];
-#ifdef NUMBERED
-            tile->depth_numbers[to + (size_t)i] = tile->numbers[at + i];
-#endif
-        }
-        return;
+    const int whole = count < LA_TILE ? 0 : LA_TILE;
+    if (tile->keeps_depth) {
+        __global float* out = tile->depth + to;
+        for (int i = 0; i < whole; i += LANES)
+            STORE_LANES(LOAD_LANES(tile->texels + at + i), out + i);
+        for (int i = whole; i < count; ++i) out[i] = tile->texels[at + i];
     }
-    for (int i = 0; i < LA_TILE; i += LANES) {
-        STORE_LANES(LOAD_LANES(tile->texels + at + i), tile->depth + to + (size_t)i);
 #ifdef NUMBERED
-        STORE_LANES(LOAD_INTS(tile->numbers + at + i), tile->depth_numbers + to + (size_t)i);
+    __global int* out = tile->depth_numbers + to;
+    for (int i = 0; i < whole; i += LANES) STORE_LANES(LOAD_INTS(tile->numbers + at + i), out + i);
+    for (int i = whole; i < count; ++i) out[i] = tile->numbers[at + i];
 #endif
-    }
 }
 
 /* Fetches what the block shows, before it is drawn to. */

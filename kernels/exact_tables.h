@@ -86,6 +86,7 @@ typedef struct OutlineSamplesParameters {
     float reach, depth; /* as in OutlineParameters */
     la_ivec2 depth_size;
     float depth_scale; /* depth texels per pixel */
+    la_uint numbered;  /* what is there `numbers` says, else `depth` */
     la_uint sample_capacity;
     la_uint part_capacity;
 } OutlineSamplesParameters;
@@ -171,10 +172,10 @@ typedef struct SpansParameters {
     in(uint, part_offsets) out(float, parts)
 #define outline_samples_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \
-    out(uint, counts)
+    in(uint, numbers) out(uint, counts)
 #define outline_samples_write_tables(in, out, inout, unordered) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \
-    in(uint, part_offsets) out(float, parts)
+    in(uint, numbers) in(uint, part_offsets) out(float, parts)
 #define pens_count_tables(in, out, inout, unordered) \
     in(Run, runs) in(FrameRecord, record) in(uint, segment_pens) in(uint, origins) \
     in(uint, part_offsets) in(float, parts) out(uint, counts)

@@ -142,41 +142,59 @@ KERNEL(outline_parts_write, OutlineParameters) {
                     within, parts + 2 * (size_t)part_offsets[i]);
 }
 
-/* Whether the depth buffer has nothing at a place of the window. */
-static bool is_background(const OutlineSamplesParameters* args, __global const float* depth,
-                          const float2 place) {
-    const int2 size = to_int2(args->depth_size);
-    const int2 texel = clamp(convert_int2_rtn(place * args->depth_scale), int2(0, 0), size - 1);
-    return depth[texel.y * size.x + texel.x] >= 1.0f;
+/* What the frame shows. */
+typedef struct Shown {
+    int2 size; /* texels */
+    float scale;
+    __global const float* depth;
+    __global const uint* numbers; /* 0: it has none */
+} Shown;
+
+static Shown make_shown(const OutlineSamplesParameters* args, __global const float* depth,
+                        __global const uint* numbers) {
+    Shown shown;
+    shown.size = to_int2(args->depth_size);
+    shown.scale = args->depth_scale;
+    shown.depth = depth;
+    shown.numbers = args->numbered != 0 ? numbers : 0;
+    return shown;
+}
+
+/* Whether nothing is at a place of the window. */
+static bool is_background(const Shown* shown, const float2 place) {
+    const int2 texel = clamp(convert_int2_rtn(place * shown->scale), int2(0, 0), shown->size - 1);
+    const int index = texel.y * shown->size.x + texel.x;
+    if (shown->numbers != 0) return shown->numbers[index] == LA_NO_FACE;
+    return shown->depth[index] >= 1.0f;
 }
 
 /* Whether there is a body beside a place, as deep as it must be; left: a unit vector. */
-static bool is_deep(const OutlineSamplesParameters* args, __global const float* depth,
-                    const float2 place, const float2 left) {
+static bool is_deep(const OutlineSamplesParameters* args, const Shown* shown, const float2 place,
+                    const float2 left) {
     for (uint k = 0; k < LA_OUTLINE_STEPS; ++k) {
         const float inside = args->depth * (float)(k + 1) / (float)LA_OUTLINE_STEPS;
-        if (is_background(args, depth, place + left * inside)) return false;
+        if (is_background(shown, place + left * inside)) return false;
     }
     return true;
 }
 
-static bool is_beside(const OutlineSamplesParameters* args, __global const float* depth,
-                      const float2 place, const float2 left) {
+static bool is_beside(const OutlineSamplesParameters* args, const Shown* shown, const float2 place,
+                      const float2 left) {
     const float2 off = left * args->reach;
-    return is_background(args, depth, place + off) || is_background(args, depth, place - off);
+    return is_background(shown, place + off) || is_background(shown, place - off);
 }
 
-static bool sample_is_outline(const OutlineSamplesParameters* args, __global const float* depth,
+static bool sample_is_outline(const OutlineSamplesParameters* args, const Shown* shown,
                               const float2 place, const float2 left) {
     const float2 off = left * args->reach;
-    return (is_background(args, depth, place + off) && is_deep(args, depth, place, left * -1.0f)) ||
-           (is_background(args, depth, place - off) && is_deep(args, depth, place, left));
+    return (is_background(shown, place + off) && is_deep(args, shown, place, left * -1.0f)) ||
+           (is_background(shown, place - off) && is_deep(args, shown, place, left));
 }
 
 /* Parts of segment i, written if there is a table; how many. */
 static uint find_parts(const OutlineSamplesParameters* args, __global const Segment* segments,
                        __global const ClippedSegment* clipped, __global const uint* offsets,
-                       __global const float* depth, const uint i, __global float* out) {
+                       const Shown* shown, const uint i, __global float* out) {
     const uint l = offsets[i + 1] - offsets[i];
     if (l == 0 || !can_be_outline(segments[i].tag)) return 0;
     const float4 clip_p = vload4(0, clipped[i].p), clip_q = vload4(0, clipped[i].q);
@@ -191,7 +209,7 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
     bool beside_so_far = true; /* the background, from the segment's start on */
     for (uint k = 0; k <= l; ++k) {
         const float2 place = p + way * (((float)k + 0.5f) / (float)l);
-        const bool free = k < l && sample_is_outline(args, depth, place, left);
+        const bool free = k < l && sample_is_outline(args, shown, place, left);
         if (free && first == l) {
             first = k;
         } else if (!free && first < l) {
@@ -200,14 +218,14 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
             uint to = k;
             if (l - k <= most)
                 while (to < l &&
-                       is_beside(args, depth, p + way * (((float)to + 0.5f) / (float)l), left))
+                       is_beside(args, shown, p + way * (((float)to + 0.5f) / (float)l), left))
                     ++to;
             if (out != 0) vstore2(float2((float)from, (float)(to == l ? l : k)), count, out);
             ++count;
             first = l;
         }
         if (beside_so_far && first == l && k < l)
-            beside_so_far = k < corner && is_beside(args, depth, place, left);
+            beside_so_far = k < corner && is_beside(args, shown, place, left);
     }
     return count;
 }
@@ -215,14 +233,16 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
 KERNEL(outline_samples_count, OutlineSamplesParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
+    const Shown shown = make_shown(&args, depth, numbers);
     counts[i] = offsets[args.count] > args.sample_capacity
                     ? 0
-                    : find_parts(&args, segments, clipped, offsets, depth, i, 0);
+                    : find_parts(&args, segments, clipped, offsets, &shown, i, 0);
 }
 
 KERNEL(outline_samples_write, OutlineSamplesParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || part_offsets[args.count] > args.part_capacity) return;
     if (part_offsets[i + 1] == part_offsets[i]) return;
-    find_parts(&args, segments, clipped, offsets, depth, i, parts + 2 * (size_t)part_offsets[i]);
+    const Shown shown = make_shown(&args, depth, numbers);
+    find_parts(&args, segments, clipped, offsets, &shown, i, parts + 2 * (size_t)part_offsets[i]);
 }

@@ -15,7 +15,7 @@ uniform usamplerBuffer patches;
 #include "constants.h"
 #include "kernel_language.glsl"
 
-// Of the depth texture.
+// Of the depth texture, or that of the numbers in its place.
 struct Depth {
     ivec2 size;
     float scale, tolerance;
@@ -58,7 +58,8 @@ Spine unpacked(vec4 line, vec4 depths, vec4 along, vec4 faces, ivec4 surfaces) {
 
 // Visibility of sample j, given 1 / l, in steps of one probe.
 float visibility(Spine spine, float j, float inverse_l) {
-    Depth seen = Depth(textureSize(depth, 0), depth_scale, tolerance, knows_surfaces, parallel_view,
+    ivec2 size = knows_surfaces ? textureSize(numbers, 0) : textureSize(depth, 0);
+    Depth seen = Depth(size, depth_scale, tolerance, knows_surfaces, parallel_view,
                        bend, 2.0 / (viewport * depth_scale), vec2(-1.0));
     int per_axis = int(probes_per_axis);
     float shift = lone_probe_shift(spine, per_axis, depth_scale);

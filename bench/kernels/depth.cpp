@@ -33,9 +33,9 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                       .origin = {0, 0},
                       .size = size,
                       .covered = {{0, 0}, size},
-                      .depth = *depth,
                       .tiles = *tiles,
-                      .seen = *seen});
+                      .seen = *seen,
+                      .depth = depth.get()});
         stages.device().finish();
     };
     run();

@@ -58,7 +58,7 @@ void DepthStage::choose_form(const Frame& frame) {
 
 void DepthStage::prepare(const Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
-    prepare_depth(texels);
+    if (!by_kernels_) prepare_depth(texels);
     prepare_tiles(texels);
 }
 
@@ -85,7 +85,6 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
     const glm::ivec2 low = glm::max(tile.low * scale - reach, 0);
     const glm::ivec2 size = glm::min((tile.low + tile.size) * scale + reach, whole) - low;
     check_depth_size(size);
-    prepare_depth(size);
     choose_form(frame);
     imported_ = false;
     if (by_kernels_) {
@@ -105,6 +104,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
 
 void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part) {
     const auto [low, size] = std::pair{part.low, part.size()};
+    prepare_depth(size);
     surfaces_.begin(frame, size);
     handover_.to_gl({depth_.get()});
     frame.clock.gl("depth", [&] {
@@ -135,15 +135,14 @@ compute::Buffer& DepthStage::blank_tiles() {
     const std::size_t words =
         (compute::count_of_tiles(size_) + sizeof(la_uint) - 1) / sizeof(la_uint);
     const std::size_t bytes = words * sizeof(la_uint);
-    const BlankOf now{size_, surfaces_.numbers() != nullptr};
-    if (blank_of_ == now) return *blank_;
+    if (blank_of_ == size_) return *blank_;
     blank_of_.reset();
     if (!blank_ || blank_->size() < bytes) {
         blank_.reset(); // it may not fit beside another
         blank_ = compute::allocate(device_, bytes, purpose::depth);
     }
     device_.clear(*blank_, bytes);
-    blank_of_ = now;
+    blank_of_ = size_;
     return *blank_;
 }
 
@@ -154,23 +153,21 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
     prepare_tiles(size_);
     surfaces_.begin(frame, size_);
     frame.clock.handover([&] {
-        handover_.to_compute({depth_.get(), tiles_.get()});
+        handover_.to_compute({tiles_.get()});
         surfaces_.to_compute();
     });
     frame.clock("depth", [&] {
-        stages_.depth(
-            {.model = frame.scene.meshlets(),
-             .vertices = frame.scene.candidate_table().vertices,
-             .clip_from_world = frame.camera.clip_from_world(),
-             .whole_size = whole,
-             .origin = part.low,
-             .size = size_,
-             .covered = covered,
-             .depth = depth_->compute(),
-             .tiles = tiles_->compute(),
-             .seen = *visible_,
-             .numbers = surfaces_.numbers() != nullptr ? &surfaces_.numbers()->compute() : nullptr,
-             .blank = &blank_tiles()});
+        stages_.depth({.model = frame.scene.meshlets(),
+                       .vertices = frame.scene.candidate_table().vertices,
+                       .clip_from_world = frame.camera.clip_from_world(),
+                       .whole_size = whole,
+                       .origin = part.low,
+                       .size = size_,
+                       .covered = covered,
+                       .tiles = tiles_->compute(),
+                       .seen = *visible_,
+                       .numbers = &surfaces_.numbers()->compute(),
+                       .blank = &blank_tiles()});
     });
     surfaces_.find_planes(frame, visible_.get());
     drawn_is_known_ = false;
@@ -178,7 +175,6 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
 
 void DepthStage::draw_by_kernels(Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
-    prepare(frame);
     triangles_drawn_ = 0;
     draw_by_kernels(frame, texels, {{0, 0}, texels}, covered(frame));
 }
@@ -194,14 +190,11 @@ void DepthStage::find_drawn() {
 void DepthStage::fill_texture(Frame& frame) {
     if (!by_kernels_) return;
     frame.clock.handover([&] {
-        depth_->wrote(area(size_) * sizeof(float));
         take_back();
         surfaces_.to_gl();
     });
-    frame.clock.gl("depth", [&] {
-        pass_.load(depth_->gl(), size_, covered(frame));
-        if (surfaces_.known()) pass_.load_numbers(surfaces_.numbers()->gl(), size_, covered(frame));
-    });
+    frame.clock.gl("depth",
+                   [&] { pass_.load_numbers(surfaces_.numbers()->gl(), size_, covered(frame)); });
     frame.clock.handover([&] { handover_.to_compute({depth_.get(), tiles_.get()}); });
 }
 
@@ -226,6 +219,7 @@ void DepthStage::import_depth(Frame& frame) {
 void DepthStage::draw_texture(Frame& frame) {
     choose_form(frame);
     if (by_kernels_) {
+        prepare(frame);
         draw_by_kernels(frame);
         return fill_texture(frame);
     }
@@ -246,8 +240,8 @@ void DepthStage::draw_raster(Frame& frame) {
 }
 
 void DepthStage::draw_for_compute(Frame& frame) {
-    prepare(frame);
     choose_form(frame);
+    prepare(frame);
     if (by_kernels_) return draw_by_kernels(frame);
     drawn_is_known_ = true;
     frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
@@ -289,7 +283,7 @@ void DepthStage::hand_over_surfaces(Frame& frame, const TexelRectangle& part) {
 }
 
 compute::DepthBuffer DepthStage::probed(Frame& frame) const {
-    return {.texels = depth_->compute(),
+    return {.texels = by_kernels_ ? surfaces_.numbers()->compute() : depth_->compute(),
             .size = size(),
             .scale = static_cast<float>(frame.depth_scale()),
             .tolerance = frame.depth_tolerance(),

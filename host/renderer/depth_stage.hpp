@@ -36,7 +36,7 @@ class DepthStage {
     /// Draws the depth and hands it to compute, with the pyramid. The texture has it after
     /// fill_texture().
     void draw_for_compute(Frame& frame);
-    /// Before GL passes look at the texture: what kernels drew goes there.
+    /// Before GL passes look at textures: the numbers that kernels drew go there.
     void fill_texture(Frame& frame);
     /// Before the tiles of a frame.
     void begin_tiles() { triangles_drawn_ = 0; }
@@ -83,13 +83,13 @@ class DepthStage {
     glm::ivec2 size() const {
         return imported_ ? import_->size() : by_kernels_ ? size_ : pass_.size();
     }
-    compute::Buffer& buffer() const { return depth_->compute(); }
     interop::SharedBuffer& tiles() const { return *tiles_; }
 
   private:
     /// Of the current frame.
     void choose_form(const Frame& frame);
     void prepare(const Frame& frame);
+    /// Where GL draws: kernels number their texels, and nobody reads more.
     void prepare_depth(glm::ivec2 size);
     /// Draws the texture by GL.
     void draw_raster(Frame& frame);
@@ -100,7 +100,7 @@ class DepthStage {
     /// Draws a part of a depth buffer of `whole` texels, of which `covered` is wanted.
     void draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
                          const TexelRectangle& covered);
-    /// What kernels know of `depth_` and the numbers from their last frame, see DepthArgs::blank.
+    /// What kernels know of the numbers from their last frame, see DepthArgs::blank.
     compute::Buffer& blank_tiles();
     /// Draws all of it, that way.
     void draw_by_kernels(Frame& frame);
@@ -137,13 +137,7 @@ class DepthStage {
     std::span<const Cluster> clusters_; ///< of the model
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_; ///< a byte per cluster
-    /// Of depth of which size, with numbers or without, blank_ is; none: GL has drawn since.
-    struct BlankOf {
-        glm::ivec2 size;
-        bool numbered;
-        bool operator==(const BlankOf&) const = default;
-    };
-    std::optional<BlankOf> blank_of_;
+    std::optional<glm::ivec2> blank_of_;       ///< numbers of that size; none: GL has drawn since
     std::unique_ptr<compute::Buffer> blank_;
     std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame
     std::vector<std::uint8_t> appeared_;    ///< per cluster: to be drawn in the second step

@@ -30,9 +30,9 @@ compute::DepthArgs DepthModel::args(const DepthWanted& wanted, compute::Buffer& 
             .origin = wanted.part.low,
             .size = size,
             .covered = {{0, 0}, size},
-            .depth = depth,
             .tiles = tiles,
-            .seen = seen};
+            .seen = seen,
+            .depth = &depth};
 }
 
 void DepthModel::draw_into(compute::Stages& stages, const DepthWanted& wanted,

@@ -62,12 +62,12 @@ struct DepthArgs {
     glm::ivec2 origin;         ///< the first texel of `depth` in it
     glm::ivec2 size;           ///< texels of `depth`
     TexelRectangle covered;    ///< of these what is wanted; what lies beside may stay as it is
-    Buffer& depth;             ///< out: as in DepthBuffer
     Buffer& tiles;             ///< out: as of `pyramid`, where something is wanted
     Buffer& seen;              ///< out: a byte per cluster, 1 if any of it may be seen
+    Buffer* depth = nullptr;   ///< out: as in DepthBuffer; null: nobody asks
     Buffer* numbers = nullptr; ///< out: as of SurfaceTables; null: nobody asks
-    /// In and out: a byte per tile of `tiles`, 1 where `depth` and `numbers` are known to show
-    /// nothing; null: nothing is known.
+    /// In and out: a byte per tile of `tiles`, 1 where of `depth` and `numbers` what is asked for
+    /// is known to show nothing; null: nothing is known.
     Buffer* blank = nullptr;
 };
 

@@ -51,7 +51,8 @@ void Stages::depth(const DepthArgs& args) {
                                .guard = guard_band(args.whole_size),
                                .stride = stride,
                                .begin = 0,
-                               .end = 0};
+                               .end = 0,
+                               .keeps_depth = 0};
     Buffer& places = scratch(depth_places_, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
     Buffer& boxes = scratch(depth_boxes_, std::size_t{4} * stride);
     Buffer& nearest = scratch(depth_nearest_, stride);
@@ -64,7 +65,15 @@ void Stages::depth(const DepthArgs& args) {
     launch<kernels::depth_order>(
         1, 1, parameters,
         {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
+    // Launch after launch goes on from what is stored.
+    const bool keeps_depth =
+        args.depth != nullptr || args.numbers == nullptr || model.count > tuning_.depth_clusters;
+    const std::size_t texels =
+        keeps_depth ? static_cast<std::size_t>(args.size.x) * static_cast<std::size_t>(args.size.y)
+                    : 1;
+    Buffer& depth = args.depth != nullptr ? *args.depth : scratch(depth_unasked_, texels);
     Buffer& numbers = args.numbers != nullptr ? *args.numbers : scratch(depth_no_numbers_, 1);
+    parameters.keeps_depth = keeps_depth ? 1 : 0;
     Buffer& blank = blank_tiles(args);
     const Kernel& kernel = kernel_of<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0);
     const std::uint32_t workers =
@@ -85,7 +94,7 @@ void Stages::depth(const DepthArgs& args) {
                                       .corners = model.corners,
                                       .vertices = args.vertices,
                                       .next = next,
-                                      .depth = args.depth,
+                                      .depth = depth,
                                       .numbers = numbers,
                                       .pyramid = args.tiles,
                                       .blank = blank,

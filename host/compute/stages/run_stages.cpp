@@ -133,12 +133,15 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
     // Texels beside the line, not those that its own faces reach into.
     constexpr float clearance = 0.75F; // texels, half a diagonal
     const std::uint32_t n = args.table.segment_count;
+    const bool numbered = args.depth.surfaces.has_value();
+    Buffer& numbers = numbered ? args.depth.surfaces->numbers : args.clipped.offsets; // any
     const OutlineSamplesParameters parameters{.count = n,
                                               .viewport = args.viewport,
                                               .reach = 0.25F + clearance / args.depth.scale,
                                               .depth = args.body,
                                               .depth_size = args.depth.size,
                                               .depth_scale = args.depth.scale,
+                                              .numbered = numbered ? 1U : 0U,
                                               .sample_capacity = args.sample_capacity,
                                               .part_capacity = args.part_capacity};
     launch<kernels::outline_samples_count>(n, tuning_.local_size, parameters,
@@ -146,6 +149,7 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
                                             .clipped = args.clipped.clipped,
                                             .offsets = args.clipped.offsets,
                                             .depth = args.depth.texels,
+                                            .numbers = numbers,
                                             .counts = args.offsets});
     scan(args.offsets, n, ScanKind::saturate);
     launch<kernels::outline_samples_write>(n, tuning_.local_size, parameters,
@@ -153,6 +157,7 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
                                             .clipped = args.clipped.clipped,
                                             .offsets = args.clipped.offsets,
                                             .depth = args.depth.texels,
+                                            .numbers = numbers,
                                             .part_offsets = args.offsets,
                                             .parts = args.parts});
 }

@@ -98,7 +98,8 @@ class Stages {
     const Tuning& tuning_; ///< of device_
     std::unique_ptr<Buffer> scan_sums_, block_counts_, run_counts_, halo_ends_, halo_lists_;
     std::unique_ptr<Buffer> depth_places_, depth_boxes_, depth_nearest_, depth_order_;
-    std::unique_ptr<Buffer> depth_total_, depth_next_, depth_no_numbers_, depth_blank_;
+    std::unique_ptr<Buffer> depth_total_, depth_next_, depth_unasked_, depth_no_numbers_,
+        depth_blank_;
     std::unique_ptr<Buffer> density_rows_, density_drawn_, density_excesses_;
 };
 

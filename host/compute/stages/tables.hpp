@@ -92,7 +92,8 @@ struct SurfaceTables {
 
 /// A depth buffer, and how much of it may stand before a line.
 struct DepthBuffer {
-    Buffer& texels;                          ///< floats in [0, 1], rows from the lower left
+    Buffer&
+        texels; ///< floats in [0, 1], rows from the lower left; with `surfaces` they aren't read
     glm::ivec2 size;                         ///< that it holds: viewport times scale, or a tile's
     float scale;                             ///< texels per pixel
     float tolerance;                         ///< window depth that may stand before a line, times w
