@@ -1,5 +1,7 @@
 // depth: triangles by hand, of which it is known what they cover, and how near they are there.
 
+#include <algorithm>
+
 #include <glm/ext/matrix_clip_space.hpp>
 
 #include "depth_model.hpp"
@@ -259,6 +261,29 @@ TEST_P(DepthStage, NumbersAreThoseOfTheTrianglesThatTexelsShow) {
         }
         EXPECT_EQ(shown, all.texels.size());
     }
+}
+
+/// Who asks for numbers alone gets the same ones, and no depth is written; on devices that draw in
+/// several launches, too, each of which goes on from the depth so far.
+TEST_P(DepthStage, NumbersCanBeHadWithoutDepth) {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> triangles;
+    for (std::uint32_t i = 0; i < 30; ++i) {
+        const float low = -1 + 0.05F * static_cast<float>(i);
+        const float z = 0.8F - 0.05F * static_cast<float>(i % 11);
+        vertices.insert(vertices.end(),
+                        {{low, low, z}, {low + 0.6F, low, z}, {low, low + 0.7F, -z}});
+        triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    DepthWanted wanted{glm::mat4{1}, hand_size, {{0, 0}, hand_size}, true};
+    const DrawnDepth both = model(vertices, triangles, wanted, 3);
+    wanted.texels = false;
+    const DrawnDepth alone = model(vertices, triangles, wanted, 3);
+    EXPECT_EQ(alone.numbers, both.numbers);
+    EXPECT_EQ(alone.tiles, both.tiles);
+    EXPECT_EQ(alone.seen, both.seen);
+    EXPECT_TRUE(std::ranges::all_of(alone.texels, [](float z) { return z == 0.125F; }));
+    EXPECT_FALSE(std::ranges::all_of(both.texels, [](float z) { return z == 0.125F; }));
 }
 
 /// Where a tile was blank and still is nothing is written, and everywhere else all is: what stood

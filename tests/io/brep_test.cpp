@@ -6,19 +6,26 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec2.hpp>
 #include <gp_Ax1.hxx>
 
 #include "brep_files.hpp"
 #include "brep_fixture.hpp"
+#include "lineatlas/camera.hpp"
+#include "lineatlas/visibility.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -171,6 +178,49 @@ TEST_F(Brep, SmoothSilhouettesTakeThem) {
         ++round;
     }
     EXPECT_GE(round, 48);
+}
+
+/// A disc about a pillar, whose hole is as wide as the pillar and has its chords elsewhere: each is
+/// now within the pillar's chords and now outside of them, and the edge all the same in one piece.
+TEST_F(Brep, FacesThatTouchAlongACurveDoNotTearIt) {
+    constexpr double radius = 10, height = 8;
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(), 0.05);
+    const gp_Pnt inner(radius, 0, height), outer(1.5 * radius, 0, height);
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeCylinder(radius, 2 * height).Shape());
+    builder.Add(both, BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(inner, outer).Edge(), gp_Ax1())
+                          .Shape()
+                          .Located(TopLoc_Location(turn)));
+    const LineSet lines = extract_lines(load("a.brep", to_brep(both), {.pixels = 1000}).mesh,
+                                        {.silhouettes = Silhouettes::automatic});
+    View view;
+    view.eye = {0, -60, 50};
+    view.target = {0, 0, 8};
+    view.up = {0, 0, 1};
+    const Camera camera = make_camera(view, {1000, 750}, lines.bounds);
+    LineVisibility visibility{lines};
+    // Of the hole's edge that half of the pillar that is turned to the eye.
+    const auto is_in_front = [&](const Segment& segment) {
+        const glm::vec3 p = lines.vertices[segment.p], q = lines.vertices[segment.q];
+        return (segment.tag & LA_TAG_KIND_MASK) == static_cast<la_uint>(LineKind::boundary) &&
+               glm::length(glm::vec2{p}) < 1.1 * radius && p.y + q.y < -0.8 * radius;
+    };
+    std::vector<double> seen(lines.segments.size());
+    for (const Interval& piece : visibility.find(camera))
+        seen[piece.segment] +=
+            glm::distance(glm::make_vec3(piece.start_world), glm::make_vec3(piece.end_world));
+    int in_front = 0;
+    for (std::size_t i = 0; i < lines.segments.size(); ++i) {
+        const Segment& segment = lines.segments[i];
+        if (!is_in_front(segment)) continue;
+        ++in_front;
+        const float length = glm::distance(lines.vertices[segment.p], lines.vertices[segment.q]);
+        EXPECT_NEAR(seen[i], length, 0.01 * length) << i;
+    }
+    EXPECT_GE(in_front, 8);
 }
 
 TEST_F(Brep, AssembliesKeepNamesPlacesAndColours) {

@@ -58,6 +58,7 @@ DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) 
     const auto numbers = to_device(device_, std::vector(texel_count, 7U));
     compute::DepthArgs into = args(wanted, *depth, *pyramid, *seen);
     if (wanted.numbered) into.numbers = numbers.get();
+    if (!wanted.texels) into.depth = nullptr;
     stages.depth(into);
     std::vector<std::uint32_t> triangles;
     if (wanted.numbered) triangles = read_back<std::uint32_t>(device_, *numbers, texel_count);

@@ -13,6 +13,7 @@ struct DepthWanted {
     glm::ivec2 whole_size{0, 0}; ///< texels
     TexelRectangle part;         ///< of these
     bool numbered = false;       ///< with the triangle that each texel shows
+    bool texels = true;          ///< with the depth itself
 };
 
 /// What `depth` leaves.

@@ -52,6 +52,8 @@ class Placement {
         soup_.format = std::move(assembly_.format);
         soup_.unit = assembly_.unit;
         soup_.deflection = fineness_.deflection;
+        // Where two curved faces touch, chords of the one lie off those of the other.
+        soup_.precision = fineness_.deflection;
         for (const Instance& instance : assembly_.instances) add(instance);
         for (const auto& [part, count] : failed_)
             soup_.notes.push_back(std::to_string(count) + (count == 1 ? " face" : " faces") +
