@@ -38,6 +38,7 @@ constexpr std::size_t straightness_window = 4; ///< edges
 constexpr double least_network = 0.012; ///< of the model's diagonal
 constexpr int least_loop_edges = 9;
 constexpr double most_fading = 45 * degree; ///< of a fold that ends in smooth surface everywhere
+constexpr int most_stub_edges = 2;          ///< of one that is no line in any surface
 
 /// Rings of edges around a vertex that count as its surroundings.
 constexpr int rings = 2;
@@ -109,6 +110,9 @@ class Networks {
     bool fades(const MeshEdge& edge) {
         const Network& network = of_[sets_.find(edge.p)];
         return !network.cyclic && network.sharpest < most_fading;
+    }
+    bool is_stub(const MeshEdge& edge) {
+        return of_[sets_.find(edge.p)].edges <= most_stub_edges && fades(edge);
     }
 
   private:
@@ -196,7 +200,7 @@ class CreaseFilter {
             measure_edge_lengths();
             keep_chains();
         }
-        if (!doubtful_.empty() || !trusted_.empty()) drop_networks();
+        drop_networks();
         return std::move(noisy_);
     }
 
@@ -358,10 +362,10 @@ class CreaseFilter {
         return arcs > 0 ? chords / arcs : 1;
     }
 
-    /// What is left and too small, beside nothing else that is drawn whatever the view. And of
-    /// curved parts that are no scans, as surfaces of subdivision, folds that fade at all their
-    /// ends: the surface is smooth there, bent a little more than the least for a crease and less
-    /// around.
+    /// What is left and too small, beside nothing else that is drawn whatever the view. And folds
+    /// that fade at all their ends: the surface is smooth there, bent a little more than the least
+    /// for a crease and less around. Of curved parts that are no scans, as surfaces of
+    /// subdivision, all of them; of others an edge or two.
     void drop_networks() {
         Networks networks{mesh_.vertices.size()};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -374,6 +378,8 @@ class CreaseFilter {
         for (const std::uint32_t i : doubtful_)
             noisy_[i] = noisy_[i] || networks.is_crumb(edges_[i], diagonal);
         for (const std::uint32_t i : trusted_) noisy_[i] = networks.fades(edges_[i]);
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            if (is_crease(i)) noisy_[i] = noisy_[i] || networks.is_stub(edges_[i]);
     }
 
     struct EdgeLengths {

@@ -150,6 +150,27 @@ TEST(NoisyCreases, OfCurvedPartsAreFoldsThatFadeAtAllTheirEnds) {
     EXPECT_EQ(whole.drawn, whole.all) << "it ends at borders";
 }
 
+/// A sheet of flat squares, folded along z by 20 degrees, but at `sharp` edges in the middle by 36.
+Mesh fold_of_flat_squares(int sharp) {
+    Mesh mesh = folded_sheet(12, 0, 0);
+    for (glm::vec3& p : mesh.positions) {
+        const bool middle = p.z >= 6 && p.z <= 6 + static_cast<float>(sharp);
+        p.y = p.x == 0 ? 0 : -std::tan(glm::radians(middle ? 18.0F : 10.0F));
+    }
+    return mesh;
+}
+
+TEST(NoisyCreases, OfFlatFacesAreOneOrTwoEdgesByThemselves) {
+    for (const int edges : {1, 2}) {
+        const Creases stub{fold_of_flat_squares(edges)};
+        EXPECT_EQ(stub.all, static_cast<std::uint32_t>(edges));
+        EXPECT_EQ(stub.drawn, 0U);
+    }
+    const Creases line{fold_of_flat_squares(3)};
+    EXPECT_EQ(line.all, 3U);
+    EXPECT_EQ(line.drawn, 3U);
+}
+
 TEST(NoisyCreases, DoNotDependOnSizeAndPlace) {
     test::Random random{84};
     const Mesh mesh = folded_sheet(24, 0.25F, 1);
