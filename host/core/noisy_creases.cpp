@@ -19,7 +19,11 @@ constexpr double degree = std::numbers::pi / 180;
 
 // The gate.
 constexpr double flat_bend = 0.5 * degree; ///< a face with an edge bent by less is flat
-constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed
+constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed;
+constexpr double gridded_share = 0.75;     ///< or so many, in a part of which fewer than this are
+constexpr double least_designed = 0.65;    ///< and which is rough: grids cut surfaces into quads.
+constexpr double gridded_noise = 8 * degree;
+constexpr std::size_t least_gridded = 2000;        ///< triangles of a part: grids are fine
 constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely,
 constexpr double least_coarse = 0.05;              ///< of the model's diagonal: but for crumbs
 
@@ -228,15 +232,39 @@ class CreaseFilter {
                 flatness.add(mesh_.triangles[face][k], is_flat[face] ? 1 : 0, 1);
         }
         flatness.spread(edges_);
+        is_gridded_.assign(edges_.size(), false);
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-            if (is_crease(i) && flatness.about(edges_[i]) <= flat_share) doubtful_.push_back(i);
+            const double share = flatness.about(edges_[i]);
+            if (!is_crease(i) || share > gridded_share) continue;
+            is_gridded_[i] = share > flat_share;
+            doubtful_.push_back(i);
         }
         if (doubtful_.empty()) return;
-        const std::vector<std::uint32_t> curved = doubtful_;
         const MeshParts parts = find_parts(mesh_);
+        const std::vector<bool> gridded = gridded_parts(parts, is_flat);
+        std::erase_if(doubtful_, [&](std::uint32_t i) {
+            return is_gridded_[i] && !gridded[parts.of_vertex[edges_[i].p]];
+        });
+        const std::vector<std::uint32_t> curved = doubtful_;
         trust_coarse_parts(parts);
         trust_repeating_parts(parts);
         std::ranges::set_difference(curved, doubtful_, std::back_inserter(trusted_));
+        std::erase_if(trusted_, [&](std::uint32_t i) { return is_gridded_[i]; });
+    }
+
+    std::vector<bool> gridded_parts(const MeshParts& parts, const std::vector<bool>& is_flat) {
+        std::vector<std::size_t> flat(parts.count, 0), all(parts.count, 0);
+        for (std::size_t face = 0; face < is_flat.size(); ++face) {
+            const std::uint32_t part = parts.of_vertex[mesh_.triangles[face].x];
+            flat[part] += is_flat[face] ? 1 : 0;
+            ++all[part];
+        }
+        std::vector<bool> gridded;
+        for (std::size_t part = 0; part < parts.count; ++part)
+            gridded.push_back(all[part] >= least_gridded &&
+                              static_cast<double>(flat[part]) <
+                                  least_designed * static_cast<double>(all[part]));
+        return gridded;
     }
 
     void trust_coarse_parts(const MeshParts& parts) {
@@ -279,9 +307,13 @@ class CreaseFilter {
                 squares.add(vertex, bends_[i] * bends_[i], length(edge));
         }
         squares.spread(edges_);
-        noise_.reserve(doubtful_.size());
-        for (const std::uint32_t i : doubtful_)
-            noise_.push_back(std::sqrt(squares.about(edges_[i])));
+        const auto noise_about = [&](std::uint32_t i) {
+            return std::sqrt(squares.about(edges_[i]));
+        };
+        std::erase_if(doubtful_, [&](std::uint32_t i) {
+            return is_gridded_[i] && noise_about(i) < gridded_noise;
+        });
+        std::ranges::transform(doubtful_, std::back_inserter(noise_), noise_about);
     }
 
     void measure_edge_lengths() {
@@ -376,7 +408,7 @@ class CreaseFilter {
         }
         const double diagonal = diagonal_of(mesh_.vertices);
         for (const std::uint32_t i : doubtful_)
-            noisy_[i] = noisy_[i] || networks.is_crumb(edges_[i], diagonal);
+            noisy_[i] = noisy_[i] || (!is_gridded_[i] && networks.is_crumb(edges_[i], diagonal));
         for (const std::uint32_t i : trusted_) noisy_[i] = networks.fades(edges_[i]);
         for (std::uint32_t i = 0; i < edges_.size(); ++i)
             if (is_crease(i)) noisy_[i] = noisy_[i] || networks.is_stub(edges_[i]);
@@ -392,6 +424,7 @@ class CreaseFilter {
     std::span<const double> bends_;
     std::span<const std::optional<LineKind>> kinds_;
     std::vector<bool> noisy_;
+    std::vector<bool> is_gridded_;        ///< edges that are doubtful only where it is rough
     std::vector<std::uint32_t> doubtful_; ///< edges
     std::vector<std::uint32_t> trusted_;  ///< edges of parts that are curved, but no scans
     std::vector<double> noise_;           ///< of each doubtful one
