@@ -2,8 +2,10 @@
 
 python3 scripts/line_pieces.py MODEL... [--tool FILE] [--size WxH] [-- OPTIONS of lineatlas draw]
 
-MODEL is a file, or one of three scans made here: noise (a body with noise on it), marched (a surface that marching tetrahedra
-leave of a field) and decimated (the same, its vertices clustered). Each is drawn from 6 sides, as paths and as a picture.
+MODEL is a file, or one that is made here: noise (a body with noise on it), marched (a surface that marching tetrahedra
+leave of a field), decimated (the same, its vertices clustered), nets (surface nets of a gyroid in a ball), machine (a scan of a
+bracket with flat faces and a bore, with noise), terrain (an open sheet) and figure (a cage of cubes, subdivided by Catmull and
+Clark's rule three times). Each is drawn from 6 sides, as paths and as a picture.
   loose  of the drawn length what lies in paths shorter than 12 pixels that come within 2 pixels of no other path, in %
   short  the same of all paths shorter than 12 pixels
   gaps   stretches of the filled silhouette's outline, longer than 2 pixels, with no stroke within 1.5 pixels
@@ -55,11 +57,11 @@ def field(p):
     return -np.log(total) / 6 + 0.012 * np.sin(22 * p[..., 0]) * np.sin(19 * p[..., 1]) * np.sin(23 * p[..., 2])
 
 
-def marched(cells=60):
-    """Marching tetrahedra: six to a cube, welded along edges of the grid."""
+def marched(cells=60, field=field, noise=0.0):
+    """Marching tetrahedra: six to a cube, welded along edges of the grid; noise: on the field's values, as of a depth camera."""
     axis = np.linspace(-1.7, 2.0, cells + 1)
     grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1)
-    value = field(grid).reshape(-1)
+    value = (field(grid) + noise * np.random.default_rng(9).normal(size=grid.shape[:3])).reshape(-1)
     place = grid.reshape(-1, 3)
     n = cells + 1
     corner = np.array([(x * n + y) * n + z for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -112,7 +114,102 @@ def decimated():
     return means, triangles[np.sort(first)]
 
 
-SCANS = {"noise": noisy_body, "marched": marched, "decimated": decimated}
+def bracket(p):
+    """Below 0 inside a plate with a post on it, both with a bore."""
+    x, y, z = p[..., 0], p[..., 1], p[..., 2]
+
+    def box(cx, cy, cz, hx, hy, hz):
+        away = np.stack([abs(x - cx) - hx, abs(y - cy) - hy, abs(z - cz) - hz], -1)
+        return np.linalg.norm(np.maximum(away, 0), axis=-1) + np.minimum(away.max(-1), 0)
+
+    post = np.maximum(np.hypot(x + 0.5, z) - 0.55, abs(y - 0.2) - 0.9)
+    body = np.minimum(np.minimum(box(0, -0.9, 0, 1.35, 0.25, 0.9), post), box(0.5, -0.3, 0, 0.6, 0.5, 0.13))
+    return np.maximum(body, -np.minimum(np.hypot(x + 0.5, z) - 0.3, np.hypot(x - 0.95, z - 0.45) - 0.2))
+
+
+def machine():
+    return marched(100, bracket, 0.004)
+
+
+def nets(cells=70):
+    """Surface nets: a vertex per cell that the surface crosses, a quad per edge of the grid that it crosses."""
+    axis = np.linspace(-1.25, 1.25, cells + 1)
+    p = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1)
+    s, c = np.sin(4.2 * p), np.cos(4.2 * p)
+    value = np.maximum(abs((s * np.roll(c, 1, -1)).sum(-1)) - 0.45, np.linalg.norm(p, axis=-1) - 1.1) + 1e-6
+    place, weight = np.zeros((cells,) * 3 + (3,)), np.zeros((cells,) * 3)
+    crossings = []
+    for k in range(3):
+        low, high = np.moveaxis(value, k, 0)[:-1], np.moveaxis(value, k, 0)[1:]
+        at = np.nonzero(np.moveaxis((low > 0) != (high > 0), 0, k))
+        v0, v1 = value[at], value[tuple(i + (j == k) for j, i in enumerate(at))]
+        point = p[at] + (v0 / (v0 - v1))[:, None] * (axis[1] - axis[0]) * np.eye(3)[k]
+        inner, u, w = np.stack(at, -1), np.eye(3, dtype=int)[(k + 1) % 3], np.eye(3, dtype=int)[(k + 2) % 3]
+        cell = [inner - u - w, inner - w, inner, inner - u]
+        for one in cell:
+            np.add.at(place, tuple(one.T), point)
+            np.add.at(weight, tuple(one.T), 1)
+        crossings.append((cell, v0 < 0))
+    number = np.cumsum(weight > 0).reshape(weight.shape) - 1
+    triangles = []
+    for cell, outwards in crossings:
+        a, b, c_, d = (number[tuple(one.T)] for one in cell)
+        b, d = np.where(outwards, b, d), np.where(outwards, d, b)
+        triangles += [np.stack([a, b, c_], -1), np.stack([a, c_, d], -1)]
+    return (place[weight > 0] / weight[weight > 0][:, None]), np.concatenate(triangles)
+
+
+def terrain(cells=150):
+    axis = np.linspace(-1.5, 1.5, cells + 1)
+    x, z = np.meshgrid(axis, axis, indexing="ij")
+    rng, y = np.random.default_rng(5), 0.0
+    for k in range(8):
+        turn, step = rng.uniform(0, 2 * np.pi), 1.6 ** k
+        y = y + 0.4 / 1.9 ** k * np.sin(2.3 * step * (x * np.cos(turn) + z * np.sin(turn)) + rng.uniform(0, 6))
+    i = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    a, b, c, d = (part.reshape(-1) for part in (i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]))
+    return np.stack([x, y, z], -1).reshape(-1, 3), np.concatenate([np.stack([a, b, c], -1), np.stack([a, c, d], -1)])
+
+
+def figure():
+    """A dog of cubes, rounded."""
+    cubes = {(x, y, z) for x in range(6) for y in (2, 3) for z in (0, 1, 2)}
+    cubes |= {(x, y, z) for x in (0, 5) for y in (0, 1) for z in (0, 2)}
+    cubes |= {(x, y, 1) for x in (6, 7) for y in (4, 5)} | {(5, 4, 1), (8, 4, 1), (6, 6, 1), (-1, 4, 1), (-1, 3, 1), (-2, 5, 1), (-2, 4, 1)}
+    corners, quads = {}, []
+    for cube in sorted(cubes):
+        for k in range(3):
+            for side in (0, 1):
+                beside = tuple(c + (j == k) * (2 * side - 1) for j, c in enumerate(cube))
+                if beside in cubes:
+                    continue
+                u, v = np.eye(3, dtype=int)[(k + 1) % 3], np.eye(3, dtype=int)[(k + 2) % 3]
+                first = np.array(cube) + side * np.eye(3, dtype=int)[k]
+                around = [first, first + u, first + u + v, first + v][::1 if side else -1]
+                quads.append([corners.setdefault(tuple(one), len(corners)) for one in around])
+    positions, quads = np.array(list(corners), float), np.array(quads)
+    for _ in range(3):
+        n, faces = len(positions), len(quads)
+        middle = positions[quads].mean(1)
+        sides = np.stack([quads, np.roll(quads, -1, 1)], -1)
+        names, edge = np.unique(np.sort(sides.reshape(-1, 2), 1), axis=0, return_inverse=True)
+        edge = edge.reshape(-1, 4)
+        beside = np.zeros((len(names), 3))
+        np.add.at(beside, edge, middle[:, None])
+        of_edges = (positions[names].sum(1) + beside) / 4
+        valence = np.bincount(names.reshape(-1), minlength=n)[:, None]
+        f, r = np.zeros((n, 3)), np.zeros((n, 3))
+        np.add.at(f, quads, middle[:, None])
+        np.add.at(r, names, positions[names].mean(1)[:, None])
+        moved = (f / valence + 2 * r / valence + (valence - 3) * positions) / valence
+        positions = np.concatenate([moved, of_edges, middle])
+        center = n + len(names) + np.arange(faces)
+        quads = np.concatenate([np.stack([quads[:, k], n + edge[:, k], center, n + edge[:, k - 1]], -1) for k in range(4)])
+    return positions, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+SCANS = {"noise": noisy_body, "marched": marched, "decimated": decimated, "nets": nets, "machine": machine,
+         "terrain": terrain, "figure": figure}
 
 
 def read_bmp(path):

@@ -19,7 +19,11 @@ constexpr double degree = std::numbers::pi / 180;
 
 // The gate.
 constexpr double flat_bend = 0.5 * degree; ///< a face with an edge bent by less is flat
-constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed
+constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed;
+constexpr double gridded_share = 0.75;     ///< or so many, in a part of which fewer than this are
+constexpr double least_designed = 0.65;    ///< and which is rough: grids cut surfaces into quads.
+constexpr double gridded_noise = 8 * degree;
+constexpr std::size_t least_gridded = 2000;        ///< triangles of a part: grids are fine
 constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely,
 constexpr double least_coarse = 0.05;              ///< of the model's diagonal: but for crumbs
 
@@ -38,6 +42,7 @@ constexpr std::size_t straightness_window = 4; ///< edges
 constexpr double least_network = 0.012; ///< of the model's diagonal
 constexpr int least_loop_edges = 9;
 constexpr double most_fading = 45 * degree; ///< of a fold that ends in smooth surface everywhere
+constexpr int most_stub_edges = 2;          ///< of one that is no line in any surface
 
 /// Rings of edges around a vertex that count as its surroundings.
 constexpr int rings = 2;
@@ -109,6 +114,9 @@ class Networks {
     bool fades(const MeshEdge& edge) {
         const Network& network = of_[sets_.find(edge.p)];
         return !network.cyclic && network.sharpest < most_fading;
+    }
+    bool is_stub(const MeshEdge& edge) {
+        return of_[sets_.find(edge.p)].edges <= most_stub_edges && fades(edge);
     }
 
   private:
@@ -196,7 +204,7 @@ class CreaseFilter {
             measure_edge_lengths();
             keep_chains();
         }
-        if (!doubtful_.empty() || !trusted_.empty()) drop_networks();
+        drop_networks();
         return std::move(noisy_);
     }
 
@@ -224,15 +232,39 @@ class CreaseFilter {
                 flatness.add(mesh_.triangles[face][k], is_flat[face] ? 1 : 0, 1);
         }
         flatness.spread(edges_);
+        is_gridded_.assign(edges_.size(), false);
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-            if (is_crease(i) && flatness.about(edges_[i]) <= flat_share) doubtful_.push_back(i);
+            const double share = flatness.about(edges_[i]);
+            if (!is_crease(i) || share > gridded_share) continue;
+            is_gridded_[i] = share > flat_share;
+            doubtful_.push_back(i);
         }
         if (doubtful_.empty()) return;
-        const std::vector<std::uint32_t> curved = doubtful_;
         const MeshParts parts = find_parts(mesh_);
+        const std::vector<bool> gridded = gridded_parts(parts, is_flat);
+        std::erase_if(doubtful_, [&](std::uint32_t i) {
+            return is_gridded_[i] && !gridded[parts.of_vertex[edges_[i].p]];
+        });
+        const std::vector<std::uint32_t> curved = doubtful_;
         trust_coarse_parts(parts);
         trust_repeating_parts(parts);
         std::ranges::set_difference(curved, doubtful_, std::back_inserter(trusted_));
+        std::erase_if(trusted_, [&](std::uint32_t i) { return is_gridded_[i]; });
+    }
+
+    std::vector<bool> gridded_parts(const MeshParts& parts, const std::vector<bool>& is_flat) {
+        std::vector<std::size_t> flat(parts.count, 0), all(parts.count, 0);
+        for (std::size_t face = 0; face < is_flat.size(); ++face) {
+            const std::uint32_t part = parts.of_vertex[mesh_.triangles[face].x];
+            flat[part] += is_flat[face] ? 1 : 0;
+            ++all[part];
+        }
+        std::vector<bool> gridded;
+        for (std::size_t part = 0; part < parts.count; ++part)
+            gridded.push_back(all[part] >= least_gridded &&
+                              static_cast<double>(flat[part]) <
+                                  least_designed * static_cast<double>(all[part]));
+        return gridded;
     }
 
     void trust_coarse_parts(const MeshParts& parts) {
@@ -275,9 +307,13 @@ class CreaseFilter {
                 squares.add(vertex, bends_[i] * bends_[i], length(edge));
         }
         squares.spread(edges_);
-        noise_.reserve(doubtful_.size());
-        for (const std::uint32_t i : doubtful_)
-            noise_.push_back(std::sqrt(squares.about(edges_[i])));
+        const auto noise_about = [&](std::uint32_t i) {
+            return std::sqrt(squares.about(edges_[i]));
+        };
+        std::erase_if(doubtful_, [&](std::uint32_t i) {
+            return is_gridded_[i] && noise_about(i) < gridded_noise;
+        });
+        std::ranges::transform(doubtful_, std::back_inserter(noise_), noise_about);
     }
 
     void measure_edge_lengths() {
@@ -358,10 +394,10 @@ class CreaseFilter {
         return arcs > 0 ? chords / arcs : 1;
     }
 
-    /// What is left and too small, beside nothing else that is drawn whatever the view. And of
-    /// curved parts that are no scans, as surfaces of subdivision, folds that fade at all their
-    /// ends: the surface is smooth there, bent a little more than the least for a crease and less
-    /// around.
+    /// What is left and too small, beside nothing else that is drawn whatever the view. And folds
+    /// that fade at all their ends: the surface is smooth there, bent a little more than the least
+    /// for a crease and less around. Of curved parts that are no scans, as surfaces of
+    /// subdivision, all of them; of others an edge or two.
     void drop_networks() {
         Networks networks{mesh_.vertices.size()};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -372,8 +408,10 @@ class CreaseFilter {
         }
         const double diagonal = diagonal_of(mesh_.vertices);
         for (const std::uint32_t i : doubtful_)
-            noisy_[i] = noisy_[i] || networks.is_crumb(edges_[i], diagonal);
+            noisy_[i] = noisy_[i] || (!is_gridded_[i] && networks.is_crumb(edges_[i], diagonal));
         for (const std::uint32_t i : trusted_) noisy_[i] = networks.fades(edges_[i]);
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            if (is_crease(i)) noisy_[i] = noisy_[i] || networks.is_stub(edges_[i]);
     }
 
     struct EdgeLengths {
@@ -386,6 +424,7 @@ class CreaseFilter {
     std::span<const double> bends_;
     std::span<const std::optional<LineKind>> kinds_;
     std::vector<bool> noisy_;
+    std::vector<bool> is_gridded_;        ///< edges that are doubtful only where it is rough
     std::vector<std::uint32_t> doubtful_; ///< edges
     std::vector<std::uint32_t> trusted_;  ///< edges of parts that are curved, but no scans
     std::vector<double> noise_;           ///< of each doubtful one

@@ -150,6 +150,57 @@ TEST(NoisyCreases, OfCurvedPartsAreFoldsThatFadeAtAllTheirEnds) {
     EXPECT_EQ(whole.drawn, whole.all) << "it ends at borders";
 }
 
+/// A sheet of flat squares, folded along z by 20 degrees, but at `sharp` edges in the middle by 36.
+Mesh fold_of_flat_squares(int sharp) {
+    Mesh mesh = folded_sheet(12, 0, 0);
+    for (glm::vec3& p : mesh.positions) {
+        const bool middle = p.z >= 6 && p.z <= 6 + static_cast<float>(sharp);
+        p.y = p.x == 0 ? 0 : -std::tan(glm::radians(middle ? 18.0F : 10.0F));
+    }
+    return mesh;
+}
+
+TEST(NoisyCreases, OfFlatFacesAreOneOrTwoEdgesByThemselves) {
+    for (const int edges : {1, 2}) {
+        const Creases stub{fold_of_flat_squares(edges)};
+        EXPECT_EQ(stub.all, static_cast<std::uint32_t>(edges));
+        EXPECT_EQ(stub.drawn, 0U);
+    }
+    const Creases line{fold_of_flat_squares(3)};
+    EXPECT_EQ(line.all, 3U);
+    EXPECT_EQ(line.drawn, 3U);
+}
+
+/// A rough sheet folded by `fold` radians, three in ten of whose triangles are cut into three in
+/// one plane: as many faces are flat as marching tetrahedra leave.
+Mesh sheet_in_pieces(float fold) {
+    Mesh mesh = folded_sheet(40, 0.2F, fold);
+    std::vector<glm::uvec3> triangles;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3 t = mesh.triangles[i];
+        if (i % 10 % 3 != 0 || i % 10 == 9) {
+            triangles.push_back(t);
+            continue;
+        }
+        const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) /
+                                 3.0F);
+        triangles.insert(triangles.end(),
+                         {{t.x, t.y, middle}, {t.y, t.z, middle}, {t.z, t.x, middle}});
+    }
+    mesh.triangles = triangles;
+    return mesh;
+}
+
+TEST(NoisyCreases, AreThoseOfARoughSurfaceInPiecesThatAreFlat) {
+    const Creases rough{sheet_in_pieces(0)};
+    EXPECT_GT(rough.all, 200U);
+    EXPECT_EQ(rough.drawn, 0U);
+    const Creases folded{sheet_in_pieces(1.2F)};
+    EXPECT_GE(folded.drawn, 36U);
+    EXPECT_LE(folded.drawn, 44U);
+}
+
 TEST(NoisyCreases, DoNotDependOnSizeAndPlace) {
     test::Random random{84};
     const Mesh mesh = folded_sheet(24, 0.25F, 1);
