@@ -284,7 +284,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const bool by_paths = is_path_file(arguments.output);
     FrameOptions options = frame_options(arguments, settings, size);
     options.style = style;
-    ImageWriter writer; // before anything starts a thread
+    std::optional<ImageWriter> writer; // paths need none, nor all that it loads
+    if (!by_paths) writer.emplace();   // before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);
 
@@ -315,7 +316,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     if (by_paths)
         draw_paths(drawing, renderer);
     else
-        draw_pictures(drawing, renderer, writer);
+        draw_pictures(drawing, renderer, *writer);
     if (!arguments.device.compare_with.empty()) {
         const Renderer::Comparison equal = renderer.comparison();
         fmt::print("{}: equal in {} kernels, {} elements\n", renderer.description(), equal.kernels,

@@ -26,6 +26,7 @@ class ViewOptions {
     bool says_target() const { return !target_.empty(); }
     bool says_direction() const { return !view_.empty(); }
     glm::vec3 up(glm::vec3 otherwise) const; ///< `otherwise` where --up says none
+    Projection projection() const;
 
     /// From the side that --view names, else from the front, right and above.
     View framed(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up) const;
@@ -41,7 +42,6 @@ class ViewOptions {
 
   private:
     float fov() const; ///< radians
-    Projection projection() const;
 
     CLI::App* app_ = nullptr;
     std::string eye_, target_, up_ = "auto", projection_, view_, scale_, unit_ = "mm";

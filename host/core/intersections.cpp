@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
 #include <unordered_map>
 
@@ -39,24 +38,30 @@ class Crossing {
         : mesh_(mesh), normals_(normals), diagonal_(diagonal_of(mesh.vertices)),
           contact_(contact_of(diagonal_, mesh.precision)) {}
 
-    std::optional<Intersection> of(std::uint32_t a, std::uint32_t b) const {
+    /// Takes in what two triangles have in common.
+    void meet(std::uint32_t a, std::uint32_t b) {
         const glm::dvec3 normal_a = normals_[a], normal_b = normals_[b];
-        if (normal_a == glm::dvec3{0} || normal_b == glm::dvec3{0}) return {};
+        if (normal_a == glm::dvec3{0} || normal_b == glm::dvec3{0}) return;
         const double cosine = std::abs(glm::dot(normal_a, normal_b));
-        if (cosine > coplanar_cosine) return {};
+        if (cosine > coplanar_cosine) return;
         const Heights heights_a = heights(a, b);
-        if (!passes(heights_a)) return {};
+        if (!passes(heights_a)) {
+            if (lies_with_an_edge(heights_a) && passes(heights(b, a))) keep_lying(a, b, heights_a);
+            return;
+        }
         const Heights heights_b = heights(b, a);
-        if (!passes(heights_b)) return {};
-        if (cosine > shallow_cosine &&
-            std::max(depth(heights_a), depth(heights_b)) < shallow * diagonal_)
-            return {};
-        const glm::dvec3 along = glm::normalize(glm::cross(normal_a, normal_b));
-        const Chord of_a = chord(a, heights_a, along), of_b = chord(b, heights_b, along);
-        const End& first = of_a.first.at > of_b.first.at ? of_a.first : of_b.first;
-        const End& last = of_a.last.at < of_b.last.at ? of_a.last : of_b.last;
-        if (!(last.at - first.at > shortest * diagonal_)) return {};
-        return Intersection{first.place, last.place, std::min(a, b), std::max(a, b)};
+        if (!passes(heights_b)) {
+            if (lies_with_an_edge(heights_b)) keep_lying(b, a, heights_b);
+            return;
+        }
+        if (is_shallow(cosine, depth(heights_a), heights_b)) return;
+        add(a, heights_a, b, heights_b);
+    }
+
+    /// All of what was taken in.
+    std::vector<Intersection> take() {
+        join_lying();
+        return std::move(found_);
     }
 
   private:
@@ -69,7 +74,61 @@ class Crossing {
         End first, last;
     };
 
+    /// A triangle on one side of another's plane, with an edge in it: it passes through with the
+    /// triangle beyond that edge, if that one is on the other side.
+    struct Lying {
+        std::uint32_t p, q; ///< the edge's vertices, p < q
+        std::uint32_t plane, face;
+        double height; ///< of the third corner
+    };
+
     glm::dvec3 at(std::uint32_t vertex) const { return mesh_.vertices[vertex]; }
+
+    static bool lies_with_an_edge(const Heights& h) { return std::ranges::count(h, 0.0) == 2; }
+
+    void keep_lying(std::uint32_t face, std::uint32_t plane, const Heights& heights) {
+        const int apex = heights[0] != 0 ? 0 : heights[1] != 0 ? 1 : 2;
+        const glm::uvec3 t = mesh_.triangles[face];
+        const auto [p, q] = std::minmax(t[(apex + 1) % 3], t[(apex + 2) % 3]);
+        lying_.push_back({p, q, plane, face, heights[apex]});
+    }
+
+    void join_lying() {
+        std::ranges::sort(lying_, {}, [](const Lying& l) {
+            return std::tuple{l.p, l.q, l.plane, l.height, l.face};
+        });
+        for (auto first = lying_.begin(); first != lying_.end();) {
+            const auto end = std::find_if(first, lying_.end(), [&](const Lying& l) {
+                return l.p != first->p || l.q != first->q || l.plane != first->plane;
+            });
+            if (first->height < 0 && (end - 1)->height > 0) add_through(*first, *(end - 1));
+            first = end;
+        }
+    }
+
+    void add_through(const Lying& below, const Lying& above) {
+        const std::uint32_t face = above.face, plane = above.plane;
+        Heights sides{}; // the triangle as if it reached as far below
+        const glm::uvec3 t = mesh_.triangles[face];
+        for (int k = 0; k < 3; ++k) sides[k] = t[k] == above.p || t[k] == above.q ? 0 : 1;
+        const Heights heights_plane = heights(plane, face);
+        const double cosine = std::abs(glm::dot(normals_[face], normals_[plane]));
+        if (is_shallow(cosine, std::min(-below.height, above.height), heights_plane)) return;
+        add(face, sides, plane, heights_plane);
+    }
+
+    bool is_shallow(double cosine, double depth_a, const Heights& heights_b) const {
+        return cosine > shallow_cosine && std::max(depth_a, depth(heights_b)) < shallow * diagonal_;
+    }
+
+    void add(std::uint32_t a, const Heights& heights_a, std::uint32_t b, const Heights& heights_b) {
+        const glm::dvec3 along = glm::normalize(glm::cross(normals_[a], normals_[b]));
+        const Chord of_a = chord(a, heights_a, along), of_b = chord(b, heights_b, along);
+        const End& first = of_a.first.at > of_b.first.at ? of_a.first : of_b.first;
+        const End& last = of_a.last.at < of_b.last.at ? of_a.last : of_b.last;
+        if (!(last.at - first.at > shortest * diagonal_)) return;
+        found_.push_back({first.place, last.place, std::min(a, b), std::max(a, b)});
+    }
 
     /// A corner's height depends on the corner and the plane alone, so that triangles that share an
     /// edge agree on where it meets a plane.
@@ -112,6 +171,8 @@ class Crossing {
     const std::vector<glm::dvec3>& normals_;
     double diagonal_;
     double contact_; ///< what lies no deeper behind a face only touches it
+    std::vector<Intersection> found_;
+    std::vector<Lying> lying_;
 };
 
 /// Makes places that are as good as equal one. Where an edge passes through an edge it meets two
@@ -340,12 +401,12 @@ std::vector<Intersection> find_intersections(const WeldedMesh& mesh,
                                              const std::vector<glm::dvec3>& normals,
                                              const BoxTree& tree,
                                              std::span<const std::uint32_t> object) {
-    const Crossing crossing{mesh, normals};
-    std::vector<Intersection> result;
+    Crossing crossing{mesh, normals};
     tree.visit_meeting_pairs([&](std::uint32_t a, std::uint32_t b) {
         if (!object.empty() && object[a] != object[b]) return;
-        if (const std::optional<Intersection> found = crossing.of(a, b)) result.push_back(*found);
+        crossing.meet(a, b);
     });
+    std::vector<Intersection> result = crossing.take();
     NearPlaces{mesh}.join(result);
     return result;
 }

@@ -4,8 +4,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -39,6 +41,16 @@ void limit(__rlimit_resource resource, rlim_t most) {
 /// Not address space: the libraries for pictures take half a gigabyte of it, unused.
 void limit_memory(std::uint64_t bytes) {
     if (!reader::sanitized) limit(RLIMIT_DATA, bytes);
+}
+
+/// What is freed is kept for what comes next, and taken in large pieces: the process lives for one
+/// file, and Open CASCADE gives back and takes again the same megabytes for every face. All three
+/// are needed: one that is set ends what the allocator would learn of the others.
+void keep_memory() {
+    constexpr int piece = 8 << 20, largest_kept = 32 << 20;
+    ::mallopt(M_TOP_PAD, piece);
+    ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+    ::mallopt(M_MMAP_THRESHOLD, largest_kept);
 }
 
 /// False if the parent has ended already.
@@ -89,6 +101,7 @@ std::optional<int> serve_as_reader(int argc, char** argv, std::span<const Reader
     if (kind == kinds.end() || !end_with_parent(number_of(argv[5]))) return exit_failed;
     limit(RLIMIT_CORE, 0);
     ::setenv("OPENIMAGEIO_THREADS", "1", 0); // stacks of threads count as memory
+    keep_memory();
     limit_memory(number_of(argv[4]));
     std::set_new_handler(say_no_memory);
     read_file(*kind, argv[3], argv[6]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -69,6 +70,18 @@ TEST_F(CurveFineness, AQuarterPixelFromNear) {
     EXPECT_NE(description.find(" --deflection="), std::string::npos) << description;
     // Where it is given, that is what is drawn; and as the whole model would need is too coarse.
     EXPECT_GT(most_off(drawn(near + "--deflection 0.01")) * scale, 1);
+}
+
+TEST_F(CurveFineness, UsualViewsAreReadOnce) {
+    const std::string pin = std::string{LINEATLAS_SOURCE_DIR} + "/tests/fuzz/inputs/step/pin.step";
+    ASSERT_EQ(run("draw " + pin + " -o " + path("a.svg")).exit_code, 0);
+    // A second reading would have taken what the camera says, and this one sees parts of the pin
+    // from nearer than one that shows all of it in a circle across the picture.
+    const std::string svg = read(path("a.svg")), option = "--deflection=";
+    const std::size_t at = svg.find(option);
+    ASSERT_NE(at, svg.npos);
+    const double deflection = std::atof(svg.c_str() + at + option.size());
+    EXPECT_NEAR(0.25 / deflection, 2.25 * 768 / std::sqrt(12.0), 0.1);
 }
 
 TEST_F(CurveFineness, ALineSaysWhereItEnds) {

@@ -200,10 +200,11 @@ TEST_F(Models, AScenesFilesGiveOneDrawing) {
     const std::vector<Piece> z_up = pieces("machine_hall_zup.glb");
     EXPECT_EQ(length_off(hall, z_up, 0.1), 0);
     EXPECT_EQ(length_off(z_up, hall, 0.1), 0);
-    // Rounded to 1 mm, and the foot of a wall that lies in the floor's plane is below it.
+    // Rounded to 1 mm, which a gear that turns through a face by 11 degrees shows as 5 mm, and the
+    // foot of a wall that lies in the floor's plane is below it.
     const std::vector<Piece> packed = pieces("machine_hall_meshopt.glb");
-    EXPECT_LT(length_off(hall, packed, 0.15), 0.0075);
-    EXPECT_LT(length_off(packed, hall, 0.15), 0.0075);
+    EXPECT_LT(length_off(hall, packed, 0.2), 0.002);
+    EXPECT_LT(length_off(packed, hall, 0.2), 0.002);
 }
 
 } // namespace

@@ -307,6 +307,17 @@ TEST_F(Tool, SaysWhichModuleIsMissing) {
     ::unsetenv("LINEATLAS_MODULE_DIR");
 }
 
+TEST_F(Tool, LoadsNothingForPicturesWherePathsAreDrawn) {
+    fs::create_symlink(LINEATLAS_LOADING_TRACE, path("lineatlas-images.so"));
+    ::setenv("LINEATLAS_MODULE_DIR", folder_.c_str(), 1);
+    const std::string draw = "draw --scene clevis --size 64x48 -o ";
+    EXPECT_EQ(run(draw + path("x.svg")).exit_code, 0);
+    EXPECT_FALSE(fs::exists(path("loaded")));
+    run(draw + path("x.png"));
+    EXPECT_TRUE(fs::exists(path("loaded")));
+    ::unsetenv("LINEATLAS_MODULE_DIR");
+}
+
 TEST_F(Tool, RefusesBadStyleFiles) {
     const std::string draw = "draw --scene clevis -o " + path("x.png") + " --style ";
     write("bad.toml", "width = 2\ncollor = \"red\"\n");

@@ -89,6 +89,27 @@ TEST(Intersections, OfACylinderThroughAPlateAreTwoRings) {
     EXPECT_TRUE(found.all_closed());
 }
 
+TEST(Intersections, RunAlongEdgesThatLieInTheOtherFace) {
+    // A fold whose middle lies in a floor: neither of its halves passes through it alone.
+    Mesh floor;
+    floor.positions = {{-3, 0, -3}, {3, 0, -3}, {3, 0, 3.5F}, {-3, 0, 3.5F}};
+    floor.triangles = {{0, 1, 2}, {0, 2, 3}};
+    const auto fold = [](float height, float below) {
+        Mesh mesh;
+        mesh.positions = {{-1, height, 0}, {1, -height, 0}, {1, 1, 0.1F},
+                          {-1, 1, 0.1F},   {1, below, 0},   {-1, below, 0}};
+        mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {0, 5, 4}};
+        return mesh;
+    };
+    EXPECT_NEAR(Crossings{together(floor, fold(0, -1))}.length, 2, 1e-5);
+    EXPECT_NEAR(Crossings{together(fold(0, -1), floor)}.length, 2, 1e-5);
+    EXPECT_EQ(Crossings{together(floor, fold(0, 1))}.segments.size(), 0U) << "it stands on it";
+    // As far off as a file's precision lets it be.
+    Mesh rounded = together(floor, fold(0.0001F, -1));
+    rounded.precision = 0.0001F;
+    EXPECT_EQ(extract_lines(rounded, {}).kind_counts[LA_KIND_INTERSECTION], 2U);
+}
+
 TEST(Intersections, OfTwoSpheresAreACircle) {
     // Of radius 1, with centres 1 apart: a circle of radius sqrt(3) / 2, a little smaller in
     // facets.

@@ -73,6 +73,19 @@ void talk(ReaderOutput& output) {
     output.value(reader::Answer::read);
     output.text("done");
 }
+/// Takes 16 MiB in small blocks and frees them; says how much of it went back to the system.
+void churn(ReaderOutput& output) {
+    const auto end_of_heap = [] { return static_cast<const char*>(::sbrk(0)); };
+    const char* highest = nullptr;
+    {
+        std::vector<std::vector<char>> blocks;
+        blocks.reserve(256); // nothing stays behind them
+        for (int i = 0; i < 256; ++i) blocks.emplace_back(64 << 10, 'x');
+        highest = end_of_heap();
+    }
+    output.value(reader::Answer::read);
+    output.value(static_cast<std::uint64_t>(highest - end_of_heap()));
+}
 void refuse(ReaderOutput&) {
     throw std::runtime_error("a line\nand another");
 }
@@ -122,6 +135,7 @@ constexpr std::array kinds{
     ReaderKind{"allocate_at_once", only<allocate_at_once>},
     ReaderKind{"hide_lack_of_memory", only<hide_lack_of_memory>},
     ReaderKind{"talk", only<talk>},
+    ReaderKind{"churn", only<churn>},
     ReaderKind{"refuse", only<refuse>},
     ReaderKind{"talk_nonsense", only<talk_nonsense>},
     ReaderKind{"promise_too_much", only<promise_too_much>},
@@ -200,6 +214,12 @@ class Reading : public testing::Test {
 
     fs::path folder_, file_;
 };
+
+TEST_F(Reading, KeepsTheMemoryThatItFreed) {
+    if (reader::sanitized) GTEST_SKIP() << "a sanitizer has an allocator of its own";
+    ReaderProcess process{"churn", file_, {}};
+    EXPECT_EQ(process.value<std::uint64_t>(), 0U);
+}
 
 TEST_F(Reading, SaysHowTheProcessEnded) {
     EXPECT_EQ(message("crash"), "its reader crashed (SIGSEGV); the file is damaged or hostile");
