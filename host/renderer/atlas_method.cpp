@@ -59,9 +59,10 @@ void AtlasMethod::release_scene() {
 
 void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables) {
     release_scene();
+    silhouettes_grew_ = false;
     strokes_.forget_lines();
     front_ = compute::allocate(device_, scene.triangle_count(), purpose::model);
-    make_segment_tables(tables.most_segments());
+    make_segment_tables(tables.most_fixed_segments());
     depth_.set_scene(scene);
     fill_.set_scene();
 }
@@ -147,7 +148,10 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
     }
     segment_count_ = frame.scene.table().segment_count;
     if (arcs_->size() > segment_count_ * sizeof(la_uint)) return;
-    make_segment_tables(segment_count_); // more silhouettes than a chunk has other lines
+    make_segment_tables(silhouettes_grew_
+                            ? compute::room_to_grow(device_, segment_count_, sizeof(ClippedSegment))
+                            : segment_count_);
+    silhouettes_grew_ = true; // by the first frame they were found, by the next ones they change
     handover_.to_compute({clipped_.get(), offsets_.get()});
 }
 

@@ -139,8 +139,9 @@ class AtlasMethod {
     bool keeps_intervals_ = false;                                     ///< the current frame
     bool finds_outlines_ = false;                                      ///< the current frame
     std::unique_ptr<compute::Buffer> outline_offsets_, outline_parts_; ///< while there are any
-    std::uint32_t outline_capacity_ = 0;                               ///< of outline_parts_
-    bool raster_ = false; ///< the current frame's form of `atlas`
+    bool silhouettes_grew_ = false;      ///< their tables, since set_scene()
+    std::uint32_t outline_capacity_ = 0; ///< of outline_parts_
+    bool raster_ = false;                ///< the current frame's form of `atlas`
     /// What the last frame left for `temporal`, and what it must have in common with the next.
     struct Past {
         std::unique_ptr<compute::Buffer> alpha, offsets, ranges;

@@ -18,7 +18,7 @@ void ExactMethod::set_scene(const SceneBuffers& scene) {
     strokes_.forget_lines();
     depth_.set_scene(scene);
     fill_.set_scene();
-    lines_.make_tables(scene.triangle_count(), scene.tables().most_segments());
+    lines_.make_tables(scene.triangle_count(), scene.tables().most_fixed_segments());
 }
 
 void ExactMethod::find(Frame& frame, const ProgressPart& progress) {

@@ -209,10 +209,15 @@ void StrokeStage::list(Frame& frame, bool hidden) {
     });
 }
 
+/// After a guess just what a frame needs, which for a still picture is the last word; then more.
+std::uint32_t StrokeStage::grown_capacity(std::uint32_t old, std::uint32_t needed) const {
+    return old <= first_run_capacity ? needed : compute::capacity_for<Run>(device_, needed);
+}
+
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.reset(); // it may not fit beside another
-    table.capacity = compute::capacity_for<Run>(device_, table.totals.run_total);
+    table.capacity = grown_capacity(table.capacity, table.totals.run_total);
     table.runs = interop::make_shared_buffer(
         device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
     handover_.to_compute({table.runs.get()});
@@ -226,7 +231,7 @@ bool StrokeStage::grow() {
         if (tells_pens(hidden) && grow(penned(hidden))) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
-        raw_capacity_ = compute::capacity_for<Run>(device_, raw_total);
+        raw_capacity_ = grown_capacity(raw_capacity_, raw_total);
         grown = true;
     }
     return coverage_.grow() || grown;

@@ -115,6 +115,7 @@ class StrokeStage {
     void make_table(RunTable& table);
     void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
                    const Purpose& purpose);
+    std::uint32_t grown_capacity(std::uint32_t old, std::uint32_t needed) const;
     bool grow(RunTable& table);
     void compact(Frame& frame, const compute::SegmentAtlas& input, const compute::SpanTable* spans,
                  bool hidden, compute::Buffer& runs, std::uint32_t capacity,

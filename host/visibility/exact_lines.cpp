@@ -4,6 +4,8 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "compute/stages/table_room.hpp"
+
 namespace lineatlas {
 
 void ExactLines::release() {
@@ -16,15 +18,21 @@ void ExactLines::release() {
     no_offsets_.reset();
 }
 
-void ExactLines::make_tables(std::uint32_t triangle_count, std::uint32_t most_segments) {
+void ExactLines::make_tables(std::uint32_t triangle_count, std::uint32_t fixed_segments) {
     release();
+    silhouettes_grew_ = false;
     front_ = compute::allocate(device_, triangle_count, purpose::model);
-    make_room(most_segments);
+    make_room(fixed_segments);
 }
 
 void ExactLines::make_room(std::uint32_t segments) {
-    const std::size_t sums = (std::size_t{segments} + 1) * sizeof(la_uint);
+    std::size_t sums = (std::size_t{segments} + 1) * sizeof(la_uint);
     if (arcs_ && arcs_->size() >= sums) return;
+    if (arcs_) { // the first frame has found them, the next ones find others
+        if (silhouettes_grew_) segments = compute::capacity_for<ClippedSegment>(device_, segments);
+        silhouettes_grew_ = true;
+        sums = (std::size_t{segments} + 1) * sizeof(la_uint);
+    }
     for (auto* buffer : {&clipped_, &arcs_, &no_offsets_})
         buffer->reset(); // they may not fit beside others
     clipped_ = compute::allocate(device_, segments * sizeof(ClippedSegment), purpose::segments);

@@ -43,7 +43,7 @@ class ExactLines {
         visibility_.forget_lines();
     }
     /// Makes tables for another line set.
-    void make_tables(std::uint32_t triangle_count, std::uint32_t most_segments);
+    void make_tables(std::uint32_t triangle_count, std::uint32_t fixed_segments);
 
     /// Finds what is visible, chunk by chunk. `table(chunk)`: what kernels read; `clock(name,
     /// action)` runs a stage; `use(chunk, segments, spans)` takes what is visible of that chunk:
@@ -104,6 +104,7 @@ class ExactLines {
     compute::ExactVisibility visibility_;
     std::unique_ptr<compute::Buffer> front_, clipped_, arcs_;
     std::unique_ptr<compute::Buffer> no_offsets_; ///< all 0: no segment has samples
+    bool silhouettes_grew_ = false;               ///< since make_tables()
 };
 
 } // namespace lineatlas

@@ -172,9 +172,8 @@ std::uint64_t LineTables::Chunk::bytes() const {
     return sum;
 }
 
-std::uint32_t LineTables::most_segments() const {
-    if (chunks.size() == 1) return chunks.front().range.count;
-    std::uint32_t most = 0;
+std::uint32_t LineTables::most_fixed_segments() const {
+    std::uint32_t most = 1; // a table has some size
     for (const Chunk& chunk : chunks) most = std::max(most, chunk.candidates().first);
     return most;
 }

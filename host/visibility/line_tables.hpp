@@ -39,9 +39,9 @@ struct LineTables {
     std::vector<Chunk> chunks; ///< at least one
     std::uint64_t version = 0; ///< counts changes of what stands where
 
-    /// What tables per segment must hold before silhouettes are found: all, or of the largest of
-    /// several chunks what is not a candidate.
-    std::uint32_t most_segments() const;
+    /// What tables per segment must hold before silhouettes are found: of the largest chunk what is
+    /// no candidate. Few candidates are silhouettes.
+    std::uint32_t most_fixed_segments() const;
 };
 
 /// A buffer of the device with that content.

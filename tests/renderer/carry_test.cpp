@@ -147,5 +147,17 @@ TEST_F(Carry, PlainPensPayNothing) {
     EXPECT_GT(bytes(pencil(true)), plain);
 }
 
+TEST_F(Carry, EdgesThatAreNoSilhouettesTakeNoRoomAmongClippedLines) {
+    // Nearly all are candidates, of which a frame finds a few.
+    ASSERT_GT(lines_.kind_counts[LA_KIND_SILHOUETTE], 0.9 * lines_.segments.size());
+    Renderer renderer;
+    renderer.set_lines(lines_);
+    const Camera camera = make_camera({.eye = {0, 0, 2.7F}}, canvas_.size(), lines_.bounds);
+    const FrameOptions options{.method = Method::atlas, .lines = mask_of(LineKind::silhouette)};
+    const FrameStats first = renderer.draw(camera, options, canvas_.framebuffer());
+    EXPECT_LT(first.segment_bytes,
+              (sizeof(Segment) + sizeof(ClippedSegment)) * lines_.segments.size());
+}
+
 } // namespace
 } // namespace lineatlas::test
