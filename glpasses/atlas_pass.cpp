@@ -25,13 +25,13 @@ constexpr Purpose raster_atlas{"the segment atlas",
 } // namespace
 
 void ProbeParams::bind(const Program& program, GLuint unit) const {
-    glBindTextureUnit(unit, depth);
+    const bool known = surfaces.numbers != 0;
+    if (!known) glBindTextureUnit(unit, depth);
     program.set("depth", static_cast<int>(unit));
     program.set("viewport", viewport);
     program.set("depth_scale", depth_scale);
     program.set("probes_per_axis", probes);
     program.set("tolerance", tolerance);
-    const bool known = surfaces.numbers != 0;
     program.set("knows_surfaces", known);
     program.set("parallel_view", surfaces.parallel);
     program.set("bend", surfaces.bend);

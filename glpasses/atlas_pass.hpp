@@ -22,7 +22,7 @@ struct SurfaceTextures {
 
 /// How visibility is probed; the same for both forms of `atlas`.
 struct ProbeParams {
-    GLuint depth;         ///< depth texture
+    GLuint depth;         ///< depth texture; nobody looks at it where surfaces are known
     glm::vec2 viewport;   ///< pixels
     float depth_scale;    ///< depth texels per pixel
     std::uint32_t probes; ///< per axis
