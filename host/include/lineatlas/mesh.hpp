@@ -73,8 +73,8 @@ struct Mesh {
     /// exact surfaces have them. Smooth silhouettes (Silhouettes) take them in place of means of
     /// triangles. Empty: none are known.
     std::vector<glm::vec3> corner_normals{};
-    /// How far a position may be off the place that was meant, as in files that round to a grid, or a
-    /// chord off its curve, in model units: what is nearer than that touches. 0: as far as floats
+    /// How far a position may be off the place that was meant, as in files that round to a grid, or
+    /// a chord off its curve, in model units: what is nearer than that touches. 0: as far as floats
     /// are.
     float precision = 0;
 
