@@ -33,8 +33,8 @@ class DepthStage {
 
     /// Draws the depth for GL passes only: into the texture.
     void draw_texture(Frame& frame);
-    /// Draws the depth and hands it to compute, with the pyramid. The texture has it after
-    /// fill_texture().
+    /// Draws what kernels look at, depth or the numbers of triangles, and hands it to compute, with
+    /// the pyramid. GL's textures have it after fill_texture().
     void draw_for_compute(Frame& frame);
     /// Before GL passes look at textures: the numbers that kernels drew go there.
     void fill_texture(Frame& frame);

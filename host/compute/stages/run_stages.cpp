@@ -133,15 +133,14 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
     // Texels beside the line, not those that its own faces reach into.
     constexpr float clearance = 0.75F; // texels, half a diagonal
     const std::uint32_t n = args.table.segment_count;
-    const bool numbered = args.depth.surfaces.has_value();
-    Buffer& numbers = numbered ? args.depth.surfaces->numbers : args.clipped.offsets; // any
+    Buffer& numbers = args.depth.numbers_or(args.clipped.offsets);
     const OutlineSamplesParameters parameters{.count = n,
                                               .viewport = args.viewport,
                                               .reach = 0.25F + clearance / args.depth.scale,
                                               .depth = args.body,
                                               .depth_size = args.depth.size,
                                               .depth_scale = args.depth.scale,
-                                              .numbered = numbered ? 1U : 0U,
+                                              .numbered = args.depth.surfaces ? 1U : 0U,
                                               .sample_capacity = args.sample_capacity,
                                               .part_capacity = args.part_capacity};
     launch<kernels::outline_samples_count>(n, tuning_.local_size, parameters,

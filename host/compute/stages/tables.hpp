@@ -92,13 +92,16 @@ struct SurfaceTables {
 
 /// A depth buffer, and how much of it may stand before a line.
 struct DepthBuffer {
-    Buffer&
-        texels; ///< floats in [0, 1], rows from the lower left; with `surfaces` they aren't read
+    /// Floats in [0, 1], rows from the lower left; where surfaces are known they are not read.
+    Buffer& texels;
     glm::ivec2 size;                         ///< that it holds: viewport times scale, or a tile's
     float scale;                             ///< texels per pixel
     float tolerance;                         ///< window depth that may stand before a line, times w
     std::optional<SurfaceTables> surfaces{}; ///< then own faces are numbers in ClippedTable
 
+    /// The numbers of what texels show, or a table of their type where nothing is known: then they
+    /// are not read.
+    Buffer& numbers_or(Buffer& other) const { return surfaces ? surfaces->numbers : other; }
     /// As kernels take it.
     SurfaceParameters surface_parameters() const {
         if (!surfaces) return {.known = 0, .parallel = 0, .bend = 0};

@@ -8,9 +8,6 @@ namespace lineatlas::compute {
 namespace {
 
 // Any tables of their type where surfaces are not known: they are not read.
-Buffer& numbers_or(const DepthBuffer& depth, Buffer& other) {
-    return depth.surfaces ? depth.surfaces->numbers : other;
-}
 Buffer& patches_or(const DepthBuffer& depth, Buffer& other) {
     return depth.surfaces ? depth.surfaces->patches : other;
 }
@@ -39,7 +36,7 @@ void Stages::atlas(const AtlasArgs& args) {
                            {.clipped = args.atlas.clipped.clipped,
                             .offsets = args.atlas.clipped.offsets,
                             .depth = args.depth.texels,
-                            .numbers = numbers_or(args.depth, args.atlas.clipped.offsets),
+                            .numbers = args.depth.numbers_or(args.atlas.clipped.offsets),
                             .planes = planes_of(args.depth),
                             .patches = patches_or(args.depth, args.atlas.clipped.offsets),
                             .alpha = args.atlas.alpha},
@@ -117,7 +114,7 @@ void Stages::intervals(const IntervalsArgs& args) {
                                        .arcs = clipped.arcs,
                                        .vertices = args.table.vertices,
                                        .depth = args.depth.texels,
-                                       .numbers = numbers_or(args.depth, clipped.offsets),
+                                       .numbers = args.depth.numbers_or(clipped.offsets),
                                        .planes = planes_of(args.depth),
                                        .patches = patches_or(args.depth, clipped.offsets),
                                        .intervals = args.intervals,
