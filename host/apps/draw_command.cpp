@@ -284,8 +284,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const bool by_paths = is_path_file(arguments.output);
     FrameOptions options = frame_options(arguments, settings, size);
     options.style = style;
-    std::optional<ImageWriter> writer; // paths need none, nor all that it loads
-    if (!by_paths) writer.emplace();   // before anything starts a thread
+    std::optional<ImageWriter> writer;               // paths need none, nor all that it loads
+    if (!by_paths) writer.emplace(arguments.output); // before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);
 

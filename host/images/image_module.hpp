@@ -9,8 +9,9 @@
 
 namespace lineatlas::images {
 
-/// What a module for pictures offers: lineatlas-images, which alone links OpenImageIO, whose some
-/// 260 libraries take longer to load than a picture to draw, and lineatlas-png, which does without.
+/// What a module for pictures offers: lineatlas-png, which has the one type that most drawings
+/// become, and lineatlas-images for all others, which alone links OpenImageIO, whose some 340
+/// libraries take longer to load than a picture to draw.
 /// Whatever is refused ends in a std::runtime_error that says the cause in one line.
 struct Module {
     bool (*can_write)(const std::string& extension); ///< with its dot

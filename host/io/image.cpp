@@ -38,7 +38,7 @@ void check_type(const std::filesystem::path& path) {
     if (extension.empty())
         throw write_error(path, "its name has no extension; try .png, .jpg, .tif or .exr");
     if (common_format(path) != nullptr) return;
-    if (!image_module().can_write(extension))
+    if (!image_module(PictureType::any).can_write(extension))
         throw write_error(path, "unknown picture type \"" + printable(extension) +
                                     "\"; try .png, .jpg, .tif or .exr");
 }
@@ -73,7 +73,7 @@ auto guarded(FileError (*error)(const std::filesystem::path&, std::string_view),
 } // namespace
 
 Image decode_image(const SourceFile& file) {
-    const images::Module& module = image_module();
+    const images::Module& module = image_module(type_by_content(file.bytes));
     return guarded(read_error, file.path, [&] { return module.decode(file.path, file.bytes); });
 }
 
@@ -82,7 +82,7 @@ std::vector<unsigned char> encode_image(const std::filesystem::path& path, const
     check_pixels(path, pixels);
     check_type(path);
     check_image_settings(path, settings, false);
-    const images::Module& module = image_module();
+    const images::Module& module = image_module(type_by_name(path));
     return guarded(write_error, path, [&] { return module.encode(path, pixels, settings); });
 }
 
@@ -124,7 +124,7 @@ void check_image_settings(const std::filesystem::path& path, const ImageSettings
 void check_image_path(const std::filesystem::path& path) {
     check_type(path);
     const AtomicFile probe(path);
-    check_image_module();
+    check_image_module(type_by_name(path));
 }
 
 } // namespace lineatlas

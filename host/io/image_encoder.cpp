@@ -72,14 +72,14 @@ bool answer_next(int socket, std::string message) {
 }
 
 /// What the process does until the other side is gone.
-void serve(int socket) {
+void serve(int socket, PictureType type) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::dup2(socket, STDIN_FILENO);
     forget_what_was_inherited();
     std::set_new_handler([] { ::_exit(no_memory); });
     std::string no_module;
     try {
-        image_module(); // later there is no loading
+        image_module(type); // later there is no loading
     } catch (const FileError& error) {
         no_module = error.what();
     }
@@ -114,7 +114,8 @@ bool is_whole_picture(const SourceFile& file, glm::ivec2 size) {
     }
 }
 
-ImageEncoder::ImageEncoder(const ReadLimits& limits) : limits_(limits) {
+ImageEncoder::ImageEncoder(PictureType first, const ReadLimits& limits)
+    : type_(first), limits_(limits) {
     start(); // the module loads while others draw
 }
 
@@ -130,7 +131,7 @@ void ImageEncoder::start() {
     process_ = ::fork();
     if (process_ == 0) {
         try {
-            serve(sockets[1]);
+            serve(sockets[1], type_);
         } catch (const std::exception&) {
             // No answer is one, too.
         }
@@ -168,6 +169,10 @@ void ImageEncoder::limit(const PictureTask& task) {
 void ImageEncoder::begin(const PictureTask& task) {
     path_ = task.path;
     checks_ = task.numbers.kind == PictureTask::Kind::check;
+    if (const PictureType type = type_by_name(task.path); type != type_) {
+        end();
+        type_ = type;
+    }
     if (process_ <= 0) start();
     limit(task);
     if (!send_task(socket_, task)) fail();

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "image_loader.hpp"
 #include "lineatlas/io.hpp"
 #include "message_socket.hpp"
 #include "reader_process.hpp"
@@ -36,15 +37,17 @@ std::optional<PictureTask> receive_task(int socket);
 /// Whether the file holds a whole picture of that size.
 bool is_whole_picture(const SourceFile& file, glm::ivec2 size);
 
-/// A confined process (confinement.hpp) that has the module for pictures and works on what comes
-/// through a socket. For a process with one thread: it is a copy of it, and ends with it.
+/// A confined process (confinement.hpp) that has the module for pictures of one type and works on
+/// what comes through a socket. For a process with one thread: it is a copy of it, and ends with
+/// it. Pictures of the other type have another process.
 ///
 /// Its memory and its time are limited as those of readers are. Where it exceeds them or crashes,
 /// the task fails, and the next one has another process.
 class ImageEncoder {
   public:
-    /// `limits`: of each task. 0: by the size of its picture.
-    explicit ImageEncoder(const ReadLimits& limits = {});
+    /// `first`: of the first picture, whose module loads at once. `limits`: of each task. 0: by the
+    /// size of its picture.
+    ImageEncoder(PictureType first, const ReadLimits& limits);
     ~ImageEncoder();
     ImageEncoder(const ImageEncoder&) = delete;
     ImageEncoder& operator=(const ImageEncoder&) = delete;
@@ -68,6 +71,7 @@ class ImageEncoder {
 
     int process_ = -1; ///< none: it starts with the next task
     int socket_ = -1;
+    PictureType type_;
     ReadLimits limits_, task_limits_;
     Patience patience_{std::chrono::nanoseconds{0}};
     std::filesystem::path path_; ///< of the task

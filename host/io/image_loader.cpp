@@ -1,5 +1,6 @@
 #include "image_loader.hpp"
 
+#include "extension.hpp"
 #include "module_file.hpp"
 
 namespace lineatlas {
@@ -17,22 +18,37 @@ constexpr ModuleFile png_alone{.name = "lineatlas-png",
                                .package = "libpng-dev"};
 
 /// The one for all types where it is installed: then it has to load.
-const ModuleFile& installed() {
-    if (has_module(all_types)) return all_types;
+const ModuleFile& installed(PictureType type) {
+    if (type == PictureType::any && has_module(all_types)) return all_types;
     find_module(png_alone);
     return png_alone;
 }
 
-} // namespace
-
-const images::Module& image_module() {
-    static const auto& module =
-        *static_cast<const images::Module*>(load_module(installed(), images::module_symbol));
-    return module;
+const images::Module& load(PictureType type) {
+    return *static_cast<const images::Module*>(load_module(installed(type), images::module_symbol));
 }
 
-void check_image_module() {
-    installed();
+} // namespace
+
+PictureType type_by_name(const std::filesystem::path& path) {
+    return lower_extension(path) == ".png" ? PictureType::png : PictureType::any;
+}
+
+PictureType type_by_content(std::string_view file) {
+    return file.starts_with("\x89PNG\r\n\x1a\n") ? PictureType::png : PictureType::any;
+}
+
+const images::Module& image_module(PictureType type) {
+    if (type == PictureType::png) {
+        static const images::Module& png = load(PictureType::png);
+        return png;
+    }
+    static const images::Module& any = load(PictureType::any);
+    return any;
+}
+
+void check_image_module(PictureType type) {
+    installed(type);
 }
 
 } // namespace lineatlas

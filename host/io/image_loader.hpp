@@ -1,14 +1,27 @@
 #pragma once
 
+#include <filesystem>
+#include <string_view>
+
 #include "images/image_module.hpp"
 
 namespace lineatlas {
 
-/// The module for pictures, loaded when first asked for: lineatlas-images where it is installed,
-/// else lineatlas-png. Throws FileError if it cannot be.
-const images::Module& image_module();
+/// Which of the modules for pictures, as their libraries differ by a hundredfold in what they load.
+enum class PictureType {
+    png, ///< lineatlas-png
+    any  ///< lineatlas-images where it is installed, else lineatlas-png
+};
 
-/// Throws FileError unless one of the two is where it should be. Loads nothing.
-void check_image_module();
+PictureType type_by_name(const std::filesystem::path& path);
+/// Of a file that is there: its name may be wrong.
+PictureType type_by_content(std::string_view file);
+
+/// The module for pictures of that type, loaded when first asked for. Throws FileError if it cannot
+/// be.
+const images::Module& image_module(PictureType type);
+
+/// Throws FileError unless the module is where it should be. Loads nothing.
+void check_image_module(PictureType type);
 
 } // namespace lineatlas

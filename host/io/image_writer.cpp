@@ -132,7 +132,7 @@ std::optional<std::string> answer_next(int socket, ImageEncoder& encoder) {
 }
 
 /// What the process does until the other side is gone.
-void serve(int socket, const ReadLimits& limits) {
+void serve(int socket, PictureType first, const ReadLimits& limits) {
     for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_IGN);
     ::dup2(socket, STDIN_FILENO);
     // Libraries print what they find wrong with a damaged picture; errors go out as answers.
@@ -140,7 +140,7 @@ void serve(int socket, const ReadLimits& limits) {
     for (const int output : {STDOUT_FILENO, STDERR_FILENO})
         if (::dup2(nowhere, output) < 0) ::close(output);
     forget_what_was_inherited();
-    ImageEncoder encoder{limits};
+    ImageEncoder encoder{first, limits};
     while (const std::optional<std::string> answer = answer_next(STDIN_FILENO, encoder)) {
         if (!send_text(STDIN_FILENO, *answer)) return;
     }
@@ -148,9 +148,10 @@ void serve(int socket, const ReadLimits& limits) {
 
 } // namespace
 
-ImageWriter::ImageWriter(const ReadLimits& limits) {
+ImageWriter::ImageWriter(const std::filesystem::path& first, const ReadLimits& limits) {
     if (has_one_thread())
-        start(limits); // a copy of a process with several may find locks held for ever
+        start(type_by_name(first),
+              limits); // a copy of a process with several may find locks held for ever
 }
 
 ImageWriter::~ImageWriter() {
@@ -158,14 +159,14 @@ ImageWriter::~ImageWriter() {
     end();
 }
 
-void ImageWriter::start(const ReadLimits& limits) {
+void ImageWriter::start(PictureType first, const ReadLimits& limits) {
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return;
     process_ = ::fork();
     if (process_ == 0) {
         ::close(sockets[0]);
         try {
-            serve(sockets[1], limits);
+            serve(sockets[1], first, limits);
         } catch (const std::exception&) {
             // No answer is one, too.
         }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "image_loader.hpp"
 #include "lineatlas/io.hpp"
 #include "reader_process.hpp"
 
@@ -20,8 +21,10 @@ namespace lineatlas {
 /// process, so that what it was given is whole however this one ends.
 class ImageWriter {
   public:
+    /// `first`: a name like the first picture's, for whose type the module loads at once.
     /// `limits`: of what encodes a picture there. 0: by the picture's size.
-    explicit ImageWriter(const ReadLimits& limits = {});
+    explicit ImageWriter(const std::filesystem::path& first = "picture.png",
+                         const ReadLimits& limits = {});
     /// Waits for the last picture, and is silent about it.
     ~ImageWriter();
     ImageWriter(const ImageWriter&) = delete;
@@ -42,7 +45,7 @@ class ImageWriter {
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size);
 
   private:
-    void start(const ReadLimits& limits);
+    void start(PictureType first, const ReadLimits& limits);
     void end();
 
     int process_ = -1; ///< none: everything is done here

@@ -77,8 +77,9 @@ ReaderKind::Parse open_mesh(const std::filesystem::path& path, std::string_view 
 }
 
 ReaderKind::Parse open_picture(const std::filesystem::path& path, std::string_view) {
-    image_module(); // later there is no loading
-    return [file = read_source(path)](ReaderOutput& output) { send(output, decode_image(file)); };
+    SourceFile file = read_source(path);
+    image_module(type_by_content(file.bytes)); // later there is no loading
+    return [file = std::move(file)](ReaderOutput& output) { send(output, decode_image(file)); };
 }
 
 constexpr std::array kinds{ReaderKind{mesh_kind, open_mesh}, ReaderKind{image_kind, open_picture}};

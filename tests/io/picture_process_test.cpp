@@ -86,11 +86,11 @@ TEST(PictureProcess, TakesNoMoreMemoryAndTimeThanAPictureNeeds) {
     };
     if (!reader::sanitized) {
         // Touching all of it may take a slow machine seconds.
-        ImageWriter patient{{.memory = std::uint64_t{256} << 20U, .time = 60s}};
+        ImageWriter patient{"memory.png", {.memory = std::uint64_t{256} << 20U, .time = 60s}};
         EXPECT_TRUE(
             ends_with(write("memory", patient), "encoding it needs more than 0.25 GiB of memory"));
     }
-    ImageWriter writer{{.memory = std::uint64_t{256} << 20U, .time = 2s}};
+    ImageWriter writer{"time.png", {.memory = std::uint64_t{256} << 20U, .time = 2s}};
     EXPECT_TRUE(ends_with(write("time", writer), "encoding it took more than 2 s"));
     if (reader::sanitized) return; // it sees to crashes itself, and nothing is confined
     EXPECT_TRUE(ends_with(write("crash", writer), "was ended by signal 11"));

@@ -1,7 +1,10 @@
-// The module where OpenImageIO is not installed: .png alone.
+// The module for .png files, with libpng alone. Where OpenImageIO is not installed, there is no
+// other.
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -35,7 +38,8 @@ struct Picture {
 };
 
 bool can_write(const std::string& extension) {
-    return extension == ".png";
+    constexpr std::string_view type = ".png";
+    return std::ranges::equal(extension, type, {}, [](unsigned char c) { return std::tolower(c); });
 }
 
 Image decode(const std::filesystem::path&, std::string_view file) {
@@ -44,6 +48,7 @@ Image decode(const std::filesystem::path&, std::string_view file) {
     constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U; // 16384 x 16384
     if (std::uint64_t{picture.image.width} * picture.image.height > most_pixels)
         throw std::runtime_error("it has more than 2^28 pixels");
+    picture.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // unless the file says that they are others
     const bool alpha = (picture.image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     const bool color = (picture.image.format & PNG_FORMAT_FLAG_COLOR) != 0;
     const int channels = (color ? 3 : 1) + (alpha ? 1 : 0);
