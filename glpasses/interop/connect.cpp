@@ -1,12 +1,14 @@
 #include "connect.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 #include <epoxy/gl.h>
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/opencl_backend.hpp"
+#include "core/memory_limit.hpp"
 #include "gl_context.hpp"
 #include "lineatlas/error.hpp"
 #include "round_trip.hpp"
@@ -96,6 +98,15 @@ Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMod
                       ": " + reason + "; `lineatlas devices` shows what works");
 }
 
+/// Whether nobody has chosen a device or given kernels of his own, and OpenCL's would hardly be
+/// started before the one picture is drawn: beside a software GL it would be a CPU, which kernels
+/// as C++ have too. With a limit of memory their trial tells whether GL's drivers would live, too.
+bool starts_too_late(const ConnectOptions& options, const compute::WantedDevice& wanted) {
+    return options.one_picture && wanted.kind.empty() && wanted.device.empty() && !options.mode &&
+           options.compare_with.empty() && std::getenv("LINEATLAS_KERNEL_DIR") == nullptr &&
+           !memory_limit() && gl_is_software();
+}
+
 /// A device whose memory is the host's: a software GL can have it too.
 Chosen choose_other(const std::string& kind, const std::string& device,
                     std::optional<SharingMode> wanted) {
@@ -107,6 +118,7 @@ Chosen choose_other(const std::string& kind, const std::string& device,
 Chosen choose(const ConnectOptions& options) {
     const compute::WantedDevice wanted = compute::wanted_device(options.kind, options.device);
     if (!wanted.may_be_opencl()) return choose_other(wanted.kind, wanted.device, options.mode);
+    if (starts_too_late(options, wanted)) return choose_other("cpp", "", options.mode);
     const std::vector<compute::OpenClDevice> devices = compute::opencl_devices(wanted);
     if (!devices.empty()) return choose_mode(devices[default_device(devices)], options.mode);
     // With so little memory GL's drivers end the process too.

@@ -36,6 +36,7 @@ struct ConnectOptions {
     /// A device that every kernel runs on too, to be compared, and the last stage for which that is
     /// so (compare/comparing_device.hpp); empty: none, and all.
     std::string compare_with{}, compare_until{};
+    bool one_picture = false; ///< DeviceOptions::one_picture
 };
 
 /// The stages on a device, with the way in which it shares buffers with the current GL context.

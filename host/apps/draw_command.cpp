@@ -309,7 +309,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         frames};
     if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
     const gl::HeadlessContext context;
-    Renderer renderer{arguments.device};
+    DeviceOptions device = arguments.device;
+    device.one_picture = !frames && !arguments.stats && !arguments.profile.given();
+    Renderer renderer{device};
     say(renderer.note());
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);

@@ -35,7 +35,8 @@ interop::ConnectOptions connect_options(const DeviceOptions& options) {
                                    .device = options.device,
                                    .mode = std::nullopt,
                                    .compare_with = options.compare_with,
-                                   .compare_until = options.compare_until};
+                                   .compare_until = options.compare_until,
+                                   .one_picture = options.one_picture};
     for (const auto mode : {interop::SharingMode::gl_sharing, interop::SharingMode::host_pointer,
                             interop::SharingMode::copy}) {
         if (options.interop == interop::name_of(mode)) result.mode = mode;

@@ -18,6 +18,10 @@ struct DeviceOptions {
     /// the frame with MismatchError. Not with gl-sharing. Empty: nothing is compared.
     std::string compare_with{};
     std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
+    /// For a Renderer that draws one picture. Where nothing is said above, the environment names no
+    /// device and GL is a software one, it takes cpp: a driver of OpenCL would start for longer
+    /// than its kernels are faster.
+    bool one_picture = false;
 };
 
 } // namespace lineatlas
