@@ -276,6 +276,15 @@ void take_session(DrawArguments& arguments, CLI::App& app) {
     if (!arguments.view.to_scale()) give("fov", {fmt::format("{}", view.fov)});
 }
 
+/// Paths alone say what of the mesh they show.
+void forget_sources(Subject& subject) {
+    subject.mesh = {};
+    subject.framed = std::vector<glm::vec3>{};
+    subject.lines.sources = std::vector<LineSource>{};
+    for (auto* sources : {&subject.lines.vertex_sources, &subject.lines.triangle_sources})
+        *sources = std::vector<std::uint32_t>{};
+}
+
 void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameSettings settings = frame_settings_of(arguments);
     check_arguments(arguments, settings);
@@ -289,13 +298,15 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);
 
-    const auto [subject, frames] = find_pictures(arguments, options.lines, size);
+    auto [subject, frames] = find_pictures(arguments, options.lines, size);
     print_notes(subject.notes);
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
-    // A frame of a sequence is the same whatever was drawn before it.
+    if (!by_paths) forget_sources(subject);
+    const bool one_picture = !frames && !arguments.stats && !arguments.profile.given();
+    // A frame of a sequence is the same whatever was drawn before it, and before one there is none.
+    options.steady = !frames && !one_picture;
     if (frames) {
         for (const SequenceFrame& frame : *frames) places.check(output_option, frame.path);
-        options.steady = false;
         options.profile = arguments.profile.given();
     }
 
@@ -310,7 +321,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
     const gl::HeadlessContext context;
     DeviceOptions device = arguments.device;
-    device.one_picture = !frames && !arguments.stats && !arguments.profile.given();
+    device.one_picture = one_picture;
     Renderer renderer{device};
     say(renderer.note());
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);

@@ -45,14 +45,11 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, c
     : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), classes_(line_classes(lines)),
       diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)), contact_(contact_of(lines)),
-      gl_vertices_(upload_gl(bytes_of(lines.vertices), purpose::model)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
       segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
-    const GLbitfield flags = parts != nullptr ? GL_DYNAMIC_STORAGE_BIT : 0;
     TriangleClusters made = parts != nullptr ? all_part_clusters(*parts)
                                              : build_clusters(lines.vertices, lines.triangles,
                                                               cluster_size, lines.objects);
-    gl_indices_ = upload_gl(bytes_of(made.triangles), purpose::model, flags);
     clusters_ = std::move(made.clusters);
     cluster_objects_ = std::move(made.objects);
     triangle_order_ = std::move(made.order);
@@ -76,16 +73,35 @@ std::uint64_t SceneBuffers::mesh_bytes() const {
     return sum;
 }
 
-std::vector<glm::uvec3> SceneBuffers::download_gl_triangles() const {
-    std::vector<glm::uvec3> triangles(triangle_count_);
-    glGetNamedBufferSubData(gl_indices_.id(), 0,
-                            static_cast<GLsizeiptr>(bytes_of(triangles).size()), triangles.data());
-    return triangles;
+std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
+    const auto triangles = download<glm::uvec3>(*tables_.triangles, triangle_count_);
+    std::vector<glm::uvec3> ordered(triangle_count_);
+    std::ranges::transform(triangle_order_, ordered.begin(),
+                           [&](std::uint32_t place) { return triangles[place]; });
+    return ordered;
+}
+
+GLuint SceneBuffers::gl_vertices() {
+    if (tables_.moving) return tables_.moving->gl_vertices();
+    if (!gl_vertices_) {
+        gl_vertices_ =
+            upload_gl(bytes_of(download<glm::vec3>(*tables_.vertices, motion_.vertex_count())),
+                      purpose::model);
+    }
+    return gl_vertices_.id();
+}
+
+gl::TriangleBuffers SceneBuffers::gl_triangles() {
+    if (!gl_indices_) {
+        gl_indices_ = upload_gl(bytes_of(ordered_triangles()), purpose::model,
+                                followed_ ? GL_DYNAMIC_STORAGE_BIT : 0);
+    }
+    return {gl_vertices(), gl_indices_.id(), triangle_count_};
 }
 
 compute::MeshletTables SceneBuffers::meshlets() {
     if (!tables_.meshlets) {
-        Meshlets built = build_meshlets(download_gl_triangles(), clusters_, motion_.vertex_count());
+        Meshlets built = build_meshlets(ordered_triangles(), clusters_, motion_.vertex_count());
         if (followed_) built = spread_out(built, 0);
         auto vertex_list = upload(device(), bytes_of(built.vertices), purpose::model);
         auto corners = upload(device(), bytes_of(built.corners), purpose::model);
@@ -138,7 +154,7 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
     if (clusters_.empty()) return; // then there are no triangles
     if (!tables_.cluster_triangles) {
         tables_.cluster_triangles =
-            upload(device(), bytes_of(download_gl_triangles()), purpose::motion);
+            upload(device(), bytes_of(ordered_triangles()), purpose::motion);
     }
     stages_->transform_bounds({.vertices = *tables_.vertices,
                                .triangles = *tables_.cluster_triangles,

@@ -98,9 +98,7 @@ class SceneBuffers {
     /// In the whole segment table.
     std::uint32_t first_segment() const { return chunk().range.first; }
     /// For drawing: the triangles in an order of their own.
-    gl::TriangleBuffers gl_triangles() const {
-        return {gl_vertices(), gl_indices_.id(), triangle_count_};
-    }
+    gl::TriangleBuffers gl_triangles();
     /// In the order of gl_triangles().
     const gl::TriangleColors& gl_colors() const { return colors_; }
     /// The same for kernels: FillArgs::colors; null for a model without colours.
@@ -155,7 +153,8 @@ class SceneBuffers {
     void upload_part_surfaces(const PartRooms& rooms, const LineSet& part);
 
     bool is_cut_up() const;
-    std::vector<glm::uvec3> download_gl_triangles() const;
+    /// In the order of gl_triangles().
+    std::vector<glm::uvec3> ordered_triangles();
     void upload_colors(const LineSet& lines);
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
@@ -168,9 +167,7 @@ class SceneBuffers {
     void start_moving(std::unique_ptr<MovingTables> made);
     std::unique_ptr<MovingTables> make_moving(compute::Stages& stages,
                                               interop::SharingMode mode) const;
-    GLuint gl_vertices() const {
-        return tables_.moving ? tables_.moving->gl_vertices() : gl_vertices_.id();
-    }
+    GLuint gl_vertices();
 
     compute::Device& device() const { return stages_->device(); }
     const LineTables::Chunk& chunk() const { return tables_.chunks[chunk_]; }
@@ -199,7 +196,7 @@ class SceneBuffers {
     std::vector<std::uint32_t> cluster_objects_;
     std::vector<std::uint32_t> triangle_order_; ///< where each of gl_triangles() stands among the
                                                 ///< line set's
-    gl::Buffer gl_vertices_, gl_indices_;
+    gl::Buffer gl_vertices_, gl_indices_;     ///< made when first asked for: kernels have their own
     gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
     gl::TriangleColors colors_;
     // What only the methods besides the atlas need; made when first asked for.

@@ -200,10 +200,12 @@ void SceneBuffers::upload_part_triangles(std::uint32_t object, const PartRooms& 
     upload_at(device(), *tables_.clusters, rooms.clusters.first, own.clusters);
     if (tables_.cluster_triangles)
         upload_at(device(), *tables_.cluster_triangles, rooms.triangles.first, own.triangles);
-    constexpr std::size_t size = sizeof(glm::uvec3);
-    glNamedBufferSubData(gl_indices_.id(), static_cast<GLintptr>(rooms.triangles.first * size),
-                         static_cast<GLsizeiptr>(own.triangles.size() * size),
-                         own.triangles.data());
+    if (gl_indices_) {
+        constexpr std::size_t size = sizeof(glm::uvec3);
+        glNamedBufferSubData(gl_indices_.id(), static_cast<GLintptr>(rooms.triangles.first * size),
+                             static_cast<GLsizeiptr>(own.triangles.size() * size),
+                             own.triangles.data());
+    }
     if (!tables_.meshlets) return;
     const Meshlets meshlets = part_meshlets(rooms, own);
     const std::size_t first = rooms.clusters.first;

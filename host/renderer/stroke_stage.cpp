@@ -210,14 +210,15 @@ void StrokeStage::list(Frame& frame, bool hidden) {
 }
 
 /// After a guess just what a frame needs, which for a still picture is the last word; then more.
-std::uint32_t StrokeStage::grown_capacity(std::uint32_t old, std::uint32_t needed) const {
-    return old <= first_run_capacity ? needed : compute::capacity_for<Run>(device_, needed);
+/// The first frame's tables are as large as it needs: it may be the only one.
+std::uint32_t StrokeStage::grown_capacity(std::uint32_t needed) const {
+    return is_first_ ? needed : compute::capacity_for<Run>(device_, needed);
 }
 
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.reset(); // it may not fit beside another
-    table.capacity = grown_capacity(table.capacity, table.totals.run_total);
+    table.capacity = grown_capacity(table.totals.run_total);
     table.runs = interop::make_shared_buffer(
         device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
     handover_.to_compute({table.runs.get()});
@@ -231,7 +232,7 @@ bool StrokeStage::grow() {
         if (tells_pens(hidden) && grow(penned(hidden))) grown = true;
     const std::uint32_t raw_total = visible_.totals.raw_run_total;
     if (filters_ && raw_total > raw_capacity_) {
-        raw_capacity_ = grown_capacity(raw_capacity_, raw_total);
+        raw_capacity_ = grown_capacity(raw_total);
         grown = true;
     }
     return coverage_.grow() || grown;
@@ -332,6 +333,7 @@ bool StrokeStage::has_textures(const Frame& frame) const {
 
 void StrokeStage::begin_frame(Frame& frame) {
     pens_.prepare(frame);
+    is_first_ = visible_.totals.run_total == 0;
     coverage_.begin_frame(frame, pens_);
     kept_.clear();
     for (Thinning& thinning : thinning_) thinning.drawn_before.clear();

@@ -115,7 +115,7 @@ class StrokeStage {
     void make_table(RunTable& table);
     void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
                    const Purpose& purpose);
-    std::uint32_t grown_capacity(std::uint32_t old, std::uint32_t needed) const;
+    std::uint32_t grown_capacity(std::uint32_t needed) const;
     bool grow(RunTable& table);
     void compact(Frame& frame, const compute::SegmentAtlas& input, const compute::SpanTable* spans,
                  bool hidden, compute::Buffer& runs, std::uint32_t capacity,
@@ -151,6 +151,7 @@ class StrokeStage {
     // Before `filter`, on the device alone.
     std::unique_ptr<compute::Buffer> raw_runs_, raw_record_, cuts_;
     std::uint32_t raw_capacity_ = 0;
+    bool is_first_ = true;             ///< no frame has had a line
     std::array<Thinning, 2> thinning_; ///< of visible lines and of hidden ones
     glm::ivec2 cells_{0, 0};
     std::vector<Kept> kept_; ///< of the frame's chunks, if it is drawn
