@@ -64,6 +64,14 @@ static uint vertex_at(const ChainParameters* args, __global const Segment* segme
     return end != 0 ? candidate->q : candidate->p;
 }
 
+/* Where a candidate stands in `numbers`, and which one stands there. */
+static uint place_in_numbers(const ChainParameters* args, const uint c) {
+    return c < args->replaced ? c : c - (args->contours - args->replaced);
+}
+static uint candidate_at(const ChainParameters* args, const uint place) {
+    return place < args->replaced ? place : place + (args->contours - args->replaced);
+}
+
 /* The way that goes on behind an end of candidate `c`. */
 static uint way_on(const ChainParameters* args, const uint c, const uint end,
                    __global const Segment* segments, __global const uint* contour_ends,
@@ -74,7 +82,9 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
     int count = 0, own = -1;
     for (uint k = end_offsets[vertex]; k < end_offsets[vertex + 1]; ++k) {
         const uint other = ends[k] >> 1;
-        if (numbers[other + 1] == numbers[other]) continue;
+        if (other >= args->replaced && other < args->contours) continue;
+        const uint place = place_in_numbers(args, other);
+        if (numbers[place + 1] == numbers[place]) continue;
         uint one = ends[k];
         if (other >= args->contours) { /* may end there either way, or not at all */
             one = other << 1;
@@ -101,7 +111,7 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
     }
     if (partner == own) return LA_WAY_ENDS;
     /* What is entered at its p is taken from p to q. */
-    return numbers[meeting[partner] >> 1] << 1 | (meeting[partner] & 1u);
+    return numbers[place_in_numbers(args, meeting[partner] >> 1)] << 1 | (meeting[partner] & 1u);
 }
 
 /* How way 2 n + d of candidate c ranks among those that name a chain: the last bit says that the
@@ -113,16 +123,18 @@ static uint rank_of(const uint way, const uint c, const uint follows,
     return before == 0 ? way | LA_RANK_NEW : way ^ ((before - 1u) & 1u);
 }
 
-/* One work-item per candidate. numbers: of `silhouette`, scanned. end_offsets, ends: of every
- * vertex the ends of candidates there, as 2 i + end; of an edge that contours cross, 2 i for each
- * of its triangles. chosen[n]: the candidate that silhouette n is. ways: of all silhouettes, each a
- * stretch of one. positions: emptied. positions_before: of the frame before, if it counts. */
+/* One work-item per candidate that may be one. numbers: of `silhouette`, scanned. end_offsets,
+ * ends: of every vertex the ends of candidates there, as 2 i + end; of an edge that contours cross,
+ * 2 i for each of its triangles. chosen[n]: the candidate that silhouette n is. ways: of all
+ * silhouettes, each a stretch of one. positions: emptied for them. positions_before: of the frame
+ * before, if it counts. */
 KERNEL(chain_link, ChainParameters) {
-    const uint c = (uint)get_global_id(0);
-    if (c >= args.count) return;
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    const uint c = candidate_at(&args, i);
     positions[c] = 0;
-    const uint n = numbers[c];
-    if (numbers[c + 1] == n) return;
+    const uint n = numbers[i];
+    if (numbers[i + 1] == n) return;
     chosen[n] = c;
     for (uint d = 0; d < 2; ++d) {
         __global ChainWay* way = ways + (n << 1 | d);

@@ -52,24 +52,27 @@ typedef struct ContourEdge {
 } ContourEdge;
 
 typedef struct ContourParameters {
-    la_uint count;        /* edges; of contour_ends candidates */
+    la_uint count;        /* edges; of contour_facing corners, of contour_ends candidates */
     la_uint first_vertex; /* of an edge's place in the table of vertices */
     la_vec4 eye;          /* as in FacingParameters */
 } ContourParameters;
 
-/* Candidates by edges of the mesh come first, then those that contours stand for, then contours. */
+/* Candidates by edges of the mesh come first, then those that contours stand for, then contours.
+ * Those in the middle are never silhouettes, and `numbers` leaves them out. */
 typedef struct SilhouetteParameters {
-    la_uint count;              /* candidates */
-    la_uint first;              /* of them in the segment table */
-    la_uint replaced, contours; /* the first of either; `count` where there are none */
+    la_uint count;    /* candidates but those in the middle */
+    la_uint first;    /* candidate in the segment table */
+    la_uint replaced; /* the first in the middle; `count` where there are no contours */
 } SilhouetteParameters;
 
 typedef struct ChainParameters {
-    la_uint count;    /* candidates, of chain_link; else silhouettes, of chain_jump their ways */
+    la_uint count;    /* of chain_link as in SilhouetteParameters; else silhouettes, of chain_jump
+                         their ways */
     la_uint first;    /* candidate in the segment table */
     la_uint step;     /* of chain_jump, from 0 */
     la_vec4 eye;      /* as in FacingParameters */
-    la_uint contours; /* as in SilhouetteParameters */
+    la_uint replaced; /* as in SilhouetteParameters */
+    la_uint contours; /* the first of them; no candidate's number where there are none */
     la_uint lift;     /* from a contour's vertex to the one that is drawn */
     la_uint follows;  /* 1: chains keep the names and directions of the frame before */
 } ChainParameters;
@@ -81,8 +84,10 @@ typedef struct ChainParameters {
     inout(ContourCorner, corners)
 #define contour_turn_tables(in, out, inout, unordered) \
     in(ContourCorner, rest) in(uint, objects) in(float, turns) out(ContourCorner, corners)
+#define contour_facing_tables(in, out, inout, unordered) \
+    in(ContourCorner, corners) in(float, vertices) out(float, facing)
 #define contour_points_tables(in, out, inout, unordered) \
-    in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) in(uchar, front) \
+    in(float, facing) in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) in(uchar, front) \
     inout(float, vertices) out(uchar, crossed)
 #define contour_ends_tables(in, out, inout, unordered) \
     in(uint, faces) in(uchar, crossed) out(uint, contour_ends)

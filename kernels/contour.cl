@@ -109,22 +109,29 @@ KERNEL(contour_turn, CountParameters) {
     vstore3(turned, 0, corners[i].normal);
 }
 
+/* How much every corner faces the eye: it is asked by all its edges. One work-item per corner. */
+KERNEL(contour_facing, ContourParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    facing[i] = facing_of(vload3(corners[i].vertex, vertices), vload3(0, corners[i].normal),
+                          to_float4(args.eye));
+}
+
 /* One work-item per edge. crossed: whether the contour crosses it, LA_CONTOUR_*. vertices: behind
  * those of the mesh, from first_vertex on, the places where it does, then the same lifted. */
 KERNEL(contour_points, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
     __global const ContourEdge* edge = edges + i;
-    __global const ContourCorner *from = corners + edge->from, *to = corners + edge->to;
-    const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
-    const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
-    const float4 eye = to_float4(args.eye);
-    const float at_a = facing_of(a, normal_a, eye), at_b = facing_of(b, normal_b, eye);
+    const float at_a = facing[edge->from], at_b = facing[edge->to];
     const bool front_a = at_a >= 0.0f, front_b = at_b >= 0.0f;
     crossed[i] = front_a == front_b ? LA_CONTOUR_NONE
                  : front_a          ? LA_CONTOUR_FALLS
                                     : LA_CONTOUR_RISES;
     if (front_a == front_b) return;
+    __global const ContourCorner *from = corners + edge->from, *to = corners + edge->to;
+    const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
+    const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
     const float t = at_a / (at_a - at_b), s = 1.0f - t;
     const float3 way = b - a;
     const float3 bend_a = normal_a * dot_of(way, normal_a),

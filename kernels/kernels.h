@@ -274,6 +274,7 @@ typedef struct IntervalsParameters {
     kernel(pyramid, pyramid, PyramidParameters) \
     kernel(cull, cull, CullParameters) \
     kernel(facing, facing, FacingParameters) \
+    kernel(contour, contour_facing, ContourParameters) \
     kernel(contour, contour_points, ContourParameters) \
     kernel(contour, contour_ends, ContourParameters) \
     kernel(silhouette, silhouette, SilhouetteParameters) \

@@ -1,7 +1,8 @@
 // contour: n edges between n corners of random normals, and as many triangles.
-// Bytes: per edge what lies beside it (20), what its corners are (32) and where (24), the two
-// places (24) and how it is crossed (1); per triangle its edges (12), how they are crossed (3) and
-// its ends (8).
+// Bytes: per corner itself (16), where it is (12) and how it faces the eye, written once and read
+// by two edges (12); per edge what lies beside it (20), and as half of them are crossed, half of
+// what its corners are (16) and where (12), of the two places (12), and how it is crossed (1); per
+// triangle its edges (12), how they are crossed (3) and its ends (8).
 
 #include <algorithm>
 #include <iterator>

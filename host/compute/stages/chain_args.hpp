@@ -51,7 +51,7 @@ struct SilhouetteArgs {
     SegmentTable table;
     Buffer* contour_ends; ///< of `contour`; null where there are no contours
     Buffer& front;        ///< of `facing`
-    Buffer& numbers;      ///< out: per candidate the number of silhouettes before it, then of all
+    Buffer& numbers; ///< out: of what may be one the number of silhouettes before it, then of all
 };
 
 /// The silhouettes of a frame as paths: see kernels/chain.cl for what each table holds.

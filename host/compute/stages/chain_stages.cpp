@@ -31,10 +31,18 @@ void Stages::contour_turn(const ContourTurnArgs& args) {
 
 void Stages::contour(const ContourArgs& args) {
     const ContourTables& contours = args.contours;
+    const auto corner_count =
+        static_cast<std::uint32_t>(contours.corners->size() / sizeof(ContourCorner));
+    Buffer& facing = scratch(corner_facing_, corner_count);
     ContourParameters parameters{
-        .count = contours.edge_count, .first_vertex = contours.vertex_count, .eye = args.eye};
+        .count = corner_count, .first_vertex = contours.vertex_count, .eye = args.eye};
+    launch<kernels::contour_facing>(
+        corner_count, tuning_.local_size, parameters,
+        {.corners = *contours.corners, .vertices = args.vertices, .facing = facing});
+    parameters.count = contours.edge_count;
     launch<kernels::contour_points>(contours.edge_count, tuning_.local_size, parameters,
-                                    {.corners = *contours.corners,
+                                    {.facing = facing,
+                                     .corners = *contours.corners,
                                      .edges = *contours.edges,
                                      .triangles = args.triangles,
                                      .front = args.front,
@@ -48,30 +56,30 @@ void Stages::contour(const ContourArgs& args) {
 
 void Stages::silhouette(const SilhouetteArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
-    launch<kernels::silhouette>(candidates.count, tuning_.local_size,
-                                {.count = candidates.count,
+    launch<kernels::silhouette>(candidates.drawable(), tuning_.local_size,
+                                {.count = candidates.drawable(),
                                  .first = candidates.first,
-                                 .replaced = candidates.kept_edges(),
-                                 .contours = candidates.edges()},
+                                 .replaced = candidates.kept_edges()},
                                 {.segments = args.table.segments,
                                  .front = args.front,
                                  .contour_ends = contour_ends(args.table, args.contour_ends),
                                  .numbers = args.numbers});
-    scan(args.numbers, candidates.count, ScanKind::saturate);
+    scan(args.numbers, candidates.drawable(), ScanKind::saturate);
 }
 
 void Stages::chain(const ChainArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
     const bool lifted = args.lifted && candidates.contours;
     Buffer& contours = contour_ends(args.table, args.contour_ends);
-    ChainParameters parameters{.count = candidates.count,
+    ChainParameters parameters{.count = candidates.drawable(),
                                .first = candidates.first,
                                .step = 0,
                                .eye = args.eye,
+                               .replaced = candidates.kept_edges(),
                                .contours = candidates.edges(),
                                .lift = lifted ? candidates.contours->edge_count : 0,
                                .follows = args.positions_before != nullptr ? 1U : 0U};
-    launch<kernels::chain_link>(candidates.count, tuning_.local_size, parameters,
+    launch<kernels::chain_link>(candidates.drawable(), tuning_.local_size, parameters,
                                 {.segments = args.table.segments,
                                  .contour_ends = contours,
                                  .vertices = args.table.vertices,

@@ -62,7 +62,7 @@ void SilhouetteChains::count(const SegmentTable& table, Buffer& front) {
                         .front = front,
                         .numbers = tables_[Table::numbers]});
     device_.download(tables_[Table::numbers], std::as_writable_bytes(std::span{&count_, 1}),
-                     candidates * sizeof(la_uint));
+                     table.candidates.drawable() * sizeof(la_uint));
     has_order_ = true;
 }
 

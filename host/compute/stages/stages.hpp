@@ -101,6 +101,7 @@ class Stages {
     std::unique_ptr<Buffer> depth_total_, depth_next_, depth_unasked_, depth_no_numbers_,
         depth_blank_;
     std::unique_ptr<Buffer> density_rows_, density_drawn_, density_excesses_;
+    std::unique_ptr<Buffer> corner_facing_;
 };
 
 } // namespace lineatlas::compute

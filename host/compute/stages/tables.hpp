@@ -36,6 +36,8 @@ struct SilhouetteCandidates {
 
     /// Of them, how many are edges of the mesh that no contour stands for, and how many are edges.
     std::uint32_t kept_edges() const { return edges() - (contours ? contours->replaced : 0); }
+    /// Those that may be silhouettes: the others are never any.
+    std::uint32_t drawable() const { return count - (contours ? contours->replaced : 0); }
     std::uint32_t edges() const { return count - (contours ? contours->face_count : 0); }
 };
 
