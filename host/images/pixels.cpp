@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace lineatlas {
 
@@ -91,6 +93,13 @@ std::vector<std::byte> over_white(std::span<const T> values, std::size_t channel
 }
 
 } // namespace
+
+void check_pixel_count(std::int64_t width, std::int64_t height) {
+    constexpr std::int64_t most = std::int64_t{1} << 28; // 16384 x 16384
+    if (width * height > most)
+        throw std::runtime_error("its " + std::to_string(width) + " x " + std::to_string(height) +
+                                 " pixels are more than 2^28");
+}
 
 bool has_alpha(int channels) {
     return channels == 2 || channels == 4;

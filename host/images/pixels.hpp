@@ -12,6 +12,9 @@ namespace lineatlas {
 /// Conversions between sRGB-coded pixels and what picture files hold. The last of 2 or 4 channels
 /// is alpha, which is never sRGB-coded.
 
+/// Throws std::runtime_error for a picture of more pixels than are read.
+void check_pixel_count(std::int64_t width, std::int64_t height);
+
 /// Linear light, colour multiplied by alpha; alpha of `pixels` must be straight.
 std::vector<float> to_linear(const Pixels& pixels);
 

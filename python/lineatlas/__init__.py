@@ -77,9 +77,9 @@ class LineKind(_enum.IntEnum):
 
 
 def _renderer(model: _Model, arguments: dict[str, _Any]) -> Renderer:
-    """A renderer of those arguments that are its own; they are taken out."""
+    """A renderer for one drawing of those arguments that are its own; they are taken out."""
     own = {name: arguments.pop(name) for name in _OF_RENDERER if name in arguments}
-    return Renderer(model, **own)
+    return Renderer(model, one_picture=True, **own)
 
 
 def draw(model: _Model, **arguments: _Any) -> _numpy.ndarray:

@@ -183,6 +183,7 @@ class Renderer:
         compute: str = "",
         device: str = "",
         interop: str = "",
+        one_picture: bool = False,
     ) -> None: ...
     def set_model(
         self,

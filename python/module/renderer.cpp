@@ -40,14 +40,15 @@ std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgum
                                     const MaybeSilhouettes& silhouettes,
                                     Flag<"separate_objects"> apart, const py::object& progress,
                                     const Word<"compute">& compute, const Word<"device">& device,
-                                    const Word<"interop">& interop) {
+                                    const Word<"interop">& interop, Flag<"one_picture"> once) {
     std::shared_ptr<const Model> mesh = model_of(model);
     const LineOptions found = line_options(mesh->mesh, lines, *crease, *silhouettes, apart);
     std::string note;
     auto drawer = released(progress, [&](const Progress& asked) {
         auto made = std::make_unique<Drawer>(
             find_lines(std::move(mesh), found, asked),
-            DeviceOptions{.compute = compute, .device = device, .interop = interop});
+            DeviceOptions{
+                .compute = compute, .device = device, .interop = interop, .one_picture = once});
         note = made->take_note();
         return made;
     });
@@ -301,11 +302,12 @@ void bind_renderer(py::module_& module) {
         "or groups of one name hold moves on its own (set_transforms(), hide()). progress: called "
         "with\n"
         "the share that is done, 0 to 1, here and in other methods; Cancelled is raised once it\n"
-        "returns False. compute, device, interop: as in `lineatlas draw --help`.");
+        "returns False. compute, device, interop: as in `lineatlas draw --help`. one_picture: no\n"
+        "driver of OpenCL is started beside a software GL, which takes longer than a picture.");
     renderer
         .def(py::init(&make_drawer), py::arg("model"), py::kw_only(), lines, crease, silhouettes,
              apart, progress, py::arg("compute") = "", py::arg("device") = "",
-             py::arg("interop") = "")
+             py::arg("interop") = "", py::arg("one_picture") = false)
         .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease, silhouettes,
              apart, progress, "Another model, or other lines of the same, from now on.");
     bind_drawing(renderer);

@@ -30,6 +30,7 @@ ELSEWHERE = {
     # devices
     "DeviceOptions": "Renderer(device)", "DeviceOptions.compute": "Renderer(compute)",
     "DeviceOptions.device": "Renderer(device)", "DeviceOptions.interop": "Renderer(interop)",
+    "DeviceOptions.one_picture": "Renderer(one_picture)",
     # files
     "ImageSettings": "save()", "ImageSettings.description": "save(description)", "ImageSettings.dpi": "save(dpi)",
     "LoadedMesh": "Mesh", "LoadedMesh.mesh": "Mesh", "LoadedMesh.notes": "Mesh.notes", "LoadedMesh.origin": "Mesh.origin",

@@ -223,7 +223,8 @@ class Life(unittest.TestCase):
                                   env=os.environ | {"OCL_ICD_VENDORS": "/none"})
         done = run("cube = support.cube()\n"
                    "for _ in range(3): found = len(lineatlas.intervals(cube))\n"
-                   "for _ in range(3): lineatlas.draw(cube, size=(40, 30))\n"
+                   "for _ in range(3): lineatlas.Renderer(cube).draw(size=(40, 30))\n"
+                   "lineatlas.draw(cube, size=(40, 30))  # which asks for none\n"
                    "with lineatlas.Renderer(cube, compute='cpp') as r:\n"
                    "    print(r.description, found)\n"
                    "    r.draw(size=(40, 30))\n"

@@ -83,7 +83,9 @@ TEST_F(Temporal, ReachesTheStillPictureSoonAfterMotionEnds) {
     Renderer r = renderer();
     for (int i = 5; i >= 0; --i) draw(r, camera(0.3 * i), true);
     Renderer::Samples settled;
-    for (int i = 0; i < 12; ++i) settled = draw(r, camera(0), true);
+    constexpr int frames =
+        14; // 0.73 to that power leaves less than 2 of LA_TEMPORAL_LARGEST_CHANGE
+    for (int i = 0; i < frames; ++i) settled = draw(r, camera(0), true);
     Renderer fresh = renderer();
     const Renderer::Samples still = draw(fresh, camera(0), false);
     EXPECT_EQ(compare_bytes(settled.alpha, still.alpha, 2).beyond, 0U);

@@ -28,8 +28,8 @@ ToolRun run_tool(const std::string& limits, const std::string& arguments,
     const std::string picture = std::filesystem::temp_directory_path() /
                                 ("lineatlas_limits_" + std::to_string(::getpid()) + extension);
     const std::string command = "OPENCL_LAYERS=" LINEATLAS_FAULT_LAYER " " + limits +
-                                " " LINEATLAS_TOOL " draw -o " + picture + " " + arguments +
-                                " 2>&1";
+                                " " LINEATLAS_TOOL " draw --compute opencl -o " + picture + " " +
+                                arguments + " 2>&1";
     FILE* tool = popen(command.c_str(), "r");
     std::string said;
     std::array<char, 4096> part{};

@@ -45,9 +45,7 @@ bool can_write(const std::string& extension) {
 Image decode(const std::filesystem::path&, std::string_view file) {
     Picture picture;
     picture.check(png_image_begin_read_from_memory(&picture.image, file.data(), file.size()));
-    constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U; // 16384 x 16384
-    if (std::uint64_t{picture.image.width} * picture.image.height > most_pixels)
-        throw std::runtime_error("it has more than 2^28 pixels");
+    check_pixel_count(picture.image.width, picture.image.height);
     picture.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // unless the file says that they are others
     const bool alpha = (picture.image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     const bool color = (picture.image.format & PNG_FORMAT_FLAG_COLOR) != 0;
