@@ -84,8 +84,8 @@
 
 /* The moving average over frames: the share of the new frame in it, and changes of visibility (of
  * 255) that are too large to be chance, or too small to bother at either extreme. */
-#define LA_TEMPORAL_SHARE 0.27f
-#define LA_TEMPORAL_LARGEST_CHANGE 150.0f
+#define LA_TEMPORAL_SHARE 0.22f
+#define LA_TEMPORAL_LARGEST_CHANGE 170.0f
 #define LA_TEMPORAL_SMALLEST_CHANGE 16.0f
 
 /* Texels per axis of a tile of the depth pyramid. */

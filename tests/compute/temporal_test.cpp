@@ -50,34 +50,34 @@ class TemporalStage : public StageTest {
 INSTANTIATE_TEST_SUITE_P(OnDevice, TemporalStage, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });
 
-TEST_P(TemporalStage, AMovingAverageTakes27HundredthsOfTheNewFrame) {
+TEST_P(TemporalStage, AMovingAverageTakes22HundredthsOfTheNewFrame) {
     //                                         up    down  same  small at either extreme  large
-    const Frame before{{line(10)}, {100, 200, 120, 245, 10, 240, 100, 205, 0, 255}};
+    const Frame before{{line(10)}, {100, 200, 120, 245, 10, 240, 80, 205, 0, 255}};
     const Frame now{{line(10)}, {200, 100, 120, 255, 0, 230, 255, 100, 100, 155}};
-    EXPECT_TRUE(equal(averaged({before, now}), {127, 173, 120, 255, 0, 237, 255, 177, 27, 228}));
+    EXPECT_TRUE(equal(averaged({before, now}), {122, 178, 120, 255, 0, 238, 255, 182, 22, 233}));
     EXPECT_TRUE(equal(averaged({before, now}, true), now.alpha)) << "without a frame before";
 }
 
-TEST_P(TemporalStage, ChangesOfMoreThan150AreNoChance) {
-    const Frame before{{line(4)}, {50, 50, 200, 200}};
-    EXPECT_TRUE(equal(averaged({before, {{line(4)}, {200, 201, 50, 49}}}), {91, 201, 160, 49}));
+TEST_P(TemporalStage, ChangesOfMoreThan170AreNoChance) {
+    const Frame before{{line(4)}, {50, 50, 250, 250}};
+    EXPECT_TRUE(equal(averaged({before, {{line(4)}, {220, 221, 80, 79}}}), {87, 221, 213, 79}));
 }
 
 TEST_P(TemporalStage, EachFrameIsAveragedWithTheAverage) {
     const Frame dark{{line(1)}, {100}}, light{{line(1)}, {200}};
-    EXPECT_TRUE(equal(averaged({dark, light}), {127}));
-    EXPECT_TRUE(equal(averaged({dark, light, light}), {147})); // 127 + 73 * 0.27 = 146.71
+    EXPECT_TRUE(equal(averaged({dark, light}), {122}));
+    EXPECT_TRUE(equal(averaged({dark, light, light}), {139})); // 122 + 78 * 0.22 = 139.16
 }
 
 TEST_P(TemporalStage, SamplesAreFoundByTheirPlaceOnTheLine) {
     // Half of the line now fills as many samples as that half did: sample j was sample 4 + j.
     const Frame before{{line(8)}, {0, 0, 0, 0, 100, 150, 200, 50}};
     const Frame half{{line(4, 0.5F, 1)}, {140, 110, 240, 90}};
-    EXPECT_TRUE(equal(averaged({before, half}), {111, 139, 211, 61}));
+    EXPECT_TRUE(equal(averaged({before, half}), {109, 141, 209, 59}));
     // What was not in the picture before is as it is now.
     const Frame later{{line(4, 0.5F, 1)}, {100, 100, 100, 100}};
     const Frame whole{{line(8)}, {60, 60, 60, 60, 60, 60, 60, 60}};
-    EXPECT_TRUE(equal(averaged({later, whole}), {60, 60, 60, 60, 89, 89, 89, 89}));
+    EXPECT_TRUE(equal(averaged({later, whole}), {60, 60, 60, 60, 91, 91, 91, 91}));
 }
 
 TEST_P(TemporalStage, BetweenTwoSamplesTheirMeanCounts) {
@@ -85,7 +85,7 @@ TEST_P(TemporalStage, BetweenTwoSamplesTheirMeanCounts) {
     for (const auto& [wp, wq] : {std::pair{1.0F, 1.0F}, {1.0F, 4.0F}, {3.0F, 0.5F}}) {
         const Frame before{{line(6, 0, 1, wp, wq)}, {90, 110, 140, 160, 200, 220}};
         const Frame now{{line(3, 0, 1, wp, wq)}, {60, 110, 250}};
-        EXPECT_TRUE(equal(averaged({before, now}), {89, 139, 221})) << wp << " " << wq;
+        EXPECT_TRUE(equal(averaged({before, now}), {91, 141, 219})) << wp << " " << wq;
     }
 }
 
@@ -103,7 +103,7 @@ TEST_P(TemporalStage, PerspectiveDecidesWhatLiesWhere) {
         const double s = u / (u + 3 * (1 - u)) * 0.5;
         const double v = 3 * s / (3 * s + 1 - s);
         const double past = 60 + 8 * (v * 16 - 0.5);
-        expected.push_back(static_cast<std::uint8_t>(past + (100 - past) * 0.27 + 0.5));
+        expected.push_back(static_cast<std::uint8_t>(past + (100 - past) * 0.22 + 0.5));
     }
     EXPECT_TRUE(equal(averaged({before, now}), expected));
 }
@@ -111,7 +111,7 @@ TEST_P(TemporalStage, PerspectiveDecidesWhatLiesWhere) {
 TEST_P(TemporalStage, EverySegmentHasItsOwnPast) {
     const Frame before{{line(2), line(0), line(3)}, {10, 20, 30, 40, 50}};
     const Frame now{{line(2), line(2), line(3)}, {50, 60, 80, 90, 70, 80, 90}};
-    EXPECT_TRUE(equal(averaged({before, now}), {21, 31, 80, 90, 41, 51, 61}));
+    EXPECT_TRUE(equal(averaged({before, now}), {19, 29, 80, 90, 39, 49, 59}));
 }
 
 } // namespace

@@ -83,8 +83,8 @@ TEST_F(Temporal, ReachesTheStillPictureSoonAfterMotionEnds) {
     Renderer r = renderer();
     for (int i = 5; i >= 0; --i) draw(r, camera(0.3 * i), true);
     Renderer::Samples settled;
-    constexpr int frames =
-        14; // 0.73 to that power leaves less than 2 of LA_TEMPORAL_LARGEST_CHANGE
+    // 0.78 to that power leaves less than 2 of LA_TEMPORAL_LARGEST_CHANGE.
+    constexpr int frames = 18;
     for (int i = 0; i < frames; ++i) settled = draw(r, camera(0), true);
     Renderer fresh = renderer();
     const Renderer::Samples still = draw(fresh, camera(0), false);
