@@ -149,9 +149,8 @@ void serve(int socket, PictureType first, const ReadLimits& limits) {
 } // namespace
 
 ImageWriter::ImageWriter(const std::filesystem::path& first, const ReadLimits& limits) {
-    if (has_one_thread())
-        start(type_by_name(first),
-              limits); // a copy of a process with several may find locks held for ever
+    // A copy of a process with several threads may find locks held for ever.
+    if (has_one_thread()) start(type_by_name(first), limits);
 }
 
 ImageWriter::~ImageWriter() {
