@@ -302,9 +302,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     print_notes(subject.notes);
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
     if (!by_paths) forget_sources(subject);
-    const bool one_picture = !frames && !arguments.stats && !arguments.profile.given();
+    const bool measured = arguments.stats || arguments.profile.given();
     // A frame of a sequence is the same whatever was drawn before it, and before one there is none.
-    options.steady = !frames && !one_picture;
+    options.steady = !frames && measured;
     if (frames) {
         for (const SequenceFrame& frame : *frames) places.check(output_option, frame.path);
         options.profile = arguments.profile.given();
@@ -321,7 +321,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     if (needs_no_gl(arguments, options)) return draw_without_gl(drawing);
     const gl::HeadlessContext context;
     DeviceOptions device = arguments.device;
-    device.one_picture = one_picture;
+    device.one_picture = !frames && !measured;
     Renderer renderer{device};
     say(renderer.note());
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);

@@ -381,9 +381,9 @@ class Extraction {
 
     /// What has told lines from edges takes twice the memory of the lines.
     void forget_edges() {
-        const auto free = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
-        free(edges_, first_face_, normals_, bends_, kinds_, parts_, tree_, object_of_triangle_,
-             seams_);
+        const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
+        empty(edges_, first_face_, normals_, bends_, kinds_, parts_, tree_, object_of_triangle_,
+              seams_);
     }
 
     LineSet assemble() {

@@ -30,15 +30,15 @@ class PoorSurroundings : public Tool {
 
     /// `before`: commands of the shell, and variables for the tool.
     Result draw(const std::string& before, const std::string& options = "") const {
-        return shell("bash -c '" + before +
-                     " " LINEATLAS_TOOL " draw --scene clevis --size 64x48 -o " + path("x%d.png") +
-                     " --turntable 1 " + options + "' 2>&1");
+        return draw_to("x%d.png", before, "--turntable 1 " + options);
     }
     /// One picture, for which no driver of OpenCL starts.
-    Result draw_one(const std::string& before) const {
+    Result draw_one(const std::string& before) const { return draw_to("x.png", before, ""); }
+    Result draw_to(const std::string& name, const std::string& before,
+                   const std::string& options) const {
         return shell("bash -c '" + before +
-                     " " LINEATLAS_TOOL " draw --scene clevis --size 64x48 -o " + path("x.png") +
-                     "' 2>&1");
+                     " " LINEATLAS_TOOL " draw --scene clevis --size 64x48 -o " + path(name) + " " +
+                     options + "' 2>&1");
     }
     /// What is there to draw with: each device runs a kernel, which takes less time than a picture
     /// whose kernels are all compiled anew.
