@@ -45,21 +45,14 @@ class DrawingTest : public Tool {
     }
 };
 
-TEST_F(DrawingTest, LibrsvgShowsWhatWeDraw) {
-    if (!is_installed("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not installed";
+TEST_F(DrawingTest, LibrsvgAndPopplerShowWhatWeDraw) {
+    if (!is_installed("rsvg-convert") || !is_installed("pdftocairo"))
+        GTEST_SKIP() << "rsvg-convert or pdftocairo is not installed";
     for (const char* scene : {"clevis", "house", "ship", "office"}) {
         SCOPED_TRACE(scene);
         draw(std::string{"--scene "} + scene);
         rasterise();
         expect_same("r.png", 0.995);
-    }
-}
-
-TEST_F(DrawingTest, PopplerShowsWhatWeDraw) {
-    if (!is_installed("pdftocairo")) GTEST_SKIP() << "pdftocairo is not installed";
-    for (const char* scene : {"clevis", "house", "ship", "office"}) {
-        SCOPED_TRACE(scene);
-        draw(std::string{"--scene "} + scene);
         ASSERT_EQ(run(std::string{"draw --scene "} + scene + " -o " + path("a.pdf")).exit_code, 0);
         rasterise_pdf();
         expect_same("p.png", 0.995);
