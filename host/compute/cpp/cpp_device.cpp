@@ -7,6 +7,9 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
 
 #include "compute/kernel_bytes.hpp"
 #include "core/host_clock.hpp"
@@ -17,6 +20,19 @@ namespace lineatlas::compute {
 namespace {
 
 constexpr std::align_val_t alignment{64};
+
+/// What has come before happens before all that follows an `acquire` of the same place. TBB sees to
+/// that by itself; the thread sanitizer does not see into it, and is told.
+void release([[maybe_unused]] char& place) {
+#ifdef __SANITIZE_THREAD__
+    __tsan_release(&place);
+#endif
+}
+void acquire([[maybe_unused]] char& place) {
+#ifdef __SANITIZE_THREAD__
+    __tsan_acquire(&place);
+#endif
+}
 
 class CppBuffer final : public Buffer {
   public:
@@ -91,11 +107,16 @@ class CppDevice final : public Device {
         std::array<void*, most_tables> tables{};
         std::ranges::transform(launch.tables, tables.begin(),
                                [](const Buffer* buffer) { return memory_of(*buffer); });
+        char begun = 0, ended = 0;
         const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
+            acquire(begun);
             run_on_host(launch.kernel, launch.parameters, tables, range.begin(), range.end(),
                         launch.items);
+            release(ended);
         };
+        release(begun);
         tbb::parallel_for(tbb::blocked_range<std::size_t>{0, launch.items, launch.group}, run);
+        acquire(ended);
     }
 
     void flush() override {}
