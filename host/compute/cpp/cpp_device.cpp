@@ -107,7 +107,7 @@ class CppDevice final : public Device {
         std::array<void*, most_tables> tables{};
         std::ranges::transform(launch.tables, tables.begin(),
                                [](const Buffer* buffer) { return memory_of(*buffer); });
-        char begun = 0, ended = 0;
+        char begun = 0, ended = 0; // two: by one place pieces would seem to follow each other
         const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
             acquire(begun);
             run_on_host(launch.kernel, launch.parameters, tables, range.begin(), range.end(),
