@@ -97,7 +97,7 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
                       __global const uint* order, const uint total,
                       __global const Cluster* clusters, __global const Meshlet* meshlets,
                       __global const uint* vertex_list, __global const uchar* corners,
-                      __global const float* vertices, __global uchar* seen) {
+                      __global const float* vertices, __global uint* seen) {
     const int2 origin = to_int2(args->origin);
     const int2 corner = tile->low - origin; /* in `depth` */
     bool any = false;
@@ -115,7 +115,7 @@ static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
                      min(boxes[3u * args->stride + k] - corner.y, tile->size.y - 1));
             if (!cluster_shows(tile, box, nearest[k])) continue;
             const uint cluster = order[k];
-            seen[cluster] = 1;
+            atomic_max(seen + cluster, 1u); /* other tiles may say so at the same time */
             draw_meshlet(view, tile, clusters[cluster].first, meshlets[cluster], vertex_list,
                          corners, vertices);
         }

@@ -32,13 +32,13 @@ typedef struct DepthParameters {
 /* Lists stay lists: */
 /* clang-format off */
 #define depth_bin_tables(in, out, inout, unordered) \
-    in(Cluster, clusters) out(ClusterPlace, places) out(uchar, seen)
+    in(Cluster, clusters) out(ClusterPlace, places) out(uint, seen)
 #define depth_order_tables(in, out, inout, unordered) \
     in(ClusterPlace, places) out(int, boxes) out(float, nearest) out(uint, order) out(uint, total)
 #define depth_tiles_tables(in, out, inout, unordered) \
     in(int, boxes) in(float, nearest) in(uint, order) in(uint, total) \
     in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
     in(float, vertices) unordered(uint, next) inout(float, depth) inout(uint, numbers) \
-    inout(float, pyramid) inout(uchar, blank) inout(uchar, seen)
+    inout(float, pyramid) inout(uchar, blank) inout(uint, seen)
 /* clang-format on */
 #endif

@@ -32,7 +32,7 @@ typedef struct FillPixelsParameters {
 /* clang-format off */
 #define fill_colors_tables(in, out, inout, unordered) \
     in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
-    in(float, vertices) in(uchar, seen) in(Color, colors) inout(Color, shaded)
+    in(float, vertices) in(uint, seen) in(Color, colors) inout(Color, shaded)
 #define fill_pixels_tables(in, out, inout, unordered) \
     in(uint, numbers) in(Color, shaded) inout(Color, pixels)
 /* clang-format on */

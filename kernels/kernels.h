@@ -53,7 +53,7 @@ typedef struct CullParameters {
     la_ivec2 tile_count;
 } CullParameters;
 #define cull_tables(in, out, inout, unordered) \
-    in(Cluster, clusters) in(float, tiles) out(uchar, visible)
+    in(Cluster, clusters) in(float, tiles) out(uint, visible)
 
 typedef struct FacingParameters {
     la_uint count;
@@ -130,7 +130,7 @@ typedef struct PlanesParameters {
 } PlanesParameters;
 #define planes_tables(in, out, inout, unordered) \
     in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
-    in(float, vertices) in(uchar, seen) inout(float, planes)
+    in(float, vertices) in(uint, seen) inout(float, planes)
 
 typedef struct AtlasParameters {
     la_uint count; /* segments */

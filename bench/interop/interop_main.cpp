@@ -1,4 +1,5 @@
-// What handing buffers over between GL and OpenCL costs, in every mode of every device.
+// What handing buffers over between GL and OpenCL costs, in every mode of every device, and what a
+// call costs in a program that embeds the renderer.
 
 #include <algorithm>
 #include <filesystem>
@@ -32,11 +33,13 @@ void print(const HandoverReport& report) {
                    cost.bytes / kib, cost.to_compute, cost.to_gl, cost.order_only, cost.host_memcpy,
                    cost.right ? "" : "  WRONG CONTENT");
     }
+    fmt::print("\nA call in a program's context, beyond its passes: {:.4f}\n", report.call);
     for (const NoHandover& none : report.left_out) fmt::print("\n{}\n", none.reason);
 }
 
 void write_json(const std::filesystem::path& path, const HandoverReport& report) {
     nlohmann::ordered_json json{{"gl", report.gl},
+                                {"call_ms", report.call},
                                 {"handovers", nlohmann::ordered_json::array()},
                                 {"left_out", nlohmann::ordered_json::array()}};
     for (const HandoverCost& cost : report.costs) {

@@ -5,7 +5,14 @@
 #include <cstring>
 #include <memory>
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/standard_camera.hpp"
+#include "glpasses/current_context.hpp"
+#include "glpasses/import_depth_pass.hpp"
 #include "glpasses/interop/handover.hpp"
+#include "glpasses/objects.hpp"
+#include "glpasses/state_guard.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
@@ -133,11 +140,33 @@ void measure_size(const std::vector<Path>& paths, std::size_t bytes, unsigned ro
     for (const auto& subject : subjects) report.costs.push_back(subject->cost());
 }
 
+/// What a call of the renderer does in a program's context beyond its passes: looks at the context
+/// and at the program's depth, keeps and restores GL's state, and makes the camera its own.
+double measure_call() {
+    constexpr glm::ivec2 size{320, 240};
+    const gl::Texture2D depth = gl::Texture2D::create();
+    glTextureStorage2D(depth.id(), 1, GL_DEPTH_COMPONENT32F, size.x, size.y);
+    const Camera camera{.view = glm::translate(glm::mat4{1}, glm::vec3{0, 0, -4}),
+                        .projection = glm::perspective(0.9F, 4.0F / 3.0F, 0.1F, 10.0F),
+                        .size = size};
+    const Bounds bounds{glm::vec3{-1}, glm::vec3{1}};
+    std::vector<double> milliseconds;
+    for (int i = 0; i < 1000; ++i) {
+        milliseconds.push_back(milliseconds_of([&] {
+            gl::require_context();
+            const gl::StateGuard guard;
+            standard_camera(camera, bounds, gl::check_depth_texture(depth.id(), {0, 0}, size));
+        }));
+    }
+    return median(std::move(milliseconds));
+}
+
 } // namespace
 
 HandoverReport measure_handovers(const HandoverOptions& options) {
     HandoverReport report;
     report.gl = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    report.call = measure_call();
     const std::vector<Path> paths = find_paths(options, report);
     for (const std::size_t bytes : options.sizes) {
         measure_size(paths, bytes, 1, report); // kernels are built for the size, pages touched

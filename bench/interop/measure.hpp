@@ -25,6 +25,7 @@ struct NoHandover {
 
 struct HandoverReport {
     std::string gl;
+    double call; ///< what a call does beyond its passes, in a program's context; milliseconds
     std::vector<HandoverCost> costs;
     std::vector<NoHandover> left_out;
 };

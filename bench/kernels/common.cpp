@@ -37,7 +37,8 @@ Rows all_rows(const Devices& devices) {
           cull_rows,         facing_rows,    contour_rows, silhouette_rows, chain_rows,
           project_clip_rows, scan_rows,      carry_rows,   atlas_rows,      temporal_rows,
           intervals_rows,    compact_rows,   halo_rows,    filter_rows,     density_rows,
-          exact_rows,        outline_rows,   pens_rows,    fill_rows,       strokes_rows}) {
+          exact_rows,        outline_rows,   pens_rows,    fill_rows,       strokes_rows,
+          vector_path_rows}) {
         std::ranges::move(rows_of(devices), std::back_inserter(result));
     }
     return result;

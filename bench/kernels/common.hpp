@@ -73,6 +73,7 @@ Rows filter_rows(const Devices& devices);
 Rows density_rows(const Devices& devices);
 Rows fill_rows(const Devices& devices);
 Rows strokes_rows(const Devices& devices);
+Rows vector_path_rows(const Devices& devices); ///< on the host alone: "<step>/host"
 
 /// All of them, in the order of a frame.
 Rows all_rows(const Devices& devices);

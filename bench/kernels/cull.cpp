@@ -22,7 +22,7 @@ std::size_t tile_count() {
 }
 
 double bytes_of(std::uint32_t n) {
-    return 33.0 * n + 4.0 * static_cast<double>(tile_count());
+    return 36.0 * n + 4.0 * static_cast<double>(tile_count());
 }
 
 /// Boxes of 5 to 50 texels between 4 and 6 before the eye, where depth stands at 5.
@@ -50,7 +50,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const Input input = make_input(n);
     const SharedBuffer clusters = to_device(device, input.clusters);
     const SharedBuffer tiles = to_device(device, input.tiles);
-    const SharedBuffer visible = device.allocate(n);
+    const SharedBuffer visible = device.allocate(n * sizeof(std::uint32_t));
     const auto run = [&stages, clusters, tiles, visible, n,
                       clip_from_world = input.clip_from_world] {
         stages.cull({.clusters = *clusters,
@@ -63,7 +63,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     };
     run();
     return {.run = run, .bytes = bytes_of(n), .result = [&device, visible, n] {
-                return read_back<std::uint8_t>(device, *visible, n);
+                return read_back<std::uint8_t>(device, *visible, std::size_t{4} * n);
             }};
 }
 

@@ -24,7 +24,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer tiles =
         device.allocate(static_cast<std::size_t>(tile_count.x) *
                         static_cast<std::size_t>(tile_count.y) * sizeof(float));
-    const SharedBuffer seen = device.allocate(model.count);
+    const SharedBuffer seen = device.allocate(model.count * sizeof(std::uint32_t));
     const auto run = [=, &stages] {
         stages.depth({.model = model.tables(),
                       .vertices = *model.vertices,

@@ -25,8 +25,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();
     const std::uint32_t triangles = n / 8;
     const TerrainMeshlets model{device, make_terrain_mesh(triangles)};
-    const SharedBuffer seen =
-        to_device(device, std::vector<std::uint8_t>(model.count, std::uint8_t{1}));
+    const SharedBuffer seen = to_device(device, std::vector(model.count, 1U));
     const SharedBuffer colors =
         to_device(device, std::vector<std::uint32_t>(triangles, 0xFF80C0FFU));
     const SharedBuffer numbers = to_device(device, make_numbers(n, triangles));

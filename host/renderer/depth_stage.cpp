@@ -46,7 +46,7 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
     clusters_ = scene.all_clusters();
     appeared_.resize(clusters_.size());
     ranges_.reserve(clusters_.size()); // frames allocate nothing
-    visible_ = compute::allocate(device_, clusters_.size(), purpose::model);
+    visible_ = compute::allocate(device_, clusters_.size() * sizeof(la_uint), purpose::model);
 }
 
 void DepthStage::choose_form(const Frame& frame) {
@@ -257,7 +257,7 @@ void DepthStage::draw_for_compute(Frame& frame) {
                    [&] { pass_.begin(frame.camera.size, frame.depth_scale(), surfaces_.known()); });
     draw_clusters(frame, seen_);
     build_pyramid(frame);
-    const std::vector<std::uint8_t>& visible = appeared_;
+    const std::vector<std::uint32_t>& visible = appeared_;
     cull(frame, appeared_);
     bool any = false;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -319,7 +319,7 @@ void DepthStage::build_pyramid(Frame& frame) {
     });
 }
 
-void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& selected) {
+void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint32_t>& selected) {
     frame.clock.gl("depth", [&] {
         const std::size_t drawn_before = ranges_.size();
         add_drawn(frame.scene.clusters(), selected);
@@ -329,7 +329,7 @@ void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint8_t>& se
 }
 
 void DepthStage::add_drawn(std::span<const Cluster> clusters,
-                           const std::vector<std::uint8_t>& selected) {
+                           const std::vector<std::uint32_t>& selected) {
     for (std::size_t i = 0; i < clusters.size(); ++i) {
         if (selected[i] == 0) continue;
         triangles_drawn_ += clusters[i].count;
@@ -342,7 +342,7 @@ void DepthStage::add_drawn(std::span<const Cluster> clusters,
     }
 }
 
-void DepthStage::cull(Frame& frame, std::vector<std::uint8_t>& visible) {
+void DepthStage::cull(Frame& frame, std::vector<std::uint32_t>& visible) {
     frame.clock("cull", [&] {
         stages_.cull({.clusters = frame.scene.cluster_buffer(),
                       .count = static_cast<std::uint32_t>(visible.size()),

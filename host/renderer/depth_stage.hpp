@@ -56,7 +56,7 @@ class DepthStage {
 
     /// Whether the frame's depth is drawn by kernels, if it draws any.
     bool wants_kernels(const Frame& frame) const;
-    /// Of what they drew last: the texels in which something may be, and a byte per cluster, 1 if
+    /// Of what they drew last: the texels in which something may be, and a word per cluster, 1 if
     /// it may be seen.
     const TexelRectangle& drawn_texels() const { return drawn_texels_; }
     compute::Buffer& seen() const { return *visible_; }
@@ -107,7 +107,7 @@ class DepthStage {
     /// What kernels have drawn, where nobody knows yet.
     void find_drawn();
     /// Adds the clusters that `selected` names to those that were drawn.
-    void add_drawn(std::span<const Cluster> clusters, const std::vector<std::uint8_t>& selected);
+    void add_drawn(std::span<const Cluster> clusters, const std::vector<std::uint32_t>& selected);
     void prepare_tiles(glm::ivec2 size);
     /// The texels that probes may reach, as whole tiles: what lies beside them is never read.
     TexelRectangle covered(const Frame& frame) const;
@@ -117,9 +117,9 @@ class DepthStage {
     /// pyramid.
     void build_pyramid(Frame& frame);
     /// Draws the clusters that `selected` names.
-    void draw_clusters(Frame& frame, const std::vector<std::uint8_t>& selected);
+    void draw_clusters(Frame& frame, const std::vector<std::uint32_t>& selected);
     /// Which clusters may be seen, judged by the pyramid.
-    void cull(Frame& frame, std::vector<std::uint8_t>& visible);
+    void cull(Frame& frame, std::vector<std::uint32_t>& visible);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
@@ -136,11 +136,11 @@ class DepthStage {
     TexelRectangle drawn_texels_;       ///< of that
     std::span<const Cluster> clusters_; ///< of the model
     std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
-    std::unique_ptr<compute::Buffer> visible_; ///< a byte per cluster
+    std::unique_ptr<compute::Buffer> visible_; ///< a word per cluster
     std::optional<glm::ivec2> blank_of_;       ///< numbers of that size; none: GL has drawn since
     std::unique_ptr<compute::Buffer> blank_;
-    std::vector<std::uint8_t> seen_;        ///< per cluster: seen in the last frame
-    std::vector<std::uint8_t> appeared_;    ///< per cluster: to be drawn in the second step
+    std::vector<std::uint32_t> seen_;        ///< per cluster: seen in the last frame
+    std::vector<std::uint32_t> appeared_;    ///< per cluster: to be drawn in the second step
     std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame
     std::uint32_t triangles_drawn_ = 0;
 };

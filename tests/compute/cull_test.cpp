@@ -8,18 +8,18 @@ namespace {
 /// 64 by 48 texels: four by three tiles.
 class CullStage : public StageTest {
   protected:
-    std::vector<std::uint8_t> visible(const std::vector<Cluster>& clusters,
+    std::vector<std::uint32_t> visible(const std::vector<Cluster>& clusters,
                                       const glm::mat4& clip_from_world = glm::mat4{1}) {
         const auto boxes = put(clusters);
         const auto tiles = put(tiles_);
-        const auto result = device().allocate(clusters.size());
+        const auto result = device().allocate(clusters.size() * sizeof(la_uint));
         stages().cull({.clusters = *boxes,
                        .count = static_cast<std::uint32_t>(clusters.size()),
                        .clip_from_world = clip_from_world,
                        .depth_size = {64, 48},
                        .tiles = *tiles,
                        .visible = *result});
-        return get<std::uint8_t>(*result, clusters.size());
+        return get<std::uint32_t>(*result, clusters.size());
     }
 
     static Cluster box(glm::vec3 low, glm::vec3 high) {

@@ -25,7 +25,7 @@ class FillStage : public StageTest {
         std::vector<glm::uvec3> triangles;
         std::vector<Rgba> colors{}; ///< per triangle; none: empty
         Camera camera{};
-        std::uint8_t seen = 1;
+        std::uint32_t seen = 1;
     };
     struct Texels {
         std::vector<std::uint32_t> numbers; ///< triangles of the model, rows from the lower left
@@ -53,7 +53,7 @@ class FillStage : public StageTest {
         const auto vertex_list = put(built.vertices);
         const auto corners = put(built.corners);
         const auto vertices = put(model.vertices);
-        const auto seen = put(std::vector<std::uint8_t>(parts.clusters.size(), model.seen));
+        const auto seen = put(std::vector(parts.clusters.size(), model.seen));
         const auto color_table = put(colors.empty() ? std::vector<Rgba>(1) : colors);
         const auto shaded = put(std::vector<Rgba>(place.size(), Rgba{9, 9, 9, 9}));
         const auto numbers = put(texels.numbers);

@@ -204,7 +204,7 @@ void append_fill(std::vector<std::byte>& result, compute::Stages& stages, const 
     const auto vertex_list = to_device(device, built.vertices);
     const auto corners = to_device(device, built.corners);
     const auto vertices = to_device(device, lines.vertices);
-    const auto seen = to_device(device, std::vector<std::uint8_t>(parts.clusters.size(), 1));
+    const auto seen = to_device(device, std::vector(parts.clusters.size(), 1U));
     const auto numbers = to_device(device, texels);
     const auto shaded = device.allocate(triangles * sizeof(la_uint));
     const auto pixels =

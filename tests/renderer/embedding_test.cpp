@@ -1,7 +1,6 @@
 // The renderer inside other people's programs: their depth, viewport, contexts and threads.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -14,13 +13,9 @@
 
 #include "allocation_count.hpp"
 #include "compare.hpp"
-#include "core/standard_camera.hpp"
 #include "gl_scene.hpp"
 #include "glpasses/canvas.hpp"
-#include "glpasses/current_context.hpp"
 #include "glpasses/headless_context.hpp"
-#include "glpasses/import_depth_pass.hpp"
-#include "glpasses/state_guard.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
@@ -459,31 +454,6 @@ TEST_F(Embedding, AFrameAllocatesNothingAfterTheFirst) {
     renderer_.set_lines(scene_lines("house"));
     EXPECT_GT(count.stop(), 0U);
     EXPECT_GT(objects_made, 0U);
-}
-
-/// All that a frame does beyond its passes.
-TEST_F(Embedding, CallsCostLittleBeyondTheirPasses) {
-    AppScene app{scene_lines("house")};
-    const Camera of_app = camera();
-    const Bounds bounds = scene_lines("house").bounds;
-    app.draw_depth(of_app, {.name = "plain"});
-    std::vector<double> milliseconds;
-    for (int i = 0; i < 999; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        {
-            gl::require_context();
-            const gl::StateGuard guard;
-            const DepthValues values = gl::check_depth_texture(app.depth(), {0, 0}, size);
-            EXPECT_GT(standard_camera(of_app, bounds, values).depth.scale, 0);
-        }
-        const std::chrono::duration<double, std::milli> passed =
-            std::chrono::steady_clock::now() - start;
-        milliseconds.push_back(passed.count());
-    }
-    const auto median = milliseconds.begin() + 499;
-    std::ranges::nth_element(milliseconds, median);
-    RecordProperty("milliseconds", std::to_string(*median));
-    EXPECT_LT(*median, 0.3);
 }
 
 } // namespace

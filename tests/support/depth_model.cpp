@@ -40,7 +40,7 @@ void DepthModel::draw_into(compute::Stages& stages, const DepthWanted& wanted,
                            compute::Buffer& blank) {
     const auto tiles =
         device_.allocate(compute::count_of_tiles(wanted.part.size()) * sizeof(float));
-    const auto seen = device_.allocate(count_);
+    const auto seen = device_.allocate(count_ * sizeof(la_uint));
     compute::DepthArgs into = args(wanted, depth, *tiles, *seen);
     into.numbers = &numbers;
     into.blank = &blank;
@@ -54,7 +54,7 @@ DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) 
     const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
     const auto depth = to_device(device_, std::vector(texel_count, 0.125F));
     const auto pyramid = to_device(device_, std::vector(tile_count, 0.125F));
-    const auto seen = to_device(device_, std::vector<std::uint8_t>(count_, 7));
+    const auto seen = to_device(device_, std::vector(count_, 7U));
     const auto numbers = to_device(device_, std::vector(texel_count, 7U));
     compute::DepthArgs into = args(wanted, *depth, *pyramid, *seen);
     if (wanted.numbered) into.numbers = numbers.get();
@@ -66,7 +66,7 @@ DrawnDepth DepthModel::draw(compute::Stages& stages, const DepthWanted& wanted) 
         if (number != LA_NO_FACE) number = order_[number];
     return {.texels = read_back<float>(device_, *depth, texel_count),
             .tiles = read_back<float>(device_, *pyramid, tile_count),
-            .seen = read_back<std::uint8_t>(device_, *seen, count_),
+            .seen = read_back<std::uint32_t>(device_, *seen, count_),
             .numbers = std::move(triangles)};
 }
 

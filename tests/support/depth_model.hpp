@@ -19,7 +19,7 @@ struct DepthWanted {
 /// What `depth` leaves.
 struct DrawnDepth {
     std::vector<float> texels, tiles;
-    std::vector<std::uint8_t> seen;     ///< per cluster
+    std::vector<std::uint32_t> seen;    ///< per cluster
     std::vector<std::uint32_t> numbers; ///< per texel, of the line set's triangles; if wanted
 };
 

@@ -66,18 +66,18 @@ void FrameStages::pyramid(const Camera& camera, const std::vector<float>& depth,
     state.tiles = read_back<float>(*device_, *tiles_, state.tiles.size());
 }
 
-std::vector<std::uint8_t> FrameStages::cull(const Camera& camera,
+std::vector<std::uint32_t> FrameStages::cull(const Camera& camera,
                                             const std::vector<Cluster>& clusters) {
     const auto count = static_cast<std::uint32_t>(clusters.size());
     const auto buffer = to_device(*device_, clusters);
-    const auto visible = device_->allocate(count);
+    const auto visible = device_->allocate(count * sizeof(la_uint));
     stages_.cull({.clusters = *buffer,
                   .count = count,
                   .clip_from_world = camera.clip_from_world(),
                   .depth_size = camera.size * settings_.depth_scale,
                   .tiles = *tiles_,
                   .visible = *visible});
-    return read_back<std::uint8_t>(*device_, *visible, count);
+    return read_back<std::uint32_t>(*device_, *visible, count);
 }
 
 void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& state) {

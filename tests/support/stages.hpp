@@ -67,7 +67,7 @@ class FrameStages {
     void pyramid(const Camera& camera, const std::vector<float>& depth, FrameState& state);
 
     /// Against the pyramid of the last call.
-    std::vector<std::uint8_t> cull(const Camera& camera, const std::vector<Cluster>& clusters);
+    std::vector<std::uint32_t> cull(const Camera& camera, const std::vector<Cluster>& clusters);
 
     /// With the pyramid of the last call if `cull_hidden`.
     void project(const Camera& camera, bool cull_hidden, FrameState& state);

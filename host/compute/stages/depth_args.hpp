@@ -63,7 +63,7 @@ struct DepthArgs {
     glm::ivec2 size;           ///< texels of `depth`
     TexelRectangle covered;    ///< of these what is wanted; what lies beside may stay as it is
     Buffer& tiles;             ///< out: as of `pyramid`, where something is wanted
-    Buffer& seen;              ///< out: a byte per cluster, 1 if any of it may be seen
+    Buffer& seen;              ///< out: a uint32 per cluster, 1 if any of it may be seen
     Buffer* depth = nullptr;   ///< out: as in DepthBuffer; null: nobody asks
     Buffer* numbers = nullptr; ///< out: as of SurfaceTables; null: nobody asks
     /// In and out: a byte per tile of `tiles`, 1 where of `depth` and `numbers` what is asked for
@@ -103,7 +103,7 @@ struct CullArgs {
     glm::mat4 clip_from_world;
     glm::ivec2 depth_size;
     Buffer& tiles;   ///< of `pyramid`
-    Buffer& visible; ///< out: a byte per cluster, 1 if it may be seen
+    Buffer& visible; ///< out: a uint32 per cluster, 1 if it may be seen
 };
 
 } // namespace lineatlas::compute

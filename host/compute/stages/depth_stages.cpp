@@ -114,8 +114,8 @@ void Stages::planes(const PlanesArgs& args) {
                              .vertex_list = args.model.vertex_list,
                              .corners = args.model.corners,
                              .vertices = args.vertices,
-                             // Any of bytes where it isn't read:
-                             .seen = args.seen != nullptr ? *args.seen : args.model.corners,
+                             // Any of words where it isn't read:
+                             .seen = args.seen != nullptr ? *args.seen : args.model.vertex_list,
                              .planes = args.planes});
 }
 
