@@ -57,7 +57,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             SCOPED_TRACE(scene + " " + view.name);
             compare_frame(lines, oracles, cpp, device, view.camera,
                           draw_depth_by_gl(lines, view.camera, depth_scale));
-            const std::vector<std::uint8_t> visible = cpp.cull(view.camera, clusters);
+            const std::vector<std::uint32_t> visible = cpp.cull(view.camera, clusters);
             EXPECT_TRUE(equal(visible, device.cull(view.camera, clusters)));
             EXPECT_GT(std::ranges::count(visible, 1), 0);
         }
