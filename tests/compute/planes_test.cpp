@@ -19,7 +19,7 @@ class PlanesStage : public StageTest {
     /// In the order of `triangles`.
     std::vector<glm::vec4> planes(const std::vector<glm::vec3>& vertices,
                                   const std::vector<glm::uvec3>& triangles, const Camera& camera,
-                                  std::vector<std::uint8_t> seen = {}) {
+                                  std::vector<std::uint32_t> seen = {}) {
         const TriangleClusters parts = build_clusters(vertices, triangles, 4);
         const Meshlets built = build_meshlets(parts.triangles, parts.clusters, vertices.size());
         const auto clusters = to_device(device(), parts.clusters);
@@ -30,8 +30,7 @@ class PlanesStage : public StageTest {
         const auto out = to_device(device(), std::vector(triangles.size(), glm::vec4{7}));
         const bool only_seen = !seen.empty();
         if (only_seen) seen.resize(parts.clusters.size(), seen.back());
-        const auto seen_table =
-            to_device(device(), only_seen ? seen : std::vector<std::uint8_t>(1));
+        const auto seen_table = to_device(device(), only_seen ? seen : std::vector(1, 0U));
         stages().planes({.model = {*clusters, *meshlets, *vertex_list, *corners,
                                    static_cast<std::uint32_t>(parts.clusters.size())},
                          .vertices = *vertex_table,
