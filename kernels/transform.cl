@@ -53,10 +53,11 @@ KERNEL(transform_boxes, CountParameters) {
     clusters[i].count = rest[i].count;
 }
 
-/* The boxes of clusters from their vertices. triangles: in the order of the clusters. */
+/* The boxes of clusters from their vertices; of empty ones they stay. triangles: in the order of
+ * the clusters. */
 KERNEL(transform_bounds, CountParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= args.count) return;
+    if (i >= args.count || clusters[i].count == 0) return;
     const uint first = 3 * clusters[i].first, last = first + 3 * clusters[i].count;
     float3 low = INFINITY, high = -INFINITY;
     for (uint k = first; k < last; ++k) {

@@ -6,8 +6,7 @@
 namespace lineatlas {
 namespace {
 
-/// One triangle without area, at the first vertex.
-constexpr Cluster no_cluster{.low = {0, 0, 0}, .high = {0, 0, 0}, .first = 0, .count = 1};
+constexpr Cluster no_cluster{.low = {0, 0, 0}, .high = {0, 0, 0}, .first = 0, .count = 0};
 
 } // namespace
 
@@ -45,18 +44,15 @@ TriangleClusters all_part_clusters(const AssemblyState& parts) {
 }
 
 Meshlets part_meshlets(const PartRooms& rooms, const TriangleClusters& clusters) {
-    // With vertices counted within the part, behind which stands the first of all: a list of what
-    // has met all vertices would cost more than the part.
-    const std::uint32_t vertex = rooms.vertices.first, first_of_all = rooms.vertices.size;
+    // With vertices counted within the part: a list of what has met all would cost more than it.
+    const std::uint32_t vertex = rooms.vertices.first;
     std::vector<glm::uvec3> triangles = clusters.triangles;
-    for (glm::uvec3& t : triangles) t = t == glm::uvec3{0} ? glm::uvec3{first_of_all} : t - vertex;
-    const auto empty = static_cast<std::uint32_t>(triangles.size());
-    triangles.emplace_back(first_of_all);
+    for (glm::uvec3& t : triangles) t -= vertex; // of those beyond the part nobody asks
     std::vector<Cluster> pieces = clusters.clusters;
     for (Cluster& piece : pieces)
-        piece.first = piece.first == 0 ? empty : piece.first - rooms.triangles.first;
-    Meshlets result = build_meshlets(triangles, pieces, std::size_t{first_of_all} + 1);
-    for (std::uint32_t& v : result.vertices) v = v == first_of_all ? 0 : v + vertex;
+        if (piece.count > 0) piece.first -= rooms.triangles.first;
+    Meshlets result = build_meshlets(triangles, pieces, rooms.vertices.size);
+    for (std::uint32_t& v : result.vertices) v += vertex;
     return spread_out(result, rooms.clusters.first);
 }
 

@@ -1,5 +1,6 @@
 #include "fault_layer.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <tuple>
@@ -119,9 +120,14 @@ struct Hook<function, kind> {
     }
 };
 
+/// Buffers may end in the driver's threads.
+std::atomic_ref<std::uint64_t> allocated() {
+    return std::atomic_ref{faults.allocated};
+}
+
 bool is_too_large(size_t bytes, cl_int* status) {
     const bool for_a_buffer = faults.largest_buffer != 0 && bytes > faults.largest_buffer;
-    const bool for_all = faults.memory != 0 && faults.allocated + bytes > faults.memory;
+    const bool for_all = faults.memory != 0 && allocated() + bytes > faults.memory;
     if (status != nullptr && for_all) *status = CL_MEM_OBJECT_ALLOCATION_FAILURE;
     if (status != nullptr && for_a_buffer) *status = CL_INVALID_BUFFER_SIZE;
     return for_a_buffer || for_all;
@@ -133,10 +139,9 @@ cl_mem CL_API_CALL create_buffer(cl_context context, cl_mem_flags flags, size_t 
     cl_mem buffer = Hook<&cl_icd_dispatch::clCreateBuffer, cl_memory>::create(context, flags, size,
                                                                               host, status);
     if (buffer == nullptr) return nullptr;
-    faults.allocated += size;
+    allocated() += size;
     driver->clSetMemObjectDestructorCallback(
-        buffer,
-        [](cl_mem, void* bytes) { faults.allocated -= reinterpret_cast<std::uintptr_t>(bytes); },
+        buffer, [](cl_mem, void* bytes) { allocated() -= reinterpret_cast<std::uintptr_t>(bytes); },
         reinterpret_cast<void*>(size));
     return buffer;
 }
