@@ -139,8 +139,8 @@ class DepthStage {
     std::unique_ptr<compute::Buffer> visible_; ///< a word per cluster
     std::optional<glm::ivec2> blank_of_;       ///< numbers of that size; none: GL has drawn since
     std::unique_ptr<compute::Buffer> blank_;
-    std::vector<std::uint32_t> seen_;        ///< per cluster: seen in the last frame
-    std::vector<std::uint32_t> appeared_;    ///< per cluster: to be drawn in the second step
+    std::vector<std::uint32_t> seen_;       ///< per cluster: seen in the last frame
+    std::vector<std::uint32_t> appeared_;   ///< per cluster: to be drawn in the second step
     std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame
     std::uint32_t triangles_drawn_ = 0;
 };

@@ -9,7 +9,7 @@ namespace {
 class CullStage : public StageTest {
   protected:
     std::vector<std::uint32_t> visible(const std::vector<Cluster>& clusters,
-                                      const glm::mat4& clip_from_world = glm::mat4{1}) {
+                                       const glm::mat4& clip_from_world = glm::mat4{1}) {
         const auto boxes = put(clusters);
         const auto tiles = put(tiles_);
         const auto result = device().allocate(clusters.size() * sizeof(la_uint));

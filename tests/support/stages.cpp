@@ -67,7 +67,7 @@ void FrameStages::pyramid(const Camera& camera, const std::vector<float>& depth,
 }
 
 std::vector<std::uint32_t> FrameStages::cull(const Camera& camera,
-                                            const std::vector<Cluster>& clusters) {
+                                             const std::vector<Cluster>& clusters) {
     const auto count = static_cast<std::uint32_t>(clusters.size());
     const auto buffer = to_device(*device_, clusters);
     const auto visible = device_->allocate(count * sizeof(la_uint));
