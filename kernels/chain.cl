@@ -59,7 +59,8 @@ static int straightest_partner(const int own, const float3* directions, const in
 /* The vertex at end `end` (0: p, 1: q) of candidate `c`. */
 static uint vertex_at(const ChainParameters* args, __global const Segment* segments,
                       __global const uint* contour_ends, const uint c, const uint end) {
-    if (c >= args->contours) return contour_ends[2 * (c - args->contours) + end];
+    if (c >= args->contours)
+        return contour_ends[2 * (c - args->contours) + end] & ~LA_END_UNDERSIDE;
     __global const Segment* candidate = segments + args->first + c;
     return end != 0 ? candidate->q : candidate->p;
 }
@@ -217,6 +218,9 @@ KERNEL(chain_write, ChainParameters) {
         segment.q = vertex_at(&args, segments, contour_ends, c, 1) + args.lift;
         segment.face_b = LA_NO_FACE;
         segment.tag |= LA_TAG_CONTOUR;
+        const bool shows_back = (contour_ends[2 * (c - args.contours) + 1] & LA_END_UNDERSIDE) != 0;
+        const bool shows_none = args.outside != 0 && (segment.tag & LA_TAG_SOLID) != 0;
+        if (shows_back) segment.tag |= shows_none ? LA_TAG_BURIED : LA_TAG_UNDERSIDE;
     }
     if (turned != 0) {
         const uint p = segment.p;

@@ -37,7 +37,8 @@ typedef struct ChainPlace {
 #define LA_CONTOUR_RISES 2u
 
 #define LA_NO_VERTEX 0xFFFFFFFFu
-#define LA_NO_SURFACE 0xFFFFFFFFu /* of a triangle that contours don't run through */
+#define LA_END_UNDERSIDE 0x80000000u /* with the vertex at the second end of a contour */
+#define LA_NO_SURFACE 0xFFFFFFFFu    /* of a triangle that contours don't run through */
 
 /* Places of contours are lifted off the surface by so much of the edge's length times the angle
  * between its normals. An eighth is how far an arc rises over its chord. */
@@ -75,6 +76,7 @@ typedef struct ChainParameters {
     la_uint contours; /* the first of them; no candidate's number where there are none */
     la_uint lift;     /* from a contour's vertex to the one that is drawn */
     la_uint follows;  /* 1: chains keep the names and directions of the frame before */
+    la_uint outside;  /* 1: the eye looks at all parts from without */
 } ChainParameters;
 
 /* Lists stay lists: */
@@ -90,7 +92,8 @@ typedef struct ChainParameters {
     in(float, facing) in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) in(uchar, front) \
     inout(float, vertices) out(uchar, crossed)
 #define contour_ends_tables(in, out, inout, unordered) \
-    in(uint, faces) in(uchar, crossed) out(uint, contour_ends)
+    in(uint, faces) in(uchar, crossed) in(ContourEdge, edges) in(ContourCorner, corners) \
+    in(float, vertices) in(float, facing) out(uint, contour_ends)
 #define silhouette_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uchar, front) in(uint, contour_ends) out(uint, numbers)
 #define chain_link_tables(in, out, inout, unordered) \

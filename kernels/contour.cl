@@ -147,10 +147,24 @@ KERNEL(contour_points, ContourParameters) {
     vstore3(place + normal * lift, args.first_vertex + args.count + i, vertices);
 }
 
+/* Whether the surface turns its front away from the eye as it comes nearer along the triangle with
+ * these corners, by how much they face the eye: then a contour is seen from the back, and of a
+ * solid not at all (its radial curvature is negative: Koenderink 1984, "What does the occluding
+ * contour tell us about solid shape?"). */
+static bool shows_back(const float3* at, const float* facing, const float4 eye) {
+    const float3 u = at[1] - at[0], v = at[2] - at[0];
+    const float3 to_eye = xyz(eye) - (at[0] + at[1] + at[2]) * (eye.w / 3.0f);
+    const float uu = dot_of(u, u), uv = dot_of(u, v), vv = dot_of(v, v);
+    const float along_u = dot_of(to_eye, u), along_v = dot_of(to_eye, v);
+    return (facing[1] - facing[0]) * (along_u * vv - along_v * uv) +
+               (facing[2] - facing[0]) * (along_v * uu - along_u * uv) <
+           0.0f;
+}
+
 /* One work-item per candidate. faces: its three edges, around the triangle; with LA_CONTOUR_TURNED
  * those that run the other way. contour_ends: the vertices between which it has its segment, with
  * the side that shows its front to the left as seen from outside, of a mirrored object to the
- * right; LA_NO_VERTEX if it has none. */
+ * right; LA_NO_VERTEX if it has none; with LA_END_UNDERSIDE in the second if shows_back(). */
 KERNEL(contour_ends, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -167,4 +181,15 @@ KERNEL(contour_ends, ContourParameters) {
     }
     contour_ends[2 * i] = p;
     contour_ends[2 * i + 1] = q;
+    if (p == LA_NO_VERTEX) return;
+    float3 at[3];
+    float faces_eye[3];
+    for (uint k = 0; k < 3; ++k) {
+        __global const ContourEdge* edge = edges + (faces[3 * i + k] & ~LA_CONTOUR_TURNED);
+        const uint corner = (faces[3 * i + k] & LA_CONTOUR_TURNED) != 0 ? edge->to : edge->from;
+        at[k] = vload3(corners[corner].vertex, vertices);
+        faces_eye[k] = facing[corner];
+    }
+    if (shows_back(at, faces_eye, to_float4(args.eye)))
+        contour_ends[2 * i + 1] = q | LA_END_UNDERSIDE;
 }

@@ -88,6 +88,14 @@ typedef struct ClipEnds {
     float4 p, q;
 } ClipEnds;
 
+/* A vertex of a contour, so many times as far off the surface as its lifted one, to the side that
+ * it is seen from. */
+static float3 lifted_vertex(__global const Segment* segment, const uint vertex, const uint lift,
+                            const float times, __global const float* vertices) {
+    const float3 at = vload3(vertex, vertices), way = vload3(vertex + lift, vertices) - at;
+    return at + way * ((segment->tag & LA_TAG_UNDERSIDE) != 0 ? -times : times);
+}
+
 static ClipEnds lifted_ends(__global const Segment* segment, __global const ClippedSegment* clipped,
                             const uint lift, const Matrix clip_from_world,
                             __global const float* vertices) {
@@ -95,8 +103,10 @@ static ClipEnds lifted_ends(__global const Segment* segment, __global const Clip
     ends.p = vload4(0, clipped->p);
     ends.q = vload4(0, clipped->q);
     if ((segment->tag & LA_TAG_CONTOUR) == 0) return ends;
-    const float4 p = transform_point(clip_from_world, vload3(segment->p + lift, vertices));
-    const float4 q = transform_point(clip_from_world, vload3(segment->q + lift, vertices));
+    const float4 p =
+        transform_point(clip_from_world, lifted_vertex(segment, segment->p, lift, 1.0f, vertices));
+    const float4 q =
+        transform_point(clip_from_world, lifted_vertex(segment, segment->q, lift, 1.0f, vertices));
     const float4 at_p = p + (q - p) * clipped->t0, at_q = p + (q - p) * clipped->t1;
     if (!(at_p.w > 0.0f && at_q.w > 0.0f)) return ends;
     ends.p = at_p;

@@ -18,7 +18,11 @@
 #define LA_TAG_KIND_MASK 0x7u
 #define LA_TAG_CLOSED 0x8u   /* the path is a loop: its last segment continues in its first */
 #define LA_TAG_CONTOUR 0x20u /* of a frame: a silhouette of a smooth surface, see contour.cl */
-#define LA_TAG_LONE 0x10u    /* touches no other segment: dropped when sub-pixel (§4.1) */
+#define LA_TAG_SOLID 0x40u   /* of what contours run through: a closed part, wound outwards */
+/* Of a frame: a contour that its own part hides; one that is seen from the back of its surface. */
+#define LA_TAG_BURIED 0x80u
+#define LA_TAG_UNDERSIDE 0x100u
+#define LA_TAG_LONE 0x10u /* touches no other segment: dropped when sub-pixel (§4.1) */
 
 /* An edge of a triangle that runs against the triangle's winding. */
 #define LA_CONTOUR_TURNED 0x80000000u

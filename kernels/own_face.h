@@ -5,6 +5,11 @@
 #include "constants.h"
 #include "language.h"
 
+/* In place of both descriptions, or numbers: the line lies within its part (LA_TAG_BURIED). */
+#define LA_OWN_BURIED 0xFFFFFFFFu
+/* Of such a line, in place of the side that is outside. */
+#define LA_OUTSIDE_NOWHERE 2.0f
+
 /* Of a fold, both faces on one side of the line (a silhouette), given their descriptions
  * (describe_own_face in clipping.h): 1 if the left is outside, -1 if the right is; else 0. */
 FUNCTION float outside_of_fold(const uint own_a, const uint own_b) {

@@ -146,9 +146,10 @@ KERNEL(project_clip, ProjectClipParameters) {
     const uint own_b = own_face(face_b, within, p_index, q_index, cp, cq, across, length_px,
                                 vertices, triangles, clip_from_world, world_from_clip, viewport);
     arcs[i] = max((uint)(length_px * LA_ARC_UNITS_PER_PIXEL), 1u);
+    const bool buried = (tag & LA_TAG_BURIED) != 0;
     if (args.hidden != LA_HIDDEN_SAMPLED &&
-        is_hidden(tiles, window_p, d, fmin(cp.w, cq.w), own_a, own_b, args.depth_scale,
-                  args.tolerance, to_int2(args.tile_count))) {
+        (buried || is_hidden(tiles, window_p, d, fmin(cp.w, cq.w), own_a, own_b, args.depth_scale,
+                             args.tolerance, to_int2(args.tile_count)))) {
         /* Neighbours of its path still need to know where it runs. */
         const bool alone = (segments[i].from_start | segments[i].to_end) == 0;
         if (alone && args.hidden == LA_HIDDEN_DROPPED) return;
@@ -164,6 +165,8 @@ KERNEL(project_clip, ProjectClipParameters) {
     vstore4(cq, 0, clipped[i].q);
     clipped[i].t0 = t0;
     clipped[i].t1 = t1;
-    clipped[i].own_a = args.numbered != 0 ? numbered_face(number_a, outside > 0.0f) : own_a;
-    clipped[i].own_b = args.numbered != 0 ? numbered_face(number_b, outside < 0.0f) : own_b;
+    const uint told_a = args.numbered != 0 ? numbered_face(number_a, outside > 0.0f) : own_a;
+    const uint told_b = args.numbered != 0 ? numbered_face(number_b, outside < 0.0f) : own_b;
+    clipped[i].own_a = buried ? LA_OWN_BURIED : told_a;
+    clipped[i].own_b = buried ? LA_OWN_BURIED : told_b;
 }

@@ -32,7 +32,8 @@ struct Spine {
     float2 along;                   /* unit vector along the segment */
     float depth_along;              /* window depth per pixel along it */
     OwnFace a, b;
-    float outside; /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; else 0 */
+    float outside; /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; of what
+                      nothing sees LA_OUTSIDE_NOWHERE; else 0 */
     /* Of its two faces, where those are known by number: that, and their smooth patches. */
     int number_a, number_b, patch_a, patch_b;
 };
@@ -63,7 +64,9 @@ FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, cons
     spine.number_b = int_of(own_b & LA_NO_NUMBER);
     spine.patch_a = LA_NO_PATCH;
     spine.patch_b = LA_NO_PATCH;
-    spine.outside = numbered ? outside_of_numbered(own_a, own_b) : outside_of_fold(own_a, own_b);
+    spine.outside = own_a == LA_OWN_BURIED && own_b == LA_OWN_BURIED ? LA_OUTSIDE_NOWHERE
+                    : numbered ? outside_of_numbered(own_a, own_b)
+                               : outside_of_fold(own_a, own_b);
     return spine;
 }
 
@@ -150,6 +153,7 @@ FUNCTION lanes_mask sees_past_surface(const Spine spine, const lanes_float u, co
  * segment. Only lanes in `in_use` are of interest. */
 FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lanes_float side,
                               const lanes_mask in_use, const Depth depths) {
+    if (spine.outside == LA_OUTSIDE_NOWHERE) return fabs(u) < 0.0f; /* none */
     const lanes_float x = spine.p.x + spine.d.x * u;
     const lanes_float y = spine.p.y + spine.d.y * u;
     const lanes_float side_texels = side * depths.scale;

@@ -391,11 +391,10 @@ static Line lifted_line(const ExactParameters* args, const Lists* lists,
                         __global const Segment* segment, __global const ClippedSegment* clipped,
                         const Line* line) {
     const Matrix m = to_matrix(args->clip_from_world);
-    const float3 at_p = line->at_p, at_q = line->at_q;
     const float3 above_p =
-        at_p + (vload3(segment->p + args->lift, lists->vertices) - at_p) * OWN_LIFTS;
+        lifted_vertex(segment, segment->p, args->lift, OWN_LIFTS, lists->vertices);
     const float3 above_q =
-        at_q + (vload3(segment->q + args->lift, lists->vertices) - at_q) * OWN_LIFTS;
+        lifted_vertex(segment, segment->q, args->lift, OWN_LIFTS, lists->vertices);
     const float4 p = transform_point(m, above_p), way = transform_point(m, above_q) - p;
     const float4 from = p + way * line->t0, to = p + way * line->t1;
     Line lifted = *line;
@@ -429,6 +428,7 @@ KERNEL(visible_count, ExactParameters) {
     if (absent || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const Lists lists = LISTS;
     __global const Segment* segment = segments + segment_of(&args, i);
+    if ((segment->tag & LA_TAG_BURIED) != 0) return;
     const Line line = line_of(&args, &lists, segment, clipped + i);
     const bool contour = is_contour(&args, segment);
     const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;

@@ -95,7 +95,7 @@ Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
         stages.chain({.table = rings->table(),
                       .contour_ends = nullptr,
                       .lifted = false,
-                      .eye = {0, 0, 1, 0},
+                      .view = {{0, 0, 1, 0}, true},
                       .numbers = *rings->numbers,
                       .count = rings->silhouettes,
                       .chosen = *chosen,

@@ -53,10 +53,12 @@ float parse_degrees(const std::string& text) {
 }
 
 /// Whether silhouettes were drawn as smooth surfaces have them, which the truth does not know.
-bool may_have_contours(const DrawingFile& drawing, const Mesh& mesh) {
+/// `options`: the drawing's.
+bool has_contours(const DrawingFile& drawing, const Mesh& mesh, LineOptions options) {
     const auto rule = described(drawing.description, "--silhouettes");
-    return rule ? *rule != silhouettes_names[static_cast<std::size_t>(Silhouettes::mesh)]
-                : usual_silhouettes(mesh) != Silhouettes::mesh;
+    options.silhouettes = rule ? parse_silhouettes("--silhouettes", *rule) : usual_silhouettes;
+    return options.silhouettes != Silhouettes::mesh &&
+           !extract_lines(mesh, options).contours.empty();
 }
 
 /// What the model's file is read with.
@@ -152,7 +154,7 @@ void check(const CheckArguments& arguments) {
     const DrawnLines drawn = find_segments(drawing, lines);
     const Certificate certificate = certify(truth, drawn);
     fmt::print("{}", certificate_table(certificate, arguments.worst));
-    if (may_have_contours(drawing, mesh))
+    if (has_contours(drawing, mesh, making.lines))
         fmt::print("Silhouettes here run through triangles (--silhouettes). They are held against "
                    "edges of the mesh beside them:\nwhat differs counts as missed and as false.\n");
     if (!arguments.picture.empty())

@@ -48,7 +48,7 @@ struct DrawArguments {
 };
 
 /// As the command line says. Throw UsageError.
-Silhouettes silhouettes(const DrawArguments& arguments, const Mesh& mesh);
+Silhouettes silhouettes(const DrawArguments& arguments);
 std::optional<float> crease_angle(const DrawArguments& arguments);
 
 } // namespace lineatlas::apps

@@ -64,7 +64,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
         throw UsageError("--only and --hide are for the parts of a MODEL file");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     crease_angle(arguments);
-    silhouettes(arguments, {});
+    silhouettes(arguments);
     check_range("--at", arguments.at, 0, 1);
     if (!(arguments.deflection >= 0 && arguments.deflection <= 1e15))
         throw UsageError("--deflection must be a distance above 0");
@@ -363,7 +363,7 @@ Command setup_draw(CLI::App& app) {
                    "smooth: through triangles, where normals between their corners are at a right "
                    "angle to the view, by the methods exact and atlas; mesh: along edges; auto: "
                    "smooth on scanned and sculpted surfaces and on those of STEP, IGES and BREP "
-                   "files; by default auto for such a file, else mesh")
+                   "files, else along edges; default auto")
         ->group(model);
     a.sections.declare(app, model);
 

@@ -23,9 +23,9 @@
 
 namespace lineatlas::apps {
 
-Silhouettes silhouettes(const DrawArguments& arguments, const Mesh& mesh) {
+Silhouettes silhouettes(const DrawArguments& arguments) {
     return arguments.silhouettes.empty()
-               ? usual_silhouettes(mesh)
+               ? usual_silhouettes
                : parse_silhouettes("--silhouettes", arguments.silhouettes);
 }
 
@@ -88,7 +88,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         return extract_lines(mesh, {.kinds = kinds,
                                     .crease_angle = crease_angle(arguments),
                                     .smooth_edges = arguments.smooth_edges,
-                                    .silhouettes = silhouettes(arguments, mesh)});
+                                    .silhouettes = silhouettes(arguments)});
     };
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);

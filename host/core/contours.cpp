@@ -19,6 +19,7 @@ constexpr double flat_bend = 0.5 * degree;
 constexpr std::uint32_t least_faces = 64;
 constexpr double most_flat = 0.3;       ///< of a patch's faces
 constexpr double least_altitude = 0.25; ///< of the longest edge, in the middle of all faces
+constexpr double least_steadiness = 1.0 / 3;
 
 /// A side of a triangle: from corner k to the next.
 struct Side {
@@ -126,12 +127,71 @@ class ContourFinder {
             if (joins_[i][0] != none && in_.bends[i] >= flat_bend)
                 bends[patches_.find(joins_[i][0] / 3)] = true;
         smooth_.assign(faces_, false);
+        std::vector<bool> organic(faces_, false);
         for (std::uint32_t p = 0; p < faces_; ++p) {
-            const bool organic = in_.corner_normals.empty() && count[p] >= least_faces &&
-                                 flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p];
             const bool exact = known[p] == count[p];
-            smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic || exact);
+            organic[p] = rule != Silhouettes::smooth && !exact && in_.corner_normals.empty() &&
+                         count[p] >= least_faces && is_of_solid(p) &&
+                         flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p];
+            smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic[p] || exact);
         }
+        add_normals();
+        if (std::ranges::find(organic, true) != organic.end()) keep_steady(organic);
+    }
+
+    /// Normals of corners: the surface's own where the file has them, else those of the triangles
+    /// about them, by the angles that they have there.
+    void add_normals() {
+        normals_.assign(corners_size(), glm::dvec3{0});
+        for (std::uint32_t c = 0; c < corners_size(); ++c) {
+            if (!is_smooth(c / 3)) continue;
+            const std::uint32_t next = next_corner(c), last = next_corner(next);
+            normals_[corners_.find(c)] +=
+                normal_by_angle(place(next) - place(c), place(last) - place(c), known_normal(c));
+        }
+        for (glm::dvec3& normal : normals_) {
+            const double length = glm::length(normal);
+            if (length > 0) normal /= length;
+        }
+    }
+
+    /// Of those patches only ones stay smooth that bend at a corner much as at the next: how they
+    /// do, as the mean sine by which edges fall away there, correlates with itself along edges.
+    /// Noise does not, and normals between corners say nothing of what lies there.
+    void keep_steady(const std::vector<bool>& patches) {
+        struct Bend {
+            double sum = 0;
+            std::uint32_t edges = 0;
+            double mean() const { return edges > 0 ? sum / edges : 0; }
+        };
+        std::vector<Bend> of_corner(corners_size());
+        const auto for_each_edge = [&](const auto& each) {
+            for (const std::array<std::uint32_t, 2>& sides : joins_) {
+                const std::uint32_t c = sides[0];
+                if (c == none || !patches[patches_.find(c / 3)]) continue;
+                each(patches_.find(c / 3), c, next_corner(c));
+            }
+        };
+        for_each_edge([&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
+            const glm::dvec3 way = place(b) - place(a);
+            const double length = glm::length(way);
+            const auto add = [&](std::uint32_t corner, double sign) {
+                const std::uint32_t set = corners_.find(corner);
+                of_corner[set].sum += sign * glm::dot(normals_[set], way) / length;
+                ++of_corner[set].edges;
+            };
+            add(a, -1);
+            add(b, 1);
+        });
+        std::vector<double> products(faces_, 0), squares(faces_, 0);
+        for_each_edge([&](std::uint32_t patch, std::uint32_t a, std::uint32_t b) {
+            const double at_a = of_corner[corners_.find(a)].mean();
+            const double at_b = of_corner[corners_.find(b)].mean();
+            products[patch] += at_a * at_b;
+            squares[patch] += (at_a * at_a + at_b * at_b) / 2;
+        });
+        for (std::uint32_t p = 0; p < faces_; ++p)
+            if (patches[p] && products[p] < least_steadiness * squares[p]) smooth_[p] = false;
     }
 
     /// Whether the file says of a face where its surface looks, but for a tip.
@@ -152,6 +212,10 @@ class ContourFinder {
         return glm::length(twice_area) <= least_altitude * longest;
     }
 
+    bool is_of_solid(std::uint32_t face) const {
+        return in_.solid[in_.parts.of_vertex[in_.mesh.triangles[face].x]];
+    }
+
     bool is_smooth(std::uint32_t face) { return smooth_[patches_.find(face)]; }
 
     /// What the file says of the surface at a corner; zero where it says nothing.
@@ -161,23 +225,13 @@ class ContourFinder {
             in_.corner_normals[3 * in_.mesh.triangle_source[corner / 3] + corner % 3]};
     }
 
-    /// Normals of corners: the surface's own where the file has them, else those of the triangles
-    /// about them, by the angles that they have there.
     void add_corners(Contours& contours) {
-        std::vector<glm::dvec3> normals(corners_size(), glm::dvec3{0});
-        for (std::uint32_t c = 0; c < corners_size(); ++c) {
-            if (!is_smooth(c / 3)) continue;
-            const std::uint32_t next = next_corner(c), last = next_corner(next);
-            normals[corners_.find(c)] +=
-                normal_by_angle(place(next) - place(c), place(last) - place(c), known_normal(c));
-        }
         number_.assign(corners_size(), none);
         for (std::uint32_t c = 0; c < corners_size(); ++c) {
             if (!is_smooth(c / 3)) continue;
             const std::uint32_t set = corners_.find(c);
             if (number_[set] == none) {
-                const double length = glm::length(normals[set]);
-                const glm::vec3 n{length > 0 ? normals[set] / length : normals[set]};
+                const glm::vec3 n{normals_[set]};
                 number_[set] = static_cast<std::uint32_t>(contours.corners.size());
                 contours.corners.push_back({.vertex = vertex(c), .normal = {n.x, n.y, n.z}});
             }
@@ -217,6 +271,7 @@ class ContourFinder {
     std::vector<std::array<std::uint32_t, 2>> joins_; ///< per edge its sides, or none
     std::vector<bool> is_flat_;                       ///< triangles
     std::vector<bool> smooth_;                        ///< patches
+    std::vector<glm::dvec3> normals_;                 ///< of corners, by their sets
     std::vector<std::uint32_t> number_;               ///< of corners, in Contours::corners
     std::vector<std::uint32_t> edge_of_side_;         ///< as in Contours::faces
 };

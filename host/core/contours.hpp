@@ -7,6 +7,7 @@
 
 #include "edges.hpp"
 #include "lineatlas/lines.hpp"
+#include "parts.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -19,6 +20,8 @@ struct ContourInput {
     std::span<const std::optional<LineKind>> kinds; ///< of edges
     double most_bend;                               ///< of edges within a patch, radians
     std::span<const glm::vec3> corner_normals;      ///< Mesh::corner_normals
+    const MeshParts& parts;
+    const std::vector<bool>& solid; ///< parts: see solid_parts()
 };
 
 /// Where silhouettes are smooth.
@@ -29,10 +32,11 @@ struct FoundContours {
 };
 
 /// Finds the smooth patches of a mesh: triangles that hang together across edges which may be
-/// silhouettes and are nothing else. Of Silhouettes::automatic one is smooth if it has at least 64
-/// triangles, less than 30 % of them flat (an edge bends by less than 0.5 degrees) and half of them
-/// no slivers (lowest altitude above a quarter of the longest edge); where any normals of the
-/// surface are known, if it bends and all of its are; of Silhouettes::smooth if it bends at all.
+/// silhouettes and are nothing else. Of Silhouettes::automatic one is smooth if it is of a solid,
+/// has at least 64 triangles, less than 30 % of them flat (an edge bends by less than 0.5 degrees)
+/// and half of them no slivers (lowest altitude above a quarter of the longest edge), and bends at
+/// one corner much as at the next; where any normals of the surface are known, if it bends and all
+/// of its are; of Silhouettes::smooth if it bends at all.
 FoundContours find_contours(const ContourInput& input, Silhouettes rule);
 
 /// What has a corner of contours in common: places in LineSet::triangles, each 3 times the number

@@ -271,13 +271,18 @@ class Extraction {
         // Where creases are not wanted their edges are silhouettes, and part patches all the same.
         const bool by_kind = wanted(LineKind::crease);
         const double crease = options_.crease_angle.value_or(least_crease_angle);
+        const std::vector<bool> solid = solid_parts(welded_, edges_, parts_);
         smooth_ = find_contours({.mesh = welded_,
                                  .edges = edges_,
                                  .bends = bends_,
                                  .kinds = kinds_,
                                  .most_bend = by_kind ? std::numbers::pi : crease,
-                                 .corner_normals = mesh_.corner_normals},
+                                 .corner_normals = mesh_.corner_normals,
+                                 .parts = parts_,
+                                 .solid = solid},
                                 options_.silhouettes);
+        for (const std::uint32_t face : smooth_.faces)
+            in_solid_.push_back(solid[parts_.of_vertex[welded_.triangles[face].x]]);
     }
 
     /// Triangles through which silhouettes may run, as the last of the candidates.
@@ -394,6 +399,9 @@ class Extraction {
         LineSetBuilder builder{welded_.vertices.size()};
         builder.add(welded_.vertices, fixed_, candidates_, options_.chain_angle);
         LineSet result = std::move(builder.result);
+        const std::size_t first_contour = result.segments.size() - in_solid_.size();
+        for (std::size_t i = 0; i < in_solid_.size(); ++i)
+            if (in_solid_[i]) result.segments[first_contour + i].tag |= LA_TAG_SOLID;
         result.left_out = left_out_;
         result.times = times_;
         result.odd = welded_.odd;
@@ -439,6 +447,7 @@ class Extraction {
     Seams seams_;
     AddedVertices added_{welded_};
     FoundContours smooth_;
+    std::vector<bool> in_solid_;                      ///< of its faces
     std::vector<Line> fixed_, candidates_, replaced_; ///< replaced by contours
     LeftOut left_out_;
     LineTimes times_;

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <glm/geometric.hpp>
+
 #include "vertex_sets.hpp"
 
 namespace lineatlas {
@@ -20,6 +22,30 @@ MeshParts find_parts(const WeldedMesh& mesh) {
         parts.of_vertex[v] = of_set;
     }
     return parts;
+}
+
+std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                              const MeshParts& parts) {
+    std::vector<double> volume(parts.count, 0);
+    std::vector<glm::dvec3> origin(
+        parts.count); // one of its own: a part may be far from all others
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
+        origin[parts.of_vertex[v]] = mesh.vertices[v];
+    for (const glm::uvec3& t : mesh.triangles) {
+        const std::uint32_t part = parts.of_vertex[t.x];
+        const auto from_origin = [&](std::uint32_t v) {
+            return glm::dvec3{mesh.vertices[v]} - origin[part];
+        };
+        const glm::dvec3 a = from_origin(t.x), b = from_origin(t.y), c = from_origin(t.z);
+        volume[part] += glm::dot(a, glm::cross(b, c));
+    }
+    std::vector<bool> solid(parts.count);
+    for (std::uint32_t part = 0; part < parts.count; ++part) solid[part] = volume[part] > 0;
+    for (const MeshEdge& edge : edges) {
+        const bool flipped = (edge.face_b & LA_FACE_FLIPPED) != 0;
+        if (edge.face_count != 2 || flipped) solid[parts.of_vertex[edge.p]] = false;
+    }
+    return solid;
 }
 
 } // namespace lineatlas

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "edges.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -14,5 +15,10 @@ struct MeshParts {
 };
 
 MeshParts find_parts(const WeldedMesh& mesh);
+
+/// Which parts are solids: all edges are of two triangles, which run along it in opposite
+/// directions, and those look outwards, for what they enclose is above 0.
+std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                              const MeshParts& parts);
 
 } // namespace lineatlas

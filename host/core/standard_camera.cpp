@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -109,6 +110,17 @@ StandardCamera standard_camera(const Camera& camera, const Bounds& bounds,
     return {with_depth(upright, rows, (mapping.reference - near) / (far - near),
                        mapping.scale * (far - near)),
             mapping};
+}
+
+bool sees_from_outside(const Camera& camera, const Bounds& bounds) {
+    const glm::mat4 clip_from_world = camera.clip_from_world();
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::bvec3 high{(corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0};
+        const glm::vec4 clip =
+            clip_from_world * glm::vec4{glm::mix(bounds.min, bounds.max, high), 1};
+        if (!(clip.z > -clip.w)) return false;
+    }
+    return true;
 }
 
 } // namespace lineatlas

@@ -36,4 +36,8 @@ StandardCamera standard_camera(const Camera& camera, const Bounds& bounds);
 StandardCamera standard_camera(const Camera& camera, const Bounds& bounds,
                                const DepthValues& values);
 
+/// Whether all of a box lies beyond the near plane, so that nothing in it is seen from within: of a
+/// standard camera.
+bool sees_from_outside(const Camera& camera, const Bounds& bounds);
+
 } // namespace lineatlas

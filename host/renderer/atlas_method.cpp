@@ -144,7 +144,9 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
         const glm::vec4 eye = frame.camera.eye();
         frame.clock("facing",
                     [&] { stages_.facing({.table = candidates, .eye = eye, .front = *front_}); });
-        frame.scene.set_order(chains_.find(candidates, *front_, eye, frame.clock));
+        frame.scene.set_order(chains_.find(
+            candidates, *front_, {eye, sees_from_outside(frame.camera, frame.scene.bounds())},
+            frame.clock));
     }
     segment_count_ = frame.scene.table().segment_count;
     if (arcs_->size() > segment_count_ * sizeof(la_uint)) return;

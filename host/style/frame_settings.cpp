@@ -206,8 +206,4 @@ Silhouettes parse_silhouettes(std::string_view option, const std::string& text) 
         fmt::format("{} must be {}, not {}", option, fmt::join(silhouettes_names, ", "), text));
 }
 
-Silhouettes usual_silhouettes(const Mesh& mesh) {
-    return mesh.corner_normals.empty() ? Silhouettes::mesh : Silhouettes::automatic;
-}
-
 } // namespace lineatlas

@@ -43,9 +43,6 @@ struct Model {
     std::optional<View> view;          ///< a scene's own
 };
 
-/// Where silhouettes of a model run of which that is shown.
-Silhouettes silhouettes_of(const Model& model, const Shown& shown);
-
 /// Reads models on a thread of its own, one at a time.
 class Loader {
   public:

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "session.hpp"
+#include "style/frame_settings.hpp"
 
 namespace lineatlas::viewer {
 
@@ -82,8 +83,8 @@ void Session::set_crease(std::optional<float> degrees) {
 
 void Session::set_silhouettes(Silhouettes silhouettes) {
     if (model_ == nullptr) return;
-    if (silhouettes == silhouettes_of(*model_, settings.shown)) return;
-    const bool usual = silhouettes == silhouettes_of(*model_, {});
+    if (silhouettes == settings.shown.silhouettes.value_or(usual_silhouettes)) return;
+    const bool usual = silhouettes == usual_silhouettes;
     settings.shown.silhouettes = usual ? std::nullopt : std::optional{silhouettes};
     changed();
 }

@@ -15,7 +15,7 @@ struct Shown {
     HiddenParts hidden{};          ///< parts
     std::vector<Cut> cuts{};       ///< at most `most_sections`
     std::optional<float> crease{}; ///< LineOptions::crease_angle in degrees
-    /// LineOptions::silhouettes; none: as the tool has them of such a model.
+    /// LineOptions::silhouettes; none: as the tool has them.
     std::optional<Silhouettes> silhouettes{};
 
     bool operator==(const Shown&) const = default;

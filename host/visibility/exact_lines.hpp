@@ -5,6 +5,7 @@
 
 #include "compute/stages/exact_visibility.hpp"
 #include "compute/stages/silhouette_chains.hpp"
+#include "core/standard_camera.hpp"
 #include "line_tables.hpp"
 #include "table_order.hpp"
 
@@ -56,7 +57,7 @@ class ExactLines {
             const bool wants_silhouettes = (view.lines & mask_of(LineKind::silhouette)) != 0;
             if (wants_silhouettes) clock("facing", [&] { facing(view, candidates); });
             const compute::SegmentTable segments =
-                wants_silhouettes ? chains_.find(candidates, *front_, view.camera.eye(), clock)
+                wants_silhouettes ? chains_.find(candidates, *front_, silhouette_view(view), clock)
                                   : chains_.without(candidates);
             make_room(segments.segment_count);
             begin(view, segments, chunk);
@@ -93,6 +94,9 @@ class ExactLines {
   private:
     void make_room(std::uint32_t segments);
     void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
+    static compute::SilhouetteView silhouette_view(const LineView& view) {
+        return {view.camera.eye(), sees_from_outside(view.camera, view.bounds)};
+    }
     void facing(const LineView& view, const compute::SegmentTable& table);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,
                       const compute::SegmentTable& table);

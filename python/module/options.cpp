@@ -118,12 +118,12 @@ FrameOptions path_options(const std::optional<Options>& given, const Style& styl
     return frame;
 }
 
-LineOptions line_options(const Mesh& mesh, const LineKinds& kinds, const Crease& crease,
+LineOptions line_options(const LineKinds& kinds, const Crease& crease,
                          const std::optional<std::string>& silhouettes, bool separate_objects) {
     LineOptions options{.crease_angle = crease_angle(crease),
                         .separate_objects = separate_objects,
                         .silhouettes = silhouettes ? parse_silhouettes("silhouettes", *silhouettes)
-                                                   : usual_silhouettes(mesh)};
+                                                   : usual_silhouettes};
     if (!kinds) return options;
     if (const auto* text = std::get_if<std::string>(&*kinds)) {
         options.kinds = mask_of_names(*text);

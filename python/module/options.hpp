@@ -29,11 +29,10 @@ using KindsArgument =
 /// Degrees, or "auto".
 using Crease = std::variant<float, std::string>;
 using CreaseArgument = Argument<Crease, "crease", "degrees or \"auto\"">;
-/// A name of silhouettes_names; nothing: as the tool, smooth where a file has normals of its
-/// surfaces.
+/// A name of silhouettes_names; nothing: as the tool.
 using MaybeSilhouettes =
     Argument<std::optional<std::string>, "silhouettes", "\"mesh\", \"smooth\" or \"auto\"">;
-LineOptions line_options(const Mesh& mesh, const LineKinds& kinds, const Crease& crease,
+LineOptions line_options(const LineKinds& kinds, const Crease& crease,
                          const std::optional<std::string>& silhouettes, bool separate_objects);
 
 void bind_options(pybind11::module_& module);

@@ -42,7 +42,7 @@ std::unique_ptr<Drawer> make_drawer(const ModelArgument& model, const KindsArgum
                                     const Word<"compute">& compute, const Word<"device">& device,
                                     const Word<"interop">& interop, Flag<"one_picture"> once) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(mesh->mesh, lines, *crease, *silhouettes, apart);
+    const LineOptions found = line_options(lines, *crease, *silhouettes, apart);
     std::string note;
     auto drawer = released(progress, [&](const Progress& asked) {
         auto made = std::make_unique<Drawer>(
@@ -60,7 +60,7 @@ void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& 
                const CreaseArgument& crease, const MaybeSilhouettes& silhouettes,
                Flag<"separate_objects"> apart, const py::object& progress) {
     std::shared_ptr<const Model> mesh = model_of(model);
-    const LineOptions found = line_options(mesh->mesh, lines, *crease, *silhouettes, apart);
+    const LineOptions found = line_options(lines, *crease, *silhouettes, apart);
     released(progress, [&](const Progress& asked) {
         drawer.set_subject(find_lines(std::move(mesh), found, asked));
     });

@@ -67,7 +67,8 @@ class ChainStage : public StageTest {
                                           .segment_count = chunks[0].range.count,
                                           .candidates = chunks[0].candidates()};
         chains_.follow(before_.get()); // none at first
-        const compute::SegmentTable found = chains_.find(table, *front, {0, 0, 1, 0}, at_once);
+        const compute::SegmentTable found =
+            chains_.find(table, *front, {{0, 0, 1, 0}, true}, at_once);
         const auto ordered = get<Segment>(found.segments, found.segment_count);
         EXPECT_EQ(ordered[0].tag, LA_KIND_CREASE);
         const std::vector<std::uint32_t> origins = chains_.read_origins();

@@ -102,8 +102,8 @@ void append_chains(std::vector<std::byte>& result, compute::Stages& stages, cons
                                       triangles,        chunk.range.count, chunk.candidates()};
     stages.facing({.table = table, .eye = camera.eye(), .front = *front});
     compute::SilhouetteChains chains{stages, compute::SilhouetteChains::Contours::lifted};
-    const compute::SegmentTable found =
-        chains.find(table, *front, camera.eye(), [](const char*, const auto& run) { run(); });
+    const compute::SegmentTable found = chains.find(table, *front, {camera.eye(), true},
+                                                    [](const char*, const auto& run) { run(); });
     const std::vector<std::uint32_t> origins = chains.read_origins();
     if (origins.empty()) throw Error("there are no silhouettes: the check would prove nothing");
     append(result, origins);

@@ -251,6 +251,7 @@ TEST_F(ViewerSession, SilhouettesFollowTheMeshOrTheSurface) {
     EXPECT_EQ(error(), "");
     hand_.click("silhouettes.mesh");
     EXPECT_FALSE(smooth());
+    hand_.click("silhouettes.auto");
     EXPECT_FALSE(session().settings.shown.silhouettes) << "what is usual needs no word";
 }
 

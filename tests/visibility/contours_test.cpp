@@ -17,6 +17,7 @@
 #include "lineatlas/vector.hpp"
 #include "lineatlas/visibility.hpp"
 #include "test_meshes.hpp"
+#include "vector/paths.hpp"
 #include "visibility/line_tables.hpp"
 
 #include <gtest/gtest.h>
@@ -96,10 +97,11 @@ Mesh saddle() {
 struct Chain {
     bool closed;
     double length; ///< in space
+    double buried; ///< of that: in the part that it bounds
 };
 
 /// The chains that kernels make of a line set's silhouettes, longest first.
-std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye) {
+std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye, bool from_outside = true) {
     DeviceStages on{compute::make_cpp_device()};
     const LineTables tables = upload_lines(*on.device, lines);
     const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
@@ -109,8 +111,8 @@ std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye) {
                                       triangles,        chunk.range.count, chunk.candidates()};
     on.stages.facing({.table = table, .eye = eye, .front = *front});
     compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
-    const compute::SegmentTable found =
-        chains.find(table, *front, eye, [](const char*, const auto& action) { action(); });
+    const compute::SegmentTable found = chains.find(
+        table, *front, {eye, from_outside}, [](const char*, const auto& action) { action(); });
     const auto vertices =
         read_back<glm::vec3>(*on.device, found.vertices, found.vertices.size() / sizeof(glm::vec3));
     std::vector<Chain> result;
@@ -118,9 +120,11 @@ std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye) {
          read_back<Segment>(*on.device, found.segments, found.segment_count)) {
         if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE) continue;
         EXPECT_NE(segment.tag & LA_TAG_CONTOUR, 0U);
-        if (segment.from_start == 0) result.push_back({(segment.tag & LA_TAG_CLOSED) != 0, 0});
-        result.back().length +=
+        if (segment.from_start == 0) result.push_back({(segment.tag & LA_TAG_CLOSED) != 0, 0, 0});
+        const double length =
             glm::distance(glm::dvec3{vertices[segment.p]}, glm::dvec3{vertices[segment.q]});
+        result.back().length += length;
+        if ((segment.tag & LA_TAG_BURIED) != 0) result.back().buried += length;
     }
     std::ranges::sort(result, std::ranges::greater{}, &Chain::length);
     return result;
@@ -148,9 +152,10 @@ TEST(Contours, OfASphereAreOneCircle) {
 }
 
 /// Where tan(across) = -cos(around) x / y, of a view along (x, y, 0): two places to each `around`.
-double torus_contour(double x, double y, bool far) {
+/// Buried is where the surface bends away from its normal along the view.
+Chain torus_contour(double x, double y, bool far) {
     constexpr int steps = 20000;
-    double length = 0;
+    Chain contour{.closed = true, .length = 0, .buried = 0};
     glm::dvec3 before{0};
     for (int i = 0; i <= steps; ++i) {
         const double around = 2 * pi * i / steps;
@@ -158,10 +163,15 @@ double torus_contour(double x, double y, bool far) {
         const double radius = double{large} + double{small} * std::cos(across);
         const glm::dvec3 place{radius * std::cos(around), double{small} * std::sin(across),
                                radius * std::sin(around)};
-        if (i > 0) length += glm::distance(before, place);
+        const double along_ring = -std::sin(around) * x;
+        const double along_tube = -std::sin(across) * std::cos(around) * x + std::cos(across) * y;
+        const double bend = std::cos(across) / radius * along_ring * along_ring +
+                            along_tube * along_tube / double{small};
+        if (i > 0) contour.length += glm::distance(before, place);
+        if (i > 0 && bend < 0) contour.buried += glm::distance(before, place);
         before = place;
     }
-    return length;
+    return contour;
 }
 
 TEST(Contours, OfATorusAreTwoLoops) {
@@ -171,9 +181,33 @@ TEST(Contours, OfATorusAreTwoLoops) {
         const double angle = 0.5 * pi * view / 21; // above the plane that it lies in
         const double x = std::cos(angle), y = std::sin(angle);
         const glm::vec3 to_eye{x * 0.8, y, x * 0.6}; // and around
-        expect_loops(chains_of(lines, {to_eye, 0}),
-                     {torus_contour(x, y, false), torus_contour(x, y, true)}, 5e-3);
+        const std::vector<Chain> found = chains_of(lines, {to_eye, 0});
+        const std::array known{torus_contour(x, y, false), torus_contour(x, y, true)};
+        expect_loops(found, {known[0].length, known[1].length}, 5e-3);
+        EXPECT_NEAR(found[0].buried + found[1].buried, known[0].buried + known[1].buried, 0.2);
     }
+}
+
+TEST(Contours, AreBuriedInSolidsAlone) {
+    const glm::vec4 eye{0.8F, 0.3F, 0.6F, 0};
+    const auto buried = [&](const Mesh& mesh, bool from_outside = true) {
+        double sum = 0;
+        for (const Chain& chain : chains_of(extract_lines(mesh, smooth), eye, from_outside))
+            sum += chain.buried;
+        return sum;
+    };
+    EXPECT_GT(buried(torus()), 3);
+    EXPECT_EQ(buried(torus(), false), 0);
+    EXPECT_EQ(buried(capsule()), 0);
+    Mesh open = torus();
+    open.triangles.pop_back();
+    EXPECT_EQ(buried(open), 0);
+    Mesh inside_out = torus();
+    for (glm::uvec3& t : inside_out.triangles) std::swap(t.y, t.z);
+    EXPECT_EQ(buried(inside_out), 0);
+    Mesh disagreeing = torus();
+    std::swap(disagreeing.triangles[0].y, disagreeing.triangles[0].z);
+    EXPECT_EQ(buried(disagreeing), 0);
 }
 
 TEST(Contours, OfACapsuleAreOneStadium) {
@@ -342,6 +376,24 @@ double to_other_lines(const VectorDrawing& drawing, const VectorPath& own, glm::
     return nearest;
 }
 
+/// Of a sheet that dips the eye sees the back where it dips: its silhouette is the valley's floor.
+TEST(Contours, OfASheetAreSeenFromItsBackToo) {
+    for (const bool turned : {false, true}) {
+        Mesh sheet = surface(65, 65, false, false, [](std::uint32_t i, std::uint32_t j) {
+            const float x = saddle_at(j), z = saddle_at(i);
+            return glm::vec3{x, 0.5F * z * z, z};
+        });
+        if (turned)
+            for (glm::uvec3& t : sheet.triangles) std::swap(t.y, t.z);
+        const VectorDrawing drawing =
+            draw_exactly(extract_lines(sheet, smooth), parallel_view({0, 0, 1}));
+        double length = 0;
+        for (const VectorPath& path : drawing.paths)
+            if (path.kind == LineKind::silhouette && path.visible) length += length_of(path);
+        EXPECT_NEAR(length, 200, 1) << turned; // from side to side
+    }
+}
+
 /// Of a convex body no silhouette ends but at a crease that goes on, or where both run along each
 /// other within a quarter of a pixel and one is left out.
 TEST(Contours, MeetTheCreasesThatGoOn) {
@@ -471,10 +523,25 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     EXPECT_EQ(contours.contours.replaced, edges.segments.size());
     EXPECT_EQ(contours.segments.size(), edges.segments.size() + body.triangles.size());
     // A coarse body, and one of flat faces, is none that somebody sculpted.
-    EXPECT_TRUE(extract_lines(sphere(1), {.silhouettes = Silhouettes::automatic}).contours.empty());
+    const auto has_none = [](const Mesh& mesh) {
+        return extract_lines(mesh, {.silhouettes = Silhouettes::automatic}).contours.empty();
+    };
+    EXPECT_TRUE(has_none(sphere(1)));
+    // Nor do normals say anything where there is more noise than shape.
+    Mesh rough = sphere(5);
+    Random random{70};
+    for (glm::vec3& position : rough.positions) position *= random.between(0.994F, 1.006F);
+    EXPECT_TRUE(has_none(rough));
+    EXPECT_FALSE(has_none(sphere(5)));
+    // What is open, or inside out, may show its back.
+    Mesh open = body;
+    open.triangles.pop_back();
+    EXPECT_TRUE(has_none(open));
+    Mesh inside_out = body;
+    for (glm::uvec3& t : inside_out.triangles) std::swap(t.y, t.z);
+    EXPECT_TRUE(has_none(inside_out));
     EXPECT_TRUE(extract_lines(cube(), {.silhouettes = Silhouettes::smooth}).contours.empty());
-    EXPECT_TRUE(extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::automatic})
-                    .contours.empty());
+    EXPECT_TRUE(has_none(cylinder(64, true)));
     EXPECT_FALSE(
         extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::smooth}).contours.empty());
     // But a coarse body whose file knows its surface is smooth by itself.

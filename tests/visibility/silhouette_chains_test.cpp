@@ -86,7 +86,7 @@ std::vector<Loop> chains_of(const LineSet& lines, glm::vec4 eye) {
     on.stages.facing({.table = table, .eye = eye, .front = *front});
     compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
     const compute::SegmentTable found =
-        chains.find(table, *front, eye, [](const char*, const auto& action) { action(); });
+        chains.find(table, *front, {eye, true}, [](const char*, const auto& action) { action(); });
     std::vector<Loop> loops;
     for (const Segment& segment :
          read_back<Segment>(*on.device, found.segments, found.segment_count)) {

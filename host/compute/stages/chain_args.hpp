@@ -46,6 +46,12 @@ struct ContourArgs {
     Buffer& ends;      ///< out: 2 uint32 per candidate, see kernels/contour.cl
 };
 
+/// Where silhouettes are seen from.
+struct SilhouetteView {
+    glm::vec4 eye;     ///< Camera::eye()
+    bool from_outside; ///< see sees_from_outside()
+};
+
 /// Which candidates are silhouettes.
 struct SilhouetteArgs {
     SegmentTable table;
@@ -59,18 +65,18 @@ struct ChainArgs {
     SegmentTable table;
     Buffer* contour_ends; ///< as in SilhouetteArgs
     bool lifted;          ///< contours are drawn where visibility is asked of them
-    glm::vec4 eye;        ///< Camera::eye()
-    Buffer& numbers;      ///< of `silhouette`
-    std::uint32_t count;  ///< silhouettes, above 0
-    Buffer& chosen;       ///< scratch: a uint32 per silhouette
-    Buffer& ways;         ///< scratch: two `ChainWay` per silhouette
-    Buffer& longer;       ///< scratch: the same
-    Buffer& going;        ///< scratch: a uint32 for each of most_chain_steps
-    Buffer& places;       ///< scratch: `ChainPlace` per silhouette
-    Buffer& starts;       ///< scratch: a uint32 per silhouette and one more
-    Buffer& ordered;      ///< out: `Segment` each, from candidates.first on
-    Buffer& origins;      ///< out: a uint32 per silhouette, in their new order
-    Buffer& positions;    ///< out: a uint32 per candidate
+    SilhouetteView view;
+    Buffer& numbers;     ///< of `silhouette`
+    std::uint32_t count; ///< silhouettes, above 0
+    Buffer& chosen;      ///< scratch: a uint32 per silhouette
+    Buffer& ways;        ///< scratch: two `ChainWay` per silhouette
+    Buffer& longer;      ///< scratch: the same
+    Buffer& going;       ///< scratch: a uint32 for each of most_chain_steps
+    Buffer& places;      ///< scratch: `ChainPlace` per silhouette
+    Buffer& starts;      ///< scratch: a uint32 per silhouette and one more
+    Buffer& ordered;     ///< out: `Segment` each, from candidates.first on
+    Buffer& origins;     ///< out: a uint32 per silhouette, in their new order
+    Buffer& positions;   ///< out: a uint32 per candidate
     /// The same of the frame before, whose names and directions chains keep; null: there is none.
     Buffer* positions_before = nullptr;
 };

@@ -49,9 +49,14 @@ void Stages::contour(const ContourArgs& args) {
                                      .vertices = args.vertices,
                                      .crossed = args.crossed});
     parameters.count = contours.face_count;
-    launch<kernels::contour_ends>(
-        contours.face_count, tuning_.local_size, parameters,
-        {.faces = *contours.faces, .crossed = args.crossed, .contour_ends = args.ends});
+    launch<kernels::contour_ends>(contours.face_count, tuning_.local_size, parameters,
+                                  {.faces = *contours.faces,
+                                   .crossed = args.crossed,
+                                   .edges = *contours.edges,
+                                   .corners = *contours.corners,
+                                   .vertices = args.vertices,
+                                   .facing = facing,
+                                   .contour_ends = args.ends});
 }
 
 void Stages::silhouette(const SilhouetteArgs& args) {
@@ -74,11 +79,12 @@ void Stages::chain(const ChainArgs& args) {
     ChainParameters parameters{.count = candidates.drawable(),
                                .first = candidates.first,
                                .step = 0,
-                               .eye = args.eye,
+                               .eye = args.view.eye,
                                .replaced = candidates.kept_edges(),
                                .contours = candidates.edges(),
                                .lift = lifted ? candidates.contours->edge_count : 0,
-                               .follows = args.positions_before != nullptr ? 1U : 0U};
+                               .follows = args.positions_before != nullptr ? 1U : 0U,
+                               .outside = args.view.from_outside ? 1U : 0U};
     launch<kernels::chain_link>(candidates.drawable(), tuning_.local_size, parameters,
                                 {.segments = args.table.segments,
                                  .contour_ends = contours,

@@ -81,7 +81,7 @@ void SilhouetteChains::copy_fixed(const SegmentTable& table) {
     fixed_of_ = &table.segments;
 }
 
-void SilhouetteChains::chain(const SegmentTable& table, const glm::vec4& eye) {
+void SilhouetteChains::chain(const SegmentTable& table, const SilhouetteView& view) {
     copy_fixed(table);
     const std::uint64_t n = count_;
     tables_.make_room(Table::chosen, n * sizeof(la_uint));
@@ -94,7 +94,7 @@ void SilhouetteChains::chain(const SegmentTable& table, const glm::vec4& eye) {
     stages_.chain({.table = table,
                    .contour_ends = contour_ends(table),
                    .lifted = drawn_ == Contours::lifted,
-                   .eye = eye,
+                   .view = view,
                    .numbers = tables_[Table::numbers],
                    .count = count_,
                    .chosen = tables_[Table::chosen],

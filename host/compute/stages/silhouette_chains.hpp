@@ -37,15 +37,15 @@ class SilhouetteChains {
     /// The table of a frame whose triangles face the eye as `front` says; waits for the number of
     /// silhouettes. `clock(name, action)` runs a stage.
     template <class Clock>
-    SegmentTable find(const SegmentTable& candidates, Buffer& front, const glm::vec4& eye,
+    SegmentTable find(const SegmentTable& candidates, Buffer& front, const SilhouetteView& view,
                       Clock&& clock) {
         if (candidates.candidates.count == 0) return without(candidates);
         if (candidates.candidates.contours)
-            clock("contour", [&] { contour(candidates, front, eye); });
+            clock("contour", [&] { contour(candidates, front, view.eye); });
         const SegmentTable table = with_contours(candidates);
         clock("silhouette", [&] { count(table, front); });
         if (count_ == 0) return with_none(table);
-        clock("chain", [&] { chain(table, eye); });
+        clock("chain", [&] { chain(table, view); });
         return with_chains(table);
     }
 
@@ -67,7 +67,7 @@ class SilhouetteChains {
         return table.candidates.contours ? &tables_[Table::contour_ends] : nullptr;
     }
     void count(const SegmentTable& table, Buffer& front);
-    void chain(const SegmentTable& table, const glm::vec4& eye);
+    void chain(const SegmentTable& table, const SilhouetteView& view);
     SegmentTable with_none(const SegmentTable& table);
     SegmentTable with_chains(const SegmentTable& table) const;
     void copy_fixed(const SegmentTable& table);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/line_pens.hpp"
+#include "style/frame_settings.hpp"
 #include "viewer/kind_pens.hpp"
 #include "widgets.hpp"
 
@@ -54,7 +55,7 @@ void silhouettes_row(Ui& ui) {
         {{Silhouettes::mesh, "Mesh", "Along edges of the mesh"},
          {Silhouettes::automatic, "Auto", "Smooth where the surface is, else along edges"},
          {Silhouettes::smooth, "Smooth", "Where the surface itself turns away"}}};
-    const Silhouettes now = silhouettes_of(*model, ui.session.settings.shown);
+    const Silhouettes now = ui.session.settings.shown.silhouettes.value_or(usual_silhouettes);
     label(ui, "They follow");
     for (const Choice& choice : choices) {
         if (choice.silhouettes != Silhouettes::mesh) ImGui::SameLine(0, ui.points(4));
