@@ -49,11 +49,26 @@ bool is_shared(cl_context context) {
     return false;
 }
 
+/// Of another program at that address.
+void forget(cl_program program) {
+    sources.erase(program);
+    built_instead.erase(program);
+}
+
+cl_program CL_API_CALL create_from_binary(cl_context context, cl_uint count,
+                                          const cl_device_id* devices, const size_t* lengths,
+                                          const unsigned char** binaries, cl_int* statuses,
+                                          cl_int* status) {
+    cl_program program = driver->clCreateProgramWithBinary(context, count, devices, lengths,
+                                                           binaries, statuses, status);
+    forget(program);
+    return program;
+}
+
 cl_program CL_API_CALL create_program(cl_context context, cl_uint count, const char** texts,
                                       const size_t* lengths, cl_int* status) {
     cl_program program = driver->clCreateProgramWithSource(context, count, texts, lengths, status);
-    sources.erase(program);
-    built_instead.erase(program);
+    forget(program);
     if (program == nullptr || !is_shared(context)) return program;
     std::string text;
     for (cl_uint i = 0; i < count; ++i) {
@@ -112,6 +127,7 @@ const cl_icd_dispatch& build_once(const cl_icd_dispatch& below, const bool& when
     table = below;
     table.clCreateContext = create_context;
     table.clCreateProgramWithSource = create_program;
+    table.clCreateProgramWithBinary = create_from_binary;
     table.clBuildProgram = build_program;
     table.clCreateKernel = create_kernel;
     table.clGetProgramInfo = program_info;
