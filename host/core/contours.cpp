@@ -20,6 +20,8 @@ constexpr std::uint32_t least_faces = 64;
 constexpr double most_flat = 0.3;       ///< of a patch's faces
 constexpr double least_altitude = 0.25; ///< of the longest edge, in the middle of all faces
 constexpr double least_steadiness = 1.0 / 3;
+constexpr double sharp_bend = 15 * degree;
+constexpr double most_sharp = 0.1; ///< of a patch's edges
 
 /// A side of a triangle: from corner k to the next.
 struct Side {
@@ -115,6 +117,7 @@ class ContourFinder {
     void choose_patches(Silhouettes rule) {
         std::vector<std::uint32_t> count(faces_, 0), flat(faces_, 0), slivers(faces_, 0),
             known(faces_, 0);
+        std::vector<std::uint32_t> edges(faces_, 0), sharp(faces_, 0);
         std::vector<bool> bends(faces_, false);
         for (std::uint32_t f = 0; f < faces_; ++f) {
             const std::uint32_t patch = patches_.find(f);
@@ -123,16 +126,21 @@ class ContourFinder {
             slivers[patch] += is_sliver(f) ? 1 : 0;
             known[patch] += knows_normals(f) ? 1 : 0;
         }
-        for (std::size_t i = 0; i < in_.edges.size(); ++i)
-            if (joins_[i][0] != none && in_.bends[i] >= flat_bend)
-                bends[patches_.find(joins_[i][0] / 3)] = true;
+        for (std::size_t i = 0; i < in_.edges.size(); ++i) {
+            if (joins_[i][0] == none) continue;
+            const std::uint32_t patch = patches_.find(joins_[i][0] / 3);
+            ++edges[patch];
+            sharp[patch] += in_.bends[i] > sharp_bend ? 1 : 0;
+            if (in_.bends[i] >= flat_bend) bends[patch] = true;
+        }
         smooth_.assign(faces_, false);
         std::vector<bool> organic(faces_, false);
         for (std::uint32_t p = 0; p < faces_; ++p) {
             const bool exact = known[p] == count[p];
             organic[p] = rule != Silhouettes::smooth && !exact && in_.corner_normals.empty() &&
                          count[p] >= least_faces && is_of_solid(p) &&
-                         flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p];
+                         flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p] &&
+                         sharp[p] < most_sharp * edges[p];
             smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic[p] || exact);
         }
         add_normals();

@@ -34,8 +34,9 @@ struct FoundContours {
 /// Finds the smooth patches of a mesh: triangles that hang together across edges which may be
 /// silhouettes and are nothing else. Of Silhouettes::automatic one is smooth if it is of a solid,
 /// has at least 64 triangles, less than 30 % of them flat (an edge bends by less than 0.5 degrees)
-/// and half of them no slivers (lowest altitude above a quarter of the longest edge), and bends at
-/// one corner much as at the next; where any normals of the surface are known, if it bends and all
+/// and half of them no slivers (lowest altitude above a quarter of the longest edge), if less than
+/// a tenth of its edges bend by more than 15 degrees, and if it bends at one corner much as at the
+/// next; where any normals of the surface are known, if it bends and all
 /// of its are; of Silhouettes::smooth if it bends at all.
 FoundContours find_contours(const ContourInput& input, Silhouettes rule);
 

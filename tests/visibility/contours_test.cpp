@@ -527,6 +527,8 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
         return extract_lines(mesh, {.silhouettes = Silhouettes::automatic}).contours.empty();
     };
     EXPECT_TRUE(has_none(sphere(1)));
+    // Where most edges bend that much normals turn over from a triangle to the next.
+    EXPECT_TRUE(has_none(sphere(2)));
     // Nor do normals say anything where there is more noise than shape.
     Mesh rough = sphere(5);
     Random random{70};
