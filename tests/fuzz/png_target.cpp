@@ -12,9 +12,12 @@ std::uint32_t number_at(std::span<const std::uint8_t> bytes) {
            std::uint32_t{bytes[2]} << 8U | bytes[3];
 }
 
-void mend_sums(std::vector<std::uint8_t>& file) {
-    constexpr std::size_t signature = 8, around = 12; // length and name before, a sum behind
-    for (std::size_t at = signature; at + around <= file.size();) {
+void mend(std::vector<std::uint8_t>& file) {
+    constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    if (file.size() < signature.size()) return;
+    std::copy(signature.begin(), signature.end(), file.begin());
+    constexpr std::size_t around = 12; // length and name before, a sum behind
+    for (std::size_t at = signature.size(); at + around <= file.size();) {
         const std::size_t length = number_at(std::span{file}.subspan(at));
         if (length > file.size() - at - around) return;
         const auto sum = static_cast<std::uint32_t>(
@@ -30,7 +33,7 @@ void mend_sums(std::vector<std::uint8_t>& file) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace lineatlas;
     std::vector<std::uint8_t> bytes{data, data + size};
-    mend_sums(bytes);
+    mend(bytes);
     const std::filesystem::path file = fuzz::put_file(".png", bytes);
     try {
         const Image image = read_image(file);
