@@ -6,6 +6,7 @@
 
 #include "common.hpp"
 #include "vector/overlaps.hpp"
+#include "vector/paths.hpp"
 #include "vector/plotter.hpp"
 
 namespace lineatlas::bench {
@@ -13,20 +14,6 @@ namespace {
 
 double side_of(std::uint32_t n) {
     return std::sqrt(static_cast<double>(n));
-}
-
-VectorPath path_through(const std::vector<glm::dvec2>& points) {
-    VectorPath path{.kind = LineKind::crease, .visible = true, .points = {}, .pieces = {}};
-    double arc = 0;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (i > 0) {
-            arc += glm::distance(points[i - 1], points[i]);
-            path.pieces.push_back({.point = i - 1, .segment = i - 1});
-        }
-        path.points.push_back(
-            {.at = points[i], .depth = 0.5, .world = {points[i], 0.5}, .arc = arc});
-    }
-    return path;
 }
 
 /// Winding paths of `pieces` pieces; every second one runs along the one before, a little beside.
@@ -47,7 +34,7 @@ std::vector<VectorPath> crowd(std::uint32_t n, std::size_t count, std::uint32_t 
         } else {
             for (glm::dvec2& point : points) point += 0.1;
         }
-        paths.push_back(path_through(points));
+        paths.push_back(path_through(LineKind::crease, true, points));
     }
     return paths;
 }

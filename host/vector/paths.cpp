@@ -7,6 +7,22 @@
 
 namespace lineatlas {
 
+VectorPath path_through(LineKind kind, bool visible, const std::vector<glm::dvec2>& points,
+                        double depth) {
+    VectorPath path{.kind = kind, .visible = visible, .points = {}, .pieces = {}};
+    double arc = 0;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (i > 0) {
+            arc += glm::distance(points[i - 1], points[i]);
+            path.pieces.push_back({.point = i - 1, .segment = i - 1});
+        }
+        path.points.push_back(
+            {.at = points[i], .depth = depth, .world = {points[i], depth}, .arc = arc});
+    }
+    path.closed = points.size() > 2 && points.front() == points.back();
+    return path;
+}
+
 double length_of(const VectorPath& path) {
     double length = 0;
     for (std::size_t i = 1; i < path.points.size(); ++i) {

@@ -110,22 +110,6 @@ void Cuts::add_all() {
     for (std::uint32_t i = 0; i < lines_.segments.size(); ++i) add(i, 0, 1, true);
 }
 
-VectorPath path_through(LineKind kind, bool visible, const std::vector<glm::dvec2>& points,
-                        double depth) {
-    VectorPath path{.kind = kind, .visible = visible, .points = {}, .pieces = {}};
-    double arc = 0;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (i > 0) {
-            arc += glm::distance(points[i - 1], points[i]);
-            path.pieces.push_back({.point = i - 1, .segment = i - 1});
-        }
-        path.points.push_back(
-            {.at = points[i], .depth = depth, .world = {points[i], depth}, .arc = arc});
-    }
-    path.closed = points.size() > 2 && points.front() == points.back();
-    return path;
-}
-
 namespace {
 
 struct Span {

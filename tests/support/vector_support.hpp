@@ -56,10 +56,6 @@ class Cuts {
     std::vector<double> lengths_;
 };
 
-/// A path through points, as a stage of the drawing has it.
-VectorPath path_through(LineKind kind, bool visible, const std::vector<glm::dvec2>& points,
-                        double depth = 0.5);
-
 /// The longest span, in pixels, of any path along another one or along another part of itself:
 /// within a quarter of a pixel of it and almost parallel.
 double longest_overlap(const std::vector<VectorPath>& paths);

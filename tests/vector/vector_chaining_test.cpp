@@ -129,8 +129,8 @@ TEST(VectorChains, AFlickerOfVisibilityDoesNotTearAPath) {
 }
 
 TEST(Simplify, PointsOnALineGoAndCornersStay) {
-    VectorPath path = test::path_through(
-        LineKind::crease, true, {{0, 0}, {10, 0.04}, {20, 0}, {30, 0}, {30, 20}, {30, 21}});
+    VectorPath path = path_through(LineKind::crease, true,
+                                   {{0, 0}, {10, 0.04}, {20, 0}, {30, 0}, {30, 20}, {30, 21}});
     simplify(path, 0.05);
     ASSERT_EQ(path.points.size(), 3U);
     EXPECT_EQ(path.points[1].at, (glm::dvec2{30, 0}));
@@ -138,7 +138,7 @@ TEST(Simplify, PointsOnALineGoAndCornersStay) {
     EXPECT_EQ(path.pieces[2].point, 0U);
     EXPECT_EQ(path.pieces[2].segment, 2U);
     EXPECT_EQ(path.pieces[3].point, 1U);
-    VectorPath exact = test::path_through(LineKind::crease, true, {{0, 0}, {10, 0.06}, {20, 0}});
+    VectorPath exact = path_through(LineKind::crease, true, {{0, 0}, {10, 0.06}, {20, 0}});
     simplify(exact, 0.05);
     EXPECT_EQ(exact.points.size(), 3U);
 }
@@ -150,7 +150,7 @@ TEST(Simplify, ACircleStaysWithinTheTolerance) {
         points.emplace_back(100 + 80 * std::cos(angle), 50 + 80 * std::sin(angle));
     }
     points.push_back(points.front());
-    VectorPath path = test::path_through(LineKind::crease, true, points);
+    VectorPath path = path_through(LineKind::crease, true, points);
     simplify(path, 0.05);
     EXPECT_LT(path.points.size(), 130U);
     EXPECT_TRUE(path.closed);
@@ -170,8 +170,8 @@ TEST(Simplify, ACircleStaysWithinTheTolerance) {
 
 TEST(Simplify, SpecksVanish) {
     std::vector<VectorPath> paths{
-        test::path_through(LineKind::crease, true, {{5, 5}, {5.004, 5}, {5.004, 5.004}}),
-        test::path_through(LineKind::crease, true, {{5, 5}, {5.02, 5}})};
+        path_through(LineKind::crease, true, {{5, 5}, {5.004, 5}, {5.004, 5.004}}),
+        path_through(LineKind::crease, true, {{5, 5}, {5.02, 5}})};
     simplify(paths, 0.05);
     EXPECT_EQ(paths.size(), 1U);
 }

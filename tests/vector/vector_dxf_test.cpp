@@ -7,12 +7,11 @@
 
 #include "lineatlas/vector.hpp"
 #include "vector/dxf_text.hpp"
+#include "vector/paths.hpp"
 #include "vector_support.hpp"
 
 namespace lineatlas {
 namespace {
-
-using test::path_through;
 
 struct Group {
     int code;

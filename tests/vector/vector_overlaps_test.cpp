@@ -21,7 +21,7 @@ TEST(Overlaps, TheCheckerFindsWhatIsPlanted) {
     const auto overlap = [](std::vector<std::vector<glm::dvec2>> lines) {
         std::vector<VectorPath> paths;
         for (const auto& line : lines) {
-            paths.push_back(test::path_through(LineKind::crease, true, line));
+            paths.push_back(path_through(LineKind::crease, true, line));
         }
         return test::longest_overlap(paths);
     };
@@ -46,7 +46,7 @@ TEST(Overlaps, OfTwoEqualLinesTheOneThatMattersMoreStays) {
         return paths.at(0);
     };
     const auto path = [&](LineKind kind, bool visible, double depth = 0.5) {
-        return test::path_through(kind, visible, line, depth);
+        return path_through(kind, visible, line, depth);
     };
     EXPECT_TRUE(kept(path(LineKind::file, false), path(LineKind::silhouette, true)).visible);
     const std::vector<LineKind> order{LineKind::file, LineKind::boundary, LineKind::material,
@@ -61,8 +61,8 @@ TEST(Overlaps, OfTwoEqualLinesTheOneThatMattersMoreStays) {
 
 TEST(Overlaps, OnlyTheCommonPartGoes) {
     const std::vector<VectorPath> paths = without_overlaps(
-        {test::path_through(LineKind::file, true, {{30, 10}, {60, 10}}),
-         test::path_through(LineKind::crease, true, {{10, 10.1}, {90, 10.1}, {90, 60}})});
+        {path_through(LineKind::file, true, {{30, 10}, {60, 10}}),
+         path_through(LineKind::crease, true, {{10, 10.1}, {90, 10.1}, {90, 60}})});
     ASSERT_EQ(paths.size(), 3U);
     EXPECT_NEAR(length_of(paths[0]), 30, 1e-9);
     EXPECT_NEAR(length_of(paths[1]), 20, 1e-9);
@@ -75,16 +75,15 @@ TEST(Overlaps, OnlyTheCommonPartGoes) {
 
 TEST(Overlaps, APathThatFoldsBackIsDrawnOnce) {
     const std::vector<VectorPath> paths = without_overlaps(
-        {test::path_through(LineKind::crease, true, {{10, 10}, {90, 10}, {40, 10.1}, {40, 60}})});
+        {path_through(LineKind::crease, true, {{10, 10}, {90, 10}, {40, 10.1}, {40, 60}})});
     EXPECT_LE(test::longest_overlap(paths), 0.5);
     EXPECT_NEAR(test::total_length(paths), 80 + 50, 0.3);
 }
 
 TEST(Overlaps, ALoopThatIsCutStaysWholeAcrossItsStart) {
-    const std::vector<VectorPath> paths =
-        without_overlaps({test::path_through(LineKind::file, true, {{90, 20}, {90, 40}}),
-                          test::path_through(LineKind::crease, true,
-                                             {{10, 10}, {90, 10}, {90, 60}, {10, 60}, {10, 10}})});
+    const std::vector<VectorPath> paths = without_overlaps(
+        {path_through(LineKind::file, true, {{90, 20}, {90, 40}}),
+         path_through(LineKind::crease, true, {{10, 10}, {90, 10}, {90, 60}, {10, 60}, {10, 10}})});
     ASSERT_EQ(paths.size(), 2U);
     EXPECT_FALSE(paths[1].closed);
     EXPECT_NEAR(length_of(paths[1]), 260 - 20, 1e-9);
@@ -92,11 +91,11 @@ TEST(Overlaps, ALoopThatIsCutStaysWholeAcrossItsStart) {
 
 TEST(Overlaps, WhatOnlyMeetsOrCrossesStays) {
     const std::vector<VectorPath> paths{
-        test::path_through(LineKind::crease, true, {{10, 10}, {90, 10}}),
-        test::path_through(LineKind::crease, true, {{90, 10}, {150, 10}}), // goes on
-        test::path_through(LineKind::crease, true, {{90, 10}, {150, 40}}), // forks
-        test::path_through(LineKind::crease, true, {{50, 0}, {52, 90}}),
-        test::path_through(LineKind::crease, true, {{10, 10.4}, {90, 10.4}})};
+        path_through(LineKind::crease, true, {{10, 10}, {90, 10}}),
+        path_through(LineKind::crease, true, {{90, 10}, {150, 10}}), // goes on
+        path_through(LineKind::crease, true, {{90, 10}, {150, 40}}), // forks
+        path_through(LineKind::crease, true, {{50, 0}, {52, 90}}),
+        path_through(LineKind::crease, true, {{10, 10.4}, {90, 10.4}})};
     EXPECT_NEAR(test::total_length(without_overlaps(paths)), test::total_length(paths), 1e-9);
 }
 
@@ -116,7 +115,7 @@ std::vector<VectorPath> crowd(std::size_t pieces, glm::dvec2 size) {
                                                  static_cast<double>(random.between(0.3F, 6)));
         }
         const auto kind = static_cast<LineKind>(random.below(5));
-        paths.push_back(test::path_through(kind, random.coin(), points));
+        paths.push_back(path_through(kind, random.coin(), points));
         if (random.coin()) {
             const glm::dvec2 shift{random.between(-0.15F, 0.15F), random.between(-0.15F, 0.15F)};
             std::vector<glm::dvec2> copy;
@@ -127,7 +126,7 @@ std::vector<VectorPath> crowd(std::size_t pieces, glm::dvec2 size) {
                 }
             }
             if (random.coin()) std::ranges::reverse(copy);
-            paths.push_back(test::path_through(kind, random.coin(), copy));
+            paths.push_back(path_through(kind, random.coin(), copy));
         }
         made = 0;
         for (const VectorPath& path : paths) made += path.points.size() - 1;

@@ -14,8 +14,6 @@
 namespace lineatlas {
 namespace {
 
-using test::path_through;
-
 std::vector<VectorPath> strokes(std::size_t count, glm::dvec2 size) {
     test::Random random{8};
     std::vector<VectorPath> paths;

@@ -12,14 +12,13 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 #include "vector/path_data.hpp"
+#include "vector/paths.hpp"
 #include "vector/sheet.hpp"
 #include "vector/xml_text.hpp"
 #include "vector_support.hpp"
 
 namespace lineatlas {
 namespace {
-
-using test::path_through;
 
 Outline straight(const std::vector<glm::dvec2>& points, bool closed = false) {
     Outline outline{.points = {}, .closed = closed};
