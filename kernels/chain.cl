@@ -56,47 +56,26 @@ static int straightest_partner(const int own, const float3* directions, const in
     return own;
 }
 
-/* The vertex at end `end` (0: p, 1: q) of candidate `c`. */
-static uint vertex_at(const ChainParameters* args, __global const Segment* segments,
-                      __global const uint* contour_ends, const uint c, const uint end) {
-    if (c >= args->contours)
-        return contour_ends[2 * (c - args->contours) + end] & ~LA_END_UNDERSIDE;
-    __global const Segment* candidate = segments + args->first + c;
+/* The vertex at end `end` (0: p, 1: q) of a candidate. */
+static uint vertex_at(__global const Segment* candidate, const uint end) {
     return end != 0 ? candidate->q : candidate->p;
 }
 
-/* Where a candidate stands in `numbers`, and which one stands there. */
-static uint place_in_numbers(const ChainParameters* args, const uint c) {
-    return c < args->replaced ? c : c - (args->contours - args->replaced);
-}
-static uint candidate_at(const ChainParameters* args, const uint place) {
-    return place < args->replaced ? place : place + (args->contours - args->replaced);
-}
-
-/* The way that goes on behind an end of candidate `c`. */
+/* The way that goes on behind an end of candidate `c`, an edge of the mesh. */
 static uint way_on(const ChainParameters* args, const uint c, const uint end,
-                   __global const Segment* segments, __global const uint* contour_ends,
-                   __global const float* vertices, __global const uint* end_offsets,
-                   __global const uint* ends, __global const uint* numbers) {
-    const uint vertex = vertex_at(args, segments, contour_ends, c, end);
+                   __global const Segment* segments, __global const float* vertices,
+                   __global const uint* end_offsets, __global const uint* ends,
+                   __global const uint* numbers) {
+    __global const Segment* candidates = segments + args->first;
+    const uint vertex = vertex_at(candidates + c, end);
     uint meeting[MOST_MEETING];
     int count = 0, own = -1;
     for (uint k = end_offsets[vertex]; k < end_offsets[vertex + 1]; ++k) {
         const uint other = ends[k] >> 1;
-        if (other >= args->replaced && other < args->contours) continue;
-        const uint place = place_in_numbers(args, other);
-        if (numbers[place + 1] == numbers[place]) continue;
-        uint one = ends[k];
-        if (other >= args->contours) { /* may end there either way, or not at all */
-            one = other << 1;
-            if (vertex_at(args, segments, contour_ends, other, 0) != vertex) {
-                if (vertex_at(args, segments, contour_ends, other, 1) != vertex) continue;
-                one |= 1u;
-            }
-        }
+        if (numbers[other + 1] == numbers[other]) continue;
         if (count == MOST_MEETING) break;
-        if (one == (c << 1 | end)) own = count;
-        meeting[count++] = one;
+        if (ends[k] == (c << 1 | end)) own = count;
+        meeting[count++] = ends[k];
     }
     if (count < 2 || own < 0) return LA_WAY_ENDS;
     int partner = 1 - own;
@@ -104,15 +83,20 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
         float3 directions[MOST_MEETING];
         const float3 from = vload3(vertex, vertices);
         for (int k = 0; k < count; ++k) {
-            const uint far =
-                vertex_at(args, segments, contour_ends, meeting[k] >> 1, 1u - (meeting[k] & 1u));
+            const uint far = vertex_at(candidates + (meeting[k] >> 1), 1u - (meeting[k] & 1u));
             directions[k] = seen_direction(from, vload3(far, vertices), to_float4(args->eye));
         }
         partner = straightest_partner(own, directions, count);
     }
     if (partner == own) return LA_WAY_ENDS;
     /* What is entered at its p is taken from p to q. */
-    return numbers[place_in_numbers(args, meeting[partner] >> 1)] << 1 | (meeting[partner] & 1u);
+    return numbers[meeting[partner] >> 1] << 1 | (meeting[partner] & 1u);
+}
+
+/* The same of a contour: behind its q begins another at its p, and the other way round. */
+static uint contour_on(__global const ContourCrossing* crossing, const uint end) {
+    const uint other = end != 0 ? crossing->after : crossing->before;
+    return other == LA_NO_SILHOUETTE ? LA_WAY_ENDS : other << 1 | (1u - end);
 }
 
 /* How way 2 n + d of candidate c ranks among those that name a chain: the last bit says that the
@@ -124,26 +108,23 @@ static uint rank_of(const uint way, const uint c, const uint follows,
     return before == 0 ? way | LA_RANK_NEW : way ^ ((before - 1u) & 1u);
 }
 
-/* One work-item per candidate that may be one. numbers: of `silhouette`, scanned. end_offsets,
- * ends: of every vertex the ends of candidates there, as 2 i + end; of an edge that contours cross,
- * 2 i for each of its triangles. chosen[n]: the candidate that silhouette n is. ways: of all
- * silhouettes, each a stretch of one. positions: emptied for them. positions_before: of the frame
- * before, if it counts. */
+/* One work-item per silhouette. chosen, numbers: of `silhouette`; crossings: of `contour`.
+ * end_offsets, ends: of every vertex of the mesh the ends of its edges there, as 2 i + end for
+ * candidate i. ways: each a stretch of one. positions_before: of the frame before, if it counts. */
 KERNEL(chain_link, ChainParameters) {
-    const uint i = (uint)get_global_id(0);
-    if (i >= args.count) return;
-    const uint c = candidate_at(&args, i);
-    positions[c] = 0;
-    const uint n = numbers[i];
-    if (numbers[i + 1] == n) return;
-    chosen[n] = c;
+    const uint n = (uint)get_global_id(0);
+    if (n >= args.count) return;
+    const uint c = chosen[n];
     for (uint d = 0; d < 2; ++d) {
-        __global ChainWay* way = ways + (n << 1 | d);
-        way->next =
-            way_on(&args, c, 1u - d, segments, contour_ends, vertices, end_offsets, ends, numbers);
-        way->hops = 1;
-        way->least = rank_of(n << 1 | d, c, args.follows, positions_before);
-        way->at = 0;
+        const uint end = 1u - d;
+        ChainWay way;
+        way.next = c >= args.contours
+                       ? contour_on(crossings + n, end)
+                       : way_on(&args, c, end, segments, vertices, end_offsets, ends, numbers);
+        way.hops = 1;
+        way.least = rank_of(n << 1 | d, c, args.follows, positions_before);
+        way.at = 0;
+        ways[n << 1 | d] = way;
     }
 }
 
@@ -214,13 +195,13 @@ KERNEL(chain_write, ChainParameters) {
     const uint turned = (place.flags & LA_PLACE_REVERSED) != 0 ? 1u : 0u;
     Segment segment = segments[args.first + c];
     if (c >= args.contours) {
-        segment.p = vertex_at(&args, segments, contour_ends, c, 0) + args.lift;
-        segment.q = vertex_at(&args, segments, contour_ends, c, 1) + args.lift;
+        const ContourCrossing crossing = crossings[n];
+        segment.p = crossing.p + args.lifted;
+        segment.q = crossing.q + args.lifted;
         segment.face_b = LA_NO_FACE;
         segment.tag |= LA_TAG_CONTOUR;
-        const bool shows_back = (contour_ends[2 * (c - args.contours) + 1] & LA_END_UNDERSIDE) != 0;
         const bool shows_none = args.outside != 0 && (segment.tag & LA_TAG_SOLID) != 0;
-        if (shows_back) segment.tag |= shows_none ? LA_TAG_BURIED : LA_TAG_UNDERSIDE;
+        if (crossing.underside != 0) segment.tag |= shows_none ? LA_TAG_BURIED : LA_TAG_UNDERSIDE;
     }
     if (turned != 0) {
         const uint p = segment.p;

@@ -31,50 +31,60 @@ typedef struct ChainPlace {
 #define LA_PLACE_REVERSED 1u /* runs from its q to its p */
 #define LA_PLACE_CLOSED 2u   /* the chain is a loop */
 
-/* How a contour crosses an edge. */
-#define LA_CONTOUR_NONE 0u
-#define LA_CONTOUR_FALLS 1u /* the edge's start shows its front, its end does not */
-#define LA_CONTOUR_RISES 2u
-
-#define LA_NO_VERTEX 0xFFFFFFFFu
-#define LA_END_UNDERSIDE 0x80000000u /* with the vertex at the second end of a contour */
-#define LA_NO_SURFACE 0xFFFFFFFFu    /* of a triangle that contours don't run through */
+#define LA_NO_SURFACE 0xFFFFFFFFu /* of a triangle that contours don't run through */
 
 /* Places of contours are lifted off the surface by so much of the edge's length times the angle
  * between its normals. An eighth is how far an arc rises over its chord. */
 #define LA_CONTOUR_LIFT 0.25f
 
-/* An edge that contours may cross. */
+/* The triangles beside an edge that contours may cross, whatever surface they are of, as in
+ * Segment. */
 typedef struct ContourEdge {
-    la_uint from, to; /* corners */
-    la_uint border;   /* 1: the surface of these corners ends there, and a line goes on */
-    la_uint face_a,
-        face_b; /* the triangles beside it, whatever surface they are of, as in Segment */
+    la_uint face_a, face_b;
 } ContourEdge;
 
+/* A triangle that contours may run through: its edges, from corner to corner, those that run the
+ * other way with LA_CONTOUR_TURNED, and across each the next such triangle; LA_NO_FACE: the surface
+ * ends there, and a line goes on. A table of their own has the corners. */
+typedef struct ContourFace {
+    la_uint edges[3], across[3];
+} ContourFace;
+
+/* Where a contour runs through such a triangle, with the side that shows its front to the left as
+ * seen from outside, of a mirrored object to the right. */
+typedef struct ContourCrossing {
+    la_uint p, q;          /* vertices, on the surface; the next ones are lifted off it */
+    la_uint before, after; /* the silhouettes that end and begin there; LA_NO_SILHOUETTE */
+    la_uint underside;     /* 1: it is seen from the back of its surface */
+} ContourCrossing;
+
+#define LA_NO_SILHOUETTE 0xFFFFFFFFu
+
 typedef struct ContourParameters {
-    la_uint count;        /* edges; of contour_facing corners, of contour_ends candidates */
-    la_uint first_vertex; /* of an edge's place in the table of vertices */
+    la_uint count;        /* of contour_facing corners, of contour_cross triangles, of
+                             contour_places silhouettes */
+    la_uint first_vertex; /* of places: four for each silhouette */
+    la_uint first_number; /* of contours */
+    la_uint contours;     /* the first candidate of them */
     la_vec4 eye;          /* as in FacingParameters */
 } ContourParameters;
 
 /* Candidates by edges of the mesh come first, then those that contours stand for, then contours.
  * Those in the middle are never silhouettes, and `numbers` leaves them out. */
 typedef struct SilhouetteParameters {
-    la_uint count;    /* candidates but those in the middle */
+    la_uint count;    /* candidates before those in the middle; of silhouette_list all others too */
     la_uint first;    /* candidate in the segment table */
     la_uint replaced; /* the first in the middle; `count` where there are no contours */
+    la_uint contours; /* the first of them; no candidate's number where there are none */
 } SilhouetteParameters;
 
 typedef struct ChainParameters {
-    la_uint count;    /* of chain_link as in SilhouetteParameters; else silhouettes, of chain_jump
-                         their ways */
+    la_uint count;    /* silhouettes, of chain_jump their ways */
     la_uint first;    /* candidate in the segment table */
     la_uint step;     /* of chain_jump, from 0 */
     la_vec4 eye;      /* as in FacingParameters */
-    la_uint replaced; /* as in SilhouetteParameters */
-    la_uint contours; /* the first of them; no candidate's number where there are none */
-    la_uint lift;     /* from a contour's vertex to the one that is drawn */
+    la_uint contours; /* as in SilhouetteParameters */
+    la_uint lifted;   /* 1: contours are drawn lifted */
     la_uint follows;  /* 1: chains keep the names and directions of the frame before */
     la_uint outside;  /* 1: the eye looks at all parts from without */
 } ChainParameters;
@@ -88,24 +98,26 @@ typedef struct ChainParameters {
     in(ContourCorner, rest) in(uint, objects) in(float, turns) out(ContourCorner, corners)
 #define contour_facing_tables(in, out, inout, unordered) \
     in(ContourCorner, corners) in(float, vertices) out(float, facing)
-#define contour_points_tables(in, out, inout, unordered) \
-    in(float, facing) in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) in(uchar, front) \
-    inout(float, vertices) out(uchar, crossed)
-#define contour_ends_tables(in, out, inout, unordered) \
-    in(uint, faces) in(uchar, crossed) in(ContourEdge, edges) in(ContourCorner, corners) \
-    in(float, vertices) in(float, facing) out(uint, contour_ends)
+#define contour_cross_tables(in, out, inout, unordered) \
+    in(uint, face_corners) in(float, facing) out(uint, numbers)
+#define contour_places_tables(in, out, inout, unordered) \
+    in(uint, chosen) in(uint, numbers) in(uint, face_corners) in(float, facing) \
+    in(ContourFace, faces) in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) \
+    in(uchar, front) inout(float, vertices) out(ContourCrossing, crossings)
 #define silhouette_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(uchar, front) in(uint, contour_ends) out(uint, numbers)
+    in(Segment, segments) in(uchar, front) out(uint, numbers)
+#define silhouette_list_tables(in, out, inout, unordered) \
+    in(uint, numbers) out(uint, chosen) out(uint, positions)
 #define chain_link_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(uint, contour_ends) in(float, vertices) in(uint, end_offsets) \
-    in(uint, ends) \
-    in(uint, numbers) in(uint, positions_before) out(uint, chosen) out(ChainWay, ways) out(uint, positions)
+    in(Segment, segments) in(uint, chosen) in(ContourCrossing, crossings) in(float, vertices) \
+    in(uint, end_offsets) in(uint, ends) in(uint, numbers) in(uint, positions_before) \
+    out(ChainWay, ways)
 #define chain_jump_tables(in, out, inout, unordered) \
     in(ChainWay, ways) out(ChainWay, longer) inout(uint, going)
 #define chain_place_tables(in, out, inout, unordered) \
     in(ChainWay, ways) out(ChainPlace, places) out(uint, lengths)
 #define chain_write_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(uint, contour_ends) in(uint, chosen) in(ChainPlace, places) \
+    in(Segment, segments) in(ContourCrossing, crossings) in(uint, chosen) in(ChainPlace, places) \
     in(uint, starts) \
     inout(Segment, ordered) out(uint, origins) inout(uint, positions)
 /* clang-format on */

@@ -58,7 +58,7 @@ static bool is_mirrored(const uint face, const float3 normal, __global const uin
 static bool turns_away(__global const ContourEdge* edge, const float3 normals,
                        __global const uint* triangles, __global const float* vertices,
                        __global const uchar* front) {
-    if (edge->border == 0 || edge->face_b == LA_NO_FACE) return false;
+    if (edge->face_b == LA_NO_FACE) return false;
     const bool away = is_mirrored(edge->face_a, normals, triangles, vertices);
     return faces_front(edge->face_a, front) == away && faces_front(edge->face_b, front) == away;
 }
@@ -117,19 +117,12 @@ KERNEL(contour_facing, ContourParameters) {
                           to_float4(args.eye));
 }
 
-/* One work-item per edge. crossed: whether the contour crosses it, LA_CONTOUR_*. vertices: behind
- * those of the mesh, from first_vertex on, the places where it does, then the same lifted. */
-KERNEL(contour_points, ContourParameters) {
-    const uint i = (uint)get_global_id(0);
-    if (i >= args.count) return;
-    __global const ContourEdge* edge = edges + i;
-    const float at_a = facing[edge->from], at_b = facing[edge->to];
-    const bool front_a = at_a >= 0.0f, front_b = at_b >= 0.0f;
-    crossed[i] = front_a == front_b ? LA_CONTOUR_NONE
-                 : front_a          ? LA_CONTOUR_FALLS
-                                    : LA_CONTOUR_RISES;
-    if (front_a == front_b) return;
-    __global const ContourCorner *from = corners + edge->from, *to = corners + edge->to;
+/* Where a contour crosses the edge between two corners that differ in how they face the eye: the
+ * place, and the same lifted. edge: a border's triangles; null: the surface goes on there. */
+static void put_places(const ContourCorner* from, const ContourCorner* to, const float at_a,
+                       const float at_b, __global const ContourEdge* edge,
+                       __global const uint* triangles, __global const uchar* front,
+                       const uint vertex, __global float* vertices) {
     const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
     const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
     const float t = at_a / (at_a - at_b), s = 1.0f - t;
@@ -138,13 +131,15 @@ KERNEL(contour_points, ContourParameters) {
                  bend_b = normal_b * dot_of(way, normal_b);
     float3 place = a + way * t;
     /* The cubic less the chord: its inner points are moved by a third of these. */
-    if (edge->border == 0) place += (bend_b * t - bend_a * s) * (s * t);
-    if (turns_away(edge, normal_a + normal_b, triangles, vertices, front)) place = front_a ? a : b;
+    if (edge == 0)
+        place += (bend_b * t - bend_a * s) * (s * t);
+    else if (turns_away(edge, normal_a + normal_b, triangles, vertices, front))
+        place = at_a >= 0.0f ? a : b;
     const float3 turn = normal_b - normal_a;
     const float lift = LA_CONTOUR_LIFT * sqrt(dot_of(way, way) * dot_of(turn, turn));
     const float3 normal = unit_of(normal_a * s + normal_b * t);
-    vstore3(place, args.first_vertex + i, vertices);
-    vstore3(place + normal * lift, args.first_vertex + args.count + i, vertices);
+    vstore3(place, vertex, vertices);
+    vstore3(place + normal * lift, vertex + 1, vertices);
 }
 
 /* Whether the surface turns its front away from the eye as it comes nearer along the triangle with
@@ -161,35 +156,56 @@ static bool shows_back(const float3* at, const float* facing, const float4 eye) 
            0.0f;
 }
 
-/* One work-item per candidate. faces: its three edges, around the triangle; with LA_CONTOUR_TURNED
- * those that run the other way. contour_ends: the vertices between which it has its segment, with
- * the side that shows its front to the left as seen from outside, of a mirrored object to the
- * right; LA_NO_VERTEX if it has none; with LA_END_UNDERSIDE in the second if shows_back(). */
-KERNEL(contour_ends, ContourParameters) {
+/* numbers: of a triangle 1 if a contour crosses it, else 0, behind those of other candidates.
+ * face_corners: three each. One work-item per triangle. */
+KERNEL(contour_cross, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    uint p = LA_NO_VERTEX, q = LA_NO_VERTEX;
-    for (uint k = 0; k < 3; ++k) {
-        const uint edge = faces[3 * i + k] & ~LA_CONTOUR_TURNED;
-        const uint turned = (faces[3 * i + k] & LA_CONTOUR_TURNED) != 0 ? 1u : 0u;
-        const uint how = crossed[edge];
-        if (how == LA_CONTOUR_NONE) continue;
-        if ((how == LA_CONTOUR_FALLS) != (turned != 0))
-            p = args.first_vertex + edge;
-        else
-            q = args.first_vertex + edge;
-    }
-    contour_ends[2 * i] = p;
-    contour_ends[2 * i + 1] = q;
-    if (p == LA_NO_VERTEX) return;
+    __global const uint* own = face_corners + 3 * i;
+    const uint fronts = (facing[own[0]] >= 0.0f ? 1u : 0u) + (facing[own[1]] >= 0.0f ? 1u : 0u) +
+                        (facing[own[2]] >= 0.0f ? 1u : 0u);
+    numbers[args.first_number + i] = fronts == 1 || fronts == 2 ? 1u : 0u;
+}
+
+/* Where contours cross triangles; of two beside an edge that one finds the place which runs with
+ * it. numbers: of `silhouette`. One work-item per silhouette. */
+KERNEL(contour_places, ContourParameters) {
+    const uint n = (uint)get_global_id(0);
+    if (n >= args.count || chosen[n] < args.contours) return;
+    const uint i = chosen[n] - args.contours;
+    const ContourFace face = faces[i];
+    ContourCorner own[3];
     float3 at[3];
     float faces_eye[3];
     for (uint k = 0; k < 3; ++k) {
-        __global const ContourEdge* edge = edges + (faces[3 * i + k] & ~LA_CONTOUR_TURNED);
-        const uint corner = (faces[3 * i + k] & LA_CONTOUR_TURNED) != 0 ? edge->to : edge->from;
-        at[k] = vload3(corners[corner].vertex, vertices);
+        const uint corner = face_corners[3 * i + k];
+        own[k] = corners[corner];
+        at[k] = vload3(own[k].vertex, vertices);
         faces_eye[k] = facing[corner];
     }
-    if (shows_back(at, faces_eye, to_float4(args.eye)))
-        contour_ends[2 * i + 1] = q | LA_END_UNDERSIDE;
+    ContourCrossing crossing;
+    crossing.underside = shows_back(at, faces_eye, to_float4(args.eye)) ? 1 : 0;
+    for (uint k = 0; k < 3; ++k) {
+        const uint next = k == 2 ? 0 : k + 1;
+        const bool falls = faces_eye[k] >= 0.0f; /* there it is p, beyond the edge q */
+        if (falls == (faces_eye[next] >= 0.0f)) continue;
+        const uint across = face.across[k];
+        const uint other =
+            across == LA_NO_FACE ? LA_NO_SILHOUETTE : numbers[args.first_number + across];
+        uint vertex = args.first_vertex + 4 * n + (falls ? 0u : 2u);
+        if ((face.edges[k] & LA_CONTOUR_TURNED) != 0)
+            vertex = args.first_vertex + 4 * other + (falls ? 2u : 0u);
+        else
+            put_places(own + k, own + next, faces_eye[k], faces_eye[next],
+                       across == LA_NO_FACE ? edges + face.edges[k] : 0, triangles, front, vertex,
+                       vertices);
+        if (falls) {
+            crossing.p = vertex;
+            crossing.before = other;
+        } else {
+            crossing.q = vertex;
+            crossing.after = other;
+        }
+    }
+    crossings[n] = crossing;
 }

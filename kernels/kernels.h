@@ -275,9 +275,10 @@ typedef struct IntervalsParameters {
     kernel(cull, cull, CullParameters) \
     kernel(facing, facing, FacingParameters) \
     kernel(contour, contour_facing, ContourParameters) \
-    kernel(contour, contour_points, ContourParameters) \
-    kernel(contour, contour_ends, ContourParameters) \
+    kernel(contour, contour_cross, ContourParameters) \
     kernel(silhouette, silhouette, SilhouetteParameters) \
+    kernel(silhouette, silhouette_list, SilhouetteParameters) \
+    kernel(contour, contour_places, ContourParameters) \
     kernel(chain, chain_link, ChainParameters) \
     kernel(chain, chain_jump, ChainParameters) \
     kernel(chain, chain_place, ChainParameters) \

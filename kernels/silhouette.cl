@@ -1,6 +1,6 @@
 /* silhouette: which candidates are silhouettes in this frame (§3.1, §4.1).
  *
- * One work-item per candidate that may be one. */
+ * One work-item per candidate that may be one, but for contours, which `contour` numbers. */
 
 #include "silhouette.h"
 
@@ -8,10 +8,16 @@
 KERNEL(silhouette, SilhouetteParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    if (i >= args.replaced) {
-        numbers[i] = contour_ends[2 * (i - args.replaced)] != LA_NO_VERTEX ? 1 : 0;
-        return;
-    }
     __global const Segment* candidate = segments + args.first + i;
     numbers[i] = is_silhouette(candidate->face_a, candidate->face_b, front);
+}
+
+/* What they number. chosen[n]: the candidate that silhouette n is. positions: of all candidates,
+ * emptied for `chain`. One work-item per candidate that may be one, contours too. */
+KERNEL(silhouette_list, SilhouetteParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    const uint c = i < args.replaced ? i : args.contours + (i - args.replaced);
+    positions[c] = 0;
+    if (numbers[i + 1] != numbers[i]) chosen[numbers[i]] = c;
 }

@@ -1,9 +1,10 @@
-// silhouette, chain: n candidates in rings of 64 edges, in any order; of every other ring all are
-// silhouettes.
-// Bytes: of silhouette per candidate the segment (32), its two faces (2) and the result (4). Of
-// chain per candidate its number and position (8); per silhouette its segment (32) twice, its ends
-// and those they meet (32), two ways of 16 bytes read and written in each of 8 steps (512), its
-// place written and read (32), and its number, start and origin (16).
+// silhouette, silhouette_list, chain: n candidates in rings of 64 edges, in any order; of every
+// other ring all are silhouettes.
+// Bytes: of silhouette per candidate the segment (32), its two faces (2) and the result (4). Of the
+// list per candidate its number and position (8), per silhouette which it is (4). Of chain per
+// silhouette its segment (32) twice, its ends and those they meet (32), two ways of 16 bytes read
+// and written in each of 8 steps (512), its place written and read (32), and its number, start and
+// origin (16).
 
 #include <algorithm>
 #include <numeric>
@@ -64,10 +65,8 @@ struct Rings {
 Job prepare_silhouette(compute::Stages& stages, std::uint32_t n) {
     const auto rings = std::make_shared<Rings>(stages, n);
     const auto run = [&stages, rings] {
-        stages.silhouette({.table = rings->table(),
-                           .contour_ends = nullptr,
-                           .front = *rings->front,
-                           .numbers = *rings->numbers});
+        stages.silhouette(
+            {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
         stages.device().finish();
     };
     run();
@@ -77,12 +76,33 @@ Job prepare_silhouette(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
+Job prepare_list(compute::Stages& stages, std::uint32_t n) {
+    const auto rings = std::make_shared<Rings>(stages, n);
+    stages.silhouette(
+        {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
+    const std::size_t count = rings->silhouettes;
+    const SharedBuffer chosen{rings->device.allocate(count * sizeof(std::uint32_t))},
+        positions{rings->device.allocate(n * sizeof(std::uint32_t))};
+    const auto run = [=, &stages] {
+        stages.silhouette_list({.candidates = rings->table().candidates,
+                                .numbers = *rings->numbers,
+                                .chosen = *chosen,
+                                .positions = *positions});
+        stages.device().finish();
+    };
+    run();
+    return {.run = run,
+            .bytes = 8.0 * n + 4.0 * static_cast<double>(count),
+            .result = [rings, chosen, count] {
+                return read_back<std::uint8_t>(rings->device, *chosen,
+                                               count * sizeof(std::uint32_t));
+            }};
+}
+
 Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
     const auto rings = std::make_shared<Rings>(stages, n);
-    stages.silhouette({.table = rings->table(),
-                       .contour_ends = nullptr,
-                       .front = *rings->front,
-                       .numbers = *rings->numbers});
+    stages.silhouette(
+        {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
     const std::size_t count = rings->silhouettes;
     const auto words = [&](std::size_t each) {
         return SharedBuffer{rings->device.allocate(each * sizeof(std::uint32_t))};
@@ -91,9 +111,13 @@ Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
                        going = words(compute::most_chain_steps), places = words(4 * count),
                        starts = words(count + 1), ordered = words(8 * count),
                        origins = words(count), positions = words(n);
+    stages.silhouette_list({.candidates = rings->table().candidates,
+                            .numbers = *rings->numbers,
+                            .chosen = *chosen,
+                            .positions = *positions});
     const auto run = [=, &stages] {
         stages.chain({.table = rings->table(),
-                      .contour_ends = nullptr,
+                      .crossings = nullptr,
                       .lifted = false,
                       .view = {{0, 0, 1, 0}, true},
                       .numbers = *rings->numbers,
@@ -110,17 +134,18 @@ Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
         stages.device().finish();
     };
     run();
-    return {.run = run,
-            .bytes = 8.0 * n + 656.0 * static_cast<double>(count),
-            .result = [rings, ordered, count] {
-                return read_back<std::uint8_t>(rings->device, *ordered, count * sizeof(Segment));
-            }};
+    return {
+        .run = run, .bytes = 656.0 * static_cast<double>(count), .result = [rings, ordered, count] {
+            return read_back<std::uint8_t>(rings->device, *ordered, count * sizeof(Segment));
+        }};
 }
 
 } // namespace
 
 Rows silhouette_rows(const Devices& devices) {
-    return own_rows(devices, "silhouette", prepare_silhouette);
+    Rows rows = own_rows(devices, "silhouette", prepare_silhouette);
+    std::ranges::move(own_rows(devices, "silhouette_list", prepare_list), std::back_inserter(rows));
+    return rows;
 }
 
 Rows chain_rows(const Devices& devices) {

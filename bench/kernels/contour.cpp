@@ -1,8 +1,8 @@
-// contour: n edges between n corners of random normals, and as many triangles.
-// Bytes: per corner itself (16), where it is (12) and how it faces the eye, written once and read
-// by two edges (12); per edge what lies beside it (20), and as half of them are crossed, half of
-// what its corners are (16) and where (12), of the two places (12), and how it is crossed (1); per
-// triangle its edges (12), how they are crossed (3) and its ends (8).
+// contour: n triangles between n corners of random normals, of which three of four are crossed.
+// Bytes: per corner itself (16), where it is (12) and how it faces the eye (4); per triangle its
+// corners (12), how these face it (12) and whether it is crossed (4), and of those that are which
+// they are (4), their corners (12), how these face it (12), what they are (48) and where (36),
+// edges (24), the numbers of two neighbours (8), two places (24) and the crossing (20).
 
 #include <algorithm>
 #include <iterator>
@@ -21,40 +21,66 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
     const auto component = [&] { return static_cast<float>(random.below(2001)) * 1e-3F - 1; };
     std::vector<ContourCorner> corners(n);
     std::vector<compute::ContourEdge> edges(n);
-    std::vector<glm::uvec3> faces(n);
-    std::vector<glm::vec3> vertices(3 * std::size_t{n});
+    std::vector<compute::ContourFace> faces(n);
+    std::vector<glm::uvec3> face_corners(n);
+    std::vector<glm::vec3> vertices(5 * std::size_t{n});
     for (std::uint32_t i = 0; i < n; ++i) {
         const glm::vec3 normal = glm::normalize(glm::vec3{component(), component(), 1.5F});
         corners[i] = {.vertex = i, .normal = {normal.x, normal.y, component()}};
-        edges[i] = {i, (i + 1) % n, 0, i, (i + 1) % n};
-        faces[i] = {i, (i + 1) % n, (i + 2) % n | LA_CONTOUR_TURNED};
+        edges[i] = {i, (i + 1) % n};
+        face_corners[i] = {i, (i + 1) % n, (i + 2) % n};
+        faces[i] = {{i, (i + 1) % n | LA_CONTOUR_TURNED, (i + 2) % n | LA_CONTOUR_TURNED},
+                    {(i + 1) % n, (i + 2) % n, (i + 3) % n}};
         vertices[i] = {component(), component(), component()};
     }
     const SharedBuffer corner_table = to_device(device, corners),
                        edge_table = to_device(device, edges), face_table = to_device(device, faces),
-                       places = to_device(device, vertices), triangles = to_device(device, faces),
+                       places = to_device(device, vertices),
+                       corners_of = to_device(device, face_corners),
                        front = to_device(device, std::vector<std::uint8_t>(n, 1)),
-                       crossed = SharedBuffer{device.allocate(n)},
-                       ends = SharedBuffer{device.allocate(n * sizeof(glm::uvec2))};
-    const auto run = [=, &stages] {
-        stages.contour({.contours = {.corners = corner_table.get(),
-                                     .edges = edge_table.get(),
-                                     .faces = face_table.get(),
-                                     .edge_count = n,
-                                     .face_count = n,
-                                     .replaced = 0,
-                                     .vertex_count = n},
-                        .triangles = *triangles,
-                        .eye = {0, 0, 1, 0},
-                        .front = *front,
+                       crossed = to_device(device, std::vector<std::uint32_t>(n)),
+                       crossings = to_device(device, std::vector<compute::ContourCrossing>(n));
+    const compute::ContourTables tables{.corners = corner_table.get(),
+                                        .edges = edge_table.get(),
+                                        .face_corners = corners_of.get(),
+                                        .faces = face_table.get(),
+                                        .edge_count = n,
+                                        .face_count = n,
+                                        .replaced = 0,
+                                        .vertex_count = n};
+    const auto cross = [=, &stages] {
+        stages.contour({.contours = tables,
                         .vertices = *places,
-                        .crossed = *crossed,
-                        .ends = *ends});
+                        .eye = {0, 0, 1, 0},
+                        .first_number = 0,
+                        .numbers = *crossed});
+    };
+    cross();
+    std::vector<std::uint32_t> is_crossed(n), number_values{0}, chosen_values;
+    device.download(*crossed, std::as_writable_bytes(std::span{is_crossed}));
+    for (std::uint32_t i = 0; i < n; ++i) {
+        if (is_crossed[i] != 0) chosen_values.push_back(i);
+        number_values.push_back(static_cast<std::uint32_t>(chosen_values.size()));
+    }
+    const auto count = static_cast<std::uint32_t>(chosen_values.size());
+    const SharedBuffer numbers = to_device(device, number_values),
+                       chosen = to_device(device, chosen_values);
+    const auto run = [=, &stages] {
+        cross();
+        stages.contour_places(
+            {.table = {*places, *corners_of, *places, n, n, {.count = n, .contours = tables}},
+             .eye = {0, 0, 1, 0},
+             .front = *front,
+             .numbers = *numbers,
+             .chosen = *chosen,
+             .count = count,
+             .crossings = *crossings});
         stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 124.0 * n, .result = [&device, ends, n] {
-                return read_back<std::uint8_t>(device, *ends, n * sizeof(glm::uvec2));
+    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, crossings, count] {
+                return read_back<std::uint8_t>(device, *crossings,
+                                               count * sizeof(compute::ContourCrossing));
             }};
 }
 

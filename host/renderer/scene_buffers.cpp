@@ -334,10 +334,17 @@ LineSet SceneBuffers::download_contours() {
     result.triangles.resize(triangle_count_);
     Contours& contours = result.contours;
     contours.corners = download<ContourCorner>(*tables->corners, contour_chunk().corner_count());
-    for (const compute::ContourEdge& edge :
-         download<compute::ContourEdge>(*tables->edges, tables->edge_count))
-        contours.edges.emplace_back(edge.from, edge.to);
-    contours.faces = download<glm::uvec3>(*tables->faces, tables->face_count);
+    contours.edges.resize(tables->edge_count);
+    const auto corners = download<glm::uvec3>(*tables->face_corners, tables->face_count);
+    for (const compute::ContourFace& face :
+         download<compute::ContourFace>(*tables->faces, tables->face_count)) {
+        const glm::uvec3 own = corners[contours.faces.size()];
+        contours.faces.emplace_back(face.edges[0], face.edges[1], face.edges[2]);
+        if (own.x == own.y) continue; // stands in empty room, see Assembly
+        for (int k = 0; k < 3; ++k)
+            if ((face.edges[k] & LA_CONTOUR_TURNED) == 0)
+                contours.edges[face.edges[k]] = {own[k], own[(k + 1) % 3]};
+    }
     contours.replaced = tables->replaced;
     return result;
 }

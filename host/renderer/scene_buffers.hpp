@@ -147,7 +147,7 @@ class SceneBuffers {
     void follow(const AssemblyState& parts);
     void update_part(const AssemblyState& parts, const AssemblyState::Change& change);
     void upload_part_lines(const AssemblyState& parts, const PartRooms& rooms);
-    void upload_part_ends(const AssemblyState& parts, const PartRooms& rooms, const LineSet& part);
+    void upload_part_ends(const PartRooms& rooms, const LineSet& part);
     void upload_part_contours(const Contours& all, const PartRooms& rooms, const LineSet& part);
     void upload_part_triangles(std::uint32_t object, const PartRooms& rooms, const LineSet& part);
     void upload_part_surfaces(const PartRooms& rooms, const LineSet& part);

@@ -30,59 +30,39 @@ std::span<const T> in(const std::vector<T>& table, std::uint32_t first, std::uin
     return std::span{table}.subspan(first, count);
 }
 
-/// Where candidates meet, with the part's lists in its own room. See LineTables::Chunk.
+/// Where candidates meet that are edges, with the part's lists in its own room. See
+/// LineTables::Chunk.
 struct Ends {
-    std::vector<std::uint32_t> vertices; ///< offsets of vertices
-    std::vector<std::uint32_t> edges;    ///< of edges of contours
-    std::uint32_t first;                 ///< where `ends` stands in the table
+    std::vector<std::uint32_t> offsets; ///< of vertices
+    std::uint32_t first;                ///< where `ends` stands in the table
     std::vector<std::uint32_t> ends;
 };
 
-Ends ends_of(const AssemblyState& parts, const PartRooms& rooms, const LineSet& part) {
-    const std::array<PartRoom, 4> tables = segment_rooms(parts, rooms);
+Ends ends_of(const PartRooms& rooms, const LineSet& part) {
     const Contours& contours = part.contours;
-    const std::size_t first_face = part.segments.size() - contours.faces.size();
-    const std::size_t first_replaced = first_face - contours.replaced;
-    const auto first = std::ranges::find_if(part.segments, [](const Segment& segment) {
+    const std::span kept = std::span{part.segments}.first(part.segments.size() - contours.replaced -
+                                                          contours.faces.size());
+    const auto is_candidate = [](const Segment& segment) {
         return (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
-    });
-    const auto first_candidate = static_cast<std::size_t>(first - part.segments.begin());
-    // Calls it with every place in `offsets` where a candidate may end, and what stands for that.
-    const auto for_each_end = [&](const auto& each) {
-        for (std::size_t i = first_candidate; i < first_face; ++i) {
-            const bool replaced = i >= first_replaced;
-            const std::size_t number =
-                tables[replaced ? 2 : 1].first + i - (replaced ? first_replaced : first_candidate);
-            const auto end = static_cast<std::uint32_t>(2 * (number - parts.first_candidate));
-            each(part.segments[i].p, end);
-            each(part.segments[i].q, end + 1);
-        }
-        for (std::size_t i = 0; i < contours.faces.size(); ++i) {
-            const auto end =
-                static_cast<std::uint32_t>(2 * (tables[3].first + i - parts.first_candidate));
-            for (int k = 0; k < 3; ++k)
-                each(rooms.vertices.size + (contours.faces[i][k] & ~LA_CONTOUR_TURNED), end);
-        }
     };
-    Ends result{.vertices = {},
-                .edges = {},
-                .first =
-                    2 * (rooms.candidates.first + rooms.replaced.first) + 3 * rooms.faces.first,
-                .ends = std::vector<std::uint32_t>(
-                    2 * (std::size_t{rooms.candidates.size} + rooms.replaced.size) +
-                        3 * std::size_t{rooms.faces.size},
-                    0)};
-    std::vector<std::uint32_t> offsets(std::size_t{rooms.vertices.size} + rooms.edges.size, 0);
-    for_each_end([&](std::uint32_t place, std::uint32_t) {
-        ++offsets[place + 1]; // there is one vertex more, and one edge
+    const std::span edges{std::ranges::find_if(kept, is_candidate), kept.end()};
+    // Calls it with every vertex where a candidate ends, and what stands for that end.
+    const auto for_each_end = [&](const auto& each) {
+        std::uint32_t end = 2 * rooms.candidates.first;
+        for (const Segment& edge : edges)
+            for (const std::uint32_t vertex : {edge.p, edge.q}) each(vertex, end++);
+    };
+    Ends result{.offsets = std::vector<std::uint32_t>(rooms.vertices.size, 0),
+                .first = 2 * rooms.candidates.first,
+                .ends = std::vector<std::uint32_t>(2 * std::size_t{rooms.candidates.size}, 0)};
+    for_each_end([&](std::uint32_t vertex, std::uint32_t) {
+        ++result.offsets[vertex + 1]; // there is one vertex more
     });
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<std::uint32_t> next = offsets;
-    for_each_end([&](std::uint32_t place, std::uint32_t end) { result.ends[next[place]++] = end; });
-    for (std::uint32_t& offset : offsets) offset += result.first;
-    const auto edges = offsets.begin() + rooms.vertices.size;
-    result.vertices.assign(offsets.begin(), edges);
-    result.edges.assign(edges, offsets.end());
+    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+    std::vector<std::uint32_t> next = result.offsets;
+    for_each_end(
+        [&](std::uint32_t vertex, std::uint32_t end) { result.ends[next[vertex]++] = end; });
+    for (std::uint32_t& offset : result.offsets) offset += result.first;
     return result;
 }
 
@@ -91,18 +71,14 @@ Ends ends_of(const AssemblyState& parts, const PartRooms& rooms, const LineSet& 
 void SceneBuffers::follow(const AssemblyState& parts) {
     if (tables_.chunks.size() > 1) return; // then they are made anew for every change
     followed_ = {parts.layout, parts.changes.size(), parts.object_room};
-    const LineSet& all = parts.lines;
-    const std::size_t vertices = all.vertices.size(), faces = all.contours.faces.size();
-    std::vector<std::uint32_t> offsets(vertices + all.contours.edges.size() + 1, 0);
-    std::vector<std::uint32_t> ends(
-        2 * (all.segments.size() - std::size_t{parts.first_candidate}) + faces, 0);
+    std::vector<std::uint32_t> offsets(parts.lines.vertices.size() + 1, 0);
+    std::vector<std::uint32_t> ends(2 * std::size_t{parts.first_replaced - parts.first_candidate},
+                                    0);
     for (std::uint32_t i = 0; i < parts.parts.size(); ++i) {
         if (!parts.parts[i].is_there) continue;
         const PartRooms& rooms = parts.parts[i].rooms;
-        const Ends own = ends_of(parts, rooms, part_lines(parts, i));
-        std::ranges::copy(own.vertices, offsets.begin() + rooms.vertices.first);
-        std::ranges::copy(own.edges, offsets.begin() +
-                                         static_cast<std::ptrdiff_t>(vertices + rooms.edges.first));
+        const Ends own = ends_of(rooms, part_lines(parts, i));
+        std::ranges::copy(own.offsets, offsets.begin() + rooms.vertices.first);
         std::ranges::copy(own.ends, ends.begin() + own.first);
     }
     LineTables::Chunk& chunk = tables_.chunks.front();
@@ -133,7 +109,7 @@ void SceneBuffers::update_part(const AssemblyState& parts, const AssemblyState::
     const bool is_here = own.is_there && own.rooms == rooms;
     const LineSet part = is_here ? part_lines(parts, object) : LineSet{};
     upload_part_lines(parts, rooms);
-    upload_part_ends(parts, rooms, part);
+    upload_part_ends(rooms, part);
     upload_part_contours(parts.lines.contours, rooms, part);
     upload_part_triangles(object, rooms, part);
     upload_part_surfaces(rooms, part);
@@ -155,13 +131,10 @@ void SceneBuffers::upload_part_lines(const AssemblyState& parts, const PartRooms
     }
 }
 
-void SceneBuffers::upload_part_ends(const AssemblyState& parts, const PartRooms& rooms,
-                                    const LineSet& part) {
-    const Ends own = ends_of(parts, rooms, part);
+void SceneBuffers::upload_part_ends(const PartRooms& rooms, const LineSet& part) {
+    const Ends own = ends_of(rooms, part);
     const LineTables::Chunk& chunk = tables_.chunks.front();
-    upload_at(device(), *chunk.end_offsets, rooms.vertices.first, own.vertices);
-    upload_at(device(), *chunk.end_offsets, parts.lines.vertices.size() + rooms.edges.first,
-              own.edges);
+    upload_at(device(), *chunk.end_offsets, rooms.vertices.first, own.offsets);
     upload_at(device(), *chunk.ends, own.first, own.ends);
 }
 
@@ -169,16 +142,23 @@ void SceneBuffers::upload_part_contours(const Contours& all, const PartRooms& ro
                                         const LineSet& part) {
     const LineTables::Chunk& chunk = tables_.chunks.front();
     if (!chunk.faces) return;
-    // Where there is no edge, one from the first corner to itself is never crossed.
     std::vector<compute::ContourEdge> edges = contour_edges(part.contours, part.segments);
     for (compute::ContourEdge& edge : edges) {
-        edge.from += rooms.corners.first;
-        edge.to += rooms.corners.first;
         for (la_uint* face : {&edge.face_a, &edge.face_b})
             if (*face != LA_NO_FACE) *face += rooms.triangles.first;
     }
-    edges.resize(rooms.edges.size,
-                 {.from = 0, .to = 0, .border = 0, .face_a = 0, .face_b = LA_NO_FACE});
+    edges.resize(rooms.edges.size, {.face_a = 0, .face_b = LA_NO_FACE});
+    std::vector<glm::uvec3> corners = contour_corners(part.contours);
+    for (glm::uvec3& face : corners) face += rooms.corners.first;
+    std::vector<compute::ContourFace> faces = contour_faces(part.contours);
+    for (compute::ContourFace& face : faces) {
+        for (la_uint& edge : face.edges) edge += rooms.edges.first;
+        for (la_uint& across : face.across)
+            if (across != LA_NO_FACE) across += rooms.faces.first;
+    }
+    // Where there is none, one whose corners are one and the same is never crossed.
+    corners.resize(rooms.faces.size, glm::uvec3{0});
+    faces.resize(rooms.faces.size, {});
     std::vector<std::uint32_t> patches = contour_patches(part, part.segments);
     for (std::uint32_t& patch : patches)
         if (patch != LA_NO_SURFACE) patch += rooms.edges.first;
@@ -186,8 +166,8 @@ void SceneBuffers::upload_part_contours(const Contours& all, const PartRooms& ro
     upload_at(device(), *chunk.corners, rooms.corners.first,
               in(all.corners, rooms.corners.first, rooms.corners.size));
     upload_at(device(), *chunk.edges, rooms.edges.first, edges);
-    upload_at(device(), *chunk.faces, rooms.faces.first,
-              in(all.faces, rooms.faces.first, rooms.faces.size));
+    upload_at(device(), *chunk.face_corners, rooms.faces.first, corners);
+    upload_at(device(), *chunk.faces, rooms.faces.first, faces);
     upload_at(device(), *chunk.patches, rooms.triangles.first, patches);
 }
 

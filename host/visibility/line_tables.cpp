@@ -22,14 +22,12 @@ std::span<const Segment> candidates_of(std::span<const Segment> segments) {
     return segments.subspan(first);
 }
 
-/// Whether the device has buffers for all that frames keep of contours, of which the first are in
-/// the line set and the last in SilhouetteChains.
-bool has_room_for_contours(const LineSet& lines, std::uint64_t candidates,
-                           std::uint64_t largest_buffer) {
-    const std::uint64_t edges = lines.contours.edges.size();
-    return edges * sizeof(compute::ContourEdge) <= largest_buffer &&
-           (lines.vertices.size() + 2 * edges) * sizeof(glm::vec3) <= largest_buffer &&
-           3 * candidates * sizeof(la_uint) <= largest_buffer;
+/// Whether the device has buffers for contours as the line set has them: what frames add is as
+/// much as there are silhouettes.
+bool has_room_for_contours(const LineSet& lines, std::uint64_t largest_buffer) {
+    const Contours& contours = lines.contours;
+    return contours.faces.size() * sizeof(compute::ContourFace) <= largest_buffer &&
+           contours.corners.size() * sizeof(ContourCorner) <= largest_buffer;
 }
 
 /// Candidates stay together if a buffer holds them: the silhouettes among them, few of all, are
@@ -45,36 +43,26 @@ std::vector<SegmentRange> cut_into_chunks(std::span<const Segment> segments, std
     return chunks;
 }
 
-/// Finds the candidates of a chunk, and uploads where they meet.
+/// Finds the candidates of a chunk, and uploads where those meet that stay edges of the mesh.
 void add_candidates(compute::Device& device, std::span<const Segment> segments,
-                    const LineSet* contours, LineTables::Chunk& chunk) {
+                    const Contours* contours, LineTables::Chunk& chunk) {
     const std::span<const Segment> candidates = candidates_of(segments);
     if (candidates.empty()) return;
     chunk.candidate_count = static_cast<std::uint32_t>(candidates.size());
-    const std::size_t faces = contours != nullptr ? contours->contours.faces.size() : 0;
-    const std::size_t edges = candidates.size() - faces;
-    // Calls it with every vertex where a candidate may end, and what stands for that end.
-    const auto for_each_end = [&](const auto& each) {
-        for (std::uint32_t i = 0; i < edges; ++i) {
-            each(candidates[i].p, 2 * i);
-            each(candidates[i].q, 2 * i + 1);
-        }
-        for (std::uint32_t i = 0; i < faces; ++i) {
-            for (int k = 0; k < 3; ++k) {
-                const std::uint32_t edge = contours->contours.faces[i][k] & ~LA_CONTOUR_TURNED;
-                each(static_cast<std::uint32_t>(contours->vertices.size()) + edge,
-                     2 * (static_cast<std::uint32_t>(edges) + i));
-            }
-        }
-    };
+    const std::size_t others =
+        contours != nullptr ? contours->replaced + contours->faces.size() : 0;
+    const std::span<const Segment> edges = candidates.first(candidates.size() - others);
     std::uint32_t last = 0;
-    for_each_end([&](std::uint32_t vertex, std::uint32_t) { last = std::max(last, vertex); });
+    for (const Segment& edge : edges) last = std::max({last, edge.p, edge.q});
     std::vector<std::uint32_t> offsets(std::size_t{last} + 2, 0);
-    for_each_end([&](std::uint32_t vertex, std::uint32_t) { ++offsets[vertex + 1]; });
+    for (const Segment& edge : edges)
+        for (const std::uint32_t vertex : {edge.p, edge.q}) ++offsets[vertex + 1];
     std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<std::uint32_t> ends(2 * edges + 3 * faces);
+    std::vector<std::uint32_t> ends(2 * edges.size());
     std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-    for_each_end([&](std::uint32_t vertex, std::uint32_t end) { ends[next[vertex]++] = end; });
+    std::uint32_t end = 0;
+    for (const Segment& edge : edges)
+        for (const std::uint32_t vertex : {edge.p, edge.q}) ends[next[vertex]++] = end++;
     chunk.end_offsets = upload(device, std::as_bytes(std::span{offsets}), purpose::segments);
     chunk.ends = upload(device, std::as_bytes(std::span{ends}), purpose::segments);
 }
@@ -87,7 +75,8 @@ void add_contours(compute::Device& device, const LineSet& lines, std::span<const
     };
     chunk.corners = to_device(contours.corners);
     chunk.edges = to_device(contour_edges(contours, segments));
-    chunk.faces = to_device(contours.faces);
+    chunk.face_corners = to_device(contour_corners(contours));
+    chunk.faces = to_device(contour_faces(contours));
     chunk.patches = to_device(contour_patches(lines, segments));
     chunk.replaced = contours.replaced;
     chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
@@ -97,29 +86,23 @@ void add_contours(compute::Device& device, const LineSet& lines, std::span<const
 
 std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
                                                 std::span<const Segment> segments) {
-    std::vector<compute::ContourEdge> edges;
-    edges.reserve(contours.edges.size());
-    for (const glm::uvec2& edge : contours.edges)
-        edges.push_back({.from = edge.x,
-                         .to = edge.y,
-                         .border = 1,
-                         .face_a = LA_NO_FACE,
-                         .face_b = LA_NO_FACE});
+    std::vector<compute::ContourEdge> edges(contours.edges.size(),
+                                            {.face_a = LA_NO_FACE, .face_b = LA_NO_FACE});
     const std::span faces = segments.last(contours.faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
             compute::ContourEdge& edge = edges[contours.faces[i][k] & ~LA_CONTOUR_TURNED];
-            const bool is_first = edge.face_a == LA_NO_FACE;
-            (is_first ? edge.face_a : edge.face_b) = faces[i].face_a;
-            if (!is_first) edge.border = 0;
+            (edge.face_a == LA_NO_FACE ? edge.face_a : edge.face_b) = faces[i].face_a;
         }
     }
     // Beyond the border of a surface: as the line there has it.
     std::unordered_multimap<std::uint64_t, compute::ContourEdge*> borders;
     const auto vertex = [&](std::uint32_t corner) { return contours.corners[corner].vertex; };
-    for (compute::ContourEdge& edge : edges)
-        if (edge.border != 0 && edge.from != edge.to)
-            borders.emplace(pair_key(vertex(edge.from), vertex(edge.to)), &edge);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const glm::uvec2 ends = contours.edges[i];
+        if (edges[i].face_b == LA_NO_FACE && ends.x != ends.y)
+            borders.emplace(pair_key(vertex(ends.x), vertex(ends.y)), &edges[i]);
+    }
     for (const Segment& segment : segments.first(segments.size() - faces.size())) {
         const auto [first, last] = borders.equal_range(pair_key(segment.p, segment.q));
         for (auto at = first; at != last; ++at) {
@@ -130,6 +113,38 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
         }
     }
     return edges;
+}
+
+std::vector<glm::uvec3> contour_corners(const Contours& contours) {
+    std::vector<glm::uvec3> corners(contours.faces.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t edge = contours.faces[i][k];
+            const glm::uvec2 ends = contours.edges[edge & ~LA_CONTOUR_TURNED];
+            corners[i][k] = (edge & LA_CONTOUR_TURNED) != 0 ? ends.y : ends.x;
+        }
+    }
+    return corners;
+}
+
+std::vector<compute::ContourFace> contour_faces(const Contours& contours) {
+    std::vector<compute::ContourFace> faces(contours.faces.size());
+    constexpr std::uint32_t none = LA_NO_FACE;
+    std::vector<glm::uvec2> first_sides(contours.edges.size(), glm::uvec2{none}); // face and place
+    for (std::uint32_t i = 0; i < faces.size(); ++i) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            faces[i].edges[k] = contours.faces[i][static_cast<int>(k)];
+            faces[i].across[k] = none;
+            glm::uvec2& first = first_sides[faces[i].edges[k] & ~LA_CONTOUR_TURNED];
+            if (first.x == none) {
+                first = {i, k};
+            } else {
+                faces[i].across[k] = first.x;
+                faces[first.x].across[first.y] = i;
+            }
+        }
+    }
+    return faces;
 }
 
 std::vector<std::uint32_t> contour_patches(const LineSet& lines,
@@ -152,10 +167,11 @@ std::optional<compute::ContourTables> LineTables::Chunk::contours(compute::Buffe
     return compute::ContourTables{
         .corners = turned != nullptr ? turned : corners.get(),
         .edges = edges.get(),
+        .face_corners = face_corners.get(),
         .faces = faces.get(),
         .patches = patches.get(),
         .edge_count = static_cast<std::uint32_t>(edges->size() / sizeof(compute::ContourEdge)),
-        .face_count = static_cast<std::uint32_t>(faces->size() / sizeof(glm::uvec3)),
+        .face_count = static_cast<std::uint32_t>(faces->size() / sizeof(compute::ContourFace)),
         .replaced = replaced,
         .vertex_count = vertex_count};
 }
@@ -166,7 +182,8 @@ std::uint32_t LineTables::Chunk::corner_count() const {
 
 std::uint64_t LineTables::Chunk::bytes() const {
     std::uint64_t sum = segments->size();
-    for (const auto* buffer : {&end_offsets, &ends, &corners, &edges, &faces, &patches}) {
+    for (const auto* buffer :
+         {&end_offsets, &ends, &corners, &edges, &face_corners, &faces, &patches}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -201,9 +218,9 @@ upload_segments(compute::Device& device, std::span<const Segment> segments, cons
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
         const bool has_contours = lines != nullptr && !lines->contours.empty() &&
                                   candidates_of(part).size() == candidates &&
-                                  has_room_for_contours(*lines, candidates, largest);
+                                  has_room_for_contours(*lines, largest);
         chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
-        add_candidates(device, part, has_contours ? lines : nullptr, chunks.back());
+        add_candidates(device, part, has_contours ? &lines->contours : nullptr, chunks.back());
         if (has_contours) add_contours(device, *lines, segments, chunks.back());
     }
     return chunks;

@@ -23,7 +23,7 @@ struct LineTables {
         std::uint32_t candidate_count = 0;
         std::unique_ptr<compute::Buffer> end_offsets{}, ends{}; ///< where there are any
         /// Of contours, in the chunk that has all candidates.
-        std::unique_ptr<compute::Buffer> corners{}, edges{}, faces{}, patches{};
+        std::unique_ptr<compute::Buffer> corners{}, edges{}, face_corners{}, faces{}, patches{};
         std::uint32_t replaced = 0, vertex_count = 0;
 
         /// `turned`: of objects that have moved, in place of `corners`; null: none has.
@@ -53,6 +53,10 @@ std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const
 std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
                                                std::span<const Segment> segments,
                                                const LineSet* lines = nullptr);
+/// The corners of what contours may run through.
+std::vector<glm::uvec3> contour_corners(const Contours& contours);
+/// What lies across its edges.
+std::vector<compute::ContourFace> contour_faces(const Contours& contours);
 /// What lies beside the edges that contours may cross.
 std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
                                                 std::span<const Segment> segments);

@@ -12,69 +12,136 @@
 namespace lineatlas::test {
 namespace {
 
-LINEATLAS_STAGE_TEST(ContourStage);
-
 /// A corner on the unit circle of the plane z = 0, whose normal points away from the middle.
 ContourCorner on_circle(std::uint32_t vertex, float angle) {
     return {.vertex = vertex, .normal = {std::cos(angle), std::sin(angle), 0}};
 }
 
+/// A mesh of which contours may run through all triangles, behind one other candidate.
+struct ContourModel {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> triangles;
+    std::vector<ContourCorner> corners;
+    std::vector<compute::ContourEdge> edges;
+    std::vector<glm::uvec3> face_corners;
+    std::vector<compute::ContourFace> faces;
+};
+
+struct FoundContour {
+    std::vector<std::uint32_t> is_crossed; ///< of each face
+    std::vector<compute::ContourCrossing> crossings;
+    std::vector<glm::vec3> vertices; ///< behind those of the mesh
+};
+
+class ContourTest : public StageTest {
+  protected:
+    FoundContour find_contour(const ContourModel& model, const glm::vec4& eye,
+                              const std::vector<std::uint8_t>& shows_front) {
+        const auto faces = static_cast<std::uint32_t>(model.faces.size());
+        const auto own_vertices = static_cast<std::uint32_t>(model.vertices.size());
+        std::vector<glm::vec3> room = model.vertices;
+        room.resize(own_vertices + 4 * faces);
+        const auto vertices = put(room), triangles = put(model.triangles),
+                   corners = put(model.corners), edges = put(model.edges),
+                   face_corners = put(model.face_corners), face_table = put(model.faces),
+                   front = put(shows_front);
+        const compute::ContourTables tables{.corners = corners.get(),
+                                            .edges = edges.get(),
+                                            .face_corners = face_corners.get(),
+                                            .faces = face_table.get(),
+                                            .edge_count =
+                                                static_cast<std::uint32_t>(model.edges.size()),
+                                            .face_count = faces,
+                                            .replaced = 0,
+                                            .vertex_count = own_vertices};
+        const compute::SilhouetteCandidates candidates{
+            .first = 0, .count = 1 + faces, .contours = tables};
+        const auto numbers = put(std::vector<std::uint32_t>(faces + 2, 0));
+        stages().contour({.contours = tables,
+                          .vertices = *vertices,
+                          .eye = eye,
+                          .first_number = candidates.kept_edges(),
+                          .numbers = *numbers});
+        FoundContour found;
+        const auto flags = get<std::uint32_t>(*numbers, 1 + faces);
+        found.is_crossed.assign(flags.begin() + 1, flags.end());
+        std::vector<std::uint32_t> scanned{0}, chosen;
+        for (std::uint32_t c = 0; c <= faces; ++c) {
+            if (flags[c] != 0) chosen.push_back(c);
+            scanned.push_back(static_cast<std::uint32_t>(chosen.size()));
+        }
+        const auto count = static_cast<std::uint32_t>(chosen.size());
+        if (count == 0) return found;
+        const auto scanned_numbers = put(scanned), list = put(chosen);
+        const auto crossings = device().allocate(count * sizeof(compute::ContourCrossing));
+        stages().contour_places(
+            {.table = {*vertices, *triangles, *vertices, faces, 1 + faces, candidates},
+             .eye = eye,
+             .front = *front,
+             .numbers = *scanned_numbers,
+             .chosen = *list,
+             .count = count,
+             .crossings = *crossings});
+        found.crossings = get<compute::ContourCrossing>(*crossings, count);
+        const auto all = get<glm::vec3>(*vertices, room.size());
+        found.vertices.assign(all.begin() + own_vertices, all.end());
+        return found;
+    }
+};
+
+LINEATLAS_STAGE_TEST_OF(ContourStage, ContourTest);
+
 TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
-    // Three corners: two on an arc, of which the second is seen from +x, and one beside.
+    // Three corners: two on an arc, of which the second is seen from +x, and one beside. Two
+    // triangles lie on each other, and share all their edges but one.
     const float half = 0.1F, ahead = 0.03F, middle = 0.5F * 3.14159265F;
     const std::array<float, 2> angle{middle + half + ahead, middle - half + ahead};
-    std::vector<glm::vec3> vertices{{std::cos(angle[0]), std::sin(angle[0]), 0},
-                                    {std::cos(angle[1]), std::sin(angle[1]), 0},
-                                    {std::cos(angle[1]), std::sin(angle[1]), 1}};
-    vertices.resize(3 + 6);
-    const auto corners =
-        put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1]), on_circle(2, angle[1])});
-    const auto edges =
-        put(std::vector<compute::ContourEdge>{{0, 1, 0, 0, 0}, {1, 2, 0, 0, 0}, {0, 2, 0, 0, 0}});
-    const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2 | LA_CONTOUR_TURNED}});
-    const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}});
-    const auto places = put(vertices);
-    const auto front = put(std::vector<std::uint8_t>{1});
-    const auto crossed = device().allocate(3);
-    const auto ends = device().allocate(sizeof(glm::uvec2));
-    stages().contour({.contours = {.corners = corners.get(),
-                                   .edges = edges.get(),
-                                   .faces = faces.get(),
-                                   .edge_count = 3,
-                                   .face_count = 1,
-                                   .replaced = 0,
-                                   .vertex_count = 3},
-                      .triangles = *triangles,
-                      .eye = {1, 0, 0, 0},
-                      .front = *front,
-                      .vertices = *places,
-                      .crossed = *crossed,
-                      .ends = *ends});
-    EXPECT_EQ(get<std::uint8_t>(*crossed, 3),
-              (std::vector<std::uint8_t>{LA_CONTOUR_RISES, LA_CONTOUR_NONE, LA_CONTOUR_RISES}));
-    // Around the triangle it rises on the first edge, and falls on the last, which is turned.
-    EXPECT_EQ(get<glm::uvec2>(*ends, 1)[0], glm::uvec2(3 + 2, 3 + 0));
-    const std::vector<glm::vec3> found = get<glm::vec3>(*places, 9);
+    constexpr std::uint32_t turned = LA_CONTOUR_TURNED;
+    const ContourModel model{
+        .vertices = {{std::cos(angle[0]), std::sin(angle[0]), 0},
+                     {std::cos(angle[1]), std::sin(angle[1]), 0},
+                     {std::cos(angle[1]), std::sin(angle[1]), 1}},
+        .triangles = {{0, 1, 2}, {0, 2, 1}},
+        .corners = {on_circle(0, angle[0]), on_circle(1, angle[1]), on_circle(2, angle[1])},
+        .edges = {{0, 1}, {0, 1}, {0, 1}, {0, 1}},
+        .face_corners = {{0, 1, 2}, {0, 2, 1}},
+        .faces = {{{0, 1, 2 | turned}, {1, LA_NO_FACE, 1}},
+                  {{2, 3, 0 | turned}, {0, LA_NO_FACE, 0}}}};
+    const FoundContour all = find_contour(model, {1, 0, 0, 0}, {1, 1});
+    EXPECT_EQ(all.is_crossed, (std::vector<std::uint32_t>{1, 1}));
+    ASSERT_EQ(all.crossings.size(), 2U);
+    // Around the first triangle it rises on the first edge, where it finds the place, and falls on
+    // the last, which is turned: there the other one does.
+    EXPECT_EQ(all.crossings[0].q, 3U + 2);
+    EXPECT_EQ(all.crossings[0].p, 3U + 4 + 2);
+    EXPECT_EQ(all.crossings[1].p, all.crossings[0].q);
+    EXPECT_EQ(all.crossings[1].q, all.crossings[0].p);
+    for (const int i : {0, 1}) {
+        EXPECT_EQ(all.crossings[static_cast<std::size_t>(i)].before, 1U - i) << i;
+        EXPECT_EQ(all.crossings[static_cast<std::size_t>(i)].after, 1U - i) << i;
+    }
+    for (const std::size_t kept : {0, 1, 4, 5}) EXPECT_EQ(all.vertices[kept], glm::vec3{0}) << kept;
+    const glm::vec3 found = all.vertices[2], lifted = all.vertices[3];
     // By the cubic's four points, at the share where the normals turn, but for the sine of an angle
     // that counts as none; and the arc's top as far as a cubic can be, whose error grows with the
     // fourth power of the angle.
-    const glm::dvec2 a{vertices[0]}, d{vertices[1]}, way = d - a;
+    const glm::dvec2 a{model.vertices[0]}, d{model.vertices[1]}, way = d - a;
     const glm::dvec2 b = a + (way - glm::dot(way, a) * a) / 3.0;
     const glm::dvec2 c = d - (way - glm::dot(way, d) * d) / 3.0;
     const double t = (a.x - 1e-5) / (a.x - d.x);
     const glm::dvec2 ab = glm::mix(a, b, t), bc = glm::mix(b, c, t), cd = glm::mix(c, d, t);
     const glm::dvec2 on_cubic = glm::mix(glm::mix(ab, bc, t), glm::mix(bc, cd, t), t);
-    EXPECT_NEAR(found[3].x, on_cubic.x, 1e-6);
-    EXPECT_NEAR(found[3].y, on_cubic.y, 1e-6);
+    EXPECT_NEAR(found.x, on_cubic.x, 1e-6);
+    EXPECT_NEAR(found.y, on_cubic.y, 1e-6);
     const double fourth = std::pow(double{half}, 4);
     EXPECT_NEAR(glm::length(on_cubic), 1, 0.4 * fourth);
-    EXPECT_NEAR(found[3].x, 0, fourth);
-    EXPECT_NEAR(found[3].z, 0, 1e-6);
+    EXPECT_NEAR(found.x, 0, fourth);
+    EXPECT_NEAR(found.z, 0, 1e-6);
     const float chord = 2 * std::sin(half);
-    EXPECT_NEAR(glm::distance(found[6], found[3]), LA_CONTOUR_LIFT * chord * chord, 1e-5);
-    EXPECT_GT(found[6].y, found[3].y);
-    EXPECT_NEAR(found[5].y, 1, 2e-3); // runs aslant over the arc
-    EXPECT_NEAR(found[5].x, 0, 1e-2);
+    EXPECT_NEAR(glm::distance(lifted, found), LA_CONTOUR_LIFT * chord * chord, 1e-5);
+    EXPECT_GT(lifted.y, found.y);
+    EXPECT_NEAR(all.vertices[6].y, 1, 2e-3); // runs aslant over the arc
+    EXPECT_NEAR(all.vertices[6].x, 0, 1e-2);
 }
 
 TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
@@ -82,35 +149,26 @@ TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
     // where one surface ends in another.
     const float middle = 0.5F * 3.14159265F, ahead = 0.13F, behind = 0.07F;
     const std::array<float, 2> angle{middle + ahead, middle - behind};
-    std::vector<glm::vec3> vertices{{std::cos(angle[0]), std::sin(angle[0]), 0},
-                                    {std::cos(angle[1]), std::sin(angle[1]), 0},
-                                    {0, 1, 1},
-                                    {0, 1, -1}};
-    vertices.resize(4 + 2);
-    const auto corners = put(std::vector{on_circle(0, angle[0]), on_circle(1, angle[1])});
-    const auto edges = put(std::vector<compute::ContourEdge>{{0, 1, 1, 0, 1}});
-    const auto faces = put(std::vector<glm::uvec3>{{0, 0, 0}});
-    const auto crossed = device().allocate(1);
-    const auto ends = device().allocate(sizeof(glm::uvec2));
+    const std::vector<glm::vec3> vertices{{std::cos(angle[0]), std::sin(angle[0]), 0},
+                                          {std::cos(angle[1]), std::sin(angle[1]), 0},
+                                          {0, 1, 1},
+                                          {0, 1, -1}};
     const auto place = [&](std::vector<std::uint8_t> shows_front, bool mirrored = false) {
-        const auto places = put(vertices);
         // Counter-clockwise as seen from where the normals point to, or clockwise.
-        const auto triangles = put(mirrored ? std::vector<glm::uvec3>{{0, 1, 2}, {1, 0, 3}}
-                                            : std::vector<glm::uvec3>{{1, 0, 2}, {0, 1, 3}});
-        const auto front = put(shows_front);
-        stages().contour({.contours = {.corners = corners.get(),
-                                       .edges = edges.get(),
-                                       .faces = faces.get(),
-                                       .edge_count = 1,
-                                       .face_count = 0,
-                                       .vertex_count = 4},
-                          .triangles = *triangles,
-                          .eye = {1, 0, 0, 0},
-                          .front = *front,
-                          .vertices = *places,
-                          .crossed = *crossed,
-                          .ends = *ends});
-        return get<glm::vec3>(*places, 6)[4];
+        std::vector<glm::uvec3> triangles{{1, 0, 2}, {0, 1, 3}};
+        if (mirrored) triangles = {{0, 1, 2}, {1, 0, 3}};
+        // Of the surface one triangle, whose last two corners are one and the same.
+        const FoundContour found =
+            find_contour({.vertices = vertices,
+                          .triangles = triangles,
+                          .corners = {on_circle(0, angle[0]), on_circle(1, angle[1])},
+                          .edges = {{0, 1}, {0, 1}, {0, 1}},
+                          .face_corners = {{0, 1, 1}},
+                          .faces = {{{0, 1, 2}, {LA_NO_FACE, LA_NO_FACE, LA_NO_FACE}}}},
+                         {1, 0, 0, 0}, shows_front);
+        EXPECT_EQ(found.crossings.at(0).after, LA_NO_SILHOUETTE);
+        EXPECT_EQ(found.crossings.at(0).q, 4U + 2);
+        return found.vertices.at(2);
     };
     // The line along the edge is straight, and all of it is seen if one of its faces shows its
     // front. Else none of it is, and the line before it ends at the vertex whose surface does.
@@ -129,30 +187,15 @@ TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
 }
 
 TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
-    const auto corners = put(
-        std::vector<ContourCorner>{{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}}, {2, {0, -0.6F, 0.8F}}});
-    const auto edges =
-        put(std::vector<compute::ContourEdge>{{0, 1, 0, 0, 0}, {1, 2, 0, 0, 0}, {2, 0, 0, 0, 0}});
-    const auto faces = put(std::vector<glm::uvec3>{{0, 1, 2}});
-    const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}});
-    const auto places = put(std::vector<glm::vec3>(9, glm::vec3{1, 2, 3}));
-    const auto front = put(std::vector<std::uint8_t>{1});
-    const auto crossed = device().allocate(3);
-    const auto ends = device().allocate(sizeof(glm::uvec2));
-    stages().contour({.contours = {.corners = corners.get(),
-                                   .edges = edges.get(),
-                                   .faces = faces.get(),
-                                   .edge_count = 3,
-                                   .face_count = 1,
-                                   .vertex_count = 3},
-                      .triangles = *triangles,
-                      .eye = {1, 2, 30, 1},
-                      .front = *front,
-                      .vertices = *places,
-                      .crossed = *crossed,
-                      .ends = *ends});
-    EXPECT_EQ(get<std::uint8_t>(*crossed, 3), (std::vector<std::uint8_t>{0, 0, 0}));
-    EXPECT_EQ(get<glm::uvec2>(*ends, 1)[0], glm::uvec2(LA_NO_VERTEX));
+    const FoundContour found =
+        find_contour({.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                      .triangles = {{0, 1, 2}},
+                      .corners = {{0, {0, 0, 1}}, {1, {0.6F, 0, 0.8F}}, {2, {0, -0.6F, 0.8F}}},
+                      .edges = {{0, 1}, {0, 1}, {0, 1}},
+                      .face_corners = {{0, 1, 2}},
+                      .faces = {{{0, 1, 2}, {LA_NO_FACE, LA_NO_FACE, LA_NO_FACE}}}},
+                     {1, 2, 30, 1}, {1});
+    EXPECT_EQ(found.is_crossed, std::vector<std::uint32_t>{0});
 }
 
 void expect_normal(const ContourCorner& corner, glm::vec3 expected, float within) {

@@ -28,10 +28,24 @@ TEST_P(SilhouetteStage, NumbersWhatHasOneFaceInFront) {
     const auto ends = device().allocate(16);
     stages().silhouette(
         {.table = {*segments, *segments, *segments, 4, 9, {2, 7, ends.get(), ends.get()}},
-         .contour_ends = nullptr,
          .front = *front,
          .numbers = *numbers});
     EXPECT_TRUE(equal(get<std::uint32_t>(*numbers, 8), {0, 0, 1, 2, 3, 4, 4, 4}));
+}
+
+TEST_P(SilhouetteStage, ListsThem) {
+    // Seven candidates: three edges, two that contours stand for, two contours.
+    compute::SilhouetteCandidates candidates{.first = 9, .count = 7};
+    candidates.contours = compute::ContourTables{.face_count = 2, .replaced = 2};
+    const auto numbers = put(std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3});
+    const auto chosen = put(std::vector<std::uint32_t>(4, 99));
+    const auto positions = put(std::vector<std::uint32_t>(7, 99));
+    stages().silhouette_list({.candidates = candidates,
+                              .numbers = *numbers,
+                              .chosen = *chosen,
+                              .positions = *positions});
+    EXPECT_TRUE(equal(get<std::uint32_t>(*chosen, 4), {0, 2, 6, 99}));
+    EXPECT_TRUE(equal(get<std::uint32_t>(*positions, 7), {0, 0, 0, 99, 99, 0, 0}));
 }
 
 } // namespace

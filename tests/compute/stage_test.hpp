@@ -32,8 +32,9 @@ class StageTest : public testing::TestWithParam<TestDevice> {
 };
 
 /// The fixture and its suites, for a stage's file.
-#define LINEATLAS_STAGE_TEST(Name)                                                                 \
-    class Name : public StageTest {};                                                              \
+#define LINEATLAS_STAGE_TEST(Name) LINEATLAS_STAGE_TEST_OF(Name, StageTest)
+#define LINEATLAS_STAGE_TEST_OF(Name, Base)                                                        \
+    class Name : public Base {};                                                                   \
     INSTANTIATE_TEST_SUITE_P(OnDevice, Name, testing::ValuesIn(test_devices()),                    \
                              [](const auto& info) { return info.param.name; })
 

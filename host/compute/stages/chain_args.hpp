@@ -35,15 +35,25 @@ struct ContourTurnArgs {
     Buffer& corners; ///< out: turned
 };
 
-/// Where contours run.
+/// Which faces contours cross.
 struct ContourArgs {
     ContourTables contours;
-    Buffer& triangles; ///< as in SegmentTable
-    glm::vec4 eye;     ///< Camera::eye()
-    Buffer& front;     ///< of `facing`
-    Buffer& vertices;  ///< in: those of the mesh; out, behind them: 6 floats per edge
-    Buffer& crossed;   ///< scratch: a byte per edge
-    Buffer& ends;      ///< out: 2 uint32 per candidate, see kernels/contour.cl
+    Buffer& vertices;           ///< of the mesh
+    glm::vec4 eye;              ///< Camera::eye()
+    std::uint32_t first_number; ///< SilhouetteCandidates::kept_edges()
+    Buffer& numbers;            ///< out, from there on: for SilhouetteArgs::numbers
+};
+
+/// Where they cross them.
+struct ContourPlacesArgs {
+    SegmentTable table; ///< with contours; `vertices` out, behind those of the mesh: four places of
+                        ///< three floats per silhouette
+    glm::vec4 eye;      ///< that of ContourArgs, of the last such call
+    Buffer& front;      ///< of `facing`
+    Buffer& numbers;    ///< of `silhouette`
+    Buffer& chosen;     ///< of `silhouette_list`
+    std::uint32_t count; ///< silhouettes
+    Buffer& crossings;   ///< out: `ContourCrossing` per silhouette
 };
 
 /// Where silhouettes are seen from.
@@ -55,20 +65,29 @@ struct SilhouetteView {
 /// Which candidates are silhouettes.
 struct SilhouetteArgs {
     SegmentTable table;
-    Buffer* contour_ends; ///< of `contour`; null where there are no contours
-    Buffer& front;        ///< of `facing`
-    Buffer& numbers; ///< out: of what may be one the number of silhouettes before it, then of all
+    Buffer& front; ///< of `facing`
+    /// In: of contours, those of `contour`. Out: of what may be one the number of silhouettes
+    /// before it, then of all.
+    Buffer& numbers;
+};
+
+/// A list of them.
+struct SilhouetteListArgs {
+    SilhouetteCandidates candidates;
+    Buffer& numbers;   ///< of `silhouette`
+    Buffer& chosen;    ///< out: a uint32 per silhouette
+    Buffer& positions; ///< out: a uint32 per candidate
 };
 
 /// The silhouettes of a frame as paths: see kernels/chain.cl for what each table holds.
 struct ChainArgs {
     SegmentTable table;
-    Buffer* contour_ends; ///< as in SilhouetteArgs
-    bool lifted;          ///< contours are drawn where visibility is asked of them
+    Buffer* crossings; ///< of `contour_places`; null where there are no contours
+    bool lifted;       ///< contours are drawn where visibility is asked of them
     SilhouetteView view;
     Buffer& numbers;     ///< of `silhouette`
     std::uint32_t count; ///< silhouettes, above 0
-    Buffer& chosen;      ///< scratch: a uint32 per silhouette
+    Buffer& chosen;      ///< of `silhouette_list`
     Buffer& ways;        ///< scratch: two `ChainWay` per silhouette
     Buffer& longer;      ///< scratch: the same
     Buffer& going;       ///< scratch: a uint32 for each of most_chain_steps
@@ -76,7 +95,7 @@ struct ChainArgs {
     Buffer& starts;      ///< scratch: a uint32 per silhouette and one more
     Buffer& ordered;     ///< out: `Segment` each, from candidates.first on
     Buffer& origins;     ///< out: a uint32 per silhouette, in their new order
-    Buffer& positions;   ///< out: a uint32 per candidate
+    Buffer& positions;   ///< in: as `silhouette_list` has them; out: a uint32 per candidate
     /// The same of the frame before, whose names and directions chains keep; null: there is none.
     Buffer* positions_before = nullptr;
 };

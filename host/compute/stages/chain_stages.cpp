@@ -5,15 +5,6 @@
 
 namespace lineatlas::compute {
 
-namespace {
-
-/// A table that is not read where there are no contours.
-Buffer& contour_ends(const SegmentTable& table, Buffer* ends) {
-    return ends != nullptr ? *ends : table.segments;
-}
-
-} // namespace
-
 void Stages::contour_normals(const ContourNormalsArgs& args) {
     launch<kernels::contour_normals>(args.count, tuning_.local_size, {args.count},
                                      {.vertices = args.vertices,
@@ -34,60 +25,80 @@ void Stages::contour(const ContourArgs& args) {
     const auto corner_count =
         static_cast<std::uint32_t>(contours.corners->size() / sizeof(ContourCorner));
     Buffer& facing = scratch(corner_facing_, corner_count);
-    ContourParameters parameters{
-        .count = corner_count, .first_vertex = contours.vertex_count, .eye = args.eye};
+    ContourParameters parameters{.count = corner_count,
+                                 .first_vertex = contours.vertex_count,
+                                 .first_number = args.first_number,
+                                 .contours = 0,
+                                 .eye = args.eye};
     launch<kernels::contour_facing>(
         corner_count, tuning_.local_size, parameters,
         {.corners = *contours.corners, .vertices = args.vertices, .facing = facing});
-    parameters.count = contours.edge_count;
-    launch<kernels::contour_points>(contours.edge_count, tuning_.local_size, parameters,
-                                    {.facing = facing,
+    parameters.count = contours.face_count;
+    launch<kernels::contour_cross>(
+        contours.face_count, tuning_.local_size, parameters,
+        {.face_corners = *contours.face_corners, .facing = facing, .numbers = args.numbers});
+}
+
+void Stages::contour_places(const ContourPlacesArgs& args) {
+    const SilhouetteCandidates& candidates = args.table.candidates;
+    const ContourTables& contours = *candidates.contours;
+    launch<kernels::contour_places>(args.count, tuning_.local_size,
+                                    {.count = args.count,
+                                     .first_vertex = contours.vertex_count,
+                                     .first_number = candidates.kept_edges(),
+                                     .contours = candidates.edges(),
+                                     .eye = args.eye},
+                                    {.chosen = args.chosen,
+                                     .numbers = args.numbers,
+                                     .face_corners = *contours.face_corners,
+                                     .facing = *corner_facing_,
+                                     .faces = *contours.faces,
                                      .corners = *contours.corners,
                                      .edges = *contours.edges,
-                                     .triangles = args.triangles,
+                                     .triangles = args.table.triangles,
                                      .front = args.front,
-                                     .vertices = args.vertices,
-                                     .crossed = args.crossed});
-    parameters.count = contours.face_count;
-    launch<kernels::contour_ends>(contours.face_count, tuning_.local_size, parameters,
-                                  {.faces = *contours.faces,
-                                   .crossed = args.crossed,
-                                   .edges = *contours.edges,
-                                   .corners = *contours.corners,
-                                   .vertices = args.vertices,
-                                   .facing = facing,
-                                   .contour_ends = args.ends});
+                                     .vertices = args.table.vertices,
+                                     .crossings = args.crossings});
 }
 
 void Stages::silhouette(const SilhouetteArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
-    launch<kernels::silhouette>(candidates.drawable(), tuning_.local_size,
-                                {.count = candidates.drawable(),
-                                 .first = candidates.first,
-                                 .replaced = candidates.kept_edges()},
-                                {.segments = args.table.segments,
-                                 .front = args.front,
-                                 .contour_ends = contour_ends(args.table, args.contour_ends),
-                                 .numbers = args.numbers});
+    const std::uint32_t count = candidates.kept_edges();
+    launch<kernels::silhouette>(
+        count, tuning_.local_size,
+        {.count = count, .first = candidates.first, .replaced = count, .contours = 0},
+        {.segments = args.table.segments, .front = args.front, .numbers = args.numbers});
     scan(args.numbers, candidates.drawable(), ScanKind::saturate);
+}
+
+void Stages::silhouette_list(const SilhouetteListArgs& args) {
+    const SilhouetteCandidates& candidates = args.candidates;
+    const std::uint32_t count = candidates.drawable();
+    launch<kernels::silhouette_list>(
+        count, tuning_.local_size,
+        {.count = count,
+         .first = candidates.first,
+         .replaced = candidates.kept_edges(),
+         .contours = candidates.edges()},
+        {.numbers = args.numbers, .chosen = args.chosen, .positions = args.positions});
 }
 
 void Stages::chain(const ChainArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
-    const bool lifted = args.lifted && candidates.contours;
-    Buffer& contours = contour_ends(args.table, args.contour_ends);
-    ChainParameters parameters{.count = candidates.drawable(),
+    // Any table will do where there are no contours.
+    Buffer& crossings = args.crossings != nullptr ? *args.crossings : args.table.segments;
+    ChainParameters parameters{.count = args.count,
                                .first = candidates.first,
                                .step = 0,
                                .eye = args.view.eye,
-                               .replaced = candidates.kept_edges(),
                                .contours = candidates.edges(),
-                               .lift = lifted ? candidates.contours->edge_count : 0,
+                               .lifted = args.lifted ? 1U : 0U,
                                .follows = args.positions_before != nullptr ? 1U : 0U,
                                .outside = args.view.from_outside ? 1U : 0U};
-    launch<kernels::chain_link>(candidates.drawable(), tuning_.local_size, parameters,
+    launch<kernels::chain_link>(args.count, tuning_.local_size, parameters,
                                 {.segments = args.table.segments,
-                                 .contour_ends = contours,
+                                 .chosen = args.chosen,
+                                 .crossings = crossings,
                                  .vertices = args.table.vertices,
                                  .end_offsets = *candidates.end_offsets,
                                  .ends = *candidates.ends,
@@ -96,9 +107,7 @@ void Stages::chain(const ChainArgs& args) {
                                  .positions_before = args.positions_before != nullptr
                                                          ? *args.positions_before
                                                          : args.numbers,
-                                 .chosen = args.chosen,
-                                 .ways = args.ways,
-                                 .positions = args.positions});
+                                 .ways = args.ways});
     // A stretch is twice as long after each step; that a loop is one shows when it has gone round.
     const auto steps = static_cast<std::uint32_t>(std::bit_width(args.count)) + 2;
     device_.clear(args.going, steps * sizeof(la_uint));
@@ -116,7 +125,7 @@ void Stages::chain(const ChainArgs& args) {
     scan(args.starts, args.count, ScanKind::saturate);
     launch<kernels::chain_write>(args.count, tuning_.local_size, parameters,
                                  {.segments = args.table.segments,
-                                  .contour_ends = contours,
+                                  .crossings = crossings,
                                   .chosen = args.chosen,
                                   .places = args.places,
                                   .starts = args.starts,

@@ -80,7 +80,7 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .group_capacity = 0,
             .span_capacity = 0,
             .beside = 0,
-            .lift = contours ? contours->edge_count : 0,
+            .lift = contours ? 1U : 0U,
             .batched = 0,
             .keeps_hidden = 0};
 }

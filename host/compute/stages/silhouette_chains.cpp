@@ -19,30 +19,53 @@ SegmentTable SilhouetteChains::without(const SegmentTable& table) {
     return result;
 }
 
-void SilhouetteChains::contour(const SegmentTable& table, Buffer& front, const glm::vec4& eye) {
-    const ContourTables& contours = *table.candidates.contours;
+void SilhouetteChains::contour(const SegmentTable& table, const SilhouetteView& view) {
+    tables_.make_room(Table::numbers, (table.candidates.count + 1ULL) * sizeof(la_uint));
+    stages_.contour({.contours = *table.candidates.contours,
+                     .vertices = table.vertices,
+                     .eye = view.eye,
+                     .first_number = table.candidates.kept_edges(),
+                     .numbers = tables_[Table::numbers]});
+}
+
+void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
+    const std::uint64_t candidates = table.candidates.count;
+    tables_.make_room(Table::numbers, (candidates + 1) * sizeof(la_uint));
+    tables_.make_room(Table::positions, candidates * sizeof(la_uint));
+    first_ = table.candidates.first;
+    stages_.silhouette({.table = table, .front = front, .numbers = tables_[Table::numbers]});
+    device_.download(tables_[Table::numbers], std::as_writable_bytes(std::span{&count_, 1}),
+                     table.candidates.drawable() * sizeof(la_uint));
+    has_order_ = true;
+    if (count_ == 0) return;
+    tables_.make_room(Table::chosen, std::uint64_t{count_} * sizeof(la_uint));
+    stages_.silhouette_list({.candidates = table.candidates,
+                             .numbers = tables_[Table::numbers],
+                             .chosen = tables_[Table::chosen],
+                             .positions = tables_[Table::positions]});
+}
+
+void SilhouetteChains::place_contours(const SegmentTable& table, Buffer& front,
+                                      const SilhouetteView& view) {
     constexpr std::uint64_t vertex = 3 * sizeof(float);
-    const std::uint64_t edges = contours.edge_count;
+    const std::uint64_t own_vertices = table.candidates.contours->vertex_count * vertex;
     const bool is_new =
-        tables_.make_room(Table::vertices, (contours.vertex_count + 2 * edges) * vertex);
+        tables_.make_room(Table::vertices, own_vertices + 4 * std::uint64_t{count_} * vertex);
     const std::pair<const Buffer*, std::uint64_t> own{&table.vertices, table.version};
     if (is_new || vertices_of_ != own)
-        device_.copy(table.vertices, tables_[Table::vertices], contours.vertex_count * vertex);
+        device_.copy(table.vertices, tables_[Table::vertices], own_vertices);
     vertices_of_ = own;
-    tables_.make_room(Table::crossed, edges);
-    tables_.make_room(Table::contour_ends,
-                      std::uint64_t{contours.face_count} * 2 * sizeof(la_uint));
-    stages_.contour({.contours = contours,
-                     .triangles = table.triangles,
-                     .eye = eye,
-                     .front = front,
-                     .vertices = tables_[Table::vertices],
-                     .crossed = tables_[Table::crossed],
-                     .ends = tables_[Table::contour_ends]});
+    tables_.make_room(Table::crossings, std::uint64_t{count_} * sizeof(ContourCrossing));
+    stages_.contour_places({.table = with_contours(table),
+                            .eye = view.eye,
+                            .front = front,
+                            .numbers = tables_[Table::numbers],
+                            .chosen = tables_[Table::chosen],
+                            .count = count_,
+                            .crossings = tables_[Table::crossings]});
 }
 
 SegmentTable SilhouetteChains::with_contours(const SegmentTable& table) const {
-    if (!table.candidates.contours) return table;
     return {.vertices = tables_[Table::vertices],
             .triangles = table.triangles,
             .segments = table.segments,
@@ -50,20 +73,6 @@ SegmentTable SilhouetteChains::with_contours(const SegmentTable& table) const {
             .segment_count = table.segment_count,
             .candidates = table.candidates,
             .version = table.version};
-}
-
-void SilhouetteChains::count(const SegmentTable& table, Buffer& front) {
-    const std::uint64_t candidates = table.candidates.count;
-    tables_.make_room(Table::numbers, (candidates + 1) * sizeof(la_uint));
-    tables_.make_room(Table::positions, candidates * sizeof(la_uint));
-    first_ = table.candidates.first;
-    stages_.silhouette({.table = table,
-                        .contour_ends = contour_ends(table),
-                        .front = front,
-                        .numbers = tables_[Table::numbers]});
-    device_.download(tables_[Table::numbers], std::as_writable_bytes(std::span{&count_, 1}),
-                     table.candidates.drawable() * sizeof(la_uint));
-    has_order_ = true;
 }
 
 SegmentTable SilhouetteChains::with_none(const SegmentTable& table) {
@@ -84,7 +93,6 @@ void SilhouetteChains::copy_fixed(const SegmentTable& table) {
 void SilhouetteChains::chain(const SegmentTable& table, const SilhouetteView& view) {
     copy_fixed(table);
     const std::uint64_t n = count_;
-    tables_.make_room(Table::chosen, n * sizeof(la_uint));
     tables_.make_room(Table::ways, 2 * n * sizeof(ChainWay));
     tables_.make_room(Table::longer, 2 * n * sizeof(ChainWay));
     tables_.make_room(Table::going, most_chain_steps * sizeof(la_uint));
@@ -92,7 +100,7 @@ void SilhouetteChains::chain(const SegmentTable& table, const SilhouetteView& vi
     tables_.make_room(Table::starts, (n + 1) * sizeof(la_uint));
     tables_.make_room(Table::origins, n * sizeof(la_uint));
     stages_.chain({.table = table,
-                   .contour_ends = contour_ends(table),
+                   .crossings = table.candidates.contours ? &tables_[Table::crossings] : nullptr,
                    .lifted = drawn_ == Contours::lifted,
                    .view = view,
                    .numbers = tables_[Table::numbers],

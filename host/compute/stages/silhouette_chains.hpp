@@ -40,11 +40,12 @@ class SilhouetteChains {
     SegmentTable find(const SegmentTable& candidates, Buffer& front, const SilhouetteView& view,
                       Clock&& clock) {
         if (candidates.candidates.count == 0) return without(candidates);
-        if (candidates.candidates.contours)
-            clock("contour", [&] { contour(candidates, front, view.eye); });
-        const SegmentTable table = with_contours(candidates);
-        clock("silhouette", [&] { count(table, front); });
-        if (count_ == 0) return with_none(table);
+        const bool has_contours = candidates.candidates.contours.has_value();
+        if (has_contours) clock("contour", [&] { contour(candidates, view); });
+        clock("silhouette", [&] { list(candidates, front); });
+        if (count_ == 0) return with_none(candidates);
+        if (has_contours) clock("contour", [&] { place_contours(candidates, front, view); });
+        const SegmentTable table = has_contours ? with_contours(candidates) : candidates;
         clock("chain", [&] { chain(table, view); });
         return with_chains(table);
     }
@@ -60,13 +61,11 @@ class SilhouetteChains {
     std::uint64_t bytes() const { return tables_.bytes(); } ///< of all its tables
 
   private:
-    void contour(const SegmentTable& table, Buffer& front, const glm::vec4& eye);
+    void contour(const SegmentTable& table, const SilhouetteView& view);
+    void list(const SegmentTable& table, Buffer& front);
+    void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view);
     /// With the vertices of the frame's contours behind its own.
     SegmentTable with_contours(const SegmentTable& table) const;
-    Buffer* contour_ends(const SegmentTable& table) const {
-        return table.candidates.contours ? &tables_[Table::contour_ends] : nullptr;
-    }
-    void count(const SegmentTable& table, Buffer& front);
     void chain(const SegmentTable& table, const SilhouetteView& view);
     SegmentTable with_none(const SegmentTable& table);
     SegmentTable with_chains(const SegmentTable& table) const;
@@ -85,10 +84,9 @@ class SilhouetteChains {
         places,
         starts,
         origins,
-        // Per edge and face, where there are contours:
+        // Where there are contours:
         vertices,
-        crossed,
-        contour_ends,
+        crossings,
         count
     };
 

@@ -38,6 +38,8 @@ class Stages {
     void contour_turn(const ContourTurnArgs& args);
     void contour(const ContourArgs& args);
     void silhouette(const SilhouetteArgs& args);
+    void silhouette_list(const SilhouetteListArgs& args);
+    void contour_places(const ContourPlacesArgs& args);
     void chain(const ChainArgs& args);
     /// Boxes around the first segments, in batches.
     void project_clip_boxes(const SegmentTable& table, const BatchTable& batches);

@@ -15,9 +15,10 @@ namespace lineatlas::compute {
 
 /// Where silhouettes of smooth surfaces may run, as LineSet::contours has it.
 struct ContourTables {
-    Buffer* corners = nullptr; ///< `ContourCorner` each
-    Buffer* edges = nullptr;   ///< `ContourEdge` each
-    Buffer* faces = nullptr;   ///< 3 uint32 each: edges
+    Buffer* corners = nullptr;      ///< `ContourCorner` each
+    Buffer* edges = nullptr;        ///< `ContourEdge` each
+    Buffer* face_corners = nullptr; ///< 3 uint32 each: corners
+    Buffer* faces = nullptr;        ///< `ContourFace` each
     Buffer* patches = nullptr; ///< per triangle a uint32: of which surface it is, or LA_NO_SURFACE
     std::uint32_t edge_count = 0;
     std::uint32_t face_count = 0;   ///< the last candidates
