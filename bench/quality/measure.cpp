@@ -8,6 +8,8 @@
 namespace lineatlas::bench {
 namespace {
 
+constexpr float texture_wavelength = 16; ///< pixels: coarser than the grain of most marks
+
 double mean(const std::vector<float>& values) {
     double sum = 0;
     for (const float value : values) sum += value;
@@ -151,15 +153,18 @@ StyledFigures Measurement::restlessness_of(const Contestant& style,
     sample(unsteady, frames[0]);
     std::vector<const ClippedLines*> clipped;
     std::vector<std::vector<float>> drawn, truth;
+    std::optional<Textures> textures;
+    if (style.options.style.pen.mark != Pen{}.mark) textures = {{}, texture_wavelength};
     for (const Frame& frame : frames) {
         const Renderer::Samples samples = sample(style, frame);
+        if (textures) textures->arcs.emplace_back(samples.runs, subject_.lines.segments.size());
         clipped.push_back(&frame.clipped);
         drawn.push_back(shown_samples(
             {frame.clipped, samples.alpha, samples.runs, samples.density, settings_.size}));
         truth.push_back(frame.truth);
         for (float& visibility : truth.back()) visibility = shown(visibility);
     }
-    return restlessness(subject_.lines, clipped, tracks, drawn, truth);
+    return restlessness(subject_.lines, clipped, tracks, drawn, truth, textures);
 }
 
 StudyReport Measurement::study() {

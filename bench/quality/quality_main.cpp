@@ -66,6 +66,7 @@ const std::map<std::string, Style>& named_styles() {
                                             {"filter", {.filter = lengths}},
                                             {"halo", {.filter = halo}},
                                             {"density", {.density = density}},
+                                            {"texture", {.pen = {.mark = "pencil"}}},
                                             {"all", {.filter = all, .density = density}}};
     }();
     return styles;
@@ -163,7 +164,7 @@ void set_up(CLI::App& app, Arguments& a) {
         ->excludes(at);
     app.add_option("--styles", a.styles,
                    "In place of the methods: sparkle of what is drawn plain and with each of "
-                   "these, of overshoot, halo, density, filter, all")
+                   "these, of overshoot, halo, density, filter, texture, all")
         ->delimiter(',')
         ->check(CLI::IsMember(style_names()))
         ->excludes(study)

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "constants.h"
-#include "motion.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -166,7 +166,8 @@ std::optional<double> StyledFigures::mean_shown() const {
 
 StyledFigures restlessness(const LineSet& lines, std::span<const ClippedLines* const> frames,
                            const Tracks& tracks, std::span<const std::vector<float>> shown,
-                           std::span<const std::vector<float>> truth) {
+                           std::span<const std::vector<float>> truth,
+                           const std::optional<Textures>& textures) {
     StyledFigures figures;
     for (std::size_t k = 0; k < tracks.segments.size(); ++k) {
         const std::uint32_t segment = tracks.segments[k];
@@ -176,20 +177,27 @@ StyledFigures restlessness(const LineSet& lines, std::span<const ClippedLines* c
         const auto at = [&](std::span<const std::vector<float>> values, std::size_t f) {
             return double{interpolated(own_samples(*frames[f], values[f], segment), position(f))};
         };
+        // Where no stroke lies it doesn't matter: there nothing is shown.
+        const auto ink = [&](std::size_t f) {
+            if (!textures) return 1.0;
+            const double arc = textures->arcs[f].at(segment, position(f)).value_or(0);
+            return 0.5 + 0.5 * std::cos(2 * std::numbers::pi * arc / textures->wavelength);
+        };
         double changed = 0;
         for (std::size_t f = 1; f < tracks.frames; ++f) {
             const double now = at(shown, f);
-            const double change = now - at(shown, f - 1);
-            const double true_change = at(truth, f) - at(truth, f - 1);
+            const double change = now * ink(f) - at(shown, f - 1) * ink(f - 1);
+            const double true_change = (at(truth, f) - at(truth, f - 1)) * ink(f - 1);
             const auto [least, most] =
                 range_about(lines, *frames[f - 1], shown[f - 1], segment, position(f - 1));
             ++figures.changes;
             figures.sparkle_sum += std::abs(change - true_change);
             figures.jump_sum += std::max({0.0, now - most, least - now});
-            figures.shown_sum += now;
+            figures.shown_sum += now * ink(f);
             changed += std::abs(change);
         }
-        const double net = at(shown, tracks.frames - 1) - at(shown, 0);
+        const std::size_t last = tracks.frames - 1;
+        const double net = at(shown, last) * ink(last) - at(shown, 0) * ink(0);
         figures.flicker_sum += 0.5 * (changed - std::abs(net));
     }
     return figures;

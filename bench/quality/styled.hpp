@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clipped_lines.hpp"
+#include "motion.hpp"
 #include "segment_table.h"
 
 // What a style makes of sparkle: how much is drawn of the same points of lines, frame by frame.
@@ -56,9 +57,18 @@ struct StyledFigures {
 /// An end of a stroke that moves by this many samples from frame to frame does not jump.
 inline constexpr std::uint32_t most_samples_moved = 2;
 
-/// shown, truth: of every frame, in sample order; truth as opacity too.
+/// Strokes with a texture: how dark it is changes along the arc.
+struct Textures {
+    std::vector<StrokeArcs> arcs; ///< of every frame
+    float wavelength;             ///< pixels from one darkest place to the next
+};
+
+/// shown, truth: of every frame, in sample order; truth as opacity too. With textures what is shown
+/// gets the texture where it lies in that frame, and its true change the texture of the frame
+/// before, as if it lay on the line. Jumps are of strokes, whatever is on them.
 StyledFigures restlessness(const LineSet& lines, std::span<const ClippedLines* const> frames,
                            const Tracks& tracks, std::span<const std::vector<float>> shown,
-                           std::span<const std::vector<float>> truth);
+                           std::span<const std::vector<float>> truth,
+                           const std::optional<Textures>& textures = {});
 
 } // namespace lineatlas::bench

@@ -47,7 +47,7 @@ struct Film {
         runs.fill({stroke(0, l)});
     }
 
-    StyledFigures figures() const {
+    StyledFigures figures(float wavelength = 0) const {
         std::vector<const ClippedLines*> clipped;
         std::vector<std::vector<float>> drawn;
         for (std::size_t f = 0; f < frame_count; ++f) {
@@ -55,7 +55,12 @@ struct Film {
             drawn.push_back(shown_samples({lines[f], alpha, runs[f], {}, viewport}));
         }
         const std::vector<std::vector<float>> truth(frame_count, std::vector<float>(l, 1));
-        return restlessness(one_segment(), clipped, follow_points(clipped, viewport), drawn, truth);
+        std::optional<Textures> textures;
+        if (wavelength > 0) textures = {{}, wavelength};
+        for (std::size_t f = 0; textures && f < frame_count; ++f)
+            textures->arcs.emplace_back(runs[f], 1);
+        return restlessness(one_segment(), clipped, follow_points(clipped, viewport), drawn, truth,
+                            textures);
     }
 };
 
@@ -78,6 +83,22 @@ TEST(Styled, AStrokeThatComesAndGoesFlickers) {
     EXPECT_NEAR(*figures.sparkle(), 0.1, 1e-6);
     EXPECT_NEAR(*figures.flicker(), 0.05, 1e-6);
     EXPECT_NEAR(*figures.jumps(), 0.09, 0.011); // no shift by two samples explains it
+}
+
+TEST(Styled, ATextureThatCrawlsSparkles) {
+    Film film;
+    const auto put_arcs = [&](float pixels_a_frame) {
+        for (std::size_t f = 0; f < frame_count; ++f) {
+            film.runs[f][0].start_arc = pixels_a_frame * float(f);
+            film.runs[f][0].end_arc = 200 + pixels_a_frame * float(f);
+        }
+    };
+    put_arcs(0);
+    EXPECT_NEAR(*film.figures(16).sparkle(), 0, 1e-6);
+    EXPECT_NEAR(*film.figures(16).mean_shown(), 0.5, 0.03);
+    put_arcs(0.5F); // the mean slope of half a cosine over 8 pixels is an eighth
+    EXPECT_NEAR(*film.figures(16).sparkle(), 0.5 / 8, 2e-3);
+    EXPECT_NEAR(*film.figures().sparkle(), 0, 1e-6); // without texture
 }
 
 TEST(Styled, AnEndThatMovesOnDoesNotFlicker) {
