@@ -11,6 +11,7 @@
 #include "io/extension.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/lines.hpp"
+#include "style/colors.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -24,14 +25,51 @@ Json list(const Vector& v) {
     return {v.x, v.y, v.z};
 }
 
+/// The materials of a mesh that have a name or a colour, each once.
+class Materials {
+  public:
+    static constexpr std::size_t none = -1;
+
+    explicit Materials(const Mesh& mesh) : of_group_(mesh.groups.size(), none) {
+        std::map<std::pair<std::string, std::string>, std::size_t> known;
+        for (std::size_t i = 0; i < mesh.groups.size(); ++i) {
+            const MeshGroup& group = mesh.groups[i];
+            const std::string color = group.color ? hex_color(*group.color) : "";
+            if (group.material.empty() && color.empty()) continue;
+            const auto [at, is_new] = known.try_emplace({group.material, color}, known.size());
+            of_group_[i] = at->second;
+            if (is_new)
+                list_.push_back({{"name", group.material},
+                                 {"color", group.color ? Json(color) : Json(nullptr)},
+                                 {"triangles", 0}});
+        }
+        for (const std::uint32_t group : mesh.triangle_group)
+            if (of_group_[group] != none)
+                list_[of_group_[group]]["triangles"] =
+                    list_[of_group_[group]]["triangles"].get<std::size_t>() + 1;
+    }
+
+    /// Of a triangle: its place in the list, or none.
+    std::size_t of(const Mesh& mesh, std::size_t triangle) const {
+        return mesh.triangle_group.empty() ? none : of_group_[mesh.triangle_group[triangle]];
+    }
+    const Json& list() const { return list_; }
+
+  private:
+    std::vector<std::size_t> of_group_;
+    Json list_ = Json::array();
+};
+
 /// What one part, or all of a model, has.
 struct Counts {
     std::size_t triangles = 0, polylines = 0;
+    std::set<std::size_t> materials{}; ///< places in Materials::list()
     std::array<std::size_t, edge_names.size()> edges{};
 
     void put_into(Json& json, bool knows_edges) const {
         json["triangles"] = triangles;
         if (polylines > 0) json["polylines"] = polylines;
+        if (!materials.empty()) json["materials"] = materials;
         if (!knows_edges) return;
         for (std::size_t kind = 0; kind < edges.size(); ++kind)
             json["edges"][edge_names[kind]] = edges[kind];
@@ -39,13 +77,16 @@ struct Counts {
 };
 
 /// Per object; the file's own edges count once, however many pieces they have.
-std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths) {
+std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths,
+                                const Materials& materials) {
     const Mesh& mesh = loaded.mesh;
     std::vector<Counts> counts(paths.paths.size());
     std::vector<std::uint32_t> part_of_position(mesh.positions.size(), PartPaths::none);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const std::uint32_t part = paths.of_triangle[i];
         ++counts[part].triangles;
+        const std::size_t material = materials.of(mesh, i);
+        if (material != Materials::none) counts[part].materials.insert(material);
         for (int corner = 0; corner < 3; ++corner)
             part_of_position[mesh.triangles[i][corner]] = part;
     }
@@ -60,9 +101,9 @@ std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths
     return counts;
 }
 
-Json parts_of(const LoadedMesh& loaded) {
+Json parts_of(const LoadedMesh& loaded, const Materials& materials) {
     const PartPaths paths = part_paths(loaded);
-    const std::vector<Counts> counts = count_parts(loaded, paths);
+    const std::vector<Counts> counts = count_parts(loaded, paths, materials);
     const bool knows_edges = !loaded.mesh.known_edges.empty();
     Json parts = Json::array();
     if (loaded.parts.empty()) {
@@ -93,6 +134,11 @@ std::string edges_text(const Json& edges) {
     return text.empty() ? "none" : text;
 }
 
+std::string name_text(const Json& named) {
+    const auto name = named["name"].get<std::string>();
+    return name.empty() ? "-" : name;
+}
+
 std::string point_text(const Json& point) {
     return fmt::format("{:.6g},{:.6g},{:.6g}", point[0].get<double>(), point[1].get<double>(),
                        point[2].get<double>());
@@ -117,7 +163,9 @@ Json describe_model(const std::string& file, const LoadedMesh& loaded) {
     const LineSet lines = extract_lines(mesh);
     for (std::size_t kind = 0; kind < line_kind_names.size(); ++kind)
         info["segments"][std::string{line_kind_names[kind]}] = lines.kind_counts[kind];
-    info["parts"] = parts_of(loaded);
+    const Materials materials{mesh};
+    info["materials"] = materials.list();
+    info["parts"] = parts_of(loaded, materials);
     info["notes"] = loaded.notes;
     return info;
 }
@@ -134,12 +182,16 @@ std::string to_text(const Json& info) {
         point_text(info["box"]["min"]), point_text(info["box"]["max"]),
         edges_text(info["segments"]));
     if (info.contains("edges")) text += "edges: " + edges_text(info["edges"]) + '\n';
+    for (const Json& material : info["materials"])
+        text += fmt::format("material {}: {}, {} triangles\n", name_text(material),
+                            material["color"].is_null() ? "no colour"
+                                                        : material["color"].get<std::string>(),
+                            material["triangles"].get<std::size_t>());
     std::vector<std::size_t> levels;
     for (const Json& part : info["parts"]) {
         levels.push_back(part["parent"].is_null() ? 0
                                                   : levels[part["parent"].get<std::size_t>()] + 1);
-        const std::string name = part["name"].get<std::string>();
-        text += fmt::format("{:{}}{}", "", 2 * (levels.back() + 1), name.empty() ? "-" : name);
+        text += fmt::format("{:{}}{}", "", 2 * (levels.back() + 1), name_text(part));
         if (part.contains("triangles"))
             text += fmt::format(": {} triangles", part["triangles"].get<std::size_t>());
         if (part.contains("edges")) text += ", edges " + edges_text(part["edges"]);

@@ -80,6 +80,23 @@ TEST_F(Models, InfoNamesThePartsForScripts) {
     EXPECT_EQ(groups["parts"][1]["name"], "second");
 }
 
+TEST_F(Models, InfoNamesMaterials) {
+    write("paint.mtl", "newmtl red\nKd 1 0 0\n");
+    write("painted.obj", "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                         "o first\nusemtl red\nf 1 3 2\nf 1 2 4\n"
+                         "o second\nusemtl plain\nf 2 3 4\nusemtl red\nf 3 1 4\n");
+    const auto info = nlohmann::json::parse(said("info --json " + path("painted.obj")));
+    EXPECT_EQ(info["materials"],
+              nlohmann::json::parse(R"([{"name": "red", "color": "#ff0000", "triangles": 3},
+                                        {"name": "plain", "color": null, "triangles": 1}])"));
+    EXPECT_EQ(info["parts"][0]["materials"], nlohmann::json({0}));
+    EXPECT_EQ(info["parts"][1]["materials"], nlohmann::json({0, 1}));
+    const std::string text = said("info " + path("painted.obj"));
+    EXPECT_NE(text.find("\nmaterial red: #ff0000, 3 triangles\nmaterial plain: no colour, 1 tri"),
+              std::string::npos)
+        << text;
+}
+
 TEST_F(Models, InfoRefusesAsDrawDoes) {
     write("a.glb", "glTF");
     EXPECT_EQ(said("info " + path("a.glb"), 1),
