@@ -366,7 +366,8 @@ class Extraction {
         times_.intersections = milliseconds_since(start);
     }
 
-    /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes.
+    /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes:
+    /// an edge that is a line in every frame is no candidate besides.
     void renumber() {
         const std::vector<std::uint32_t> number = added_.insert();
         std::unordered_set<std::uint64_t> known;
@@ -375,13 +376,17 @@ class Extraction {
         const auto place = [&](Line& line) {
             line.p = number[line.p];
             line.q = number[line.q];
-            const bool is_new = !has_added || known.insert(pair_key(line.p, line.q)).second;
-            return is_new && line.p != line.q;
         };
-        for (Line& line : candidates_) place(line);
+        const auto goes = [&](Line& line) {
+            place(line);
+            const bool is_new = !has_added || known.insert(pair_key(line.p, line.q)).second;
+            return !is_new || line.p == line.q;
+        };
+        std::erase_if(fixed_, goes);
+        std::erase_if(candidates_, goes);
+        std::ranges::for_each(replaced_, place); // never lines, whatever else stands there
         for (ContourCorner& corner : smooth_.contours.corners)
             corner.vertex = number[corner.vertex];
-        std::erase_if(fixed_, [&](Line& line) { return !place(line); });
     }
 
     /// What has told lines from edges takes twice the memory of the lines.
@@ -392,8 +397,8 @@ class Extraction {
     }
 
     LineSet assemble() {
-        add_contours();
         renumber();
+        add_contours();
         const std::size_t flat = flat_face_count(welded_, normals_);
         forget_edges();
         LineSetBuilder builder{welded_.vertices.size()};

@@ -82,6 +82,16 @@ void add_contours(compute::Device& device, const LineSet& lines, std::span<const
     chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
 }
 
+/// Calls it with each face of contours, which of its sides it is, and the edge there.
+template <class Each>
+void for_each_side(const Contours& contours, Each&& each) {
+    for (std::uint32_t i = 0; i < contours.faces.size(); ++i) {
+        const glm::uvec3 face = contours.faces[i];
+        if (face.x == face.y) continue; // stands in empty room, see Assembly
+        for (std::uint32_t k = 0; k < 3; ++k) each(i, k, face[static_cast<int>(k)]);
+    }
+}
+
 } // namespace
 
 std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
@@ -89,12 +99,10 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
     std::vector<compute::ContourEdge> edges(contours.edges.size(),
                                             {.face_a = LA_NO_FACE, .face_b = LA_NO_FACE});
     const std::span faces = segments.last(contours.faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            compute::ContourEdge& edge = edges[contours.faces[i][k] & ~LA_CONTOUR_TURNED];
-            (edge.face_a == LA_NO_FACE ? edge.face_a : edge.face_b) = faces[i].face_a;
-        }
-    }
+    for_each_side(contours, [&](std::uint32_t face, std::uint32_t, std::uint32_t side) {
+        compute::ContourEdge& edge = edges[side & ~LA_CONTOUR_TURNED];
+        (edge.face_a == LA_NO_FACE ? edge.face_a : edge.face_b) = faces[face].face_a;
+    });
     // Beyond the border of a surface: as the line there has it.
     std::unordered_multimap<std::uint64_t, compute::ContourEdge*> borders;
     const auto vertex = [&](std::uint32_t corner) { return contours.corners[corner].vertex; };
@@ -116,34 +124,29 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
 }
 
 std::vector<glm::uvec3> contour_corners(const Contours& contours) {
-    std::vector<glm::uvec3> corners(contours.faces.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t edge = contours.faces[i][k];
-            const glm::uvec2 ends = contours.edges[edge & ~LA_CONTOUR_TURNED];
-            corners[i][k] = (edge & LA_CONTOUR_TURNED) != 0 ? ends.y : ends.x;
-        }
-    }
+    std::vector<glm::uvec3> corners(contours.faces.size(), glm::uvec3{0});
+    for_each_side(contours, [&](std::uint32_t face, std::uint32_t k, std::uint32_t side) {
+        const glm::uvec2 ends = contours.edges[side & ~LA_CONTOUR_TURNED];
+        corners[face][static_cast<int>(k)] = (side & LA_CONTOUR_TURNED) != 0 ? ends.y : ends.x;
+    });
     return corners;
 }
 
 std::vector<compute::ContourFace> contour_faces(const Contours& contours) {
-    std::vector<compute::ContourFace> faces(contours.faces.size());
     constexpr std::uint32_t none = LA_NO_FACE;
+    std::vector<compute::ContourFace> faces(contours.faces.size());
     std::vector<glm::uvec2> first_sides(contours.edges.size(), glm::uvec2{none}); // face and place
-    for (std::uint32_t i = 0; i < faces.size(); ++i) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            faces[i].edges[k] = contours.faces[i][static_cast<int>(k)];
-            faces[i].across[k] = none;
-            glm::uvec2& first = first_sides[faces[i].edges[k] & ~LA_CONTOUR_TURNED];
-            if (first.x == none) {
-                first = {i, k};
-            } else {
-                faces[i].across[k] = first.x;
-                faces[first.x].across[first.y] = i;
-            }
+    for_each_side(contours, [&](std::uint32_t face, std::uint32_t k, std::uint32_t side) {
+        faces[face].edges[k] = side;
+        faces[face].across[k] = none;
+        glm::uvec2& first = first_sides[side & ~LA_CONTOUR_TURNED];
+        if (first.x == none) {
+            first = {face, k};
+        } else {
+            faces[face].across[k] = first.x;
+            faces[first.x].across[first.y] = face;
         }
-    }
+    });
     return faces;
 }
 
@@ -157,8 +160,9 @@ std::vector<std::uint32_t> contour_patches(const LineSet& lines,
     }
     std::vector<std::uint32_t> patches(lines.triangles.size(), LA_NO_SURFACE);
     const std::span own = segments.last(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        patches[own[i].face_a] = sets.find(faces[i][0] & ~LA_CONTOUR_TURNED);
+    for_each_side(lines.contours, [&](std::uint32_t face, std::uint32_t k, std::uint32_t side) {
+        if (k == 0) patches[own[face].face_a] = sets.find(side & ~LA_CONTOUR_TURNED);
+    });
     return patches;
 }
 

@@ -200,7 +200,13 @@ TEST_F(SharedModels, ThreadedBolt) {
     EXPECT_EQ(placed_edges(loaded.mesh), (EdgeCounts{24, 0, 2, 8}));
     EXPECT_EQ(loaded.unit, std::nullopt);
     expect_box(loaded.mesh, {-10.392, -9, -2}, {10.392, 9, 55.5}, 0.1);
-    EXPECT_GT(extract_lines(loaded.mesh).kind_counts[LA_KIND_BOUNDARY], 0U);
+    const LineSet along_edges = extract_lines(loaded.mesh),
+                  contours = extract_lines(loaded.mesh, {.silhouettes = Silhouettes::automatic});
+    EXPECT_GT(along_edges.kind_counts[LA_KIND_BOUNDARY], 0U);
+    // Flanks of the thread have contours, and their edges stay lines.
+    EXPECT_GT(contours.contours.faces.size(),
+              0.9 * static_cast<double>(loaded.mesh.triangles.size()));
+    EXPECT_EQ(contours.kind_counts[LA_KIND_CREASE], along_edges.kind_counts[LA_KIND_CREASE]);
 }
 
 #endif

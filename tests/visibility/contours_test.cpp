@@ -563,5 +563,26 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
               body.triangles.size());
 }
 
+/// A rim is a side of the triangles that contours run through, and stays a line; so does what an
+/// intersection runs along.
+TEST(Contours, TakeNoOtherLinesAway) {
+    Mesh mesh = cylinder(64, true);
+    const Mesh box = cube();
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const glm::vec3& p : box.positions)
+        mesh.positions.push_back(0.5F * p + glm::vec3{1, 0, 0});
+    for (const glm::uvec3& t : box.triangles) mesh.triangles.push_back(t + first);
+    for (int turned = 0; turned < 3; ++turned) {
+        const LineSet along_edges = extract_lines(mesh),
+                      contours = extract_lines(mesh, {.silhouettes = Silhouettes::smooth});
+        ASSERT_GT(along_edges.kind_counts[LA_KIND_INTERSECTION], 0U);
+        ASSERT_FALSE(contours.contours.empty());
+        EXPECT_EQ(along_edges.kind_counts[LA_KIND_CREASE], 128U + 12);
+        for (const std::size_t kind : {LA_KIND_CREASE, LA_KIND_INTERSECTION})
+            EXPECT_EQ(contours.kind_counts[kind], along_edges.kind_counts[kind]) << kind;
+        for (glm::uvec3& t : mesh.triangles) t = {t.y, t.z, t.x};
+    }
+}
+
 } // namespace
 } // namespace lineatlas::test

@@ -5,7 +5,6 @@
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Polygon3D.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -121,22 +120,6 @@ class Stitcher {
         add_triangles(*triangulation, positions, face);
     }
 
-    /// Triangles of other faces, as of a thread's flank, are twisted: they reach so far beyond the
-    /// surface that silhouettes by its normals would be torn by them.
-    static bool is_elementary(const opencascade::handle<Geom_Surface>& surface) {
-        switch (GeomAdaptor_Surface{surface}.GetType()) {
-        case GeomAbs_Plane:
-        case GeomAbs_Cylinder:
-        case GeomAbs_Cone:
-        case GeomAbs_Sphere:
-        case GeomAbs_Torus:
-        case GeomAbs_SurfaceOfRevolution:
-            return true;
-        default:
-            return false;
-        }
-    }
-
     /// Normals of the face at the corners of a triangle.
     static std::array<glm::dvec3, 3>
     normals_of(const Geom_Surface& surface, const std::array<gp_Pnt2d, 3>& corners, double sign) {
@@ -156,8 +139,7 @@ class Stitcher {
     void add_triangles(const Poly_Triangulation& triangulation,
                        const std::vector<std::uint32_t>& positions, const TopoDS_Face& face) {
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-        const bool has_normals =
-            !surface.IsNull() && triangulation.HasUVNodes() && is_elementary(surface);
+        const bool has_normals = !surface.IsNull() && triangulation.HasUVNodes();
         const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
         mesh_.faces.push_back(face);
         const bool reversed = face.Orientation() == TopAbs_REVERSED;
