@@ -7,12 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -178,6 +180,29 @@ TEST_F(Brep, SmoothSilhouettesTakeThem) {
         ++round;
     }
     EXPECT_GE(round, 48);
+}
+
+/// A ring has the same silhouettes whatever its file calls its surface.
+TEST_F(Brep, FreeFormSurfacesHaveSmoothSilhouettesToo) {
+    const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(10, 4).Shape();
+    View view;
+    view.eye = {0, -60, 40};
+    view.target = {0, 0, 0};
+    view.up = {0, 0, 1};
+    const auto seen = [&](const TopoDS_Shape& shape) {
+        const Mesh mesh = load("a.brep", to_brep(shape), {.pixels = 1000}).mesh;
+        const LineSet lines = extract_lines(mesh, {.silhouettes = Silhouettes::automatic});
+        EXPECT_EQ(lines.contours.faces.size(), mesh.triangles.size());
+        double length = 0;
+        const Camera camera = make_camera(view, {1000, 750}, lines.bounds);
+        for (const Interval& piece : LineVisibility{lines}.find(camera))
+            length +=
+                glm::distance(glm::make_vec3(piece.start_world), glm::make_vec3(piece.end_world));
+        return length;
+    };
+    const double length = seen(ring);
+    EXPECT_GT(length, 100);
+    EXPECT_NEAR(seen(BRepBuilderAPI_NurbsConvert(ring).Shape()), length, 0.005 * length);
 }
 
 /// A disc about a pillar, whose hole is as wide as the pillar and has its chords elsewhere: each is

@@ -563,6 +563,21 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
               body.triangles.size());
 }
 
+TEST(Contours, EmptyRoomOfAnAssemblyLiesBesideNothing) {
+    Contours contours;
+    contours.corners.resize(4);
+    contours.edges = {{0, 1}, {1, 2}, {2, 0}, {1, 3}, {3, 2}};
+    contours.faces = {{0, 1, 2}, {1 | LA_CONTOUR_TURNED, 3, 4}, {0, 0, 0}, {0, 0, 0}};
+    const auto faces = contour_faces(contours);
+    const auto across = [&](std::size_t face) {
+        return glm::uvec3{faces[face].across[0], faces[face].across[1], faces[face].across[2]};
+    };
+    EXPECT_EQ(across(0), glm::uvec3(LA_NO_FACE, 1, LA_NO_FACE));
+    EXPECT_EQ(across(1), glm::uvec3(0, LA_NO_FACE, LA_NO_FACE));
+    EXPECT_EQ(contour_corners(contours),
+              (std::vector<glm::uvec3>{{0, 1, 2}, {2, 1, 3}, {0, 0, 0}, {0, 0, 0}}));
+}
+
 /// A rim is a side of the triangles that contours run through, and stays a line; so does what an
 /// intersection runs along.
 TEST(Contours, TakeNoOtherLinesAway) {
