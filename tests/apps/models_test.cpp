@@ -81,7 +81,7 @@ TEST_F(Models, InfoNamesThePartsForScripts) {
 }
 
 TEST_F(Models, InfoNamesMaterials) {
-    write("paint.mtl", "newmtl red\nKd 1 0 0\n");
+    write("paint.mtl", "newmtl red\nKd 1 0 0\nnewmtl plain\nNs 10\n");
     write("painted.obj", "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                          "o first\nusemtl red\nf 1 3 2\nf 1 2 4\n"
                          "o second\nusemtl plain\nf 2 3 4\nusemtl red\nf 3 1 4\n");
