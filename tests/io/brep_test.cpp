@@ -1,6 +1,7 @@
 // STEP and BREP files of shapes whose edges are known, and files that are none.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -12,10 +13,15 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -203,6 +209,30 @@ TEST_F(Brep, FreeFormSurfacesHaveSmoothSilhouettesToo) {
     const double length = seen(ring);
     EXPECT_GT(length, 100);
     EXPECT_NEAR(seen(BRepBuilderAPI_NurbsConvert(ring).Shape()), length, 0.005 * length);
+}
+
+/// A face that bends in kinks has no silhouettes between its corners: a prism over an octagon, in
+/// one face of a spline of degree 1.
+TEST_F(Brep, FacesWithKinksHaveSilhouettesAlongThem) {
+    constexpr int count = 9;
+    TColgp_Array1OfPnt points(1, count);
+    TColStd_Array1OfReal knots(1, count);
+    TColStd_Array1OfInteger multiplicities(1, count);
+    for (int i = 0; i < count; ++i) {
+        const double angle = i * 2 * std::numbers::pi / (count - 1);
+        points(i + 1) = gp_Pnt(10 * std::cos(angle), 10 * std::sin(angle), 0);
+        knots(i + 1) = i;
+        multiplicities(i + 1) = i == 0 || i == count - 1 ? 2 : 1;
+    }
+    const Handle(Geom_BSplineCurve) octagon =
+        new Geom_BSplineCurve(points, knots, multiplicities, 1);
+    const TopoDS_Shape prism =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(octagon).Edge(), gp_Vec(0, 0, 15)).Shape();
+    const Mesh mesh = load("a.brep", to_brep(prism)).mesh;
+    EXPECT_TRUE(std::ranges::all_of(mesh.corner_normals,
+                                    [](glm::vec3 normal) { return normal == glm::vec3{0}; }));
+    EXPECT_TRUE(
+        extract_lines(mesh, {.silhouettes = Silhouettes::automatic}).contours.faces.empty());
 }
 
 /// A disc about a pillar, whose hole is as wide as the pillar and has its chords elsewhere: each is

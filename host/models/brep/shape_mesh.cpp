@@ -1,7 +1,12 @@
 #include "shape_mesh.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
@@ -136,10 +141,30 @@ class Stitcher {
         return normals;
     }
 
+    /// Whether a triangle lies as the surface does at its corners: within 20 degrees, where chords
+    /// of a circle are off by 7.5. One that is hardly wider than it may be off the surface says
+    /// nothing.
+    bool lies_along(const std::array<std::uint32_t, 3>& corners,
+                    const std::array<glm::dvec3, 3>& normals, double deflection) const {
+        const double least_cosine = std::cos(20 * std::numbers::pi / 180);
+        const glm::dvec3 a = mesh_.positions[corners[0]], b = mesh_.positions[corners[1]],
+                         c = mesh_.positions[corners[2]];
+        const glm::dvec3 across = glm::cross(b - a, c - a);
+        const double longest =
+            std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+        const double twice_area = glm::length(across);
+        if (twice_area <= 5 * deflection * longest) return true;
+        return std::ranges::all_of(normals, [&](const glm::dvec3& normal) {
+            return normal == glm::dvec3{0} || glm::dot(normal, across) > least_cosine * twice_area;
+        });
+    }
+
     void add_triangles(const Poly_Triangulation& triangulation,
                        const std::vector<std::uint32_t>& positions, const TopoDS_Face& face) {
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
         const bool has_normals = !surface.IsNull() && triangulation.HasUVNodes();
+        bool has_kinks = false; // then normals between corners say nothing of the surface there
+        const std::size_t first = mesh_.normals.size();
         const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
         mesh_.faces.push_back(face);
         const bool reversed = face.Orientation() == TopAbs_REVERSED;
@@ -156,12 +181,17 @@ class Stitcher {
             mesh_.triangles.push_back(corners);
             mesh_.triangle_face.push_back(number);
             mesh_.normals.push_back({});
-            if (has_normals)
-                mesh_.normals.back() = normals_of(
-                    *surface,
-                    {triangulation.UVNode(a), triangulation.UVNode(b), triangulation.UVNode(c)},
-                    reversed ? -1 : 1);
+            if (!has_normals) continue;
+            mesh_.normals.back() = normals_of(
+                *surface,
+                {triangulation.UVNode(a), triangulation.UVNode(b), triangulation.UVNode(c)},
+                reversed ? -1 : 1);
+            has_kinks =
+                has_kinks || !lies_along(corners, mesh_.normals.back(), triangulation.Deflection());
         }
+        if (has_kinks)
+            std::fill(mesh_.normals.begin() + static_cast<std::ptrdiff_t>(first),
+                      mesh_.normals.end(), std::array<glm::dvec3, 3>{});
     }
 
     void add_edge(int index) {
