@@ -14,9 +14,12 @@
 #include <Poly_Polygon3D.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeUpgrade_ShapeDivideContinuity.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -49,6 +52,9 @@ class Stitcher {
         position_of_vertex_.assign(static_cast<std::size_t>(vertices_.Extent()), unknown);
         points_of_edge_.resize(static_cast<std::size_t>(edges_.Extent()));
     }
+
+    /// Whether a face bends in kinks, so that no normals of it are known. After stitch().
+    bool has_kinks() const { return has_kinks_; }
 
     ShapeMesh stitch() {
         for (int i = 1; i <= faces_.Extent(); ++i) add_face(TopoDS::Face(faces_(i)));
@@ -189,6 +195,7 @@ class Stitcher {
             has_kinks =
                 has_kinks || !lies_along(corners, mesh_.normals.back(), triangulation.Deflection());
         }
+        has_kinks_ = has_kinks_ || has_kinks;
         if (has_kinks)
             std::fill(mesh_.normals.begin() + static_cast<std::ptrdiff_t>(first),
                       mesh_.normals.end(), std::array<glm::dvec3, 3>{});
@@ -221,7 +228,30 @@ class Stitcher {
     std::vector<std::uint32_t> position_of_vertex_;
     std::vector<std::vector<std::uint32_t>> points_of_edge_;
     ShapeMesh mesh_;
+    bool has_kinks_ = false;
 };
+
+/// With its faces parted where they bend in kinks, which are edges then; a part is of the face in
+/// ShapeMesh::faces that it was of.
+ShapeMesh mesh_in_parts(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters) {
+    ShapeUpgrade_ShapeDivideContinuity divide(shape);
+    divide.SetBoundaryCriterion(GeomAbs_C1);
+    divide.SetPCurveCriterion(GeomAbs_C1);
+    divide.SetSurfaceCriterion(GeomAbs_C1);
+    divide.Perform();
+    const TopoDS_Shape parts = divide.Result();
+    BRepMesh_IncrementalMesh{parts, parameters};
+    ShapeMesh mesh = Stitcher{parts}.stitch();
+    TopTools_DataMapOfShapeShape whole;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        const TopoDS_Shape own = divide.GetContext()->Apply(faces.Current());
+        for (TopExp_Explorer each(own, TopAbs_FACE); each.More(); each.Next())
+            whole.Bind(each.Current(), faces.Current());
+    }
+    for (TopoDS_Shape& face : mesh.faces)
+        if (whole.IsBound(face)) face = whole.Find(face);
+    return mesh;
+}
 
 } // namespace
 
@@ -234,7 +264,9 @@ ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness) {
     // teeth.
     parameters.AngleInterior = fineness.angle;
     BRepMesh_IncrementalMesh{here, parameters};
-    return Stitcher{here}.stitch();
+    Stitcher stitcher{here};
+    ShapeMesh mesh = stitcher.stitch();
+    return stitcher.has_kinks() ? mesh_in_parts(here, parameters) : mesh;
 }
 
 } // namespace lineatlas::brep
