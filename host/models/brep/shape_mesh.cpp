@@ -16,6 +16,7 @@
 #include <Poly_Triangulation.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -266,7 +267,13 @@ ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness) {
     BRepMesh_IncrementalMesh{here, parameters};
     Stitcher stitcher{here};
     ShapeMesh mesh = stitcher.stitch();
-    return stitcher.has_kinks() ? mesh_in_parts(here, parameters) : mesh;
+    if (!stitcher.has_kinks()) return mesh;
+    try {
+        ShapeMesh in_parts = mesh_in_parts(here, parameters);
+        if (in_parts.failed_faces <= mesh.failed_faces) return in_parts;
+    } catch (const Standard_Failure&) { // of faces that are damaged: as they are, then
+    }
+    return mesh;
 }
 
 } // namespace lineatlas::brep
