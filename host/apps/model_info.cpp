@@ -40,13 +40,12 @@ class Materials {
             of_group_[i] = at->second;
             if (is_new)
                 list_.push_back({{"name", group.material},
-                                 {"color", group.color ? Json(color) : Json(nullptr)},
-                                 {"triangles", 0}});
+                                 {"color", group.color ? Json(color) : Json(nullptr)}});
         }
+        std::vector<std::size_t> triangles(known.size(), 0);
         for (const std::uint32_t group : mesh.triangle_group)
-            if (of_group_[group] != none)
-                list_[of_group_[group]]["triangles"] =
-                    list_[of_group_[group]]["triangles"].get<std::size_t>() + 1;
+            if (of_group_[group] != none) ++triangles[of_group_[group]];
+        for (std::size_t i = 0; i < triangles.size(); ++i) list_[i]["triangles"] = triangles[i];
     }
 
     /// Of a triangle: its place in the list, or none.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
 #include <glm/geometric.hpp>
@@ -30,15 +29,9 @@ std::span<const T> in(const std::vector<T>& table, std::uint32_t first, std::uin
     return std::span{table}.subspan(first, count);
 }
 
-/// Where candidates meet that are edges, with the part's lists in its own room. See
-/// LineTables::Chunk.
-struct Ends {
-    std::vector<std::uint32_t> offsets; ///< of vertices
-    std::uint32_t first;                ///< where `ends` stands in the table
-    std::vector<std::uint32_t> ends;
-};
-
-Ends ends_of(const PartRooms& rooms, const LineSet& part) {
+/// Where candidates meet that are edges, as LineTables::Chunk has it for the part's rooms, whose
+/// lists begin at twice its first candidate. There is one vertex more than the part has.
+EdgeEnds ends_of(const PartRooms& rooms, const LineSet& part) {
     const Contours& contours = part.contours;
     const std::span kept = std::span{part.segments}.first(part.segments.size() - contours.replaced -
                                                           contours.faces.size());
@@ -46,23 +39,11 @@ Ends ends_of(const PartRooms& rooms, const LineSet& part) {
         return (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
     };
     const std::span edges{std::ranges::find_if(kept, is_candidate), kept.end()};
-    // Calls it with every vertex where a candidate ends, and what stands for that end.
-    const auto for_each_end = [&](const auto& each) {
-        std::uint32_t end = 2 * rooms.candidates.first;
-        for (const Segment& edge : edges)
-            for (const std::uint32_t vertex : {edge.p, edge.q}) each(vertex, end++);
-    };
-    Ends result{.offsets = std::vector<std::uint32_t>(rooms.vertices.size, 0),
-                .first = 2 * rooms.candidates.first,
-                .ends = std::vector<std::uint32_t>(2 * std::size_t{rooms.candidates.size}, 0)};
-    for_each_end([&](std::uint32_t vertex, std::uint32_t) {
-        ++result.offsets[vertex + 1]; // there is one vertex more
-    });
-    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-    std::vector<std::uint32_t> next = result.offsets;
-    for_each_end(
-        [&](std::uint32_t vertex, std::uint32_t end) { result.ends[next[vertex]++] = end; });
-    for (std::uint32_t& offset : result.offsets) offset += result.first;
+    EdgeEnds result = ends_by_vertex(edges, rooms.vertices.size);
+    const std::uint32_t first = 2 * rooms.candidates.first;
+    for (std::uint32_t& offset : result.offsets) offset += first;
+    for (std::uint32_t& end : result.ends) end += first;
+    result.ends.resize(2 * std::size_t{rooms.candidates.size}, 0);
     return result;
 }
 
@@ -77,9 +58,9 @@ void SceneBuffers::follow(const AssemblyState& parts) {
     for (std::uint32_t i = 0; i < parts.parts.size(); ++i) {
         if (!parts.parts[i].is_there) continue;
         const PartRooms& rooms = parts.parts[i].rooms;
-        const Ends own = ends_of(rooms, part_lines(parts, i));
+        const EdgeEnds own = ends_of(rooms, part_lines(parts, i));
         std::ranges::copy(own.offsets, offsets.begin() + rooms.vertices.first);
-        std::ranges::copy(own.ends, ends.begin() + own.first);
+        std::ranges::copy(own.ends, ends.begin() + 2 * rooms.candidates.first);
     }
     LineTables::Chunk& chunk = tables_.chunks.front();
     chunk.end_offsets = upload(device(), std::as_bytes(std::span{offsets}), purpose::segments);
@@ -132,10 +113,10 @@ void SceneBuffers::upload_part_lines(const AssemblyState& parts, const PartRooms
 }
 
 void SceneBuffers::upload_part_ends(const PartRooms& rooms, const LineSet& part) {
-    const Ends own = ends_of(rooms, part);
+    const EdgeEnds own = ends_of(rooms, part);
     const LineTables::Chunk& chunk = tables_.chunks.front();
     upload_at(device(), *chunk.end_offsets, rooms.vertices.first, own.offsets);
-    upload_at(device(), *chunk.ends, own.first, own.ends);
+    upload_at(device(), *chunk.ends, 2 * std::size_t{rooms.candidates.first}, own.ends);
 }
 
 void SceneBuffers::upload_part_contours(const Contours& all, const PartRooms& rooms,

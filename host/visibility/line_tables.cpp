@@ -54,17 +54,9 @@ void add_candidates(compute::Device& device, std::span<const Segment> segments,
     const std::span<const Segment> edges = candidates.first(candidates.size() - others);
     std::uint32_t last = 0;
     for (const Segment& edge : edges) last = std::max({last, edge.p, edge.q});
-    std::vector<std::uint32_t> offsets(std::size_t{last} + 2, 0);
-    for (const Segment& edge : edges)
-        for (const std::uint32_t vertex : {edge.p, edge.q}) ++offsets[vertex + 1];
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<std::uint32_t> ends(2 * edges.size());
-    std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-    std::uint32_t end = 0;
-    for (const Segment& edge : edges)
-        for (const std::uint32_t vertex : {edge.p, edge.q}) ends[next[vertex]++] = end++;
-    chunk.end_offsets = upload(device, std::as_bytes(std::span{offsets}), purpose::segments);
-    chunk.ends = upload(device, std::as_bytes(std::span{ends}), purpose::segments);
+    const EdgeEnds found = ends_by_vertex(edges, std::size_t{last} + 2);
+    chunk.end_offsets = upload(device, std::as_bytes(std::span{found.offsets}), purpose::segments);
+    chunk.ends = upload(device, std::as_bytes(std::span{found.ends}), purpose::segments);
 }
 
 void add_contours(compute::Device& device, const LineSet& lines, std::span<const Segment> segments,
@@ -93,6 +85,23 @@ void for_each_side(const Contours& contours, Each&& each) {
 }
 
 } // namespace
+
+EdgeEnds ends_by_vertex(std::span<const Segment> edges, std::size_t offset_count) {
+    // Calls it with every vertex where an edge ends, and what stands for that end.
+    const auto for_each_end = [&](const auto& each) {
+        std::uint32_t end = 0;
+        for (const Segment& edge : edges)
+            for (const std::uint32_t vertex : {edge.p, edge.q}) each(vertex, end++);
+    };
+    EdgeEnds result{std::vector<std::uint32_t>(offset_count, 0),
+                    std::vector<std::uint32_t>(2 * edges.size())};
+    for_each_end([&](std::uint32_t vertex, std::uint32_t) { ++result.offsets[vertex + 1]; });
+    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+    std::vector<std::uint32_t> next = result.offsets;
+    for_each_end(
+        [&](std::uint32_t vertex, std::uint32_t end) { result.ends[next[vertex]++] = end; });
+    return result;
+}
 
 std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
                                                 std::span<const Segment> segments) {

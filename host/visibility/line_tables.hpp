@@ -53,6 +53,12 @@ std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const
 std::vector<LineTables::Chunk> upload_segments(compute::Device& device,
                                                std::span<const Segment> segments,
                                                const LineSet* lines = nullptr);
+/// Where edges meet: of vertex v the ends from offsets[v] up to offsets[v + 1], of edge i 2 i at
+/// its p and 2 i + 1 at its q. `offset_count`: above every vertex + 1.
+struct EdgeEnds {
+    std::vector<std::uint32_t> offsets, ends;
+};
+EdgeEnds ends_by_vertex(std::span<const Segment> edges, std::size_t offset_count);
 /// The corners of what contours may run through.
 std::vector<glm::uvec3> contour_corners(const Contours& contours);
 /// What lies across its edges.

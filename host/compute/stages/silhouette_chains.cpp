@@ -20,7 +20,6 @@ SegmentTable SilhouetteChains::without(const SegmentTable& table) {
 }
 
 void SilhouetteChains::contour(const SegmentTable& table, const SilhouetteView& view) {
-    tables_.make_room(Table::numbers, (table.candidates.count + 1ULL) * sizeof(la_uint));
     stages_.contour({.contours = *table.candidates.contours,
                      .vertices = table.vertices,
                      .eye = view.eye,
@@ -29,9 +28,7 @@ void SilhouetteChains::contour(const SegmentTable& table, const SilhouetteView& 
 }
 
 void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
-    const std::uint64_t candidates = table.candidates.count;
-    tables_.make_room(Table::numbers, (candidates + 1) * sizeof(la_uint));
-    tables_.make_room(Table::positions, candidates * sizeof(la_uint));
+    tables_.make_room(Table::positions, table.candidates.count * sizeof(la_uint));
     first_ = table.candidates.first;
     stages_.silhouette({.table = table, .front = front, .numbers = tables_[Table::numbers]});
     device_.download(tables_[Table::numbers], std::as_writable_bytes(std::span{&count_, 1}),

@@ -40,6 +40,7 @@ class SilhouetteChains {
     SegmentTable find(const SegmentTable& candidates, Buffer& front, const SilhouetteView& view,
                       Clock&& clock) {
         if (candidates.candidates.count == 0) return without(candidates);
+        tables_.make_room(Table::numbers, (candidates.candidates.count + 1ULL) * sizeof(la_uint));
         const bool has_contours = candidates.candidates.contours.has_value();
         if (has_contours) clock("contour", [&] { contour(candidates, view); });
         clock("silhouette", [&] { list(candidates, front); });
