@@ -52,8 +52,8 @@ typedef struct ExactParameters {
     la_uint chunk;    /* triangles per work-item of tile_lists */
     la_uint chunks;
     la_uint entry_capacity, group_capacity, span_capacity;
-    /* The clipped segments are so many ways beside each segment, see outline_push; all that is over
-     * them hides them. 0: they are the segments. */
+    /* The clipped segments are so many ways beside each segment that `seen` lists, see
+     * outline_push; all that is over them hides them. 0: they are the segments. */
     la_uint beside;
     la_uint lift;    /* from a contour's vertex to the one lifted off its surface; 0: no contours */
     la_uint batched; /* the first triangles, of whose batches something is known */
@@ -62,7 +62,7 @@ typedef struct ExactParameters {
 } ExactParameters;
 
 typedef struct OutlineParameters {
-    la_uint count; /* segments */
+    la_uint count; /* segments; of outline_push and outline_push_in: those that are seen */
     la_vec2 viewport;
     float reach;      /* pixels from a line to the place beside it */
     float depth;      /* pixels that a body must be deep on the other side of its outline */
@@ -143,13 +143,11 @@ typedef struct SpansParameters {
     in(uint, ends) inout(Entry, entries) in(uint, groups) out(float, blocks) \
     out(float, boxes)
 #define visible_count_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(ClippedSegment, clipped) in(uint, arcs) in(uint, patches) \
-    EXACT_LIST_TABLES(in) \
-    out(uint, counts) out(float, kept)
+    in(Segment, segments) in(uint, seen) in(ClippedSegment, clipped) in(uint, arcs) \
+    in(uint, patches) EXACT_LIST_TABLES(in) out(uint, counts) out(float, kept)
 #define visible_write_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(ClippedSegment, clipped) in(uint, patches) EXACT_LIST_TABLES(in) \
-    in(uint, offsets) \
-    in(float, kept) out(float, spans)
+    in(Segment, segments) in(uint, seen) in(ClippedSegment, clipped) in(uint, patches) \
+    EXACT_LIST_TABLES(in) in(uint, offsets) in(float, kept) out(float, spans)
 #define spans_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, arcs) in(uint, span_offsets) in(float, spans) out(uint, counts)
 #define spans_runs_tables(in, out, inout, unordered) \
@@ -159,16 +157,19 @@ typedef struct SpansParameters {
     FRAME_TABLES(in) in(float, vertices) in(uint, span_offsets) in(float, spans) \
     in(uint, block_offsets) out(Interval, intervals) out(uint, interval_total)
 
+#define outline_seen_tables(in, out, inout, unordered) \
+    in(Segment, segments) in(uint, arcs) in(uint, span_offsets) out(uint, numbers)
+#define outline_list_tables(in, out, inout, unordered) in(uint, numbers) out(uint, seen)
 #define outline_push_tables(in, out, inout, unordered) \
-    in(Segment, segments) in(float, vertices) in(ClippedSegment, clipped) in(uint, arcs) in(uint, span_offsets) \
+    in(Segment, segments) in(uint, seen) in(float, vertices) in(ClippedSegment, clipped) \
     inout(ClippedSegment, pushed)
 #define outline_push_in_tables(in, out, inout, unordered) \
-    in(ClippedSegment, clipped) in(uint, beside_offsets) inout(ClippedSegment, pushed)
+    in(uint, seen) in(ClippedSegment, clipped) in(uint, beside_offsets) inout(ClippedSegment, pushed)
 #define outline_parts_count_tables(in, out, inout, unordered) \
-    in(uint, arcs) in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
+    in(uint, numbers) in(uint, arcs) in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
     out(uint, counts)
 #define outline_parts_write_tables(in, out, inout, unordered) \
-    in(uint, arcs) in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
+    in(uint, numbers) in(uint, arcs) in(uint, beside_offsets) in(float, beside) in(uint, within_offsets) in(float, within) \
     in(uint, part_offsets) out(float, parts)
 #define outline_samples_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(float, depth) \

@@ -332,6 +332,8 @@ typedef struct IntervalsParameters {
     kernel(density, density_weights, DensityParameters) \
     kernel(density, density_excess, DensityParameters) \
     kernel(carry, carry_runs, CarryParameters) \
+    kernel(outline, outline_seen, CountParameters) \
+    kernel(outline, outline_list, CountParameters) \
     kernel(outline, outline_push, OutlineParameters) \
     kernel(outline, outline_push_in, OutlineParameters) \
     kernel(outline, outline_parts_count, OutlineParameters) \

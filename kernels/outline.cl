@@ -2,10 +2,10 @@
  * is some pixels deep: a rope is no outline of itself. A place of a line has the background beside
  * it where a place there, infinitely far away, is hidden by nothing.
  *
- * Of the exact method (exact.h): every segment that is seen is pushed out to either side, and what
- * is beside the background then is pushed to the other one. `visible` finds what of that is seen,
- * and so parts are cut, with continuous ends. Of the segment atlas: the depth buffer is looked at
- * beside the middle of every sample.
+ * Of the exact method (exact.h): every segment that is seen, be it in part, is pushed out to either
+ * side, and what is beside the background then is pushed to the other one. `visible` finds what of
+ * that is seen, and so parts are cut, with continuous ends. Of the segment atlas: the depth buffer
+ * is looked at beside the middle of every sample.
  *
  * Either way they are parts of segments, in the units of runs: samples of the segment, or 0 to 1.
  * Several of one segment may overlap, and are in no order.
@@ -48,33 +48,46 @@ static void push(const OutlineParameters* args, const float4 p, const float4 q,
     out->own_a = out->own_b = LA_NO_FACE;
 }
 
-/* pushed: of segment i the two ways beside it, to its right and to its left. */
-KERNEL(outline_push, OutlineParameters) {
+/* numbers: 1 for a segment that is seen and may be outline, else 0. Scanned, they number these. */
+KERNEL(outline_seen, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    __global ClippedSegment* out = pushed + LA_OUTLINE_BESIDE * i;
-    out[0].p[3] = out[1].p[3] = 0.0f;
-    if (arcs[i + 1] == arcs[i] || span_offsets[i + 1] == span_offsets[i]) return;
-    if (!can_be_outline(segments[i].tag)) return;
+    const bool seen = arcs[i + 1] != arcs[i] && span_offsets[i + 1] != span_offsets[i];
+    numbers[i] = seen && can_be_outline(segments[i].tag) ? 1u : 0u;
+}
+
+/* seen[n]: the segment that has number n. */
+KERNEL(outline_list, CountParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i < args.count && numbers[i + 1] != numbers[i]) seen[numbers[i]] = i;
+}
+
+/* pushed: of the n-th segment seen the two ways beside it, to its right and to its left. */
+KERNEL(outline_push, OutlineParameters) {
+    const uint n = (uint)get_global_id(0);
+    if (n >= args.count) return;
+    const uint i = seen[n];
+    __global ClippedSegment* out = pushed + LA_OUTLINE_BESIDE * n;
     const ClipEnds ends = lifted_ends(segments + i, clipped + i, args.lift,
                                       to_matrix(args.clip_from_world), vertices);
     push(&args, ends.p, ends.q, -args.reach, out);
     push(&args, ends.p, ends.q, args.reach, out + 1);
 }
 
-/* pushed: where the background is beside segment i, LA_OUTLINE_STEPS ways on its other side, first
- * for the background to its right. beside_offsets: of what is seen of the two ways of
+/* pushed: where the background is beside the n-th segment seen, LA_OUTLINE_STEPS ways on its other
+ * side, first for the background to its right. beside_offsets: of what is seen of the two ways of
  * outline_push. */
 KERNEL(outline_push_in, OutlineParameters) {
-    const uint i = (uint)get_global_id(0);
-    if (i >= args.count) return;
+    const uint n = (uint)get_global_id(0);
+    if (n >= args.count) return;
+    const uint i = seen[n];
     const float4 p = vload4(0, clipped[i].p), q = vload4(0, clipped[i].q);
     for (uint side = 0; side < 2; ++side) {
-        const uint way = LA_OUTLINE_BESIDE * i + side;
+        const uint way = LA_OUTLINE_BESIDE * n + side;
         const bool any = beside_offsets[way + 1] != beside_offsets[way];
         for (uint k = 0; k < LA_OUTLINE_STEPS; ++k) {
             __global ClippedSegment* out =
-                pushed + (LA_OUTLINE_WITHIN * i + LA_OUTLINE_STEPS * side + k);
+                pushed + (LA_OUTLINE_WITHIN * n + LA_OUTLINE_STEPS * side + k);
             out->p[3] = 0.0f;
             const float inside = args.depth * (float)(k + 1) / (float)LA_OUTLINE_STEPS;
             if (any) push(&args, p, q, side == 0 ? inside : -inside, out);
@@ -82,16 +95,16 @@ KERNEL(outline_push_in, OutlineParameters) {
     }
 }
 
-/* The parts of segment i that have the background beside them and a body on the other side that is
- * deep enough, written if there is a table; how many. corner: the longest end that is not, as a
- * share of the segment. */
-static uint find_deep_parts(const uint i, const float corner, __global const uint* beside_offsets,
+/* The parts of the n-th segment seen that have the background beside them and a body on the other
+ * side that is deep enough, written if there is a table; how many. corner: the longest end that is
+ * not, as a share of the segment. */
+static uint find_deep_parts(const uint n, const float corner, __global const uint* beside_offsets,
                             __global const float* beside, __global const uint* within_offsets,
                             __global const float* within, __global float* out) {
     uint count = 0;
     for (uint side = 0; side < 2; ++side) {
-        const uint way = LA_OUTLINE_BESIDE * i + side;
-        const uint inner = LA_OUTLINE_WITHIN * i + LA_OUTLINE_STEPS * side;
+        const uint way = LA_OUTLINE_BESIDE * n + side;
+        const uint inner = LA_OUTLINE_WITHIN * n + LA_OUTLINE_STEPS * side;
         const uint first = within_offsets[inner], last = within_offsets[inner + LA_OUTLINE_STEPS];
         for (uint k = beside_offsets[way]; k < beside_offsets[way + 1]; ++k) {
             const float2 part = vload2(k, beside);
@@ -130,16 +143,18 @@ static float corner_of(const float depth, __global const uint* arcs, const uint 
 KERNEL(outline_parts_count, OutlineParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    counts[i] = find_deep_parts(i, corner_of(args.depth, arcs, i), beside_offsets, beside,
-                                within_offsets, within, 0);
+    const bool seen = numbers[i + 1] != numbers[i];
+    counts[i] = seen ? find_deep_parts(numbers[i], corner_of(args.depth, arcs, i), beside_offsets,
+                                       beside, within_offsets, within, 0)
+                     : 0;
 }
 
 KERNEL(outline_parts_write, OutlineParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || part_offsets[args.count] > args.capacity) return;
     if (part_offsets[i + 1] == part_offsets[i]) return;
-    find_deep_parts(i, corner_of(args.depth, arcs, i), beside_offsets, beside, within_offsets,
-                    within, parts + 2 * (size_t)part_offsets[i]);
+    find_deep_parts(numbers[i], corner_of(args.depth, arcs, i), beside_offsets, beside,
+                    within_offsets, within, parts + 2 * (size_t)part_offsets[i]);
 }
 
 /* What the frame shows. */

@@ -406,8 +406,8 @@ static Line lifted_line(const ExactParameters* args, const Lists* lists,
 }
 
 /* The segment that clipped segment i is of. */
-static uint segment_of(const ExactParameters* args, const uint i) {
-    return args->beside != 0 ? i / args->beside : i;
+static uint segment_of(const ExactParameters* args, const uint i, __global const uint* seen) {
+    return args->beside != 0 ? seen[i / args->beside] : i;
 }
 
 /* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
@@ -427,7 +427,7 @@ KERNEL(visible_count, ExactParameters) {
     const bool absent = args.beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
     if (absent || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const Lists lists = LISTS;
-    __global const Segment* segment = segments + segment_of(&args, i);
+    __global const Segment* segment = segments + segment_of(&args, i, seen);
     if ((segment->tag & LA_TAG_BURIED) != 0) return;
     const Line line = line_of(&args, &lists, segment, clipped + i);
     const bool contour = is_contour(&args, segment);
@@ -452,7 +452,7 @@ KERNEL(visible_write, ExactParameters) {
     if (count == 2) vstore2(zw(two), 1, out);
     if (count <= 2) return;
     const Lists lists = LISTS;
-    __global const Segment* segment = segments + segment_of(&args, i);
+    __global const Segment* segment = segments + segment_of(&args, i, seen);
     const Line line = line_of(&args, &lists, segment, clipped + i);
     const bool contour = is_contour(&args, segment);
     const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;

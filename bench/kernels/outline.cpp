@@ -2,9 +2,11 @@
 // outline by samples of the segment atlas, outline_push as the exact method begins.
 // Bytes: of outline per segment twice (it is counted, then written) its segment (32), clipped
 // segment (48) and two offsets (8), per sample twice two texels (16); per part written 8. Of
-// outline_push per segment the same with two arc lengths twice (192), two clipped segments (96) and
-// four (192) written; of what is seen of them, offsets twice (64), spans (32) and parts written
-// (16). Of pens per run twice the run (80) and its pens (4), per run that results itself (80).
+// outline_push per segment its tag (4), two offsets and two arc lengths (16), its number written
+// and read three times (16); per segment that is seen itself (32) and clipped twice (96), two
+// clipped segments (96) and four (192) written; of what is seen of them, offsets twice (64), spans
+// (32) and parts written (16). Of pens per run twice the run (80) and its pens (4), per run that
+// results itself (80).
 
 #include <algorithm>
 
@@ -90,12 +92,25 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer nothing = to_device(device, std::vector<std::uint32_t>(count + 1));
     const SharedBuffer part_offsets = to_device(device, std::vector<std::uint32_t>(n + 1));
     const SharedBuffer parts = to_device(device, std::vector<glm::vec2>(beside));
-    const auto most = static_cast<std::uint32_t>(beside);
+    const SharedBuffer numbers = to_device(device, std::vector<std::uint32_t>(n + 1));
+    const SharedBuffer listed = to_device(device, std::vector<std::uint32_t>(n));
+    const auto find_seen = [=, &stages] {
+        stages.outline_seen({.table = on.table(),
+                             .clipped = on.atlas().clipped,
+                             // What has samples is seen.
+                             .spans = {*on.offsets, *on.alpha, on.samples},
+                             .numbers = *numbers});
+    };
+    find_seen();
+    const auto seen = read_back<std::uint32_t>(device, *numbers, n + std::size_t{1}).back();
+    const std::uint32_t most = LA_OUTLINE_BESIDE * seen;
     const auto run = [=, &stages] {
+        find_seen();
+        stages.outline_list(*numbers, n, *listed);
         const compute::OutlineArgs outline{.table = on.table(),
                                            .clipped = on.atlas().clipped,
-                                           // What has samples is seen.
-                                           .spans = {*on.offsets, *on.alpha, on.samples},
+                                           .seen = *listed,
+                                           .count = seen,
                                            .viewport = Paths::viewport,
                                            .depth = body,
                                            .parallel = false,
@@ -105,6 +120,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
         stages.outline_push(outline);
         stages.outline_push_in(outline, *offsets);
         stages.outline_parts({.segment_count = n,
+                              .numbers = *numbers,
                               .arcs = *on.arcs,
                               .depth = body,
                               .beside = {*offsets, *spans, most},
@@ -127,7 +143,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
         return places;
     };
     require(std::ranges::any_of(result(), [](float place) { return place != 0; }), "outline_push");
-    return {.run = run, .bytes = 592.0 * n, .result = result};
+    return {.run = run, .bytes = 36.0 * n + 528.0 * seen, .result = result};
 }
 
 Job prepare_pens(compute::Stages& stages, std::uint32_t n) {

@@ -237,7 +237,9 @@ void say(const std::string& note) {
 }
 
 void draw_without_gl(const Drawing& drawing) {
-    LineVisibility visibility{drawing.subject.lines, drawing.arguments.device};
+    DeviceOptions device = drawing.arguments.device;
+    device.one_picture = !drawing.frames;
+    LineVisibility visibility{drawing.subject.lines, device};
     VisibilityOptions wanted{.lines = drawing.options.lines,
                              .hidden = true,
                              .step = drawing.options.step,

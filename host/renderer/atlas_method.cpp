@@ -138,7 +138,8 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
     motion_ = is_steady(frame) ? motion_since_past(frame) : std::nullopt;
     chains_.follow(motion_ ? past_.positions.get() : nullptr);
     const compute::SegmentTable candidates = frame.scene.candidate_table();
-    if ((frame.options.lines & mask_of(LineKind::silhouette)) == 0) {
+    const bool wanted = (frame.options.lines & mask_of(LineKind::silhouette)) != 0;
+    if (!wanted || candidates.candidates.count == 0) {
         frame.scene.set_order(chains_.without(candidates));
     } else {
         const glm::vec4 eye = frame.camera.eye();

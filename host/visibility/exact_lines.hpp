@@ -54,7 +54,8 @@ class ExactLines {
               Use&& use) {
         for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
             const compute::SegmentTable candidates = table(chunk);
-            const bool wants_silhouettes = (view.lines & mask_of(LineKind::silhouette)) != 0;
+            const bool wants_silhouettes = candidates.candidates.count > 0 &&
+                                           (view.lines & mask_of(LineKind::silhouette)) != 0;
             if (wants_silhouettes) clock("facing", [&] { facing(view, candidates); });
             const compute::SegmentTable segments =
                 wants_silhouettes ? chains_.find(candidates, *front_, silhouette_view(view), clock)

@@ -46,7 +46,9 @@ class LineVisibility::State {
         const PlacedLines lines{*tables_, *tables_->vertices, vertex_count_, triangle_count_};
         try {
             if (!work_) work_.emplace(stages_, lines);
-            return action(*work_, lines);
+            auto result = action(*work_, lines);
+            if (one_picture_) work_.reset(); // what comes next takes memory, too
+            return result;
         } catch (...) {
             work_.reset(); // half made
             throw;
@@ -99,10 +101,12 @@ class LineVisibility::State {
 
   private:
     State(const compute::FoundDevice& found, const DeviceOptions& options)
-        : device_(compute::make_device(found, options)), stages_(*device_) {}
+        : device_(compute::make_device(found, options)), stages_(*device_),
+          one_picture_(options.one_picture) {}
 
     std::unique_ptr<compute::Device> device_;
     compute::Stages stages_;
+    bool one_picture_;
     std::optional<LineTables> tables_;
     std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
     std::vector<LineObject> objects_;

@@ -71,6 +71,9 @@ TEST_P(OnDevice, FindsWhatARendererFindsBitByBit) {
     for (const char* name : {"clevis", "house"}) {
         const LineSet& lines = scene_lines(name);
         LineVisibility visibility{lines, device()};
+        DeviceOptions of_once = device();
+        of_once.one_picture = true;
+        LineVisibility once{lines, of_once}; // it may be asked again all the same
         ByRenderer renderer{lines, device()};
         for (const NamedCamera& view : scene_cameras(name, {640, 480})) {
             for (const bool hidden : {false, true}) {
@@ -79,6 +82,7 @@ TEST_P(OnDevice, FindsWhatARendererFindsBitByBit) {
                 EXPECT_GT(found.size(), 10U) << name << ", " << view.name;
                 EXPECT_TRUE(same_bits(found, renderer.find(view.camera, wanted)))
                     << name << ", " << view.name << (hidden ? ", hidden too" : "");
+                EXPECT_TRUE(same_bits(found, once.find(view.camera, wanted))) << name;
             }
         }
     }

@@ -436,6 +436,30 @@ TEST(Pens, LengthsGrowWithThePicture) {
     EXPECT_EQ(drawing_of(lines, corner_view(lines), style).pens.back().width, 6);
 }
 
+TEST(Outlines, TakeRoomByWhatIsSeen) {
+    const gl::HeadlessContext context;
+    Mesh mesh = cube();
+    for (int i = 0; i < 1000; ++i) { // behind the first, and smaller
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        const glm::vec3 at{0, 0, -2 - 0.5F * static_cast<float>(i)};
+        const Mesh other = cube();
+        for (const glm::vec3& p : other.positions) mesh.positions.push_back(0.1F * p + at);
+        for (const glm::uvec3& t : other.triangles) mesh.triangles.push_back(t + first);
+    }
+    const LineSet lines = extract_lines(mesh);
+    const Camera camera = make_camera({.eye = {0, 0, 8}}, size, lines.bounds);
+    const auto bytes = [&](const Style& style) {
+        Renderer renderer;
+        renderer.set_lines(lines);
+        const FrameOptions options{.method = Method::exact, .style = style, .draw = false};
+        const FrameStats stats = renderer.draw(camera, options, 0);
+        EXPECT_GT(stats.runs, 3);
+        EXPECT_LT(stats.runs, lines.segments.size() / 100);
+        return stats.segment_bytes;
+    };
+    EXPECT_LT(bytes(with_outline()), bytes({}) + 32 * lines.segments.size());
+}
+
 TEST(Outlines, OfARendererAreThoseOfLineVisibility) {
     const gl::HeadlessContext context;
     Renderer renderer;

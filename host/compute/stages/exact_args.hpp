@@ -31,6 +31,8 @@ struct ExactArgs {
     Buffer& spans;              ///< out: 2 floats per span; none if span_capacity is too small
     /// Of all triangles: surfaces() finds which can't be seen; null: each is looked at alone.
     const BatchTable* batches = nullptr;
+    /// Of ways beside segments (ExactParameters::beside): OutlineArgs::seen.
+    Buffer* seen = nullptr;
 };
 
 /// The visible parts of all segments, as `visible` leaves them.
@@ -40,22 +42,32 @@ struct SpanTable {
     std::uint32_t capacity; ///< spans that there is room for
 };
 
-/// What lies beside every segment that is seen, for `visible` to look at.
+/// Which segments are seen and may be outline.
+struct OutlineSeenArgs {
+    SegmentTable table;
+    ClippedTable clipped;
+    SpanTable spans; ///< what is seen of the segments
+    Buffer& numbers; ///< out: segment_count + 1 uint32: how many there are before each, and in all
+};
+
+/// What lies beside them, for `visible` to look at.
 struct OutlineArgs {
     SegmentTable table;
     ClippedTable clipped;
-    SpanTable spans;    ///< what is seen of the segments
+    Buffer& seen; ///< a uint32 each: segments, as outline_list() has them
+    std::uint32_t count;
     glm::vec2 viewport; ///< pixels
     float depth;        ///< pixels that a body must be deep on the other side
     bool parallel;      ///< a parallel view
     glm::mat4 clip_from_world;
     std::uint32_t lift; ///< as in ExactParameters
-    Buffer& pushed;     ///< out: `ClippedSegment`, 2 per segment, then LA_OUTLINE_WITHIN
+    Buffer& pushed;     ///< out: `ClippedSegment`, 2 of each, then LA_OUTLINE_WITHIN
 };
 
 /// Of what is seen of the ways beside segments, which parts are outline.
 struct OutlinePartsArgs {
     std::uint32_t segment_count;
+    Buffer& numbers;          ///< of OutlineSeenArgs
     Buffer& arcs;             ///< of ClippedTable
     float depth;              ///< as in OutlineArgs
     SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()

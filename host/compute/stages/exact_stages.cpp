@@ -17,6 +17,11 @@ Buffer& patches_of(const SegmentTable& table) {
     return contours ? *contours->patches : table.triangles;
 }
 
+/// A table that is not read where segments are no ways beside others.
+Buffer& seen_of(const ExactArgs& args) {
+    return args.seen != nullptr ? *args.seen : args.clipped.arcs;
+}
+
 /// A table that is not read where there are no batches.
 Buffer& states_of(const ExactArgs& args) {
     return args.batches != nullptr ? args.batches->states : args.screen;
@@ -120,6 +125,7 @@ void Stages::visible(const ExactArgs& args) {
     const std::uint32_t n = parameters.count;
     launch<kernels::visible_count>(n, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,
+                                    .seen = seen_of(args),
                                     .clipped = args.clipped.clipped,
                                     .arcs = args.clipped.arcs,
                                     .patches = patches_of(args.table),
@@ -137,6 +143,7 @@ void Stages::visible(const ExactArgs& args) {
     scan(args.span_offsets, n, ScanKind::saturate);
     launch<kernels::visible_write>(n, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,
+                                    .seen = seen_of(args),
                                     .clipped = args.clipped.clipped,
                                     .patches = patches_of(args.table),
                                     .vertices = args.table.vertices,
@@ -157,7 +164,7 @@ namespace {
 
 OutlineParameters parameters_of(const OutlineArgs& args) {
     constexpr float beside = 0.5F; // pixels
-    return {.count = args.table.segment_count,
+    return {.count = args.count,
             .viewport = args.viewport,
             .reach = beside,
             .depth = args.depth,
@@ -169,20 +176,36 @@ OutlineParameters parameters_of(const OutlineArgs& args) {
 
 } // namespace
 
-void Stages::outline_push(const OutlineArgs& args) {
-    launch<kernels::outline_push>(args.table.segment_count, tuning_.local_size, parameters_of(args),
+void Stages::outline_seen(const OutlineSeenArgs& args) {
+    const std::uint32_t n = args.table.segment_count;
+    launch<kernels::outline_seen>(n, tuning_.local_size, {n},
                                   {.segments = args.table.segments,
-                                   .vertices = args.table.vertices,
-                                   .clipped = args.clipped.clipped,
                                    .arcs = args.clipped.arcs,
                                    .span_offsets = args.spans.offsets,
+                                   .numbers = args.numbers});
+    scan(args.numbers, n, ScanKind::saturate);
+}
+
+void Stages::outline_list(Buffer& numbers, std::uint32_t segment_count, Buffer& seen) {
+    launch<kernels::outline_list>(segment_count, tuning_.local_size, {segment_count},
+                                  {.numbers = numbers, .seen = seen});
+}
+
+void Stages::outline_push(const OutlineArgs& args) {
+    launch<kernels::outline_push>(args.count, tuning_.local_size, parameters_of(args),
+                                  {.segments = args.table.segments,
+                                   .seen = args.seen,
+                                   .vertices = args.table.vertices,
+                                   .clipped = args.clipped.clipped,
                                    .pushed = args.pushed});
 }
 
 void Stages::outline_push_in(const OutlineArgs& args, Buffer& beside_offsets) {
-    launch<kernels::outline_push_in>(
-        args.table.segment_count, tuning_.local_size, parameters_of(args),
-        {.clipped = args.clipped.clipped, .beside_offsets = beside_offsets, .pushed = args.pushed});
+    launch<kernels::outline_push_in>(args.count, tuning_.local_size, parameters_of(args),
+                                     {.seen = args.seen,
+                                      .clipped = args.clipped.clipped,
+                                      .beside_offsets = beside_offsets,
+                                      .pushed = args.pushed});
 }
 
 void Stages::outline_parts(const OutlinePartsArgs& args) {
@@ -191,7 +214,8 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
     parameters.depth = args.depth;
     parameters.capacity = args.part_capacity;
     launch<kernels::outline_parts_count>(args.segment_count, tuning_.local_size, parameters,
-                                         {.arcs = args.arcs,
+                                         {.numbers = args.numbers,
+                                          .arcs = args.arcs,
                                           .beside_offsets = args.beside.offsets,
                                           .beside = args.beside.spans,
                                           .within_offsets = args.within.offsets,
@@ -199,7 +223,8 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
                                           .counts = args.offsets});
     scan(args.offsets, args.segment_count, ScanKind::saturate);
     launch<kernels::outline_parts_write>(args.segment_count, tuning_.local_size, parameters,
-                                         {.arcs = args.arcs,
+                                         {.numbers = args.numbers,
+                                          .arcs = args.arcs,
                                           .beside_offsets = args.beside.offsets,
                                           .beside = args.beside.spans,
                                           .within_offsets = args.within.offsets,

@@ -85,15 +85,6 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .keeps_hidden = 0};
 }
 
-std::uint32_t grown(const Device& device, std::uint32_t needed, std::size_t element) {
-    if (needed == std::numeric_limits<std::uint32_t>::max()) { // where sums stop
-        throw DeviceError(beyond_limit(purpose::exact, "over 4 billion faces in its lists",
-                                       "kernels count to 4 billion"));
-    }
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(
-        room_to_grow(device, needed, element), std::numeric_limits<std::uint32_t>::max() - 1));
-}
-
 } // namespace
 
 void ExactVisibility::release() {
@@ -107,6 +98,7 @@ void ExactVisibility::release() {
 
 void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
                             float contact) {
+    has_found_ = table_.has_value();
     table_.emplace(table);
     const ExactParameters before = parameters_;
     parameters_ = parameters_of(table, camera, bounds, contact);
@@ -139,6 +131,7 @@ void ExactVisibility::make_room_for_segments() {
 }
 
 void ExactVisibility::go_on(const SegmentTable& table) {
+    has_found_ = true;
     table_.emplace(table);
     parameters_.count = table.segment_count;
     make_room_for_segments();
@@ -173,7 +166,8 @@ ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParamete
             .kept = kept,
             .span_offsets = span_offsets,
             .spans = spans,
-            .batches = batches_ ? &*batches_ : nullptr};
+            .batches = batches_ ? &*batches_ : nullptr,
+            .seen = parameters.beside > 0 ? &tables_[Table::seen] : nullptr};
 }
 
 void ExactVisibility::surfaces(const ClippedTable& clipped) {
@@ -195,18 +189,29 @@ void ExactVisibility::visible(const ClippedTable& clipped) {
     stages_.visible(args(clipped));
 }
 
+std::uint32_t ExactVisibility::grown(std::uint32_t needed, std::size_t element) const {
+    constexpr std::uint64_t uncountable = std::numeric_limits<std::uint32_t>::max();
+    if (needed == uncountable) { // where sums stop
+        throw DeviceError(beyond_limit(purpose::exact, "over 4 billion faces in its lists",
+                                       "kernels count to 4 billion"));
+    }
+    const std::uint64_t room = has_found_ ? room_to_grow(device_, needed, element) : needed;
+    return static_cast<std::uint32_t>(std::min(room, uncountable - 1));
+}
+
 std::uint32_t ExactVisibility::read(Buffer& buffer, std::size_t index) const {
     std::uint32_t value = 0;
     device_.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(value));
     return value;
 }
 
-void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t ways, Beside& beside) {
-    const std::uint64_t count = std::uint64_t{parameters_.count} * ways;
+void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t seen,
+                                  std::uint32_t ways, Beside& beside) {
+    const std::uint64_t count = std::uint64_t{seen} * ways;
     beside.capacity = std::max(beside.capacity,
                                first_capacity<std::array<float, 2>>(device_, first_span_capacity));
-    tables_.fit(beside.kept, count * 4 * sizeof(float));
-    tables_.fit(beside.offsets, (count + 1) * sizeof(la_uint));
+    tables_.make_room(beside.kept, count * 4 * sizeof(float));
+    tables_.make_room(beside.offsets, (count + 1) * sizeof(la_uint));
     ExactParameters parameters = parameters_;
     parameters.count = static_cast<std::uint32_t>(count);
     parameters.beside = ways;
@@ -217,21 +222,31 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t way
                              tables_[beside.kept], tables_[beside.offsets], tables_[beside.spans]));
         const std::uint32_t found = read(tables_[beside.offsets], count);
         again = found > beside.capacity;
-        if (again) beside.capacity = grown(device_, found, 2 * sizeof(float));
+        if (again) beside.capacity = grown(found, 2 * sizeof(float));
     }
 }
 
 OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
-    const std::uint64_t ways = LA_OUTLINE_WITHIN * std::uint64_t{parameters_.count};
+    const std::uint32_t segments = parameters_.count;
+    tables_.fit(Table::numbers, (segments + 1ULL) * sizeof(la_uint));
+    tables_.fit(Table::part_offsets, (segments + 1ULL) * sizeof(la_uint));
+    stages_.outline_seen({.table = *table_,
+                          .clipped = clipped,
+                          .spans = spans(),
+                          .numbers = tables_[Table::numbers]});
+    const std::uint32_t seen = read(tables_[Table::numbers], segments);
+    const std::uint64_t ways = LA_OUTLINE_WITHIN * std::uint64_t{seen};
     if (ways >= std::numeric_limits<std::uint32_t>::max()) {
         throw DeviceError(beyond_limit(purpose::exact, "over 1 billion lines with outlines",
                                        "kernels count to 4 billion"));
     }
-    tables_.fit(Table::pushed, ways * sizeof(ClippedSegment));
-    tables_.fit(Table::part_offsets, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
+    tables_.make_room(Table::seen, std::uint64_t{seen} * sizeof(la_uint));
+    tables_.make_room(Table::pushed, ways * sizeof(ClippedSegment));
+    stages_.outline_list(tables_[Table::numbers], segments, tables_[Table::seen]);
     const OutlineArgs outline{.table = *table_,
                               .clipped = clipped,
-                              .spans = spans(),
+                              .seen = tables_[Table::seen],
+                              .count = seen,
                               .viewport = parameters_.viewport,
                               .depth = depth,
                               .parallel = parameters_.depth_rate > 0,
@@ -239,14 +254,15 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                               .lift = parameters_.lift,
                               .pushed = tables_[Table::pushed]};
     stages_.outline_push(outline);
-    find_beside(clipped, LA_OUTLINE_BESIDE, beside_);
+    find_beside(clipped, seen, LA_OUTLINE_BESIDE, beside_);
     stages_.outline_push_in(outline, tables_[beside_.offsets]);
-    find_beside(clipped, LA_OUTLINE_WITHIN, within_);
+    find_beside(clipped, seen, LA_OUTLINE_WITHIN, within_);
     part_capacity_ = std::max(part_capacity_, beside_.capacity);
     for (bool again = true; again;) {
         tables_.fit(Table::parts, std::uint64_t{part_capacity_} * 2 * sizeof(float));
         stages_.outline_parts(
-            {.segment_count = parameters_.count,
+            {.segment_count = segments,
+             .numbers = tables_[Table::numbers],
              .arcs = clipped.arcs,
              .depth = depth,
              .beside = {tables_[beside_.offsets], tables_[beside_.spans], beside_.capacity},
@@ -254,9 +270,9 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
              .offsets = tables_[Table::part_offsets],
              .parts = tables_[Table::parts],
              .part_capacity = part_capacity_});
-        const std::uint32_t found = read(tables_[Table::part_offsets], parameters_.count);
+        const std::uint32_t found = read(tables_[Table::part_offsets], segments);
         again = found > part_capacity_;
-        if (again) part_capacity_ = grown(device_, found, 2 * sizeof(float));
+        if (again) part_capacity_ = grown(found, 2 * sizeof(float));
     }
     return {tables_[Table::part_offsets], tables_[Table::parts]};
 }
@@ -268,16 +284,16 @@ bool ExactVisibility::grow() {
     const std::uint32_t spans = read(tables_[Table::span_offsets], parameters_.count);
     bool again = false;
     if (entries > parameters_.entry_capacity) {
-        parameters_.entry_capacity = grown(device_, entries, sizeof(Entry));
+        parameters_.entry_capacity = grown(entries, sizeof(Entry));
         again = true;
     }
     if (groups > parameters_.group_capacity) {
-        parameters_.group_capacity = grown(device_, groups, LA_GROUP_FLOATS * sizeof(float));
+        parameters_.group_capacity = grown(groups, LA_GROUP_FLOATS * sizeof(float));
         again = true;
     }
     if (again) make_lists();
     if (spans > parameters_.span_capacity) {
-        parameters_.span_capacity = grown(device_, spans, 2 * sizeof(float));
+        parameters_.span_capacity = grown(spans, 2 * sizeof(float));
         tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
         again = true;
     }

@@ -65,7 +65,9 @@ class ExactVisibility {
         blocks,
         boxes,
         spans,
-        // While outlines are asked for:
+        // While outlines are asked for, of what is seen:
+        numbers,
+        seen,
         pushed,
         part_offsets,
         parts,
@@ -82,6 +84,9 @@ class ExactVisibility {
                    Buffer& span_offsets, Buffer& spans) const;
     void make_lists();
     void make_room_for_segments();
+    /// How many elements a table gets that must hold `needed`: of the first lines that are looked
+    /// at no more, since a still has no others.
+    std::uint32_t grown(std::uint32_t needed, std::size_t element) const;
     std::uint32_t read(Buffer& buffer, std::size_t index) const;
     std::uint32_t tiles() const {
         return static_cast<std::uint32_t>(parameters_.tiles.x * parameters_.tiles.y);
@@ -90,6 +95,7 @@ class ExactVisibility {
     Stages& stages_;
     Device& device_;                    ///< of stages_
     std::optional<SegmentTable> table_; ///< of the current frame
+    bool has_found_ = false;            ///< what is visible of other lines, since release()
     ExactParameters parameters_{};
     Batches triangles_;
     std::optional<BatchTable> batches_; ///< of the current frame's triangles
@@ -99,8 +105,9 @@ class ExactVisibility {
         Table kept, offsets, spans;
         std::uint32_t capacity = 0; ///< of spans
     };
-    /// Of what stands in Table::pushed, so many ways per segment.
-    void find_beside(const ClippedTable& clipped, std::uint32_t ways, Beside& beside);
+    /// Of what stands in Table::pushed, so many ways of each of `seen` segments.
+    void find_beside(const ClippedTable& clipped, std::uint32_t seen, std::uint32_t ways,
+                     Beside& beside);
     Beside beside_{Table::beside_kept, Table::beside_offsets, Table::beside_spans};
     Beside within_{Table::within_kept, Table::within_offsets, Table::within_spans};
     std::uint32_t part_capacity_ = 0; ///< of Table::parts

@@ -34,12 +34,11 @@ class SilhouetteChains {
 
     /// The table of a frame in which no candidate is drawn.
     SegmentTable without(const SegmentTable& table);
-    /// The table of a frame whose triangles face the eye as `front` says; waits for the number of
-    /// silhouettes. `clock(name, action)` runs a stage.
+    /// The table of a frame whose triangles face the eye as `front` says, of a table that has
+    /// candidates; waits for the number of silhouettes. `clock(name, action)` runs a stage.
     template <class Clock>
     SegmentTable find(const SegmentTable& candidates, Buffer& front, const SilhouetteView& view,
                       Clock&& clock) {
-        if (candidates.candidates.count == 0) return without(candidates);
         tables_.make_room(Table::numbers, (candidates.candidates.count + 1ULL) * sizeof(la_uint));
         const bool has_contours = candidates.candidates.contours.has_value();
         if (has_contours) clock("contour", [&] { contour(candidates, view); });

@@ -64,6 +64,9 @@ class Stages {
     void visible(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
+    void outline_seen(const OutlineSeenArgs& args);
+    /// `seen`, out: a uint32 for each segment that `numbers` numbers, which one it is.
+    void outline_list(Buffer& numbers, std::uint32_t segment_count, Buffer& seen);
     void outline_push(const OutlineArgs& args);
     /// `beside_offsets`: of what is seen of the ways of outline_push().
     void outline_push_in(const OutlineArgs& args, Buffer& beside_offsets);

@@ -20,7 +20,8 @@ struct DeviceOptions {
     std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
     /// For a Renderer that draws one picture. Where nothing is said above, the environment names no
     /// device and GL is a software one, it takes cpp: a driver of OpenCL would start for longer
-    /// than its kernels are faster.
+    /// than its kernels are faster. A LineVisibility gives up its working tables when it has found
+    /// something, and makes them anew if it is asked again.
     bool one_picture = false;
 };
 
