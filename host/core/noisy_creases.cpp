@@ -22,8 +22,9 @@ constexpr double flat_bend = 0.5 * degree; ///< a face with an edge bent by less
 constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed;
 constexpr double gridded_share = 0.75;     ///< or so many, in a part of which fewer than this are
 constexpr double least_designed = 0.65;    ///< and which is rough: grids cut surfaces into quads.
-constexpr double gridded_noise = 8 * degree;
-constexpr std::size_t least_gridded = 2000;        ///< triangles of a part: grids are fine
+constexpr double least_rough = 8 * degree; ///< noise about an edge, of such grids
+constexpr std::size_t least_gridded = 2000;        ///< triangles of a part: grids are fine,
+constexpr std::size_t least_symmetric = 5000;      ///< those of shapes with symmetries, too
 constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely,
 constexpr double least_coarse = 0.05;              ///< of the model's diagonal: but for crumbs
 
@@ -241,6 +242,7 @@ class CreaseFilter {
         }
         if (doubtful_.empty()) return;
         const MeshParts parts = find_parts(mesh_);
+        count_triangles(parts);
         const std::vector<bool> gridded = gridded_parts(parts, is_flat);
         std::erase_if(doubtful_, [&](std::uint32_t i) {
             return is_gridded_[i] && !gridded[parts.of_vertex[edges_[i].p]];
@@ -252,28 +254,28 @@ class CreaseFilter {
         std::erase_if(trusted_, [&](std::uint32_t i) { return is_gridded_[i]; });
     }
 
+    void count_triangles(const MeshParts& parts) {
+        triangles_of_.assign(parts.count, 0);
+        for (const glm::uvec3& t : mesh_.triangles) ++triangles_of_[parts.of_vertex[t.x]];
+    }
+
     std::vector<bool> gridded_parts(const MeshParts& parts, const std::vector<bool>& is_flat) {
-        std::vector<std::size_t> flat(parts.count, 0), all(parts.count, 0);
-        for (std::size_t face = 0; face < is_flat.size(); ++face) {
-            const std::uint32_t part = parts.of_vertex[mesh_.triangles[face].x];
-            flat[part] += is_flat[face] ? 1 : 0;
-            ++all[part];
-        }
+        std::vector<std::size_t> flat(parts.count, 0);
+        for (std::size_t face = 0; face < is_flat.size(); ++face)
+            flat[parts.of_vertex[mesh_.triangles[face].x]] += is_flat[face] ? 1 : 0;
         std::vector<bool> gridded;
         for (std::size_t part = 0; part < parts.count; ++part)
-            gridded.push_back(all[part] >= least_gridded &&
+            gridded.push_back(triangles_of_[part] >= least_gridded &&
                               static_cast<double>(flat[part]) <
-                                  least_designed * static_cast<double>(all[part]));
+                                  least_designed * static_cast<double>(triangles_of_[part]));
         return gridded;
     }
 
     void trust_coarse_parts(const MeshParts& parts) {
-        std::vector<std::size_t> triangles(parts.count, 0);
-        for (const glm::uvec3& t : mesh_.triangles) ++triangles[parts.of_vertex[t.x]];
         std::vector<std::vector<glm::vec3>> vertices(parts.count);
         for (std::uint32_t i = 0; i < mesh_.vertices.size(); ++i) {
             const std::uint32_t part = parts.of_vertex[i];
-            if (triangles[part] <= most_coarse_triangles)
+            if (triangles_of_[part] <= most_coarse_triangles)
                 vertices[part].push_back(mesh_.vertices[i]);
         }
         const double least = least_coarse * diagonal_of(mesh_.vertices);
@@ -293,7 +295,12 @@ class CreaseFilter {
                 repeating.add(edges_[i], bends_[i], length(edges_[i]));
         }
         repeating.compare();
-        std::erase_if(doubtful_, [&](std::uint32_t i) { return repeating.contain(edges_[i]); });
+        is_symmetric_.assign(edges_.size(), false);
+        std::erase_if(doubtful_, [&](std::uint32_t i) {
+            if (!repeating.contain(edges_[i])) return false;
+            is_symmetric_[i] = triangles_of_[parts.of_vertex[edges_[i].p]] >= least_symmetric;
+            return !is_symmetric_[i];
+        });
     }
 
     /// The noise about an edge: root of the mean square of bends that are no creases at any angle,
@@ -311,7 +318,9 @@ class CreaseFilter {
             return std::sqrt(squares.about(edges_[i]));
         };
         std::erase_if(doubtful_, [&](std::uint32_t i) {
-            return is_gridded_[i] && noise_about(i) < gridded_noise;
+            const bool goes = (is_gridded_[i] || is_symmetric_[i]) && noise_about(i) < least_rough;
+            if (goes && !is_gridded_[i]) trusted_.push_back(i);
+            return goes;
         });
         std::ranges::transform(doubtful_, std::back_inserter(noise_), noise_about);
     }
@@ -424,7 +433,10 @@ class CreaseFilter {
     std::span<const double> bends_;
     std::span<const std::optional<LineKind>> kinds_;
     std::vector<bool> noisy_;
-    std::vector<bool> is_gridded_;        ///< edges that are doubtful only where it is rough
+    std::vector<std::size_t> triangles_of_; ///< each part
+    /// Edges that are doubtful only where it is rough: of parts with many flat faces, and of those
+    /// that repeat themselves.
+    std::vector<bool> is_gridded_, is_symmetric_;
     std::vector<std::uint32_t> doubtful_; ///< edges
     std::vector<std::uint32_t> trusted_;  ///< edges of parts that are curved, but no scans
     std::vector<double> noise_;           ///< of each doubtful one

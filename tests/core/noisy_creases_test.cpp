@@ -94,6 +94,18 @@ TEST(NoisyCreases, AreAllOfARoughSphere) {
     EXPECT_LT(creases.drawn, creases.all / 50);
 }
 
+TEST(NoisyCreases, AreAllOfARoughSphereThatRepeatsItself) {
+    // Marching cubes find the same noise in every octant of a shape with symmetries.
+    Mesh mesh = test::sphere(5);
+    for (glm::vec3& p : mesh.positions) {
+        const glm::vec3 in_octant = glm::abs(p);
+        p *= 1 + 0.05F * std::sin(1000 * glm::dot(in_octant, {1, 2.3F, 3.1F}));
+    }
+    const Creases creases{mesh};
+    EXPECT_GT(creases.all, 500U);
+    EXPECT_LT(creases.drawn, creases.all / 50);
+}
+
 TEST(NoisyCreases, LeaveAFoldInARoughSheet) {
     const Creases rough{folded_sheet(40, 0.15F, 0)};
     EXPECT_GT(rough.all, 10U);
