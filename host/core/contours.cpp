@@ -17,7 +17,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double flat_bend = 0.5 * degree;
 constexpr std::uint32_t least_faces = 64;
-constexpr double most_flat = 0.3;       ///< of a patch's faces
+constexpr double most_flat = 0.3;       ///< of a patch's faces: more than half are not
 constexpr double least_altitude = 0.25; ///< of the longest edge, in the middle of all faces
 constexpr double least_steadiness = 1.0 / 3;
 constexpr double sharp_bend = 15 * degree;
@@ -284,6 +284,24 @@ class ContourFinder {
     std::vector<std::uint32_t> edge_of_side_;         ///< as in Contours::faces
 };
 
+/// Whether any patch may be smooth by Silhouettes::automatic: of few models that somebody designed
+/// as a mesh, and to find the patches takes more memory than all else. It asks for less than
+/// choose_patches() does, since edges have other faces in place of slivers.
+bool may_be_organic(const ContourInput& in) {
+    std::vector<bool> is_flat(in.mesh.triangles.size(), false);
+    for (std::size_t i = 0; i < in.edges.size(); ++i) {
+        if (in.edges[i].face_count != 2 || in.bends[i] >= flat_bend) continue;
+        is_flat[in.edges[i].face_a] = true;
+        is_flat[in.edges[i].face_b & LA_FACE_INDEX] = true;
+    }
+    std::vector<std::uint32_t> bent(in.parts.count, 0);
+    for (std::size_t face = 0; face < is_flat.size(); ++face) {
+        const std::uint32_t part = in.parts.of_vertex[in.mesh.triangles[face].x];
+        if (!is_flat[face] && in.solid[part]) ++bent[part];
+    }
+    return std::ranges::any_of(bent, [](std::uint32_t n) { return n >= least_faces / 2; });
+}
+
 } // namespace
 
 CornerPlaces find_corner_places(const Contours& contours, std::span<const Segment> segments) {
@@ -331,6 +349,8 @@ void find_normals(LineSet& lines) {
 }
 
 FoundContours find_contours(const ContourInput& input, Silhouettes rule) {
+    const bool by_shape = rule == Silhouettes::automatic && input.corner_normals.empty();
+    if (by_shape && !may_be_organic(input)) return {};
     return ContourFinder{input}.find(rule);
 }
 

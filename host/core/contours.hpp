@@ -28,7 +28,8 @@ struct ContourInput {
 struct FoundContours {
     Contours contours;                ///< without `replaced`
     std::vector<std::uint32_t> faces; ///< triangle of each of its faces
-    std::vector<bool> replaces;       ///< per edge: whether it is a candidate no more
+    /// Per edge: whether it is a candidate no more; empty if no silhouette is smooth.
+    std::vector<bool> replaces;
 };
 
 /// Finds the smooth patches of a mesh: triangles that hang together across edges which may be
