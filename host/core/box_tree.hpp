@@ -11,10 +11,9 @@
 
 namespace lineatlas {
 
-/// Or come nearer to each other than `reach` along every axis.
-inline bool boxes_meet(const Bounds& a, const Bounds& b, float reach = 0) {
-    return a.min.x - reach <= b.max.x && b.min.x - reach <= a.max.x && a.min.y - reach <= b.max.y &&
-           b.min.y - reach <= a.max.y && a.min.z - reach <= b.max.z && b.min.z - reach <= a.max.z;
+inline bool boxes_meet(const Bounds& a, const Bounds& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+           a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
 /// Boxes around triangles or lines, in a tree of boxes around those: which of them meet a box, and
@@ -49,11 +48,10 @@ class BoxTree {
         }
     }
 
-    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet, or nearly
-    /// do.
+    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet.
     template <class Visit>
-    void visit_meeting_pairs(Visit&& visit, float reach = 0) const {
-        if (!nodes_.empty()) visit_within(0, reach, visit);
+    void visit_meeting_pairs(Visit&& visit) const {
+        if (!nodes_.empty()) visit_within(0, visit);
     }
 
   private:
@@ -75,42 +73,42 @@ class BoxTree {
     /// `first`: where the items stand among all.
     std::uint32_t build(std::span<Item> items, std::uint32_t first);
 
-    bool are_strangers(const Node& a, const Node& b, float reach) const {
-        return (a.owner == mixed || a.owner != b.owner) && boxes_meet(a.box, b.box, reach);
+    bool are_strangers(const Node& a, const Node& b) const {
+        return (a.owner == mixed || a.owner != b.owner) && boxes_meet(a.box, b.box);
     }
 
     template <class Visit>
-    void visit_within(std::uint32_t index, float reach, Visit&& visit) const {
+    void visit_within(std::uint32_t index, Visit&& visit) const {
         const Node& node = nodes_[index];
         if (node.owner != mixed) return;
         if (node.count > 0) {
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
                 for (std::uint32_t j = i + 1; j < node.first + node.count; ++j)
-                    compare(i, j, reach, visit);
+                    compare(i, j, visit);
             }
             return;
         }
-        visit_within(index + 1, reach, visit);
-        visit_within(node.right, reach, visit);
-        visit_between(index + 1, node.right, reach, visit);
+        visit_within(index + 1, visit);
+        visit_within(node.right, visit);
+        visit_between(index + 1, node.right, visit);
     }
 
     template <class Visit>
-    void visit_between(std::uint32_t a, std::uint32_t b, float reach, Visit&& visit) const {
+    void visit_between(std::uint32_t a, std::uint32_t b, Visit&& visit) const {
         const Node &one = nodes_[a], &other = nodes_[b];
-        if (!are_strangers(one, other, reach)) return;
+        if (!are_strangers(one, other)) return;
         if (one.count > 0 && other.count > 0) {
             for (std::uint32_t i = one.first; i < one.first + one.count; ++i) {
-                if (!boxes_meet(boxes_[i], other.box, reach)) continue;
+                if (!boxes_meet(boxes_[i], other.box)) continue;
                 for (std::uint32_t j = other.first; j < other.first + other.count; ++j)
-                    compare(i, j, reach, visit);
+                    compare(i, j, visit);
             }
         } else if (other.count > 0 || (one.count == 0 && is_larger(one.box, other.box))) {
-            visit_between(a + 1, b, reach, visit);
-            visit_between(one.right, b, reach, visit);
+            visit_between(a + 1, b, visit);
+            visit_between(one.right, b, visit);
         } else {
-            visit_between(a, b + 1, reach, visit);
-            visit_between(a, other.right, reach, visit);
+            visit_between(a, b + 1, visit);
+            visit_between(a, other.right, visit);
         }
     }
 
@@ -120,9 +118,9 @@ class BoxTree {
     }
 
     template <class Visit>
-    void compare(std::uint32_t i, std::uint32_t j, float reach, Visit&& visit) const {
+    void compare(std::uint32_t i, std::uint32_t j, Visit&& visit) const {
         if (!owners_.empty() && owners_[i] == owners_[j]) return;
-        if (!boxes_meet(boxes_[i], boxes_[j], reach)) return;
+        if (!boxes_meet(boxes_[i], boxes_[j])) return;
         const std::uint32_t a = order_[i], b = order_[j];
         a < b ? visit(a, b) : visit(b, a);
     }

@@ -75,14 +75,7 @@ class SeamFinder {
                const SeamSurfaces& surfaces)
         : mesh_(mesh), normals_(normals), tree_(tree), surfaces_(surfaces),
           diagonal_(diagonal_of(mesh.vertices)),
-          same_plane_(std::max(same_plane * diagonal_, contact_of(diagonal_, mesh.precision))),
-          reach_(static_cast<float>(2 * beyond * diagonal_)),
-          near_strangers_(mesh.triangles.size(), false) {
-        const auto note = [&](std::uint32_t a, std::uint32_t b) {
-            near_strangers_[a] = near_strangers_[b] = true;
-        };
-        tree.visit_meeting_pairs(note, reach_);
-    }
+          same_plane_(std::max(same_plane * diagonal_, contact_of(diagonal_, mesh.precision))) {}
 
     /// Where the edge is a seam.
     Spans of_boundary(const MeshEdge& edge) {
@@ -139,16 +132,16 @@ class SeamFinder {
         return Side{face, outward};
     }
 
-    /// Faces near the edge that are none of its own; of a closed part, which are none of the part.
+    /// Faces near the edge that are none of its own.
     void find_near(const MeshEdge& edge) {
-        near_.clear();
-        const std::uint32_t closed_part = surfaces_.closed_part[edge.face_a];
-        if (closed_part != BoxTree::nobody && !near_strangers_[edge.face_a]) return;
+        const auto reach = static_cast<float>(2 * beyond * diagonal_);
         const glm::vec3 p = mesh_.vertices[edge.p], q = mesh_.vertices[edge.q];
+        near_.clear();
         const auto keep = [&](std::uint32_t t) {
             if (t != edge.face_a && t != (edge.face_b & LA_FACE_INDEX)) near_.push_back(t);
         };
-        tree_.visit_meeting({glm::min(p, q) - reach_, glm::max(p, q) + reach_}, keep, closed_part);
+        tree_.visit_meeting({glm::min(p, q) - reach, glm::max(p, q) + reach}, keep,
+                            surfaces_.closed_part[edge.face_a]);
     }
 
     /// Where some face in the plane of this one covers the line beside the edge, `away` outwards;
@@ -195,9 +188,7 @@ class SeamFinder {
     const BoxTree& tree_;
     const SeamSurfaces& surfaces_;
     double diagonal_;
-    double same_plane_;                ///< how far apart faces may lie that are one
-    float reach_;                      ///< of find_near()
-    std::vector<bool> near_strangers_; ///< per triangle: within reach of another part's
+    double same_plane_; ///< how far apart faces may lie that are one
     std::vector<std::uint32_t> near_;
 };
 
