@@ -36,11 +36,15 @@ FUNCTION float3 face_normal(const float3 a, const float3 b, const float3 c) {
     return float3(ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x);
 }
 
-/* Whether a triangle shows its front to the eye, which is homogeneous. */
+/* Whether a triangle shows its front to the eye, which is homogeneous. Without square roots, which
+ * devices round as they like; where squares are too small for a float, its sign alone says it. */
 FUNCTION bool faces_eye(const float3 a, const float3 b, const float3 c, const float4 eye) {
     const float3 n = face_normal(a, b, c);
     const float3 to_eye = xyz(eye) - a * eye.w;
-    return (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z > 0.0f;
+    const float rise = (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z;
+    const float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
+    const float far2 = (to_eye.x * to_eye.x + to_eye.y * to_eye.y) + to_eye.z * to_eye.z;
+    return rise > 0.0f && rise * rise >= LA_EDGE_ON_SQUARED * n2 * far2;
 }
 
 /* Which corner of a face, 0 to 2, is farthest from the line through p and q. */

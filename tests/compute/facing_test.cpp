@@ -1,9 +1,11 @@
 // facing: against the sign of a volume, in whole numbers, which floats of this size hold exactly.
 
 #include <array>
+#include <cmath>
 #include <random>
 
 #include <glm/fwd.hpp>
+#include <glm/geometric.hpp>
 
 #include "stage_test.hpp"
 
@@ -16,6 +18,15 @@ struct Triangles {
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec3> corners;
 };
+
+/// Sine of the angle at which the eye sees a triangle, 0 if that has no area.
+double sine_of(const std::array<glm::i64vec3, 3>& t, const glm::i64vec4& eye) {
+    const glm::dvec3 a{t[0]};
+    const glm::dvec3 normal = glm::cross(glm::dvec3{t[1]} - a, glm::dvec3{t[2]} - a);
+    const glm::dvec3 to_eye = glm::dvec3{eye} - a * static_cast<double>(eye.w);
+    const double size = glm::length(normal) * glm::length(to_eye);
+    return size > 0 ? std::abs(glm::dot(normal, to_eye)) / size : 0;
+}
 
 /// Six times the volume between a triangle and the eye, positive where it is counter-clockwise.
 std::int64_t volume(const std::array<glm::i64vec3, 3>& t, const glm::i64vec4& eye) {
@@ -50,7 +61,10 @@ TEST_P(FacingStage, IsTheSideOfTheEye) {
     for (const glm::i64vec4 eye :
          {glm::i64vec4{7, -3, 12, 1}, {-2, 1, 0, 1}, {3, 5, -2, 0}, {0, 0, 1, 0}}) {
         std::vector<std::uint8_t> expected;
-        for (const auto& triangle : exact) expected.push_back(volume(triangle, eye) > 0 ? 1 : 0);
+        for (const auto& triangle : exact) {
+            const bool edge_on = sine_of(triangle, eye) < 1e-4;
+            expected.push_back(volume(triangle, eye) > 0 && !edge_on ? 1 : 0);
+        }
         stages().facing({.table = {*vertices, *triangles, *triangles, count, 0},
                          .eye = glm::vec4{eye},
                          .front = *front});
@@ -71,6 +85,17 @@ TEST_P(FacingStage, CounterClockwiseIsFrontAndEdgeOnIsBack) {
     EXPECT_TRUE(equal(seen_from({0.2F, 0.2F, -9, 1}), {0, 1, 0, 0}));
     EXPECT_TRUE(equal(seen_from({0, 0, 1, 0}), {1, 0, 1, 0}));
     EXPECT_TRUE(equal(seen_from({4, -7, 0, 1}), {0, 0, 0, 0})) << "edge on";
+    EXPECT_TRUE(equal(seen_from({4, -7, 5e-4F, 1}), {0, 0, 0, 0})) << "nearly";
+    EXPECT_TRUE(equal(seen_from({4, -7, 2e-3F, 1}), {1, 0, 1, 0})) << "but just";
+}
+
+TEST_P(FacingStage, OfTheSmallestTrianglesTheSignSaysIt) {
+    const auto vertices = put(std::vector<glm::vec3>{{0, 0, 0}, {1e-15F, 0, 0}, {0, 1e-15F, 0}});
+    const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}});
+    const auto front = device().allocate(2);
+    stages().facing(
+        {.table = {*vertices, *triangles, *triangles, 2, 0}, .eye = {0, 0, 1, 0}, .front = *front});
+    EXPECT_TRUE(equal(get<std::uint8_t>(*front, 2), {1, 0}));
 }
 
 } // namespace

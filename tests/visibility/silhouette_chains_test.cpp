@@ -157,6 +157,32 @@ TEST(SilhouetteChains, OfACylinderAreTwoLines) {
     }
 }
 
+TEST(SilhouetteChains, OfAWallSeenEdgeOnAreAtItsNearBorder) {
+    // A round wall between two cones, as rough as rounding makes it, seen along it.
+    Random random{63};
+    constexpr std::uint32_t sides = 48;
+    Mesh body = revolved({{0, -1.2F}, {0.5F, -1.1F}, {1, -1}, {1, 1}, {0.5F, 1.1F}, {0, 1.2F}},
+                         sides, false);
+    for (glm::vec3& p : body.positions) {
+        const float rough = 1 + random.between(-3e-7F, 3e-7F);
+        p.x *= rough;
+        p.z *= rough;
+    }
+    const LineSet lines = extract_lines(body, smooth);
+    Camera camera;
+    camera.size = {300, 300};
+    camera.view = glm::lookAt(glm::vec3{0, 5, 0}, glm::vec3{0}, glm::vec3{0, 0, 1});
+    camera.projection = glm::ortho(-1.2F, 1.2F, -1.2F, 1.2F, 0.1F, 8.0F);
+    double near = 0;
+    for (const Interval& interval : LineVisibility{lines}.find(camera)) {
+        const auto place = [](const float* v) { return glm::dvec3{v[0], v[1], v[2]}; };
+        if (interval.start_world[1] > 0)
+            near += glm::distance(place(interval.start_world), place(interval.end_world));
+    }
+    const double around = 2 * sides * std::sin(std::numbers::pi / sides);
+    EXPECT_NEAR(near, around, 1e-3 * around);
+}
+
 TEST(SilhouetteChains, IntervalsComeBackInTheOrderOfTheLineSet) {
     const LineSet lines = extract_lines(sphere(4), smooth);
     Camera camera; // parallel: shares of a segment are the same in space and on the screen
