@@ -20,8 +20,8 @@ std::vector<std::uint32_t> vertices_of_positions(const Mesh& mesh, const WeldedM
     std::vector<std::uint32_t> vertices(mesh.positions.size(), unused);
     for (std::size_t i = 0; i < welded.triangles.size(); ++i) {
         const glm::uvec3 source = mesh.triangles[welded.triangle_source[i]];
-        for (int corner = 0; corner < 3; ++corner)
-            vertices[source[corner]] = welded.triangles[i][corner];
+        for (int k = 0; k < 3; ++k)
+            vertices[source[welded.source_corner(i, k)]] = welded.triangles[i][k];
     }
     return vertices;
 }

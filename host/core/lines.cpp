@@ -81,7 +81,8 @@ LineSource triangle_edge(const Mesh& mesh, const WeldedMesh& welded, std::uint32
     const glm::uvec3 corners = welded.triangles[face];
     LineSource result{.triangle = welded.triangle_source[face]};
     for (int i = 0; i < 3; ++i) {
-        const std::uint32_t position = mesh.triangles[result.triangle][i];
+        const std::uint32_t position =
+            mesh.triangles[result.triangle][welded.source_corner(face, i)];
         if (corners[i] == p) result.from = position;
         if (corners[i] == q) result.to = position;
     }
@@ -159,7 +160,13 @@ class Extraction {
         : mesh_(mesh), options_(options), done_(started(progress)),
           objects_(options.separate_objects ? find_objects(mesh) : MeshObjects{}),
           welded_(weld(mesh, objects_)), edges_(mesh_edges(welded_)) {
-        if (!options.crease_angle && mesh.known_edges.empty()) mend_surfaces();
+        const bool mends = !options.crease_angle && mesh.known_edges.empty();
+        if (mends) close_gaps();
+        parts_ = find_parts(welded_);
+        // Where the file says how surfaces look, they do.
+        if (mesh.corner_normals.empty() && turn_outwards(welded_, edges_, parts_))
+            edges_ = mesh_edges(welded_);
+        if (mends) see_lying_faces_as_one(welded_, edges_);
         first_face_.reserve(edges_.size());
         for (const MeshEdge& edge : edges_) first_face_.push_back(edge.face_a);
         replace_slivers(welded_, edges_);
@@ -170,7 +177,7 @@ class Extraction {
         done_(0.3F);
         classify_edges();
         done_(0.5F);
-        find_parts_and_tree();
+        find_tree();
         done_(0.6F);
         leave_out_seams();
         find_smooth_patches();
@@ -191,10 +198,9 @@ class Extraction {
     }
 
     /// A number means every edge by that number, and who names edges has whole surfaces.
-    void mend_surfaces() {
+    void close_gaps() {
         left_out_.cracks = close_cracks(welded_, edges_);
         if (left_out_.cracks > 0) edges_ = mesh_edges(welded_);
-        see_lying_faces_as_one(welded_, edges_);
     }
 
     bool wanted(LineKind kind) const { return (options_.kinds & mask_of(kind)) != 0; }
@@ -220,8 +226,7 @@ class Extraction {
     }
 
     /// Nothing passes through, or abuts on, a body that is closed and alone.
-    void find_parts_and_tree() {
-        parts_ = find_parts(welded_);
+    void find_tree() {
         is_open_.assign(parts_.count, false);
         for (const MeshEdge& edge : edges_)
             if (edge.face_count == 1) is_open_[parts_.of_vertex[edge.p]] = true;

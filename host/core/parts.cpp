@@ -1,6 +1,8 @@
 #include "parts.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -24,8 +26,12 @@ MeshParts find_parts(const WeldedMesh& mesh) {
     return parts;
 }
 
-std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
-                              const MeshParts& parts) {
+namespace {
+
+/// What parts enclose, six times; below 0 where their triangles look inwards, and 0 of such that
+/// are not closed.
+std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                                     const MeshParts& parts) {
     std::vector<double> volume(parts.count, 0);
     std::vector<glm::dvec3> origin(
         parts.count); // one of its own: a part may be far from all others
@@ -39,13 +45,32 @@ std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge
         const glm::dvec3 a = from_origin(t.x), b = from_origin(t.y), c = from_origin(t.z);
         volume[part] += glm::dot(a, glm::cross(b, c));
     }
-    std::vector<bool> solid(parts.count);
-    for (std::uint32_t part = 0; part < parts.count; ++part) solid[part] = volume[part] > 0;
     for (const MeshEdge& edge : edges) {
         const bool flipped = (edge.face_b & LA_FACE_FLIPPED) != 0;
-        if (edge.face_count != 2 || flipped) solid[parts.of_vertex[edge.p]] = false;
+        if (edge.face_count != 2 || flipped) volume[parts.of_vertex[edge.p]] = 0;
     }
+    return volume;
+}
+
+} // namespace
+
+std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                              const MeshParts& parts) {
+    std::vector<bool> solid;
+    for (const double volume : enclosed_volumes(mesh, edges, parts)) solid.push_back(volume > 0);
     return solid;
+}
+
+bool turn_outwards(WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts) {
+    const std::vector<double> volume = enclosed_volumes(mesh, edges, parts);
+    if (std::ranges::none_of(volume, [](double v) { return v < 0; })) return false;
+    mesh.turned.assign(mesh.triangles.size(), false);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        glm::uvec3& t = mesh.triangles[i];
+        mesh.turned[i] = volume[parts.of_vertex[t.x]] < 0;
+        if (mesh.turned[i]) std::swap(t.y, t.z);
+    }
+    return true;
 }
 
 } // namespace lineatlas

@@ -21,4 +21,8 @@ MeshParts find_parts(const WeldedMesh& mesh);
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                               const MeshParts& parts);
 
+/// Turns the triangles of parts that would be solids but for looking inwards; whether there are
+/// any: then edges are others.
+bool turn_outwards(WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts);
+
 } // namespace lineatlas

@@ -25,6 +25,13 @@ struct WeldedMesh {
     std::vector<std::uint32_t> object_ends;    ///< per object the end of its vertices
     OddTriangles odd;                          ///< but not those without area
     double precision = 0;                      ///< Mesh::precision
+    /// Per triangle whether its last two corners have changed places; empty where none have.
+    std::vector<bool> turned{};
+
+    /// Which corner of its source corner k of a triangle is.
+    int source_corner(std::size_t triangle, int k) const {
+        return k > 0 && !turned.empty() && turned[triangle] ? 3 - k : k;
+    }
 };
 
 /// Merges vertices of exactly equal position, drops triangles that have lost a corner by it, and
