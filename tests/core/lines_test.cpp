@@ -448,5 +448,34 @@ TEST(Silhouettes, AreNotMadeBySlivers) {
     EXPECT_GE(silhouettes_of(lines, {5, 0.5F, -0.2F, 1}).size(), 1U) << "one front, one back";
 }
 
+TEST(Lines, OfAPartThatLooksInwardsAreThoseOfOneThatLooksOutwards) {
+    const LineSet right = extract_lines(test::sphere(3));
+    Mesh mesh = test::sphere(3);
+    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    const glm::uvec3 marked = mesh.triangles.front();
+    mesh.known_edges = {{marked.y, marked.z, KnownEdge::Kind::marked}};
+    const LineSet turned = extract_lines(mesh);
+    ASSERT_EQ(turned.segments.size(), right.segments.size());
+    EXPECT_EQ(count(turned, LineKind::crease), count(right, LineKind::crease) + 1);
+    const auto looks_outwards = [](const LineSet& lines, const glm::uvec3& t) {
+        const glm::vec3 a = lines.vertices[t.x], b = lines.vertices[t.y], c = lines.vertices[t.z];
+        return glm::dot(glm::cross(b - a, c - a), a) > 0;
+    };
+    for (const glm::uvec3& t : turned.triangles) EXPECT_TRUE(looks_outwards(turned, t));
+    for (std::size_t i = 0; i < turned.segments.size(); ++i) {
+        const Segment& segment = turned.segments[i];
+        const LineSource& source = turned.sources[i];
+        EXPECT_EQ(mesh.positions[source.from], turned.vertices[segment.p]);
+        EXPECT_EQ(mesh.positions[source.to], turned.vertices[segment.q]);
+        if (kind_of(segment) != LineKind::crease) continue;
+        EXPECT_TRUE((source.from == marked.y && source.to == marked.z) ||
+                    (source.from == marked.z && source.to == marked.y));
+    }
+    // What is open looks as it does, whatever that means.
+    mesh.triangles.pop_back();
+    const LineSet open = extract_lines(mesh);
+    for (const glm::uvec3& t : open.triangles) EXPECT_FALSE(looks_outwards(open, t));
+}
+
 } // namespace
 } // namespace lineatlas
