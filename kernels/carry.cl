@@ -194,13 +194,8 @@ KERNEL(carry_keep, CarryParameters) {
     }
 }
 
-/* One work-item per silhouette. kept: scanned. list: those that are kept. */
-KERNEL(carry_list, CarryParameters) {
-    const uint i = (uint)get_global_id(0);
-    if (i < args.count && kept[i + 1] != kept[i]) list[kept[i]] = i;
-}
-
-/* One work-item per silhouette that is kept, and for all others. breaks: 1 where a piece begins
+/* One work-item per silhouette that is kept, and for all others. kept: scanned. list: those that
+ * are kept. breaks: 1 where a piece begins
  * behind another; means: offset in the middle. */
 KERNEL(carry_breaks, CarryParameters) {
     const uint k = (uint)get_global_id(0);

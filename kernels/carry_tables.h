@@ -25,7 +25,6 @@ typedef struct CarryParameters {
     in(int, memory) out(uint, lengths) out(uint, found) out(int, recalled)
 #define carry_keep_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, lengths) in(uint, found) in(int, recalled) out(uint, kept)
-#define carry_list_tables(in, out, inout, unordered) in(uint, kept) out(uint, list)
 #define carry_breaks_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, lengths) in(int, recalled) in(uint, kept) in(uint, list) \
     out(uint, breaks) out(uint, means)

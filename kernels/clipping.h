@@ -44,7 +44,7 @@ FUNCTION bool faces_eye(const float3 a, const float3 b, const float3 c, const fl
     const float rise = (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z;
     const float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
     const float far2 = (to_eye.x * to_eye.x + to_eye.y * to_eye.y) + to_eye.z * to_eye.z;
-    return rise > 0.0f && rise * rise >= LA_EDGE_ON_SQUARED * n2 * far2;
+    return rise > 0.0f && rise * rise >= LA_EDGE_ON * LA_EDGE_ON * n2 * far2;
 }
 
 /* Which corner of a face, 0 to 2, is farthest from the line through p and q. */

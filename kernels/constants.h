@@ -41,11 +41,11 @@
 /* What is left of lines may exceed the limit by this factor before it is shared out again. */
 #define LA_DENSITY_TOLERATED 1.04f
 
-/* A face that is seen from nearer to edge on than this looks away: the squared sine of the angle
- * between face and view, 0.0006 degrees, as of contours. Else rounding would decide, triangle by
- * triangle, whether a wall that is seen along it has its outline at its near border, or at the far
+/* What is seen from nearer to edge on than this looks away: the sine of the angle between surface
+ * and view, 0.0006 degrees. Else rounding would decide, triangle by triangle, whether a wall that
+ * is seen along it, as a cylinder from above, has its outline at its near border, or at the far
  * one, which is hidden. */
-#define LA_EDGE_ON_SQUARED 1e-10f
+#define LA_EDGE_ON 1e-5f
 
 /* Cosine of the sharpest turn that is joined; a sharper one gets round ends. 150 degrees. */
 #define LA_JOIN_LIMIT_COSINE -0.866025f

@@ -18,15 +18,10 @@ static float dot_of(const float3 a, const float3 b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-/* What looks this little towards the eye, as the sine of an angle, looks away: else rounding would
- * decide, corner by corner, whether a wall seen edge on, as a cylinder from above, is before its
- * outline or behind it. */
-#define LEAST_FACING 1e-5f
-
 /* How much a corner faces the eye: above 0 if it shows its front. */
 static float facing_of(const float3 at, const float3 normal, const float4 eye) {
     const float3 to_eye = xyz(eye) - at * eye.w;
-    return dot_of(normal, to_eye) - LEAST_FACING * sqrt(dot_of(to_eye, to_eye));
+    return dot_of(normal, to_eye) - LA_EDGE_ON * sqrt(dot_of(to_eye, to_eye));
 }
 
 static float3 unit_of(const float3 v) {

@@ -159,7 +159,6 @@ typedef struct SpansParameters {
 
 #define outline_seen_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, arcs) in(uint, span_offsets) out(uint, numbers)
-#define outline_list_tables(in, out, inout, unordered) in(uint, numbers) out(uint, seen)
 #define outline_push_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, seen) in(float, vertices) in(ClippedSegment, clipped) \
     inout(ClippedSegment, pushed)

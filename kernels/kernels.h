@@ -112,6 +112,7 @@ typedef struct ScanParameters {
 #define scan_tiles_reduce_tables(in, out, inout, unordered) in(uint, values) out(uint, sums)
 #define scan_tiles_sums_tables(in, out, inout, unordered) inout(uint, sums)
 #define scan_tiles_apply_tables(in, out, inout, unordered) inout(uint, values) in(uint, sums)
+#define scan_list_tables(in, out, inout, unordered) in(uint, values) out(uint, list)
 
 /* What a probe must know of a view to judge surfaces by their planes; see spine.h. */
 typedef struct SurfaceParameters {
@@ -291,9 +292,9 @@ typedef struct IntervalsParameters {
     of_tiles(scan, scan_tiles_reduce, ScanParameters) \
     of_tiles(scan, scan_tiles_sums, ScanParameters) \
     of_tiles(scan, scan_tiles_apply, ScanParameters) \
+    of_sums(scan, scan_list, CountParameters) \
     kernel(carry, carry_recall, CarryParameters) \
     kernel(carry, carry_keep, CarryParameters) \
-    kernel(carry, carry_list, CarryParameters) \
     kernel(carry, carry_breaks, CarryParameters) \
     kernel(carry, carry_pieces, CarryParameters) \
     kernel(carry, carry_settle, CarryParameters) \
@@ -333,7 +334,6 @@ typedef struct IntervalsParameters {
     kernel(density, density_excess, DensityParameters) \
     kernel(carry, carry_runs, CarryParameters) \
     kernel(outline, outline_seen, CountParameters) \
-    kernel(outline, outline_list, CountParameters) \
     kernel(outline, outline_push, OutlineParameters) \
     kernel(outline, outline_push_in, OutlineParameters) \
     kernel(outline, outline_parts_count, OutlineParameters) \

@@ -56,13 +56,8 @@ KERNEL(outline_seen, CountParameters) {
     numbers[i] = seen && can_be_outline(segments[i].tag) ? 1u : 0u;
 }
 
-/* seen[n]: the segment that has number n. */
-KERNEL(outline_list, CountParameters) {
-    const uint i = (uint)get_global_id(0);
-    if (i < args.count && numbers[i + 1] != numbers[i]) seen[numbers[i]] = i;
-}
-
-/* pushed: of the n-th segment seen the two ways beside it, to its right and to its left. */
+/* seen: what they number. pushed: of the n-th segment seen the two ways beside it, to its right and
+ * to its left. */
 KERNEL(outline_push, OutlineParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;

@@ -15,6 +15,13 @@
 
 #include "kernels.h"
 
+/* Stream compaction (§4.6): list[k]: the k-th of those inputs that were 1, of none but these and 0;
+ * values: scanned. One work-item per input. */
+KERNEL(scan_list, CountParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i < args.count && values[i + 1] != values[i]) list[values[i]] = i;
+}
+
 #if SCAN_SATURATE
 #define SCAN_ADD(a, b) add_sat((uint)(a), (uint)(b))
 #else

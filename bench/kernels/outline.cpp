@@ -106,7 +106,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     const std::uint32_t most = LA_OUTLINE_BESIDE * seen;
     const auto run = [=, &stages] {
         find_seen();
-        stages.outline_list(*numbers, n, *listed);
+        stages.list(*numbers, n, *listed);
         const compute::OutlineArgs outline{.table = on.table(),
                                            .clipped = on.atlas().clipped,
                                            .seen = *listed,

@@ -15,7 +15,6 @@ namespace lineatlas {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double flat_bend = 0.5 * degree;
 constexpr std::uint32_t least_faces = 64;
 constexpr double most_flat = 0.3;       ///< of a patch's faces: more than half are not
 constexpr double least_altitude = 0.25; ///< of the longest edge, in the middle of all faces
@@ -288,12 +287,7 @@ class ContourFinder {
 /// as a mesh, and to find the patches takes more memory than all else. It asks for less than
 /// choose_patches() does, since edges have other faces in place of slivers.
 bool may_be_organic(const ContourInput& in) {
-    std::vector<bool> is_flat(in.mesh.triangles.size(), false);
-    for (std::size_t i = 0; i < in.edges.size(); ++i) {
-        if (in.edges[i].face_count != 2 || in.bends[i] >= flat_bend) continue;
-        is_flat[in.edges[i].face_a] = true;
-        is_flat[in.edges[i].face_b & LA_FACE_INDEX] = true;
-    }
+    const std::vector<bool> is_flat = flat_faces(in.mesh.triangles.size(), in.edges, in.bends);
     std::vector<std::uint32_t> bent(in.parts.count, 0);
     for (std::size_t face = 0; face < is_flat.size(); ++face) {
         const std::uint32_t part = in.parts.of_vertex[in.mesh.triangles[face].x];

@@ -223,6 +223,17 @@ std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
     return bends;
 }
 
+std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> edges,
+                             std::span<const double> bends) {
+    std::vector<bool> is_flat(triangles, false);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (edges[i].face_count != 2 || bends[i] >= flat_bend) continue;
+        is_flat[edges[i].face_a] = true;
+        is_flat[edges[i].face_b & LA_FACE_INDEX] = true;
+    }
+    return is_flat;
+}
+
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                  const LineOptions& options) {
     const auto wanted = [&](LineKind kind) { return (options.kinds & mask_of(kind)) != 0; };

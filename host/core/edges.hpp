@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lineatlas/lines.hpp"
@@ -39,6 +40,13 @@ std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3
 /// pi (folded back); 0 for edges that have not two.
 std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
                              const std::vector<glm::dvec3>& normals);
+
+/// Faces one of whose edges bends by less than this, in radians, are flat there: 0.5 degrees.
+inline constexpr double flat_bend = 0.008726646259971648;
+
+/// Per triangle whether it is flat across some edge.
+std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> edges,
+                             std::span<const double> bends);
 
 /// LineOptions::crease_angle where it is nothing: what bends less is no crease, and what bends more
 /// is none only where it is noise (noisy_creases.hpp). 28.8 degrees: the sides of a prism with

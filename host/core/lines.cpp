@@ -215,7 +215,7 @@ class Extraction {
                                  : classify(edges_[i], welded_, bends_[i], options_));
         }
         if (known.all() || options_.crease_angle || !wanted(LineKind::crease)) return;
-        const std::vector<bool> noisy = noisy_creases(welded_, edges_, bends_, kinds_);
+        const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
         const LineOptions smooth{.kinds = options_.kinds & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (!noisy[i] || known.drawn(edges_[i])) continue;

@@ -18,12 +18,11 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 // The gate.
-constexpr double flat_bend = 0.5 * degree; ///< a face with an edge bent by less is flat
-constexpr double flat_share = 0.5;         ///< where more of the faces are, a surface was designed;
-constexpr double gridded_share = 0.75;     ///< or so many, in a part of which fewer than this are
-constexpr double least_designed = 0.65;    ///< and which is rough: grids cut surfaces into quads.
-constexpr double least_rough = 8 * degree; ///< noise about an edge, of such grids
-constexpr std::size_t least_gridded = 2000;        ///< triangles of a part: grids are fine,
+constexpr double flat_share = 0.5; ///< where more of the faces are flat, a surface was designed;
+constexpr double gridded_share = 0.75;      ///< or so many, in a part of which fewer than this are
+constexpr double least_designed = 0.65;     ///< and which is rough: grids cut surfaces into quads.
+constexpr double least_rough = 8 * degree;  ///< noise about an edge, of such grids
+constexpr std::size_t least_gridded = 2000; ///< triangles of a part: grids are fine,
 constexpr std::size_t least_symmetric = 5000;      ///< those of shapes with symmetries, too
 constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely,
 constexpr double least_coarse = 0.05;              ///< of the model's diagonal: but for crumbs
@@ -194,9 +193,10 @@ class RepeatingParts {
 
 class CreaseFilter {
   public:
-    CreaseFilter(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+    CreaseFilter(const WeldedMesh& mesh, const MeshParts& parts, const std::vector<MeshEdge>& edges,
                  std::span<const double> bends, std::span<const std::optional<LineKind>> kinds)
-        : mesh_(mesh), edges_(edges), bends_(bends), kinds_(kinds), noisy_(edges.size(), false) {}
+        : mesh_(mesh), parts_(parts), edges_(edges), bends_(bends), kinds_(kinds),
+          noisy_(edges.size(), false) {}
 
     std::vector<bool> run() {
         find_doubtful();
@@ -221,12 +221,7 @@ class CreaseFilter {
     /// that need not be there, and so flat across many of them; or it repeats itself; or it is so
     /// coarse that each of its edges was drawn.
     void find_doubtful() {
-        std::vector<bool> is_flat(mesh_.triangles.size(), false);
-        for (std::size_t i = 0; i < edges_.size(); ++i) {
-            if (edges_[i].face_count != 2 || bends_[i] >= flat_bend) continue;
-            is_flat[edges_[i].face_a] = true;
-            is_flat[edges_[i].face_b & LA_FACE_INDEX] = true;
-        }
+        const std::vector<bool> is_flat = flat_faces(mesh_.triangles.size(), edges_, bends_);
         Surroundings flatness{mesh_.vertices.size()};
         for (std::size_t face = 0; face < is_flat.size(); ++face) {
             for (int k = 0; k < 3; ++k)
@@ -241,40 +236,39 @@ class CreaseFilter {
             doubtful_.push_back(i);
         }
         if (doubtful_.empty()) return;
-        const MeshParts parts = find_parts(mesh_);
-        count_triangles(parts);
-        const std::vector<bool> gridded = gridded_parts(parts, is_flat);
+        count_triangles();
+        const std::vector<bool> gridded = gridded_parts(is_flat);
         std::erase_if(doubtful_, [&](std::uint32_t i) {
-            return is_gridded_[i] && !gridded[parts.of_vertex[edges_[i].p]];
+            return is_gridded_[i] && !gridded[parts_.of_vertex[edges_[i].p]];
         });
         const std::vector<std::uint32_t> curved = doubtful_;
-        trust_coarse_parts(parts);
-        trust_repeating_parts(parts);
+        trust_coarse_parts();
+        trust_repeating_parts();
         std::ranges::set_difference(curved, doubtful_, std::back_inserter(trusted_));
         std::erase_if(trusted_, [&](std::uint32_t i) { return is_gridded_[i]; });
     }
 
-    void count_triangles(const MeshParts& parts) {
-        triangles_of_.assign(parts.count, 0);
-        for (const glm::uvec3& t : mesh_.triangles) ++triangles_of_[parts.of_vertex[t.x]];
+    void count_triangles() {
+        triangles_of_.assign(parts_.count, 0);
+        for (const glm::uvec3& t : mesh_.triangles) ++triangles_of_[parts_.of_vertex[t.x]];
     }
 
-    std::vector<bool> gridded_parts(const MeshParts& parts, const std::vector<bool>& is_flat) {
-        std::vector<std::size_t> flat(parts.count, 0);
+    std::vector<bool> gridded_parts(const std::vector<bool>& is_flat) {
+        std::vector<std::size_t> flat(parts_.count, 0);
         for (std::size_t face = 0; face < is_flat.size(); ++face)
-            flat[parts.of_vertex[mesh_.triangles[face].x]] += is_flat[face] ? 1 : 0;
+            flat[parts_.of_vertex[mesh_.triangles[face].x]] += is_flat[face] ? 1 : 0;
         std::vector<bool> gridded;
-        for (std::size_t part = 0; part < parts.count; ++part)
+        for (std::size_t part = 0; part < parts_.count; ++part)
             gridded.push_back(triangles_of_[part] >= least_gridded &&
                               static_cast<double>(flat[part]) <
                                   least_designed * static_cast<double>(triangles_of_[part]));
         return gridded;
     }
 
-    void trust_coarse_parts(const MeshParts& parts) {
-        std::vector<std::vector<glm::vec3>> vertices(parts.count);
+    void trust_coarse_parts() {
+        std::vector<std::vector<glm::vec3>> vertices(parts_.count);
         for (std::uint32_t i = 0; i < mesh_.vertices.size(); ++i) {
-            const std::uint32_t part = parts.of_vertex[i];
+            const std::uint32_t part = parts_.of_vertex[i];
             if (triangles_of_[part] <= most_coarse_triangles)
                 vertices[part].push_back(mesh_.vertices[i]);
         }
@@ -283,13 +277,13 @@ class CreaseFilter {
         for (const std::vector<glm::vec3>& part : vertices)
             is_coarse.push_back(!part.empty() && diagonal_of(part) >= least);
         std::erase_if(doubtful_,
-                      [&](std::uint32_t i) { return is_coarse[parts.of_vertex[edges_[i].p]]; });
+                      [&](std::uint32_t i) { return is_coarse[parts_.of_vertex[edges_[i].p]]; });
     }
 
-    void trust_repeating_parts(const MeshParts& parts) {
+    void trust_repeating_parts() {
         std::vector<std::uint32_t> wanted;
-        for (const std::uint32_t i : doubtful_) wanted.push_back(parts.of_vertex[edges_[i].p]);
-        RepeatingParts repeating{parts, wanted};
+        for (const std::uint32_t i : doubtful_) wanted.push_back(parts_.of_vertex[edges_[i].p]);
+        RepeatingParts repeating{parts_, wanted};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (edges_[i].face_count == 2 && bends_[i] >= flat_bend)
                 repeating.add(edges_[i], bends_[i], length(edges_[i]));
@@ -298,7 +292,7 @@ class CreaseFilter {
         is_symmetric_.assign(edges_.size(), false);
         std::erase_if(doubtful_, [&](std::uint32_t i) {
             if (!repeating.contain(edges_[i])) return false;
-            is_symmetric_[i] = triangles_of_[parts.of_vertex[edges_[i].p]] >= least_symmetric;
+            is_symmetric_[i] = triangles_of_[parts_.of_vertex[edges_[i].p]] >= least_symmetric;
             return !is_symmetric_[i];
         });
     }
@@ -429,6 +423,7 @@ class CreaseFilter {
     };
 
     const WeldedMesh& mesh_;
+    const MeshParts& parts_;
     const std::vector<MeshEdge>& edges_;
     std::span<const double> bends_;
     std::span<const std::optional<LineKind>> kinds_;
@@ -445,10 +440,10 @@ class CreaseFilter {
 
 } // namespace
 
-std::vector<bool> noisy_creases(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
-                                std::span<const double> bends,
+std::vector<bool> noisy_creases(const WeldedMesh& mesh, const MeshParts& parts,
+                                const std::vector<MeshEdge>& edges, std::span<const double> bends,
                                 std::span<const std::optional<LineKind>> kinds) {
-    return CreaseFilter{mesh, edges, bends, kinds}.run();
+    return CreaseFilter{mesh, parts, edges, bends, kinds}.run();
 }
 
 } // namespace lineatlas

@@ -57,6 +57,26 @@ TEST_P(Scan, TotalsAroundTheLargest) {
     expect_scan(std::vector<std::uint32_t>(70'001, 61'356));
 }
 
+TEST_P(Scan, WhatIsNumberedIsListed) {
+    std::uint64_t state = 2;
+    for (const std::uint32_t n : {0U, 1U, 65U, 4097U, 100'003U}) {
+        std::vector<std::uint32_t> flags, expected;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            flags.push_back(next_random(state) % 3 == 0 ? 1 : 0);
+            if (flags.back() == 1) expected.push_back(i);
+        }
+        flags.push_back(0); // room for the total
+        const auto values = to_device(*on_.device, flags);
+        const auto list =
+            to_device(*on_.device, std::vector<std::uint32_t>(expected.size() + 1, 7));
+        on_.stages.scan(*values, n, compute::ScanKind::saturate);
+        on_.stages.list(*values, n, *list);
+        expected.push_back(7); // and nothing behind it
+        EXPECT_TRUE(equal(read_back<std::uint32_t>(*on_.device, *list, expected.size()), expected))
+            << "n = " << n;
+    }
+}
+
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Scan);
 INSTANTIATE_TEST_SUITE_P(OnDevice, Scan, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });

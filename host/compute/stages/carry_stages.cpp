@@ -31,8 +31,7 @@ void Stages::carry(const CarryArgs& args) {
                                  .recalled = args.recalled,
                                  .kept = args.kept});
     scan(args.kept, n, ScanKind::saturate);
-    launch<kernels::carry_list>(n, tuning_.local_size, parameters,
-                                {.kept = args.kept, .list = args.list});
+    list(args.kept, n, args.list);
     launch<kernels::carry_breaks>(n, tuning_.local_size, parameters,
                                   {.segments = args.table.segments,
                                    .lengths = args.lengths,

@@ -54,7 +54,7 @@ struct OutlineSeenArgs {
 struct OutlineArgs {
     SegmentTable table;
     ClippedTable clipped;
-    Buffer& seen; ///< a uint32 each: segments, as outline_list() has them
+    Buffer& seen; ///< a uint32 each: segments, as list() has them
     std::uint32_t count;
     glm::vec2 viewport; ///< pixels
     float depth;        ///< pixels that a body must be deep on the other side

@@ -186,11 +186,6 @@ void Stages::outline_seen(const OutlineSeenArgs& args) {
     scan(args.numbers, n, ScanKind::saturate);
 }
 
-void Stages::outline_list(Buffer& numbers, std::uint32_t segment_count, Buffer& seen) {
-    launch<kernels::outline_list>(segment_count, tuning_.local_size, {segment_count},
-                                  {.numbers = numbers, .seen = seen});
-}
-
 void Stages::outline_push(const OutlineArgs& args) {
     launch<kernels::outline_push>(args.count, tuning_.local_size, parameters_of(args),
                                   {.segments = args.table.segments,

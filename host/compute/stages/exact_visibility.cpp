@@ -242,7 +242,7 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
     }
     tables_.make_room(Table::seen, std::uint64_t{seen} * sizeof(la_uint));
     tables_.make_room(Table::pushed, ways * sizeof(ClippedSegment));
-    stages_.outline_list(tables_[Table::numbers], segments, tables_[Table::seen]);
+    stages_.list(tables_[Table::numbers], segments, tables_[Table::seen]);
     const OutlineArgs outline{.table = *table_,
                               .clipped = clipped,
                               .seen = tables_[Table::seen],

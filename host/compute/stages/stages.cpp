@@ -155,4 +155,8 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
                                       kernel_of<kernels::scan_tiles_apply>(variant));
 }
 
+void Stages::list(Buffer& values, std::uint32_t n, Buffer& list) {
+    launch<kernels::scan_list>(n, tuning_.local_size, {n}, {.values = values, .list = list});
+}
+
 } // namespace lineatlas::compute

@@ -49,6 +49,9 @@ class Stages {
     void project_clip(const ProjectClipArgs& args);
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
     void scan(Buffer& values, std::uint32_t n, ScanKind kind);
+    /// `values`: of n inputs that were 0 or 1, scanned. `list`, out: a uint32 for each that was 1,
+    /// which one it is, ascending.
+    void list(Buffer& values, std::uint32_t n, Buffer& list);
     void carry(const CarryArgs& args);
     void carry_runs(const CarryRunsArgs& args);
     void atlas(const AtlasArgs& args);
@@ -65,8 +68,6 @@ class Stages {
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
     void outline_seen(const OutlineSeenArgs& args);
-    /// `seen`, out: a uint32 for each segment that `numbers` numbers, which one it is.
-    void outline_list(Buffer& numbers, std::uint32_t segment_count, Buffer& seen);
     void outline_push(const OutlineArgs& args);
     /// `beside_offsets`: of what is seen of the ways of outline_push().
     void outline_push_in(const OutlineArgs& args, Buffer& beside_offsets);
