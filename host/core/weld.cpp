@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "check_mesh.hpp"
 #include "lineatlas/error.hpp"
@@ -42,11 +43,29 @@ class FirstSeen {
     std::vector<std::uint32_t> slots_;
 };
 
+/// How many vertices there may be: a position is one for each object that uses it.
+std::size_t most_vertices(const Mesh& mesh, const MeshObjects& objects) {
+    const std::size_t positions = mesh.positions.size();
+    if (objects.names.size() <= 1) return positions;
+    std::vector<std::uint32_t> last_object(positions, empty_slot);
+    std::size_t count = 0;
+    const auto use = [&](std::uint32_t position, std::uint32_t object) {
+        if (std::exchange(last_object[position], object) != object) ++count;
+    };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (int corner = 0; corner < 3; ++corner)
+            use(mesh.triangles[i][corner], objects.of_triangle(i));
+    for (std::size_t i = 0; i < mesh.polylines.size(); ++i)
+        for (const std::uint32_t position : mesh.polylines[i])
+            use(position, objects.of_polyline(i));
+    return count;
+}
+
 class VertexWelder {
   public:
-    VertexWelder(const Mesh& mesh, bool has_objects)
-        : mesh_(mesh), has_objects_(has_objects), welded_index_(mesh.positions.size(), empty_slot),
-          table_(mesh.positions.size()) {}
+    VertexWelder(const Mesh& mesh, const MeshObjects& objects)
+        : mesh_(mesh), has_objects_(objects.names.size() > 1),
+          welded_index_(mesh.positions.size(), empty_slot), table_(most_vertices(mesh, objects)) {}
 
     std::uint32_t operator()(std::uint32_t index, std::uint32_t object) {
         std::uint32_t& result = welded_index_[index];
@@ -130,7 +149,7 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
     check_groups(mesh);
     WeldedMesh result;
     result.precision = mesh.precision;
-    VertexWelder weld_vertex{mesh, objects.names.size() > 1};
+    VertexWelder weld_vertex{mesh, objects};
     FirstSeen seen{mesh.triangles.size()};
     std::vector<glm::uvec3> keys;
     keys.reserve(mesh.triangles.size());

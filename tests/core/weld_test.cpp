@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/objects.hpp"
 #include "lineatlas/error.hpp"
 #include "test_meshes.hpp"
 
@@ -113,6 +114,22 @@ TEST(Weld, PolylinesShareVerticesWithTriangles) {
     const WeldedMesh welded = weld(mesh);
     EXPECT_EQ(welded.vertices.size(), 5U);
     EXPECT_EQ(welded.polylines.at(0).at(0), welded.triangles[0].x);
+}
+
+TEST(Weld, APositionIsAVertexOfEachObjectThatUsesIt) {
+    Mesh mesh = test::cube();
+    const std::vector<glm::uvec3> triangles = mesh.triangles;
+    constexpr std::uint32_t count = 100;
+    for (std::uint32_t object = 0; object < count; ++object) {
+        if (object > 0)
+            mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+        mesh.triangle_object.insert(mesh.triangle_object.end(), triangles.size(), object);
+    }
+    mesh.triangle_group.clear();
+    mesh.groups.clear();
+    const WeldedMesh welded = weld(mesh, find_objects(mesh));
+    EXPECT_EQ(welded.vertices.size(), 8U * count);
+    EXPECT_EQ(welded.triangles.size(), 12U * count);
 }
 
 TEST(Weld, AnEmptyMeshGivesAnEmptyMesh) {
