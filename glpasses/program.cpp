@@ -48,7 +48,7 @@ Shader compile(std::string_view file, std::string_view defines) {
         glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
         std::string log(static_cast<std::size_t>(length), ' ');
         glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-        throw DeviceError("shader " + std::string{file} + " does not compile:\n" + log);
+        throw DeviceError("shader " + std::string{file} + " does not compile", log);
     }
     return shader;
 }
@@ -70,7 +70,7 @@ Program::Program(const std::vector<std::string_view>& files, std::string_view de
         glGetProgramiv(program_.id(), GL_INFO_LOG_LENGTH, &length);
         std::string log(static_cast<std::size_t>(length), ' ');
         glGetProgramInfoLog(program_.id(), length, nullptr, log.data());
-        throw DeviceError("shaders of " + std::string{files.front()} + " do not link:\n" + log);
+        throw DeviceError("shaders of " + std::string{files.front()} + " do not link", log);
     }
     for (const Shader& shader : shaders) glDetachShader(program_.id(), shader.id());
 }

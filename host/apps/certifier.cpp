@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/patches.hpp"
+#include "io/standard_streams.hpp"
 #include "truth/certificate.hpp"
 
 namespace lineatlas::apps {
@@ -22,7 +23,7 @@ std::string Certifier::check(const VectorDrawing& drawing, const Camera& camera,
     const EdgeTruth truth{
         *scene_, camera, {.threads = std::max(1U, std::thread::hardware_concurrency())}};
     std::string found = certificate_line(certify(truth, drawn_lines(drawing)));
-    fmt::print("{}: {}\n", path.string(), found);
+    print_output(fmt::format("{}: {}\n", path.string(), found));
     return found;
 }
 

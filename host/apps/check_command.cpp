@@ -17,6 +17,7 @@
 #include "command_line/values.hpp"
 #include "commands.hpp"
 #include "core/patches.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "section_options.hpp"
@@ -153,10 +154,11 @@ void check(const CheckArguments& arguments) {
         scene, camera, {.threads = std::max(1U, std::thread::hardware_concurrency())}};
     const DrawnLines drawn = find_segments(drawing, lines);
     const Certificate certificate = certify(truth, drawn);
-    fmt::print("{}", certificate_table(certificate, arguments.worst));
+    print_output(certificate_table(certificate, arguments.worst));
     if (has_contours(drawing, mesh, making.lines))
-        fmt::print("Silhouettes here run through triangles (--silhouettes). They are held against "
-                   "edges of the mesh beside them:\nwhat differs counts as missed and as false.\n");
+        print_output(
+            "Silhouettes here run through triangles (--silhouettes). They are held against "
+            "edges of the mesh beside them:\nwhat differs counts as missed and as false.\n");
     if (!arguments.picture.empty())
         write_image(arguments.picture,
                     error_picture(truth, drawn.legs, certificate.narrow, picture_scale));

@@ -8,6 +8,7 @@
 
 #include "command_line/child_process.hpp"
 #include "glpasses/headless_context.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -50,7 +51,7 @@ void answer_probe(std::size_t index, std::size_t mode) {
         throw UsageError("there is no such device or mode to probe");
     interop::ModeReport report = interop::probe_mode(devices[index], interop::all_modes[mode]);
     std::ranges::replace(report.reason, '\n', ' '); // build logs have lines
-    fmt::print("\n{}{}\n", report.works ? yes : no, report.reason);
+    print_output(fmt::format("\n{}{}\n", report.works ? yes : no, report.reason));
 }
 
 } // namespace lineatlas::apps

@@ -12,6 +12,7 @@
 #include "glpasses/interop/connect.hpp"
 #include "io/atomic_file.hpp"
 #include "io/confinement.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 #include "style/member_names.hpp"
 
@@ -47,13 +48,13 @@ nlohmann::ordered_json describe(const compute::OpenClDevice& device, bool is_def
 nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& devices,
                                    std::size_t index, bool is_default, std::chrono::seconds limit) {
     const compute::OpenClDevice& device = devices[index];
-    fmt::print("{} {}\n", is_default ? "*" : " ", device.name());
-    fmt::print("    driver {}, {}\n", device.driver_version, kind_of(device));
+    print_output(fmt::format("{} {}\n", is_default ? "*" : " ", device.name()));
+    print_output(fmt::format("    driver {}, {}\n", device.driver_version, kind_of(device)));
     nlohmann::ordered_json json = describe(device, is_default);
     for (const interop::SharingMode mode : interop::all_modes) {
         const interop::ModeReport report = probe_in_child(index, mode, limit);
-        fmt::print("    {:<13} {:<3}  {}\n", interop::name_of(mode), report.works ? "yes" : "no",
-                   report.reason);
+        print_output(fmt::format("    {:<13} {:<3}  {}\n", interop::name_of(mode),
+                                 report.works ? "yes" : "no", report.reason));
         json["modes"][std::string{interop::name_of(mode)}] = {{"works", report.works},
                                                               {"reason", report.reason}};
     }
@@ -72,22 +73,22 @@ void list_devices(const DevicesOptions& options) {
     nlohmann::ordered_json json{
         {"gl", {{"renderer", gl_string(GL_RENDERER)}, {"version", gl_string(GL_VERSION)}}},
         {"devices", nlohmann::ordered_json::array()}};
-    fmt::print("GL: {} ({})\n\n", gl_string(GL_RENDERER), gl_string(GL_VERSION));
+    print_output(fmt::format("GL: {} ({})\n\n", gl_string(GL_RENDERER), gl_string(GL_VERSION)));
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
     if (devices.empty()) {
-        fmt::print("{}\n", in_words_of_the_tool(compute::no_device_message()));
+        print_output(fmt::format("{}\n", in_words_of_the_tool(compute::no_device_message())));
     } else {
         const std::size_t chosen = interop::default_device(devices);
         for (std::size_t i = 0; i < devices.size(); ++i) {
             json["devices"].push_back(
                 show_device(devices, i, i == chosen, std::chrono::seconds{options.wait}));
         }
-        fmt::print("\n* is used by default; choose another with --device or LINEATLAS_DEVICE, by "
-                   "any part of its names:\n  opencl:<platform>[:<device>]\n");
+        print_output("\n* is used by default; choose another with --device or LINEATLAS_DEVICE, by "
+                     "any part of its names:\n  opencl:<platform>[:<device>]\n");
     }
-    fmt::print("\ncpp: kernels as C++ on all cores (--compute cpp)\n");
+    print_output("\ncpp: kernels as C++ on all cores (--compute cpp)\n");
     const std::string readers = describe(offered_confinement());
-    fmt::print("\nProcesses that read models and pictures: {}\n", readers);
+    print_output(fmt::format("\nProcesses that read models and pictures: {}\n", readers));
     json["readers"] = readers;
     if (!options.json.empty()) write_json(options.json, json);
 }

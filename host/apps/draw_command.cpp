@@ -10,6 +10,7 @@
 #include "command_line/session_file.hpp"
 #include "command_line/values.hpp"
 #include "core/line_pens.hpp"
+#include "core/printable.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
 #include "empty_frames.hpp"
@@ -47,7 +48,9 @@ FrameOptions frame_options(const DrawArguments& arguments, const FrameSettings& 
 }
 
 void print_notes(const std::vector<std::string>& notes) {
-    if (!notes.empty()) print_error(fmt::format("lineatlas: {}\n", fmt::join(notes, "; ")));
+    if (notes.empty()) return;
+    const std::string line = fmt::format("lineatlas: {}", fmt::join(notes, "; "));
+    print_error(printable(line, longest_message) + '\n');
 }
 
 void check_range(std::string_view option, float value, float least, float most) {
@@ -334,8 +337,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         draw_pictures(drawing, renderer, *writer);
     if (!arguments.device.compare_with.empty()) {
         const Renderer::Comparison equal = renderer.comparison();
-        fmt::print("{}: equal in {} kernels, {} elements\n", renderer.description(), equal.kernels,
-                   equal.elements);
+        print_output(fmt::format("{}: equal in {} kernels, {} elements\n", renderer.description(),
+                                 equal.kernels, equal.elements));
     }
 }
 

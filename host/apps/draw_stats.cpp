@@ -1,4 +1,5 @@
 #include "draw_stats.hpp"
+#include "io/standard_streams.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,12 +25,14 @@ void print_lines(const LineSet& lines) {
         if (lines.kind_counts.at(i) > 0)
             kinds.push_back(fmt::format("{} {}", lines.kind_counts.at(i), line_kind_names.at(i)));
     }
-    if (!kinds.empty()) fmt::print("segments by kind: {}\n", fmt::join(kinds, ", "));
+    if (!kinds.empty()) print_output(fmt::format("segments by kind: {}\n", fmt::join(kinds, ", ")));
     const LeftOut& left_out = lines.left_out;
-    fmt::print("left out: {} creases that are noise; {} seams, and parts of {} more; {} cracks\n",
-               left_out.noisy_creases, left_out.seams, left_out.cut_seams, left_out.cracks);
-    fmt::print("extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms\n",
-               lines.times.creases, lines.times.seams, lines.times.intersections);
+    print_output(fmt::format(
+        "left out: {} creases that are noise; {} seams, and parts of {} more; {} cracks\n",
+        left_out.noisy_creases, left_out.seams, left_out.cut_seams, left_out.cracks));
+    print_output(
+        fmt::format("extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms\n",
+                    lines.times.creases, lines.times.seams, lines.times.intersections));
 }
 
 } // namespace
@@ -57,22 +60,23 @@ void measure_and_print(MeasuredFrame frame, const Renderer& renderer) {
             stage_times[stage.name].push_back(stage.milliseconds);
         }
     }
-    fmt::print("{}: {} triangles ({} drawn), {} segments\n", name, stats.triangles,
-               stats.triangles_drawn, stats.segments);
+    print_output(fmt::format("{}: {} triangles ({} drawn), {} segments\n", name, stats.triangles,
+                             stats.triangles_drawn, stats.segments));
     print_lines(lines);
-    fmt::print("{}\n", renderer.description());
-    fmt::print("{} samples, {} visible runs\n", stats.samples, stats.runs);
+    print_output(fmt::format("{}\n", renderer.description()));
+    print_output(fmt::format("{} samples, {} visible runs\n", stats.samples, stats.runs));
     const auto per = [](std::uint64_t bytes, std::uint32_t count) {
         return static_cast<double>(bytes) / std::max(1U, count);
     };
-    fmt::print(
+    print_output(fmt::format(
         "device memory: {:.1f} bytes per segment, {:.1f} per sample, {:.1f} per visible run, "
         "{:.1f} MiB mesh\n",
         per(stats.segment_bytes, stats.segments), per(stats.sample_bytes, stats.samples),
-        per(stats.run_bytes, stats.runs), static_cast<double>(stats.mesh_bytes) / (1 << 20));
-    fmt::print("{:<14}{:8.2f} ms (median of {})\n", "frame", median(frame_times), repeat);
+        per(stats.run_bytes, stats.runs), static_cast<double>(stats.mesh_bytes) / (1 << 20)));
+    print_output(
+        fmt::format("{:<14}{:8.2f} ms (median of {})\n", "frame", median(frame_times), repeat));
     for (const std::string& stage : stage_order) {
-        fmt::print("  {:<12}{:8.2f} ms\n", stage, median(stage_times[stage]));
+        print_output(fmt::format("  {:<12}{:8.2f} ms\n", stage, median(stage_times[stage])));
     }
 }
 

@@ -1,11 +1,11 @@
 #include <memory>
 #include <string>
 
-#include <fmt/core.h>
 
 #include "command_line/read_options.hpp"
 #include "commands.hpp"
 #include "io/isolated.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/io.hpp"
 #include "model_info.hpp"
 
@@ -24,7 +24,7 @@ void print_info(const InfoArguments& arguments) {
     const nlohmann::ordered_json info = describe_model(arguments.model, loaded);
     // Names are as the file has them, and need not be UTF-8.
     constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    fmt::print("{}", arguments.json ? info.dump(2, ' ', false, replace) + '\n' : to_text(info));
+    print_output(arguments.json ? info.dump(2, ' ', false, replace) + '\n' : to_text(info));
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/printable.hpp"
 #include "core/up_axis.hpp"
 #include "io/extension.hpp"
 #include "io/part_paths.hpp"
@@ -134,8 +135,9 @@ std::string edges_text(const Json& edges) {
 }
 
 std::string name_text(const Json& named) {
+    constexpr std::size_t longest = 200;
     const auto name = named["name"].get<std::string>();
-    return name.empty() ? "-" : name;
+    return name.empty() ? "-" : printable(name, longest);
 }
 
 std::string point_text(const Json& point) {

@@ -3,9 +3,9 @@
 #include <iterator>
 #include <utility>
 
-#include <fmt/core.h>
 
 #include "io/atomic_file.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -46,7 +46,7 @@ void ProfileOptions::write(std::span<const FrameProfile> frames,
                            const std::string& description) const {
     for (const std::string& path : paths_) {
         if (path == terminal) {
-            fmt::print("{}", profile_table(frames));
+            print_output(profile_table(frames));
             continue;
         }
         const bool csv = path.ends_with(".csv");

@@ -1,6 +1,6 @@
 #include "progress.hpp"
 
-#include <string_view>
+#include <string>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,7 +10,6 @@
 namespace lineatlas::apps {
 namespace {
 
-constexpr std::string_view clear_line = "\r\x1b[K";
 constexpr std::chrono::seconds between_lines{10}; // where every line stays, in a log
 
 std::string duration(double seconds) {
@@ -36,11 +35,12 @@ void Progress::show(std::size_t done) {
     const std::string text =
         fmt::format("lineatlas: {} of {} frames drawn, {:.2g} s each, {} left", done, total_, each,
                     duration(each * static_cast<double>(total_ - done)));
-    print_error(fmt::format("{}{}{}", terminal_ ? clear_line : "", text, terminal_ ? "" : "\n"));
+    clear();
+    print_error(terminal_ ? text : text + '\n');
 }
 
 void Progress::clear() {
-    if (terminal_) print_error(clear_line);
+    if (terminal_) clear_error_line();
 }
 
 } // namespace lineatlas::apps

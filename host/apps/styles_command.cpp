@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/pens.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/style_files.hpp"
 #include "style/settings.hpp"
@@ -22,7 +23,7 @@ struct StylesArguments {
 
 void print_list() {
     for (const StyleInfo& style : list_styles()) {
-        fmt::print("{:<12}{}\n", style.name, style.description);
+        print_output(fmt::format("{:<12}{}\n", style.name, style.description));
     }
 }
 
@@ -30,7 +31,7 @@ void print_style(const std::string& name) {
     const Style style = load_style(name);
     const std::vector<StyleInfo> styles = list_styles();
     const auto listed = std::ranges::find(styles, name, &StyleInfo::name);
-    fmt::print("{}", write_style(style, listed == styles.end() ? "" : listed->description));
+    print_output(write_style(style, listed == styles.end() ? "" : listed->description));
 }
 
 /// At the width that images are made for best: a texel per pixel, and room for the grain.
@@ -39,7 +40,7 @@ void write_pens(const std::filesystem::path& folder) {
         const std::filesystem::path path = folder / (std::string{pen.name} + ".png");
         check_image_path(path);
         write_image(path, image_of_pen(make_pen(pen.name, 16)));
-        fmt::print("{:<10}{}\n", pen.name, pen.description);
+        print_output(fmt::format("{:<10}{}\n", pen.name, pen.description));
     }
 }
 
@@ -59,7 +60,7 @@ Command setup_styles(CLI::App& app) {
                "  lineatlas draw model.obj -o picture.png --style ./mine.toml --width 3");
     return [arguments] {
         if (arguments->keys) {
-            fmt::print("{}", settings_table());
+            print_output(settings_table());
         } else if (!arguments->pen_folder.empty()) {
             write_pens(arguments->pen_folder);
         } else if (!arguments->name.empty()) {

@@ -87,10 +87,7 @@ const Extension* find(std::string_view extension) {
 /// What a library says, as one line of moderate length.
 std::string one_line(std::string_view message) {
     constexpr std::size_t longest = 300;
-    std::string line(message.substr(0, std::min(message.find_first_of("\r\n"), longest)));
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
-    return line;
+    return printable(message.substr(0, message.find_first_of("\r\n")), longest);
 }
 
 } // namespace

@@ -57,20 +57,13 @@ constexpr std::array mesh_signatures{
 
 } // namespace
 
-std::string printable(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    std::string text(word.substr(0, longest));
-    // Bytes beyond ASCII are masked as well: a cut through a UTF-8 letter would break the line.
-    for (char& c : text)
-        if (c < ' ' || c > '~') c = '?';
-    return word.size() > longest ? text + "..." : text;
-}
-
 std::string quoted(const std::filesystem::path& path) {
-    std::string text = path.string();
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-    return '"' + text + '"';
+    constexpr std::size_t longest = 400;
+    // Of a long one the end tells more: there is the file's name.
+    const std::string whole = path.string();
+    const std::string text =
+        whole.size() <= longest ? whole : "..." + whole.substr(whole.size() - longest);
+    return '"' + printable(text, text.size()) + '"';
 }
 
 FileError read_error(const std::filesystem::path& path, std::string_view cause) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/printable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -30,10 +31,7 @@ std::string_view without_utf8_mark(std::string_view text);
 /// another type than `extension` (lower case, with its dot).
 void refuse_other_types(const SourceFile& source, std::string_view extension);
 
-/// A word out of a file, safe and short enough to stand in a one-line message.
-std::string printable(std::string_view word);
-
-/// `path` in double quotes, safe to stand in a one-line message.
+/// `path` in double quotes, fit for a one-line message; of a long one the end.
 std::string quoted(const std::filesystem::path& path);
 
 /// `cannot read "path": cause`

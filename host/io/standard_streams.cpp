@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "core/printable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -41,8 +42,20 @@ void open_standard_streams() {
     if (before == SIG_IGN) std::signal(SIGPIPE, SIG_IGN);
 }
 
+void print_output(std::string_view text) {
+    const std::string lines = printable_lines(text);
+    if (std::fwrite(lines.data(), 1, lines.size(), stdout) != lines.size())
+        throw std::system_error(errno, std::generic_category());
+}
+
 void print_error(std::string_view text) noexcept {
-    std::fwrite(text.data(), 1, text.size(), stderr);
+    const std::string lines = printable_lines(text);
+    std::fwrite(lines.data(), 1, lines.size(), stderr);
+    std::fflush(stderr);
+}
+
+void clear_error_line() noexcept {
+    std::fputs("\r\x1b[K", stderr);
     std::fflush(stderr);
 }
 

@@ -11,8 +11,15 @@ namespace lineatlas {
 /// that nobody reads fails, too, and does not end the program.
 void open_standard_streams();
 
-/// Writes to standard error what can be written there: nothing else depends on it.
+/// Writes lines to standard output as printable_lines() has them. Throws std::system_error.
+void print_output(std::string_view text);
+
+/// Writes to standard error, as printable_lines() has it, what can be written there: nothing else
+/// depends on it.
 void print_error(std::string_view text) noexcept;
+
+/// Empties the line of a terminal that standard error stands in.
+void clear_error_line() noexcept;
 
 /// Runs a program and writes out what it printed on standard output, which is part of what was
 /// asked for. Returns what `run` returns; throws what it throws, and FileError unless all of its

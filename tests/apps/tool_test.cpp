@@ -32,6 +32,35 @@ TEST_F(Tool, DrawsAScene) {
         expect_stages(options, {"depth", "atlas", "compact"});
 }
 
+/// Names out of files reach a terminal as letters, and no longer than a line.
+TEST_F(Tool, TextIsText) {
+    const std::string hostile = "\x1b]0;title\x07\x1b[2Jred\x7f\xc2\x9b\xff";
+    const std::string cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    write("names.obj", "mtllib " + hostile + ".mtl\n" + cube + "o " + hostile + "\nusemtl " +
+                           hostile + "\nf 1 3 2\nf 1 2 4\no " + std::string(3'000'000, 'N') +
+                           "\nf 2 3 4\nf 1 4 3\n");
+    const auto toml_text = [](const std::string& text) { return "\"" + text + "\""; };
+    const std::string escaped = "\\u001b[31m\\u0007\\u009b";
+    write("key.toml", "session = 1\nmodel = \"names.obj\"\n" + toml_text(escaped) + " = 1\n");
+    write("scene.toml", "session = 1\nscene = " + toml_text(escaped) + "\n");
+    write("style.toml", "[pen]\n" + toml_text(escaped) + " = 1\n");
+    const std::string model = path("names.obj"), picture = " -o " + path("a.svg");
+    for (const std::string& arguments :
+         {"info " + model, "info --json " + model, "draw " + model + picture,
+          "draw " + model + picture + " --stats", "draw " + model + " --only none" + picture,
+          "draw " + path("key.toml") + picture, "draw " + path("scene.toml") + picture,
+          "draw " + model + " --style " + path("style.toml") + picture,
+          "draw '" + path(hostile) + ".obj'" + picture}) {
+        const std::string output = run(arguments).output;
+        EXPECT_FALSE(output.empty() && arguments.starts_with("info"));
+        for (const unsigned char c : output)
+            ASSERT_TRUE(c == '\n' || c == '\t' || (c >= ' ' && c != 0x7F)) << arguments;
+        EXPECT_EQ(output.find("\xc2\x9b"), output.npos) << arguments;
+        EXPECT_EQ(output.find('\xff'), output.npos) << arguments;
+        if (!arguments.starts_with("info --json")) EXPECT_LT(output.size(), 20'000U) << arguments;
+    }
+}
+
 TEST_F(Tool, PathsAreTheSameWithGlAndWithout) {
     for (const char* extension : {".svg", ".json"}) {
         const auto draw = [&](const std::string& options) {

@@ -8,10 +8,15 @@
 namespace lineatlas {
 
 /// Base of every exception the library throws on purpose. The message is one line that names the
-/// thing, the cause and, where there is one, the way out.
+/// thing, the cause and, where there is one, the way out. It is text that a terminal can show:
+/// UTF-8 of at most 2,000 bytes, in which "?" stands for control characters out of a file's names.
 class LINEATLAS_API Error : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit Error(const std::string& message);
+
+  protected:
+    /// `log`, if there is one, follows the message in lines of its own, whole.
+    Error(const std::string& message, const std::string& log);
 };
 
 /// The caller asked for something that does not exist or makes no sense (an unknown pen, a size of
@@ -28,10 +33,11 @@ class LINEATLAS_API FileError : public Error {
 };
 
 /// The machine cannot do it: no device, no memory, a driver that refused. The message says which
-/// package or option helps.
+/// package or option helps. Where a kernel or shader does not build, the driver's log follows.
 class LINEATLAS_API DeviceError : public Error {
   public:
     using Error::Error;
+    DeviceError(const std::string& message, const std::string& log) : Error(message, log) {}
 };
 
 /// Two compute backends disagree where they must not (DeviceOptions::compare_with). The message

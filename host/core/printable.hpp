@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lineatlas {
+
+// Text for people: messages, and what a program prints. Names in files are bytes, and a terminal
+// obeys some of them.
+
+/// Longest message, in bytes.
+inline constexpr std::size_t longest_message = 2000;
+
+/// `text` as one line. Every control character (ESC, C1 and DEL among them), every mark that turns
+/// the direction of writing and every byte that is no UTF-8 becomes "?". Text of more than `most`
+/// bytes is cut between two letters and ends in "...".
+std::string printable(std::string_view text, std::size_t most);
+
+/// A word out of a file, short enough to stand in a message.
+std::string printable(std::string_view word);
+
+/// The same for text of several lines: line feeds and tabulators stay.
+std::string printable_lines(std::string_view text);
+
+} // namespace lineatlas
