@@ -119,17 +119,11 @@ ImageEncoder::ImageEncoder(PictureType first, const ReadLimits& limits)
     start(); // the module loads while others draw
 }
 
-ImageEncoder::~ImageEncoder() {
-    if (socket_ >= 0) ::close(socket_);
-    socket_ = -1;
-    end();
-}
-
 void ImageEncoder::start() {
     std::array<int, 2> sockets{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return;
-    process_ = ::fork();
-    if (process_ == 0) {
+    const pid_t process = ::fork();
+    if (process == 0) {
         try {
             serve(sockets[1], type_);
         } catch (const std::exception&) {
@@ -138,16 +132,7 @@ void ImageEncoder::start() {
         ::_exit(0);
     }
     ::close(sockets[1]);
-    socket_ = sockets[0];
-}
-
-void ImageEncoder::end() {
-    if (socket_ >= 0) {
-        ::close(socket_);
-        if (process_ > 0) ::kill(process_, SIGKILL);
-    }
-    while (process_ > 0 && ::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
-    socket_ = process_ = -1;
+    worker_ = WorkerProcess{process, sockets[0]};
 }
 
 void ImageEncoder::limit(const PictureTask& task) {
@@ -163,41 +148,41 @@ void ImageEncoder::limit(const PictureTask& task) {
     ::getrlimit(RLIMIT_DATA, &memory);
     memory.rlim_cur = std::min<rlim_t>(memory.rlim_cur, task_limits_.memory);
     task_limits_.memory = memory.rlim_cur;
-    ::prlimit(process_, RLIMIT_DATA, &memory, nullptr);
+    ::prlimit(worker_.id(), RLIMIT_DATA, &memory, nullptr);
 }
 
 void ImageEncoder::begin(const PictureTask& task) {
     path_ = task.path;
     checks_ = task.numbers.kind == PictureTask::Kind::check;
     if (const PictureType type = type_by_name(task.path); type != type_) {
-        end();
+        worker_.end();
         type_ = type;
     }
-    if (process_ <= 0) start();
+    if (!worker_.is_there()) start();
     limit(task);
-    if (!send_task(socket_, task)) fail();
+    if (!send_task(worker_.socket(), task)) fail();
 }
 
 void ImageEncoder::append(std::span<const std::byte> bytes) {
-    if (!send_all(socket_, bytes, patience_)) fail();
+    if (!send_all(worker_.socket(), bytes, patience_)) fail();
 }
 
 void ImageEncoder::receive(std::span<std::byte> bytes) {
-    if (!receive_all(socket_, bytes, patience_)) fail();
+    if (!receive_all(worker_.socket(), bytes, patience_)) fail();
 }
 
-std::string ImageEncoder::receive_text() {
+std::string ImageEncoder::receive_text(std::uint64_t most) {
     std::uint64_t size = 0;
     receive(std::as_writable_bytes(std::span{&size, 1}));
-    if (size > task_limits_.memory) fail(); // it cannot have had that
+    if (size > most) fail();
     std::string text(size, '\0');
     receive(std::as_writable_bytes(std::span{text}));
     return text;
 }
 
 std::string ImageEncoder::finish() {
-    const std::string message = receive_text();
-    std::string encoded = receive_text();
+    const std::string message = receive_text(reader::longest_refusal);
+    std::string encoded = receive_text(task_limits_.memory); // it cannot have had more
     if (!message.empty()) throw FileError(message);
     return encoded;
 }
@@ -205,28 +190,25 @@ std::string ImageEncoder::finish() {
 void ImageEncoder::fail() {
     const std::string work = checks_ ? "decoding it" : "encoding it";
     std::string cause = work + " failed: its process";
-    int status = 0;
     if (patience_.is_over()) {
         const auto seconds =
             std::chrono::duration_cast<std::chrono::duration<double>>(task_limits_.time);
         std::ostringstream text;
         text << work << " took more than " << seconds.count() << " s";
         cause = text.str();
-    } else if (process_ <= 0) {
+    } else if (!worker_.is_there()) {
         cause += " cannot be started";
     } else {
-        ::shutdown(socket_, SHUT_RDWR); // one that is still there has made no sense: it ends
-        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
-        process_ = -1;
-        if (WIFEXITED(status) && WEXITSTATUS(status) == no_memory)
+        const auto [status, went_on_mute] = worker_.ending();
+        if (!went_on_mute && WIFEXITED(status) && WEXITSTATUS(status) == no_memory)
             cause =
                 work + " needs more than " + written_gibibytes(task_limits_.memory) + " of memory";
-        else if (WIFSIGNALED(status))
+        else if (!went_on_mute && WIFSIGNALED(status))
             cause += " was ended by signal " + std::to_string(WTERMSIG(status));
         else
             cause += " gave no answer";
     }
-    end();
+    worker_.end();
     throw checks_ ? read_error(path_, cause) : write_error(path_, cause);
 }
 

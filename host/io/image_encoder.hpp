@@ -12,6 +12,7 @@
 #include "message_socket.hpp"
 #include "reader_process.hpp"
 #include "source_file.hpp"
+#include "worker_process.hpp"
 
 namespace lineatlas {
 
@@ -48,9 +49,6 @@ class ImageEncoder {
     /// `first`: of the first picture, whose module loads at once. `limits`: of each task. 0: by the
     /// size of its picture.
     ImageEncoder(PictureType first, const ReadLimits& limits);
-    ~ImageEncoder();
-    ImageEncoder(const ImageEncoder&) = delete;
-    ImageEncoder& operator=(const ImageEncoder&) = delete;
 
     // For each task begin(), append() until all bytes are there, and finish(). They throw
     // FileError: what is refused, why the picture is not whole, or how the process has failed.
@@ -61,16 +59,14 @@ class ImageEncoder {
 
   private:
     void start();
-    void end();
     /// Keeps the process to the limits of the task.
     void limit(const PictureTask& task);
     void receive(std::span<std::byte> bytes);
-    std::string receive_text();
+    std::string receive_text(std::uint64_t most);
     /// Says how the process has failed; it is gone then.
     [[noreturn]] void fail();
 
-    int process_ = -1; ///< none: it starts with the next task
-    int socket_ = -1;
+    WorkerProcess worker_; ///< none: it starts with the next task
     PictureType type_;
     ReadLimits limits_, task_limits_;
     Patience patience_{std::chrono::nanoseconds{0}};

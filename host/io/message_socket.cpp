@@ -30,19 +30,20 @@ bool receive_all(int socket, std::span<std::byte> bytes) {
 }
 
 bool Patience::wait_for(int socket, short events) {
-    using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds part{100};
     while (!is_over()) {
-        const Clock::time_point begin = Clock::now();
         pollfd waiting{.fd = socket, .events = events, .revents = 0};
         const int ready = ::poll(&waiting, 1, static_cast<int>(part.count()));
-        left_ -= std::min<std::chrono::nanoseconds>(Clock::now() - begin, 2 * part);
+        const Clock::time_point now = Clock::now();
+        left_ -= std::min<std::chrono::nanoseconds>(now - last_, 2 * part);
+        last_ = now;
         if (ready > 0) return true;
     }
     return false;
 }
 
 bool send_all(int socket, std::span<const std::byte> bytes, Patience& patience) {
+    patience.resume();
     while (!bytes.empty()) {
         if (!patience.wait_for(socket, POLLOUT)) return false;
         const ssize_t sent =
@@ -54,13 +55,21 @@ bool send_all(int socket, std::span<const std::byte> bytes, Patience& patience) 
     return true;
 }
 
-bool receive_all(int socket, std::span<std::byte> bytes, Patience& patience) {
-    while (!bytes.empty()) {
-        if (!patience.wait_for(socket, POLLIN)) return false;
+std::size_t receive_some(int socket, std::span<std::byte> bytes, Patience& patience) {
+    patience.resume();
+    while (patience.wait_for(socket, POLLIN)) {
         const ssize_t got = ::recv(socket, bytes.data(), bytes.size(), MSG_DONTWAIT);
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-        if (got <= 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(got));
+        return got > 0 ? static_cast<std::size_t>(got) : 0;
+    }
+    return 0;
+}
+
+bool receive_all(int socket, std::span<std::byte> bytes, Patience& patience) {
+    while (!bytes.empty()) {
+        const std::size_t got = receive_some(socket, bytes, patience);
+        if (got == 0) return false;
+        bytes = bytes.subspan(got);
     }
     return true;
 }

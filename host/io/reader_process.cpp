@@ -75,16 +75,7 @@ ReaderProcess::ReaderProcess(std::string_view kind, const std::filesystem::path&
     patience_ = Patience{limits_.time};
     if (size > limits_.memory) fail_for_memory(); // it is read whole
     start(kind, settings, program.empty() ? "/proc/self/exe" : program);
-    try {
-        await_answer();
-    } catch (...) {
-        end();
-        throw;
-    }
-}
-
-ReaderProcess::~ReaderProcess() {
-    end();
+    await_answer();
 }
 
 void ReaderProcess::start(std::string_view kind, std::string_view settings,
@@ -109,23 +100,27 @@ void ReaderProcess::start(std::string_view kind, std::string_view settings,
     ::posix_spawn_file_actions_adddup2(&actions, sockets[1], reader::socket);
     add_silence(actions);
     ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    const int error = ::posix_spawn(&process_, program.c_str(), &actions, nullptr, arguments.data(),
+    pid_t process = -1;
+    const int error = ::posix_spawn(&process, program.c_str(), &actions, nullptr, arguments.data(),
                                     environment.data());
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(sockets[1]);
-    socket_ = sockets[0];
-    if (error == 0) return;
-    process_ = -1;
-    end();
-    fail(std::string{"cannot start a process that reads it: "} + std::strerror(error));
+    worker_ = WorkerProcess{error == 0 ? process : -1, sockets[0]};
+    if (error != 0)
+        fail(std::string{"cannot start a process that reads it: "} + std::strerror(error));
 }
 
 void ReaderProcess::await_answer() {
     switch (value<reader::Answer>()) {
     case reader::Answer::read:
         return;
-    case reader::Answer::refused:
-        throw FileError(text());
+    case reader::Answer::refused: {
+        const auto size = value<std::uint64_t>();
+        if (size > reader::longest_refusal) refuse();
+        std::string message(size, '\0');
+        receive(std::as_writable_bytes(std::span{message}));
+        throw FileError(message);
+    }
     case reader::Answer::no_memory:
         fail_for_memory();
     }
@@ -140,15 +135,29 @@ std::string ReaderProcess::text() {
 
 std::size_t ReaderProcess::count(std::size_t element_size) {
     const auto count = value<std::uint64_t>();
-    // No more than the process may have had itself; seen before anything is allocated.
-    if (count > (limits_.memory - received_) / element_size) refuse();
+    // No more than the process may have had itself.
+    if (count > (limits_.memory - kept_) / element_size) refuse();
+    kept_ += count * element_size;
     return count;
 }
 
 void ReaderProcess::receive(std::span<std::byte> bytes) {
-    received_ += bytes.size();
-    if (received_ > limits_.memory) refuse();
-    if (receive_all(socket_, bytes, patience_)) return;
+    for (;;) {
+        const std::size_t there = std::min(bytes.size(), buffer_.size() - taken_);
+        std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(taken_), there, bytes.begin());
+        taken_ += there;
+        bytes = bytes.subspan(there);
+        if (bytes.empty()) return;
+        constexpr std::size_t room = std::size_t{64} << 10U;
+        if (bytes.size() >= room) { // what is large isn't copied
+            if (receive_all(worker_.socket(), bytes, patience_)) return;
+            break;
+        }
+        buffer_.resize(room);
+        taken_ = 0;
+        buffer_.resize(receive_some(worker_.socket(), buffer_, patience_));
+        if (buffer_.empty()) break;
+    }
     if (!patience_.is_over()) ended();
     fail("reading it took more than " +
          short_number(static_cast<double>(limits_.time.count()) / 1000) +
@@ -157,9 +166,9 @@ void ReaderProcess::receive(std::span<std::byte> bytes) {
 
 /// Says how the process ended.
 void ReaderProcess::ended() {
-    int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
-    process_ = -1;
+    const auto [status, went_on_mute] = worker_.ending();
+    if (went_on_mute)
+        fail("its reader closed its answer before it was whole; the file is damaged or hostile");
     if (!WIFSIGNALED(status))
         fail("its reader ended unexpectedly with code " + std::to_string(WEXITSTATUS(status)));
     const int signal = WTERMSIG(status);
@@ -181,16 +190,6 @@ void ReaderProcess::fail_for_memory() const {
 
 void ReaderProcess::refuse() const {
     fail("its reader gave an answer that makes no sense; the file is damaged or hostile");
-}
-
-/// Nothing that the process could still do is wanted.
-void ReaderProcess::end() {
-    if (socket_ >= 0) ::close(socket_);
-    if (process_ > 0) {
-        ::kill(process_, SIGKILL);
-        while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
-    }
-    process_ = socket_ = -1;
 }
 
 } // namespace lineatlas

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "message_socket.hpp"
+#include "worker_process.hpp"
 
 namespace lineatlas {
 
@@ -23,8 +24,8 @@ namespace lineatlas {
 
 /// What reading one file may take. 0: by the size of the file.
 struct ReadLimits {
-    std::uint64_t memory = 0; ///< bytes
-    std::chrono::milliseconds time{0};
+    std::uint64_t memory = 0; ///< bytes: of the process that reads, and of what is kept of it here
+    std::chrono::milliseconds time{0}; ///< until all of it is here
 };
 
 /// `limits` with everything filled in, for a file of `size` bytes.
@@ -88,11 +89,9 @@ class ReaderProcess {
     ReaderProcess(std::string_view kind, const std::filesystem::path& path,
                   const ReadLimits& limits, std::string_view settings = {},
                   const std::filesystem::path& program = {});
-    ~ReaderProcess();
-    ReaderProcess(const ReaderProcess&) = delete;
-    ReaderProcess& operator=(const ReaderProcess&) = delete;
 
-    // What the other side wrote, in the same order.
+    // What the other side wrote, in the same order. Sizes come before contents and are counted
+    // before anything is allocated: all that is kept of it is no more than ReadLimits::memory.
 
     template <class T>
     T value() {
@@ -107,12 +106,20 @@ class ReaderProcess {
         receive(std::as_writable_bytes(std::span{values}));
         return values;
     }
+    /// Elements of no fixed size, each as `read()` returns it.
+    template <class Read>
+    auto list(Read read) {
+        std::vector<decltype(read())> list;
+        std::size_t left = count(sizeof(list[0]));
+        for (list.reserve(left); left > 0; --left) list.push_back(read());
+        return list;
+    }
     std::string text();
 
     /// Says that what came makes no sense.
     [[noreturn]] void refuse() const;
 
-    int id() const { return process_; }
+    int id() const { return worker_.id(); }
 
   private:
     void start(std::string_view kind, std::string_view settings,
@@ -123,14 +130,14 @@ class ReaderProcess {
     [[noreturn]] void ended();
     [[noreturn]] void fail(const std::string& cause) const;
     [[noreturn]] void fail_for_memory() const;
-    void end();
 
     std::filesystem::path path_;
     ReadLimits limits_;
     Patience patience_{std::chrono::nanoseconds{0}};
-    std::uint64_t received_ = 0; ///< bytes
-    int process_ = -1;
-    int socket_ = -1;
+    std::uint64_t kept_ = 0;        ///< bytes, of what was received
+    std::vector<std::byte> buffer_; ///< what has come of the next values
+    std::size_t taken_ = 0;         ///< of the buffer
+    WorkerProcess worker_;
 };
 
 } // namespace lineatlas

@@ -17,8 +17,11 @@ inline constexpr int argument_count = 7;
 /// Where the process finds its socket.
 inline constexpr int socket = STDIN_FILENO;
 
-/// Comes first. Then: what was read; a message; nothing.
+/// Comes first. Then: what was read; a message, its size before it; nothing.
 enum class Answer : std::uint8_t { read = 1, refused, no_memory };
+
+/// Bytes of the longest message that says why a file is refused.
+inline constexpr std::uint64_t longest_refusal = std::uint64_t{64} << 10U;
 
 /// Sanitizers reserve terabytes, so memory cannot be limited, and report on stderr.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

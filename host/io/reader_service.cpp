@@ -71,7 +71,7 @@ void read_file(const ReaderKind& kind, const std::filesystem::path& path,
     ReaderOutput output{reader::socket};
     const auto refuse = [&](std::string_view message) {
         output.value(reader::Answer::refused);
-        output.text(message);
+        output.text(message.substr(0, reader::longest_refusal));
     };
     try {
         const ReaderKind::Parse parse = kind.open(path, settings);

@@ -20,6 +20,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "children.hpp"
 #include "io/isolated.hpp"
 #include "io/reader_protocol.hpp"
 #include "lineatlas/error.hpp"
@@ -111,14 +112,6 @@ void never_end(ReaderOutput& output) {
     for (;;) output.text(std::string(1 << 20, 'x'));
 }
 
-/// Says who it is while it still can, then waits to be killed.
-ReaderKind::Parse tell_and_hang(const fs::path& path, std::string_view) {
-    const std::string name = path.string() + ".pid";
-    std::ofstream{name + ".part"} << ::getpid();
-    fs::rename(name + ".part", name);
-    return hang;
-}
-
 /// A reader that opens nothing.
 template <void (*read)(ReaderOutput&)>
 ReaderKind::Parse only(const fs::path&, std::string_view) {
@@ -142,7 +135,6 @@ constexpr std::array kinds{
     ReaderKind{"die_halfway", only<die_halfway>},
     ReaderKind{"hang_halfway", only<hang_halfway>},
     ReaderKind{"never_end", only<never_end>},
-    ReaderKind{"tell_and_hang", tell_and_hang},
 };
 
 std::size_t open_descriptors() {
@@ -203,13 +195,11 @@ class Reading : public testing::Test {
         return text.substr(std::min(start.size(), text.size()));
     }
 
-    /// The process that `tell_and_hang` is.
-    pid_t teller() const {
-        const fs::path name = file_.string() + ".pid";
-        if (!comes_true([&] { return fs::exists(name); })) return -1;
-        pid_t process = -1;
-        std::ifstream{name} >> process;
-        return process;
+    /// The process that a program reads by.
+    static pid_t reader_of(pid_t program) {
+        std::vector<pid_t> children;
+        comes_true([&] { return !(children = test::children_of(program)).empty(); });
+        return children.empty() ? -1 : children.front();
     }
 
     fs::path folder_, file_;
@@ -259,9 +249,9 @@ TEST_F(Reading, BelievesNoNonsense) {
 TEST_F(Reading, SurvivesTheKillOfItsProcess) {
     std::string text;
     std::thread reading{[&] {
-        text = message_of([&] { const ReaderProcess process{"tell_and_hang", file_, {}}; });
+        text = message_of([&] { const ReaderProcess process{"hang", file_, {}}; });
     }};
-    const pid_t process = teller();
+    const pid_t process = reader_of(::getpid());
     EXPECT_GT(process, 0);
     if (process > 0) ::kill(process, SIGKILL);
     reading.join();
@@ -272,14 +262,13 @@ TEST_F(Reading, SurvivesTheKillOfItsProcess) {
 /// However the program ends that reads.
 TEST_F(Reading, LeavesNoProcessWhenTheProgramEnds) {
     for (const int signal : {SIGKILL, SIGINT, SIGTERM}) {
-        fs::remove(file_.string() + ".pid");
         std::array<std::string, 3> words{"test", "--read-for-ever", file_.string()};
         std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data()};
         pid_t program = -1;
         ASSERT_EQ(
             ::posix_spawn(&program, "/proc/self/exe", nullptr, nullptr, arguments.data(), environ),
             0);
-        const pid_t process = teller();
+        const pid_t process = reader_of(program);
         ::kill(program, signal);
         ::waitpid(program, nullptr, 0);
         ASSERT_GT(process, 0);
@@ -407,7 +396,7 @@ int main(int argc, char** argv) {
         real ? serve_as_reader(argc, argv) : serve_as_reader(argc, argv, kinds);
     if (code) return *code;
     if (argc == 3 && std::string{argv[1]} == "--read-for-ever") {
-        const ReaderProcess process{"tell_and_hang", argv[2], {}};
+        const ReaderProcess process{"hang", argv[2], {}};
         return 0;
     }
     testing::InitGoogleTest(&argc, argv);
