@@ -1,7 +1,6 @@
 #include <memory>
 #include <string>
 
-
 #include "command_line/read_options.hpp"
 #include "commands.hpp"
 #include "io/isolated.hpp"

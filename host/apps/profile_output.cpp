@@ -3,7 +3,6 @@
 #include <iterator>
 #include <utility>
 
-
 #include "io/atomic_file.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"

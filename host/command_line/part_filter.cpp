@@ -26,7 +26,8 @@ std::string listed(const std::vector<PartPath>& paths) {
     constexpr std::size_t most = 12;
     std::set<std::string> names;
     for (const PartPath& path : paths)
-        if (!path.names.empty() && !path.names.back().empty()) names.insert(printable(path.names.back()));
+        if (!path.names.empty() && !path.names.back().empty())
+            names.insert(printable(path.names.back()));
     if (names.empty()) return "its parts have no names";
     const std::size_t more = names.size() > most ? names.size() - most : 0;
     while (names.size() > most) names.erase(std::prev(names.end()));

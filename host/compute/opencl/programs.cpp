@@ -26,7 +26,7 @@ cl::Program build_program(const OpenClDevice& device, const cl::Context& context
         program.build({device.device}, recipe.options.c_str());
     } catch (const cl::Error&) {
         throw DeviceError(device.description() + ": kernel " + recipe.name +
-                          " did not build with \"" + recipe.options + "\"",
+                              " did not build with \"" + recipe.options + "\"",
                           program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device));
     }
     return program;
