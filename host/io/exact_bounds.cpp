@@ -16,9 +16,9 @@ bool is_finite(glm::dvec3 position) {
 }
 
 bool is_drawable(glm::dvec3 position) {
-    constexpr double largest = 1e15;
     const glm::dvec3 size = glm::abs(position);
-    return size.x <= largest && size.y <= largest && size.z <= largest; // false for NaN
+    return size.x <= largest_drawable && size.y <= largest_drawable &&
+           size.z <= largest_drawable; // false for NaN
 }
 
 glm::dvec3 origin_for(const ExactBounds& bounds) {

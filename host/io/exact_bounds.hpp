@@ -21,9 +21,12 @@ struct ExactBounds {
     double extent() const;
 };
 
-bool is_finite(glm::dvec3 position);
+/// No drawable coordinate is larger: floats hold it, and squares of its distance from others.
+inline constexpr double largest_drawable = 1e15;
+/// No model is smaller: of what is, floats can't hold the squares of lengths.
+inline constexpr double smallest_extent = 1e-20;
 
-/// Whether floats can hold it, and squares of its distance from others.
+bool is_finite(glm::dvec3 position);
 bool is_drawable(glm::dvec3 position);
 
 /// What to take off positions in the box so that floats can hold what is left: zero where it lies

@@ -169,12 +169,11 @@ void refuse_if_most_are_bad(const FaceCounts& counts, const std::filesystem::pat
                   (large ? "beyond 1e15; scale the model down" : "that are no finite numbers"));
 }
 
-/// Of what is smaller, floats can't hold the squares of lengths.
 void refuse_if_too_small(const ExactBounds& bounds, const std::filesystem::path& path) {
-    constexpr double smallest = 1e-20;
     const double extent = bounds.extent();
     if (extent == 0.0) throw read_error(path, "all of its corners are at one place");
-    if (extent < smallest) throw read_error(path, "it is smaller than 1e-20; scale the model up");
+    if (extent < smallest_extent)
+        throw read_error(path, "it is smaller than 1e-20; scale the model up");
 }
 
 void add_notes(LoadedMesh& loaded, const FaceCounts& counts, std::size_t lost_lines) {

@@ -1,0 +1,119 @@
+#include "reader_messages.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "core/printable.hpp"
+#include "reader_protocol.hpp"
+#include "sound.hpp"
+
+namespace lineatlas {
+namespace {
+
+void send(ReaderOutput& output, const Mesh& mesh) {
+    output.values(mesh.positions);
+    output.values(mesh.triangles);
+    output.values(mesh.triangle_group);
+    output.value(std::uint64_t{mesh.groups.size()});
+    for (const MeshGroup& group : mesh.groups) {
+        output.text(group.object);
+        output.text(group.material);
+        output.value(group.color.has_value());
+        output.value(group.color.value_or(glm::vec3{0}));
+    }
+    output.value(std::uint64_t{mesh.polylines.size()});
+    for (const auto& polyline : mesh.polylines) output.values(polyline);
+    output.values(mesh.triangle_object);
+    output.values(mesh.polyline_object);
+    output.values(mesh.known_edges);
+    output.values(mesh.corner_normals);
+    output.value(mesh.precision);
+}
+
+MeshGroup receive_group(ReaderProcess& process) {
+    MeshGroup group{.object = process.text(), .material = process.text()};
+    const bool colored = process.value<std::uint8_t>() != 0;
+    const auto color = process.value<glm::vec3>();
+    if (colored) group.color = color;
+    return group;
+}
+
+ModelPart receive_part(ReaderProcess& process) {
+    ModelPart part{.name = process.text()};
+    part.parent = process.value<std::uint32_t>();
+    part.object = process.value<std::uint32_t>();
+    part.shape = process.value<std::uint32_t>();
+    return part;
+}
+
+Mesh receive_mesh(ReaderProcess& process) {
+    Mesh mesh;
+    mesh.positions = process.values<glm::vec3>();
+    mesh.triangles = process.values<glm::uvec3>();
+    mesh.triangle_group = process.values<std::uint32_t>();
+    mesh.groups = process.list([&] { return receive_group(process); });
+    mesh.polylines = process.list([&] { return process.values<std::uint32_t>(); });
+    mesh.triangle_object = process.values<std::uint32_t>();
+    mesh.polyline_object = process.values<std::uint32_t>();
+    mesh.known_edges = process.values<KnownEdge>();
+    mesh.corner_normals = process.values<glm::vec3>();
+    mesh.precision = process.value<float>();
+    return mesh;
+}
+
+} // namespace
+
+void send(ReaderOutput& output, const LoadedMesh& loaded) {
+    output.value(reader::Answer::read);
+    output.value(std::uint64_t{loaded.notes.size()});
+    for (const std::string& note : loaded.notes) output.text(note);
+    output.value(loaded.origin);
+    output.text(loaded.format);
+    output.value(loaded.up.has_value());
+    output.value(loaded.up.value_or(glm::vec3{0}));
+    output.value(loaded.unit.value_or(0));
+    output.value(loaded.deflection);
+    output.value(std::uint64_t{loaded.parts.size()});
+    for (const ModelPart& part : loaded.parts) {
+        output.text(part.name);
+        output.value(part.parent);
+        output.value(part.object);
+        output.value(part.shape);
+    }
+    send(output, loaded.mesh);
+}
+
+void send(ReaderOutput& output, const Image& image) {
+    output.value(reader::Answer::read);
+    output.value(image.size);
+    output.value(image.channels);
+    output.values(image.pixels);
+}
+
+LoadedMesh receive_model(ReaderProcess& process) {
+    LoadedMesh loaded;
+    loaded.notes = process.list([&] { return printable(process.text(), longest_message); });
+    loaded.origin = process.value<glm::dvec3>();
+    loaded.format = printable(process.text());
+    const bool says_up = process.value<std::uint8_t>() != 0;
+    const auto up = process.value<glm::vec3>();
+    if (says_up) loaded.up = up;
+    if (const auto unit = process.value<double>(); unit > 0) loaded.unit = unit;
+    loaded.deflection = process.value<double>();
+    loaded.parts = process.list([&] { return receive_part(process); });
+    loaded.mesh = receive_mesh(process);
+    if (!is_sound(loaded)) process.refuse();
+    return loaded;
+}
+
+Image receive_picture(ReaderProcess& process) {
+    Image image;
+    image.size = process.value<glm::ivec2>();
+    image.channels = process.value<int>();
+    image.pixels = process.values<std::uint8_t>();
+    if (!is_sound(image)) process.refuse();
+    return image;
+}
+
+} // namespace lineatlas
