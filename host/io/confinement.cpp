@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <iterator>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -34,6 +36,20 @@ void check(int result) {
 void allow_no_more_than(rlim_t most, __rlimit_resource resource) {
     const rlimit limits{.rlim_cur = most, .rlim_max = most};
     check(::setrlimit(resource, &limits));
+}
+
+/// A step of giving up, with what there is to do it by. Throws DeviceError.
+void step(void (*give_up)(const Confinement& offered)) {
+    if (reader::sanitized) return;
+    try {
+        give_up(offered_confinement());
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::not_enough_memory) {
+            if (const std::new_handler no_memory = std::get_new_handler()) no_memory();
+        }
+        throw DeviceError("cannot confine the process that works on files by " +
+                          std::string(error.what()));
+    }
 }
 
 } // namespace
@@ -81,23 +97,29 @@ void forget_what_was_inherited() {
     ::close_range(STDERR_FILENO + 1, ~0U, 0);
 }
 
-void confine() {
-    if (reader::sanitized) return;
-    const Confinement offered = offered_confinement();
-    try {
+bool has_one_thread() {
+    std::error_code error;
+    const std::filesystem::directory_iterator threads("/proc/self/task", error);
+    return !error && std::distance(begin(threads), end(threads)) == 1;
+}
+
+void confine_to_reading() {
+    step([](const Confinement& offered) {
+        if (!has_one_thread())
+            throw std::system_error(std::make_error_code(std::errc::operation_not_permitted),
+                                    "no means that reaches the threads it has already");
         check(::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
-        if (offered.files > 0) restrict_files();
-        // What is open stays open.
-        allow_no_more_than(0, RLIMIT_NOFILE);
         allow_no_more_than(0, RLIMIT_FSIZE);
+        if (offered.files > 0) restrict_files(Files::read);
+    });
+}
+
+void confine() {
+    step([](const Confinement& offered) {
+        if (offered.files > 0) restrict_files(Files::none);
+        allow_no_more_than(0, RLIMIT_NOFILE); // what is open stays open
         if (offered.system_calls) restrict_system_calls();
-    } catch (const std::system_error& error) {
-        if (error.code() == std::errc::not_enough_memory) {
-            if (const std::new_handler no_memory = std::get_new_handler()) no_memory();
-        }
-        throw DeviceError("cannot confine the process that works on files by " +
-                          std::string(error.what()));
-    }
+    });
 }
 
 } // namespace lineatlas

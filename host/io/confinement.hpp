@@ -26,9 +26,22 @@ std::vector<std::string> small_environment();
 /// that is started anew gets no more in the first place.
 void forget_what_was_inherited();
 
-/// From here on this process computes, and talks through the descriptors up to stderr: it opens
-/// nothing, connects to nothing, starts no process. By all that offered_confinement() says, and by
-/// limits that every kernel has. Throws DeviceError: then the work must not be done.
+/// Whether this process has no other thread.
+bool has_one_thread();
+
+// The two steps of giving up. Landlock holds for one thread and for those that it starts later; a
+// library may start some as it is loaded (log4cplus, which OpenImageIO brings, starts four). So
+// what can be given up before that is.
+
+/// From here on this process reads files and changes none, starts no program, connects to nothing.
+/// For before a library is loaded. Throws DeviceError, also where there is another thread, which
+/// would stay outside: then the work must not be done.
+void confine_to_reading();
+
+/// From here on this process, with all of its threads, computes, and talks through the descriptors
+/// up to stderr: it opens nothing, connects to nothing, starts no process. By all that
+/// offered_confinement() says, and by limits that every kernel has. After confine_to_reading().
+/// Throws DeviceError: then the work must not be done.
 void confine();
 
 } // namespace lineatlas

@@ -77,6 +77,7 @@ void serve(int socket, PictureType type) {
     ::dup2(socket, STDIN_FILENO);
     forget_what_was_inherited();
     std::set_new_handler([] { ::_exit(no_memory); });
+    confine_to_reading();
     std::string no_module;
     try {
         image_module(type); // later there is no loading

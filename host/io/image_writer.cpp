@@ -59,12 +59,6 @@ FileError no_process() {
     return FileError("the process that writes pictures has ended; is there enough memory?");
 }
 
-bool has_one_thread() {
-    std::error_code error;
-    const std::filesystem::directory_iterator threads("/proc/self/task", error);
-    return !error && std::distance(begin(threads), end(threads)) == 1;
-}
-
 bool holds_whole_picture(const std::filesystem::path& path, glm::ivec2 size) {
     try {
         return is_whole_picture(read_source(path), size);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -19,7 +20,15 @@ struct Ruleset {
     std::uint64_t files, network, scopes;
 };
 
+/// landlock_path_beneath_attr: what is allowed in a folder and in all that it holds.
+struct [[gnu::packed]] FolderRule {
+    std::uint64_t allowed;
+    std::int32_t folder;
+};
+
 constexpr std::uint32_t ask_version = 1;
+constexpr int rule_of_folder = 1;
+constexpr std::uint64_t read_file = 1U << 2U, read_folder = 1U << 3U;
 
 constexpr std::uint64_t lowest(int bits) {
     return (std::uint64_t{1} << static_cast<unsigned>(bits)) - 1;
@@ -42,8 +51,27 @@ std::size_t size_of_ruleset(int version) {
     return version >= 4 ? offsetof(Ruleset, scopes) : offsetof(Ruleset, network);
 }
 
-std::system_error failure() {
-    return {errno, std::generic_category(), "Landlock"};
+/// Throws std::system_error where a system call has failed.
+void check(long result) {
+    if (result < 0) throw std::system_error(errno, std::generic_category(), "Landlock");
+}
+
+class Descriptor {
+  public:
+    explicit Descriptor(long number) : number_(static_cast<int>(number)) { check(number); }
+    ~Descriptor() { ::close(number_); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+void allow_reading(const Descriptor& ruleset) {
+    const Descriptor root{::open("/", O_PATH | O_CLOEXEC)};
+    const FolderRule rule{.allowed = read_file | read_folder, .folder = root.number()};
+    check(::syscall(SYS_landlock_add_rule, ruleset.number(), rule_of_folder, &rule, 0));
 }
 
 } // namespace
@@ -53,16 +81,13 @@ int landlock_version() {
     return version > 0 ? static_cast<int>(version) : 0;
 }
 
-void restrict_files() {
+void restrict_files(Files allowed) {
     const int version = landlock_version();
     const Ruleset rules = everything(version);
-    const long ruleset =
-        ::syscall(SYS_landlock_create_ruleset, &rules, size_of_ruleset(version), 0);
-    if (ruleset < 0) throw failure();
-    const long done = ::syscall(SYS_landlock_restrict_self, ruleset, 0);
-    const std::system_error error = failure();
-    ::close(static_cast<int>(ruleset));
-    if (done != 0) throw error;
+    const Descriptor ruleset{
+        ::syscall(SYS_landlock_create_ruleset, &rules, size_of_ruleset(version), 0)};
+    if (allowed == Files::read) allow_reading(ruleset);
+    check(::syscall(SYS_landlock_restrict_self, ruleset.number(), 0));
 }
 
 } // namespace lineatlas

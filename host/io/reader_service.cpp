@@ -74,6 +74,7 @@ void read_file(const ReaderKind& kind, const std::filesystem::path& path,
         output.text(message.substr(0, reader::longest_refusal));
     };
     try {
+        confine_to_reading();
         const ReaderKind::Parse parse = kind.open(path, settings);
         confine();
         parse(output);

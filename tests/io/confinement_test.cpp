@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -24,6 +25,7 @@
 #include "io/reader_process.hpp"
 #include "io/reader_protocol.hpp"
 #include "io/system_calls.hpp"
+#include "lineatlas/error.hpp"
 #include "temporary_folder.hpp"
 
 namespace lineatlas::test {
@@ -38,6 +40,15 @@ ReaderKind::Parse try_everything(const fs::path& path, std::string_view) {
     return [target](ReaderOutput& output) {
         output.value(reader::Answer::read);
         for (const Attempt& attempt : attempts()) output.value(attempt.error(target));
+    };
+}
+
+ReaderKind::Parse try_everything_by_a_thread(const fs::path& path, std::string_view) {
+    Target target{path.string(), 0};
+    std::ifstream{path} >> target.port;
+    return [target, thread = std::make_shared<EarlyThread>()](ReaderOutput& output) {
+        output.value(reader::Answer::read);
+        for (const int error : thread->errors(target)) output.value(error);
     };
 }
 
@@ -73,7 +84,9 @@ ReaderKind::Parse tell_what_it_has(const fs::path&, std::string_view) {
     };
 }
 
-constexpr std::array kinds{ReaderKind{"try_everything", try_everything}, ReaderKind{"work", work},
+constexpr std::array kinds{ReaderKind{"try_everything", try_everything},
+                           ReaderKind{"try_everything_by_a_thread", try_everything_by_a_thread},
+                           ReaderKind{"work", work},
                            ReaderKind{"tell_what_it_has", tell_what_it_has}};
 
 class Confined : public testing::Test {
@@ -83,6 +96,20 @@ class Confined : public testing::Test {
         std::ofstream{file_} << listener_.port();
     }
 
+    void expect_all_refused(std::string_view kind) {
+        const Confinement offered = offered_confinement();
+        ReaderProcess process{kind, file_, {}};
+        for (const Attempt& attempt : attempts()) {
+            const int error = process.value<int>();
+            const bool refused = attempt.is_refused(offered.system_calls, offered.files > 0);
+            EXPECT_TRUE(!refused || error != 0) << "a reader could " << attempt.name;
+        }
+        if (!offered.system_calls && offered.files == 0) return;
+        EXPECT_EQ(std::distance(fs::directory_iterator{folder_.path()}, fs::directory_iterator{}),
+                  1);
+        EXPECT_GT(fs::file_size(file_), 0U);
+    }
+
     TemporaryFolder folder_;
     fs::path file_ = folder_.path() / "some.file";
     Listener listener_;
@@ -90,16 +117,28 @@ class Confined : public testing::Test {
 };
 
 TEST_F(Confined, AReaderIsRefusedEverythingElse) {
-    const Confinement offered = offered_confinement();
-    ReaderProcess process{"try_everything", file_, {}};
-    for (const Attempt& attempt : attempts()) {
-        const int error = process.value<int>();
-        const bool refused = attempt.is_refused(offered.system_calls, offered.files > 0);
-        EXPECT_TRUE(!refused || error != 0) << "a reader could " << attempt.name;
+    expect_all_refused("try_everything");
+}
+
+TEST_F(Confined, AThreadThatALibraryStartsIsRefusedEverythingElse) {
+    expect_all_refused("try_everything_by_a_thread");
+}
+
+/// In a copy of this process that has two threads.
+TEST_F(Confined, AProcessWithThreadsIsNotConfinedAndMustNotRead) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        EarlyThread thread;
+        try {
+            confine_to_reading();
+        } catch (const DeviceError& error) {
+            ::_exit(std::string_view{error.what()}.starts_with("cannot confine") ? 0 : 2);
+        }
+        ::_exit(1);
     }
-    if (!offered.system_calls && offered.files == 0) return;
-    EXPECT_EQ(std::distance(fs::directory_iterator{folder_.path()}, fs::directory_iterator{}), 1);
-    EXPECT_GT(fs::file_size(file_), 0U);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
 }
 
 TEST_F(Confined, AReaderHasWhatItNeeds) {
@@ -155,15 +194,20 @@ TEST_F(Confined, SystemCallsAreRefusedByThemselves) {
 
 TEST_F(Confined, FilesAreRefusedByThemselves) {
     if (landlock_version() == 0) GTEST_SKIP() << describe(offered_confinement());
-    const std::vector<int> errors = errors_after(restrict_files, target_);
-    ASSERT_EQ(errors.size(), attempts().size());
-    for (std::size_t i = 0; i < attempts().size(); ++i) {
-        const std::string_view name = attempts()[i].name;
-        const bool refused = attempts()[i].least == By::landlock || name.ends_with("a file");
-        const bool asked = name == "ask for a file", tcp = name == "connect";
-        const bool expected = (refused && !asked) || (tcp && landlock_version() >= 4);
-        EXPECT_TRUE(!expected || errors[i] == EACCES) << name << ": " << errors[i];
-    }
+    const auto expect_refused = [&](const std::vector<int>& errors, bool reading) {
+        ASSERT_EQ(errors.size(), attempts().size());
+        for (std::size_t i = 0; i < attempts().size(); ++i) {
+            const std::string_view name = attempts()[i].name;
+            const bool refused = attempts()[i].least == By::landlock || name.ends_with("a file");
+            const bool asked = name == "ask for a file", tcp = name == "connect";
+            const bool read = reading && name == "open a file";
+            const bool expected = (refused && !asked && !read) || (tcp && landlock_version() >= 4);
+            EXPECT_TRUE(!expected || errors[i] == EACCES) << name << ": " << errors[i];
+            EXPECT_TRUE(!read || errors[i] == 0) << name << ": " << errors[i];
+        }
+    };
+    expect_refused(errors_after([] { restrict_files(Files::none); }, target_), false);
+    expect_refused(errors_after([] { restrict_files(Files::read); }, target_), true);
 }
 
 TEST(Confinement, SaysWhatIsMissingAndWhy) {

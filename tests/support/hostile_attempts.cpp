@@ -125,4 +125,21 @@ std::span<const Attempt> attempts() {
     return all_attempts;
 }
 
+EarlyThread::EarlyThread()
+    : thread_([this] {
+          const Target target = target_.get_future().get();
+          std::vector<int> errors;
+          for (const Attempt& attempt : all_attempts) errors.push_back(attempt.error(target));
+          errors_.set_value(errors);
+      }) {}
+
+EarlyThread::~EarlyThread() {
+    thread_.detach(); // the process ends with it
+}
+
+std::vector<int> EarlyThread::errors(const Target& target) {
+    target_.set_value(target);
+    return errors_.get_future().get();
+}
+
 } // namespace lineatlas::test

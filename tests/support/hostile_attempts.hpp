@@ -1,8 +1,11 @@
 #pragma once
 
+#include <future>
 #include <span>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <vector>
 
 namespace lineatlas::test {
 
@@ -47,5 +50,23 @@ struct Attempt {
 
 /// The last one, where it is not refused, ends the program.
 std::span<const Attempt> attempts();
+
+/// A thread that is there before its process is confined, as a library may start some when it is
+/// loaded.
+class EarlyThread {
+  public:
+    EarlyThread();
+    ~EarlyThread();
+    EarlyThread(const EarlyThread&) = delete;
+    EarlyThread& operator=(const EarlyThread&) = delete;
+
+    /// Attempt::error() of all attempts, made by that thread. Once.
+    std::vector<int> errors(const Target& target);
+
+  private:
+    std::promise<Target> target_;
+    std::promise<std::vector<int>> errors_;
+    std::thread thread_;
+};
 
 } // namespace lineatlas::test

@@ -36,7 +36,11 @@ class Filter {
         if (result != -EDOM) check(result); // EDOM: this architecture has no such call
     }
 
-    void load() { check(::seccomp_load(context_.get())); }
+    /// For all threads of this process.
+    void load() {
+        check(::seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_TSYNC, 1));
+        check(::seccomp_load(context_.get()));
+    }
 
   private:
     static void check(int result) {

@@ -1,5 +1,6 @@
 // A module for pictures that a hostile file has taken over: a picture's description is the port and
-// the path of a Target, and its file holds what became of each attempt, then what it has inherited.
+// the path of a Target, and its file holds what became of each attempt, by the thread that encodes
+// and by one that was started when the module was loaded, then what it has inherited.
 // Where it is "memory", "time" or "crash", the module takes all of that, or does that.
 
 #include <csignal>
@@ -15,6 +16,8 @@
 
 namespace lineatlas::images {
 namespace {
+
+test::EarlyThread early_thread;
 
 void misbehave(const std::string& how) {
     std::vector<std::unique_ptr<std::string>> taken;
@@ -38,8 +41,11 @@ std::vector<unsigned char> encode(const std::filesystem::path&, const Pixels&,
     test::Target target{};
     std::istringstream{settings.description} >> target.port >> target.path;
     std::ostringstream text;
-    for (const test::Attempt& attempt : test::attempts())
-        text << attempt.error(target) << ' ' << attempt.name << '\n';
+    const std::vector<int> errors = early_thread.errors(target);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const test::Attempt& attempt = test::attempts()[i];
+        text << attempt.error(target) << ' ' << errors[i] << ' ' << attempt.name << '\n';
+    }
     text << "descriptors";
     for (int descriptor = 3; descriptor < 1000; ++descriptor)
         if (::close(descriptor) == 0) text << ' ' << descriptor;
