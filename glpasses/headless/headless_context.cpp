@@ -81,7 +81,11 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
 }
 
 HeadlessContext::~HeadlessContext() {
-    eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    const EGLenum api = eglQueryAPI(); // whose current context EGL answers
+    eglBindAPI(EGL_OPENGL_API);
+    if (eglGetCurrentContext() == state_->context)
+        eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglBindAPI(api);
 }
 
 void HeadlessContext::make_current() {

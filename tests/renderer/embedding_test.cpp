@@ -425,6 +425,20 @@ TEST(Contexts, AnOldGlIsNamed) {
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, before);
 }
 
+TEST(Contexts, ADestroyedOneLeavesTheCurrentOne) {
+    gl::HeadlessContext current;
+    const EGLContext expected = eglGetCurrentContext();
+    {
+        const gl::HeadlessContext other;
+        ASSERT_NE(eglGetCurrentContext(), expected);
+        current.make_current();
+    }
+    EXPECT_EQ(eglGetCurrentContext(), expected);
+    EXPECT_NO_THROW(Renderer{});
+    { const gl::HeadlessContext other; }
+    EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
+}
+
 TEST_F(Embedding, AFrameAllocatesNothingAfterTheFirst) {
     AppScene app{scene_lines("house")};
     const gl::Canvas canvas{size};

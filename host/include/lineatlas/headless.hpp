@@ -13,6 +13,7 @@ class LINEATLAS_API HeadlessContext {
   public:
     /// Throws DeviceError if EGL or GL 4.5 is missing; the message says which package to install.
     HeadlessContext();
+    /// Leaves another context that is current where it is.
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
