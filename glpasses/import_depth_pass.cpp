@@ -23,6 +23,21 @@ GLint level_parameter(GLuint texture, GLenum name) {
     return value;
 }
 
+/// Whether it is a 2D texture, which it is if it can be bound as one: many drivers answer
+/// GL_TEXTURE_TARGET in core contexts alone.
+bool is_2d(GLuint texture) {
+    glBindTexture(GL_TEXTURE_2D, texture);
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    return static_cast<GLuint>(bound) == texture;
+}
+
+/// Takes the errors of calls that were to fail. A context that is lost may have no end of them.
+void take_errors() {
+    for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
+    }
+}
+
 std::string text(glm::ivec2 v) {
     return std::to_string(v.x) + "x" + std::to_string(v.y);
 }
@@ -35,11 +50,13 @@ std::string text(glm::ivec2 v) {
 
 DepthValues check_depth_texture(GLuint texture, glm::ivec2 origin, glm::ivec2 size) {
     if (glIsTexture(texture) == GL_FALSE) refuse(texture, "does not exist in this context");
-    const GLint target = parameter(texture, GL_TEXTURE_TARGET);
-    if (target == GL_TEXTURE_2D_MULTISAMPLE) {
-        refuse(texture, "is multisampled; resolve it into a plain one first (glBlitFramebuffer)");
+    if (!is_2d(texture)) {
+        const bool multisampled = level_parameter(texture, GL_TEXTURE_SAMPLES) > 0;
+        take_errors();
+        refuse(texture, multisampled ? "is multisampled; resolve it into a plain one first "
+                                       "(glBlitFramebuffer)"
+                                     : "is not a 2D texture");
     }
-    if (target != GL_TEXTURE_2D) refuse(texture, "is not a 2D texture");
     const GLint bits = level_parameter(texture, GL_TEXTURE_DEPTH_SIZE);
     if (bits == 0) refuse(texture, "has no depth: its format is not one of a depth buffer");
     if (parameter(texture, GL_DEPTH_STENCIL_TEXTURE_MODE) != GL_DEPTH_COMPONENT) {

@@ -13,6 +13,7 @@
 
 #include "allocation_count.hpp"
 #include "compare.hpp"
+#include "compatibility_context.hpp"
 #include "gl_scene.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
@@ -156,6 +157,36 @@ TEST_P(AppDepth, HidesWhatPlainDepthHides) {
 INSTANTIATE_TEST_SUITE_P(, AppDepth, testing::ValuesIn(depth_cases()),
                          [](const auto& info) { return info.param.setup.name; });
 
+/// Of a program whose context is one of the compatibility profile.
+TEST(AppDepthCompatibility, ATextureDrawsTheSamePicture) {
+    std::vector<std::uint8_t> pictures[2];
+    const auto draw = [](std::vector<std::uint8_t>& result) {
+        const LineSet& lines = scene_lines("house");
+        Renderer renderer;
+        renderer.set_lines(lines);
+        AppScene app{lines};
+        const Camera camera = scene_cameras("house", size).front().camera;
+        app.draw_depth(camera, {.name = "plain"});
+        result = picture(renderer, camera, {.depth = DepthTexture{.texture = app.depth()}});
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        GLuint cube = 0;
+        glCreateTextures(GL_TEXTURE_CUBE_MAP, 1, &cube);
+        EXPECT_THROW(picture(renderer, camera, {.depth = DepthTexture{.texture = cube}}),
+                     UsageError);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        glDeleteTextures(1, &cube);
+    };
+    {
+        const gl::HeadlessContext core;
+        draw(pictures[0]);
+    }
+    {
+        const CompatibilityContext compatibility;
+        draw(pictures[1]);
+    }
+    EXPECT_TRUE(equal(pictures[0], pictures[1]));
+}
+
 /// What a depth buffer alone cannot tell: whether what is just before a line is its own surface.
 TEST(AppDepthAlone, ItHidesLessThanTheRenderersOwn) {
     const gl::HeadlessContext context;
@@ -197,6 +228,7 @@ class Embedding : public testing::Test {
         } catch (const UsageError& error) {
             EXPECT_NE(std::string{error.what()}.find(part), std::string::npos) << error.what();
         }
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << part;
     }
     void refuses(const DepthTexture& depth, const std::string& part) {
         refuses(FrameOptions{.depth = depth}, part);
