@@ -45,7 +45,11 @@ CurrentContext require_context() {
                          "first");
     }
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    const std::string_view version = text != nullptr ? text : "none";
+    if (text == nullptr) { // as between glBegin() and glEnd(), where nothing can be asked
+        throw UsageError("renderer: the current OpenGL context does not answer; call outside of "
+                         "glBegin() and glEnd()");
+    }
+    const std::string_view version = text;
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);

@@ -109,6 +109,8 @@ void StateGuard::take() {
     if (get(GL_TRANSFORM_FEEDBACK_ACTIVE) != 0 && get(GL_TRANSFORM_FEEDBACK_PAUSED) == 0) {
         throw UsageError("renderer: a transform feedback is active; end or pause it first");
     }
+    is_compatibility_ = is_compatibility();
+    if (is_compatibility_) compatibility_.save(); // may throw
     save();
     set_initial();
 }
@@ -204,6 +206,7 @@ void StateGuard::set_initial() {
     for (std::size_t i = 0; i < units_.size(); ++i) {
         if (units_[i].sampler != 0) glBindSampler(static_cast<GLuint>(i), 0);
     }
+    if (is_compatibility_) compatibility_.set_initial();
 }
 
 void StateGuard::restore() {
@@ -224,6 +227,7 @@ void StateGuard::restore() {
     restore_raster();
     restore_blend();
     restore_textures();
+    if (is_compatibility_) compatibility_.restore();
 }
 
 void StateGuard::restore_raster() const {
@@ -235,7 +239,12 @@ void StateGuard::restore_raster() const {
     glDepthFunc(static_cast<GLenum>(depth_func_));
     glClipControl(static_cast<GLenum>(clip_origin_), static_cast<GLenum>(clip_depth_));
     glProvokingVertex(static_cast<GLenum>(provoking_vertex_));
-    glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygon_mode_[0]));
+    if (is_compatibility_) { // one for either side of a polygon
+        glPolygonMode(GL_FRONT, static_cast<GLenum>(polygon_mode_[0]));
+        glPolygonMode(GL_BACK, static_cast<GLenum>(polygon_mode_[1]));
+    } else {
+        glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygon_mode_[0]));
+    }
     if (has_offset_clamp())
         glPolygonOffsetClamp(offset_factor_, offset_units_, offset_clamp_);
     else

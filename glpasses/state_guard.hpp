@@ -4,6 +4,8 @@
 
 #include <epoxy/gl.h>
 
+#include "compatibility_state.hpp"
+
 namespace lineatlas::gl {
 
 /// Gives passes the GL state they expect, and the program around them its own back.
@@ -14,7 +16,8 @@ namespace lineatlas::gl {
 class StateGuard {
   public:
     /// Saves the state of the current context and sets what passes expect: GL's initial state, but
-    /// for bindings. Throws UsageError if a transform feedback is active, which no pass can run in.
+    /// for bindings. Throws UsageError where no pass can run: while a transform feedback is active
+    /// and as CompatibilityState::save() does.
     StateGuard();
     ~StateGuard();
     StateGuard(const StateGuard&) = delete;
@@ -43,6 +46,8 @@ class StateGuard {
     void save_textures();
     void restore_textures() const;
 
+    bool is_compatibility_ = false;
+    CompatibilityState compatibility_; ///< if it is
     std::array<GLboolean, capability_count> enabled_{};
     std::array<GLint, pixel_store_count> pixel_store_{};
     GLint program_ = 0, vertex_array_ = 0, draw_framebuffer_ = 0, read_framebuffer_ = 0;

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <variant>
 
 #include <gtest/gtest.h>
 
 #include "compare.hpp"
+#include "compatibility_context.hpp"
 #include "gl_state.hpp"
 #include "glpasses/canvas.hpp"
+#include "glpasses/compatibility_state.hpp"
 #include "glpasses/headless_context.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
@@ -68,9 +71,23 @@ std::vector<std::pair<std::string, Drawing>> drawings() {
     return all;
 }
 
+enum class Profile { core, compatibility };
+
+/// Of either profile.
+struct Context {
+    explicit Context(Profile profile) {
+        if (profile == Profile::core)
+            context.emplace<gl::HeadlessContext>();
+        else
+            context.emplace<CompatibilityContext>();
+    }
+    std::variant<std::monostate, gl::HeadlessContext, CompatibilityContext> context;
+};
+
 /// A fresh context with a renderer; in an odd state if asked for.
 struct Program {
-    explicit Program(bool odd) : canvas(size), depth_stencil(gl::Renderbuffer::create()) {
+    Program(Profile profile, bool odd)
+        : context(profile), canvas(size), depth_stencil(gl::Renderbuffer::create()) {
         // A canvas has no stencil for a test to fail on.
         glNamedRenderbufferStorage(depth_stencil.id(), GL_DEPTH32F_STENCIL8, size.x, size.y);
         glNamedFramebufferRenderbuffer(canvas.framebuffer(), GL_DEPTH_STENCIL_ATTACHMENT,
@@ -95,10 +112,18 @@ struct Program {
               GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES}) {
             glPixelStorei(name, 0);
         }
+        if (gl::is_compatibility()) reset_transfers();
         return canvas.read();
     }
+    static void reset_transfers() {
+        glPixelTransferi(GL_MAP_COLOR, GL_FALSE);
+        for (const GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
+            glPixelTransferf(scale, 1);
+        for (const GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS})
+            glPixelTransferf(bias, 0);
+    }
 
-    gl::HeadlessContext context;
+    Context context;
     gl::Canvas canvas;
     gl::Renderbuffer depth_stencil;
     std::optional<OddState> state;
@@ -106,13 +131,14 @@ struct Program {
     std::optional<Renderer> renderer;
 };
 
-class GlState : public testing::TestWithParam<std::size_t> {};
+class GlState : public testing::TestWithParam<std::tuple<Profile, std::size_t>> {};
 
 TEST_P(GlState, StaysAndChangesNoPicture) {
-    const auto [name, draw] = drawings()[GetParam()];
+    const auto [profile, number] = GetParam();
+    const auto [name, draw] = drawings()[number];
     std::vector<std::uint8_t> pictures[2];
     for (const bool odd : {false, true}) {
-        Program program{odd};
+        Program program{profile, odd};
         for (int frame = 0; frame < 2; ++frame) {
             draw(*program.renderer, program.canvas);
             program.check(name);
@@ -126,10 +152,14 @@ TEST_P(GlState, StaysAndChangesNoPicture) {
     EXPECT_LT(white, static_cast<std::ptrdiff_t>(pictures[0].size())) << "nothing was drawn";
 }
 
-INSTANTIATE_TEST_SUITE_P(, GlState, testing::Range(std::size_t{0}, drawings().size()));
+INSTANTIATE_TEST_SUITE_P(, GlState,
+                         testing::Combine(testing::Values(Profile::core, Profile::compatibility),
+                                          testing::Range(std::size_t{0}, drawings().size())));
 
-TEST(GlStateDump, SeesWhatChanges) {
-    const gl::HeadlessContext context;
+class GlStateDump : public testing::TestWithParam<Profile> {};
+
+TEST_P(GlStateDump, SeesWhatChanges) {
+    const Context context{GetParam()};
     const auto before = dump_state();
     glLineWidth(1.5F);
     glBindSampler(3, 0);
@@ -138,6 +168,58 @@ TEST(GlStateDump, SeesWhatChanges) {
     EXPECT_EQ(differences(before, dump_state()), "");
     const OddState odd;
     EXPECT_GT(differences(before, dump_state()).size(), 10'000U);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+INSTANTIATE_TEST_SUITE_P(, GlStateDump, testing::Values(Profile::core, Profile::compatibility));
+
+void take_errors() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+}
+
+/// Expects the call to be refused by a message with `part` of it.
+void expect_refused(const std::function<void()>& call, const std::string& part) {
+    try {
+        call();
+        ADD_FAILURE() << "was not refused: " << part;
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string{error.what()}.find(part), std::string::npos) << error.what();
+    }
+}
+
+TEST(GlStateCompatibility, WhereNothingIsDrawnCallsAreRefused) {
+    const CompatibilityContext context;
+    Renderer renderer;
+    const LineSet& lines = scene_lines("house");
+    renderer.set_lines(lines);
+    const gl::Canvas canvas{size};
+    const std::function<void()> calls[] = {
+        [&] { renderer.draw(camera(), {}, canvas.framebuffer()); },
+        [&] { renderer.set_lines(lines); },
+        [&] {
+            renderer.pick({1, 1}, 1);
+        },
+        [] { Renderer{}; },
+    };
+    for (const auto& call : calls) {
+        glNewList(1, GL_COMPILE);
+        expect_refused(call, "glNewList");
+        glEndList();
+        glNewList(1, GL_COMPILE_AND_EXECUTE);
+        expect_refused(call, "glNewList");
+        glEndList();
+        GLuint selected[4]{};
+        glSelectBuffer(4, selected);
+        glRenderMode(GL_SELECT);
+        expect_refused(call, "glRenderMode");
+        glRenderMode(GL_RENDER);
+        glBegin(GL_TRIANGLES);
+        expect_refused(call, "glBegin");
+        glEnd();
+        take_errors(); // between glBegin() and glEnd() nothing may be asked
+        EXPECT_NO_THROW(call());
+    }
 }
 
 TEST(GlStateFeedback, NothingIsDrawnWithinOne) {

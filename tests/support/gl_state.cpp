@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
+
+#include "glpasses/compatibility_state.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -146,6 +149,45 @@ constexpr Named numbers[] = {
     NAMED(GL_UNPACK_COMPRESSED_BLOCK_SIZE),
 };
 
+/// In compatibility contexts.
+constexpr Named removed_capabilities[] = {
+    NAMED(GL_ALPHA_TEST),     NAMED(GL_AUTO_NORMAL),  NAMED(GL_COLOR_MATERIAL),
+    NAMED(GL_COLOR_SUM),      NAMED(GL_FOG),          NAMED(GL_INDEX_LOGIC_OP),
+    NAMED(GL_LIGHTING),       NAMED(GL_LINE_STIPPLE), NAMED(GL_NORMALIZE),
+    NAMED(GL_POINT_SMOOTH),   NAMED(GL_POINT_SPRITE), NAMED(GL_POLYGON_STIPPLE),
+    NAMED(GL_RESCALE_NORMAL), NAMED(GL_TEXTURE_2D),   NAMED(GL_VERTEX_PROGRAM_TWO_SIDE),
+};
+
+constexpr Named removed_numbers[] = {
+    NAMED(GL_ALPHA_TEST_FUNC),
+    NAMED(GL_ALPHA_TEST_REF),
+    NAMED(GL_CURRENT_COLOR),
+    NAMED(GL_EDGE_FLAG),
+    NAMED(GL_CLAMP_FRAGMENT_COLOR),
+    NAMED(GL_CLAMP_VERTEX_COLOR),
+    NAMED(GL_LINE_STIPPLE_PATTERN),
+    NAMED(GL_LINE_STIPPLE_REPEAT),
+    NAMED(GL_MATRIX_MODE),
+    NAMED(GL_SHADE_MODEL),
+    NAMED(GL_FOG_MODE),
+    NAMED(GL_FOG_DENSITY),
+    NAMED(GL_MAP_COLOR),
+    NAMED(GL_INDEX_SHIFT),
+    NAMED(GL_INDEX_OFFSET),
+    NAMED(GL_RED_SCALE),
+    NAMED(GL_RED_BIAS),
+    NAMED(GL_GREEN_SCALE),
+    NAMED(GL_GREEN_BIAS),
+    NAMED(GL_BLUE_SCALE),
+    NAMED(GL_BLUE_BIAS),
+    NAMED(GL_ALPHA_SCALE),
+    NAMED(GL_ALPHA_BIAS),
+    NAMED(GL_DEPTH_SCALE),
+    NAMED(GL_DEPTH_BIAS),
+    NAMED(GL_LIST_INDEX),
+    NAMED(GL_RENDER_MODE),
+};
+
 /// Per viewport.
 constexpr Named of_viewport[] = {NAMED(GL_VIEWPORT), NAMED(GL_SCISSOR_BOX), NAMED(GL_DEPTH_RANGE)};
 
@@ -216,8 +258,8 @@ class Dump {
         glGetDoublei_v(state.value, index, values.data());
         add(std::to_string(index) + " " + state.name, list(values));
     }
-    void add_numbers() {
-        for (const Named& capability : capabilities) {
+    void add(std::span<const Named> switches, std::span<const Named> numbers) {
+        for (const Named& capability : switches) {
             add(capability.name, {double(glIsEnabled(capability.value))});
         }
         for (const Named& number : numbers) {
@@ -225,6 +267,10 @@ class Dump {
             glGetDoublev(number.value, values.data());
             add(number.name, list(values));
         }
+    }
+    void add_numbers() {
+        add(capabilities, numbers);
+        if (gl::is_compatibility()) add(removed_capabilities, removed_numbers);
         GLint mask = 0;
         glGetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &mask);
         add("GL_SAMPLE_MASK_VALUE", {double(mask)});
@@ -311,6 +357,7 @@ OddState::OddState()
     glSamplerParameteri(sampler_.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glSamplerParameteri(sampler_.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glSamplerParameteri(sampler_.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    if (gl::is_compatibility()) set_removed();
     program_.use();
     glCreateProgramPipelines(1, &pipeline_);
     glBindProgramPipeline(pipeline_);
@@ -322,6 +369,34 @@ OddState::OddState()
     bind_textures();
     set_raster();
     set_pixels();
+}
+
+void OddState::set_removed() {
+    std::array<GLubyte, 128> every_other{};
+    every_other.fill(0x55);
+    glPolygonStipple(every_other.data());
+    glLineStipple(3, 0x5555);
+    glAlphaFunc(GL_GREATER, 0.5F);
+    for (const Named& capability : removed_capabilities) glEnable(capability.value);
+    glColor4f(1, 0, 0, 0.25F);
+    glEdgeFlag(GL_FALSE);
+    glShadeModel(GL_FLAT);
+    glMatrixMode(GL_PROJECTION);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    glFogf(GL_FOG_DENSITY, 3);
+    glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_TRUE);
+    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    glPixelTransferi(GL_MAP_COLOR, GL_TRUE);
+    glPixelTransferi(GL_INDEX_SHIFT, 1);
+    glPixelTransferi(GL_INDEX_OFFSET, 2);
+    for (const GLenum scale :
+         {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE}) {
+        glPixelTransferf(scale, 0.5F);
+    }
+    for (const GLenum bias :
+         {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS}) {
+        glPixelTransferf(bias, 0.25F);
+    }
 }
 
 void OddState::bind_buffers() {
@@ -415,6 +490,7 @@ void OddState::set_raster() {
     glCullFace(GL_FRONT_AND_BACK);
     glFrontFace(GL_CW);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    if (gl::is_compatibility()) glPolygonMode(GL_BACK, GL_POINT);
     glPolygonOffset(3, 5);
     glLogicOp(GL_XOR);
     glPrimitiveRestartIndex(1);

@@ -16,7 +16,8 @@ struct StateValue {
 };
 
 /// All state of the current context that a program can set, as far as GL 4.5 tells; more than
-/// gl::StateGuard knows of.
+/// gl::StateGuard knows of. In a compatibility context also what OpenGL 3.1 has removed, but for
+/// matrices, lights and materials, which no call of the renderer comes near.
 std::vector<StateValue> dump_state();
 
 /// What two dumps differ in, as text; empty if in nothing.
@@ -33,6 +34,7 @@ class OddState {
     OddState& operator=(const OddState&) = delete;
 
   private:
+    static void set_removed();
     void bind_buffers();
     void bind_textures();
     void set_raster();

@@ -165,12 +165,12 @@ inline constexpr std::uint32_t bound_framebuffer = 0xFFFFFFFF;
 
 /// Draws a line set through the segment atlas (§4).
 ///
-/// Belongs to the GL 4.5 core context that is current when it is made: that context must be current
-/// in every call, on whatever thread, one at a time. Renderers of different contexts may work at
-/// the same time on different threads; there may be several in one context. UsageError says so
-/// where no context or another one is current, DeviceError where GL is too old. Destroy it with its
-/// context current; without, nothing breaks, but what it has in GL stays there until the context
-/// goes.
+/// Belongs to the GL 4.5 context, core or compatibility, that is current when it is made: that
+/// context must be current in every call, on whatever thread, one at a time. Renderers of different
+/// contexts may work at the same time on different threads; there may be several in one context.
+/// UsageError says so where no context or another one is current or it carries out no drawing
+/// (glNewList()), DeviceError where GL is too old. Destroy it with its context current; without,
+/// nothing breaks, but what it has in GL stays there until the context goes.
 ///
 /// All calls throw Error.
 class LINEATLAS_API Renderer {

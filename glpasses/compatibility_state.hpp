@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include <epoxy/gl.h>
+
+namespace lineatlas::gl {
+
+/// Whether the current context has what OpenGL 3.1 has removed: the compatibility profile.
+bool is_compatibility();
+
+/// What such a context has besides, and what changes pictures drawn by shaders, too: what is done
+/// with fragments, and with pixels on their way into textures and out of them.
+class CompatibilityState {
+  public:
+    /// Throws UsageError where the context carries out no drawing: while a display list is
+    /// compiled, and in selection or feedback mode.
+    void save();
+    /// Sets GL's initial state where the saved one is another.
+    void set_initial() const;
+    void restore() const;
+
+  private:
+    static constexpr int capability_count = 3;
+    static constexpr int transfer_count = 11;
+
+    std::array<GLboolean, capability_count> enabled_{};
+    std::array<GLfloat, transfer_count> transfers_{};
+    GLint clamp_ = 0;
+};
+
+} // namespace lineatlas::gl
