@@ -11,8 +11,9 @@
 
 namespace lineatlas {
 
-inline constexpr int finest_depth_scale = 4; ///< FrameOptions::depth_scale at most
-inline constexpr float finest_step = 0.01F;  ///< FrameOptions::step at least, pixels
+inline constexpr int finest_depth_scale = 4;  ///< FrameOptions::depth_scale at most
+inline constexpr float finest_step = 0.01F;   ///< FrameOptions::step at least, pixels
+inline constexpr float longest_step = 10'000; ///< and at most
 
 /// What a device is asked to hold, and what can be done where it can't: for messages. Ways out are
 /// members of the public API, as in FrameOptions::step; what speaks to people who never see it

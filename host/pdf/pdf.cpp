@@ -3,6 +3,7 @@
 #include "io/module_file.hpp"
 #include "lineatlas/error.hpp"
 #include "pdf_module.hpp"
+#include "vector/check_drawing.hpp"
 #include "vector/line_groups.hpp"
 #include "vector/outline.hpp"
 #include "vector/pen_stroke.hpp"
@@ -88,6 +89,7 @@ void check_pdf_module() {
 }
 
 std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options) {
+    check_drawing(drawing);
     const Sheet sheet = in_points(lay_out(drawing.size, options.page, options.margin, Unit::in));
     pdf::Page page{.size = sheet.size,
                    .background = {},

@@ -13,8 +13,8 @@ namespace lineatlas {
 /// What a drawing has besides its lines: colours under them, and the paper's grain over all.
 class Backdrop {
   public:
-    /// Throws UsageError if the framebuffer has no depth or `fill` is out of range.
-    static void check_fill(const Frame& frame, const Fill& fill);
+    /// Throws UsageError if the framebuffer has no depth.
+    static void check_fill(GLuint framebuffer);
     /// The raster form of `fill`, before the strokes. `seen`: the pieces of the model that may be
     /// seen (DepthStage::drawn()). Changes the framebuffer's depth. Throws as check_fill() does.
     void draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen);

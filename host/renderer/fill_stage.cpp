@@ -25,7 +25,7 @@ void FillStage::prepare(const Frame& frame) {
 }
 
 void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low) {
-    Backdrop::check_fill(frame, frame.options.style.fill);
+    Backdrop::check_fill(frame.framebuffer);
     size_ = tile.size;
     prepare(frame);
     // Pixels whose texels have all been drawn; around the model, within it, there are some more.

@@ -9,11 +9,7 @@
 namespace lineatlas {
 
 std::uint32_t Frame::probes_per_axis() const {
-    const auto root = static_cast<std::uint32_t>(std::lround(std::sqrt(options.probes)));
-    if (root < 1 || root > 4 || root * root != options.probes) {
-        throw UsageError("probes must be 1, 4, 9 or 16, not " + std::to_string(options.probes));
-    }
-    return root;
+    return static_cast<std::uint32_t>(std::lround(std::sqrt(options.probes)));
 }
 
 float Frame::depth_tolerance() const {

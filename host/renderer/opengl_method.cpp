@@ -1,15 +1,10 @@
 #include "opengl_method.hpp"
 
 #include "backdrop.hpp"
-#include "lineatlas/error.hpp"
 
 namespace lineatlas {
 
 FrameStats OpenGlMethod::draw(Frame& frame) {
-    if (!has_depth_attachment(frame.framebuffer)) {
-        throw UsageError("method opengl: the framebuffer has no depth attachment; add one or use "
-                         "method atlas");
-    }
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     const Pen& pen = frame.options.style.pen;
     const glm::vec4 color{pen.color, pen.opacity};

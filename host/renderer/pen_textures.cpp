@@ -33,9 +33,17 @@ void PenTextures::set_image(const std::string& name, Image image) {
     images_[name] = std::move(image);
 }
 
+void PenTextures::check(std::string_view name) const {
+    if (is_pen_file(name) && !images_.contains(name)) {
+        throw UsageError("pen: there is no picture for the mark \"" + std::string{name} +
+                         "\"; give it to Renderer::set_pen_image() first");
+    }
+}
+
 gl::PenTexture PenTextures::get(std::string_view name, float width) {
     auto found = pens_.find(Less::Key{name, width});
     if (found == pens_.end()) {
+        check(name);
         const auto image = images_.find(name);
         const PenMark mark = image != images_.end() ? pen_from_image(image->second, width)
                                                     : make_pen(std::string{name}, width);

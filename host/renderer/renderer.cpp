@@ -68,6 +68,24 @@ GLuint framebuffer_name(GLuint framebuffer) {
     return framebuffer;
 }
 
+/// Throws UsageError for a framebuffer that such a frame can't be drawn to.
+void check_framebuffer(GLuint framebuffer, const FrameOptions& options) {
+    const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_UNDEFINED) {
+        throw UsageError("renderer: this context has no framebuffer of its own; make one, and give "
+                         "its name in place of 0");
+    }
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        throw UsageError("renderer: the framebuffer " + std::to_string(framebuffer) +
+                         " is not complete (glCheckFramebufferStatus() says why)");
+    }
+    if (options.method == Method::opengl && !has_depth_attachment(framebuffer)) {
+        throw UsageError("method opengl: the framebuffer has no depth attachment; add one or use "
+                         "method atlas");
+    }
+    if (options.style.fill.mode != FillMode::none) Backdrop::check_fill(framebuffer);
+}
+
 } // namespace
 
 class Renderer::State {
@@ -165,6 +183,9 @@ class Renderer::State {
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
+        check_frame(camera, options);
+        framebuffer = framebuffer_name(framebuffer);
+        if (options.draw) check_framebuffer(framebuffer, options);
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, framebuffer);
         samples_drawn_ = false;
@@ -189,8 +210,10 @@ class Renderer::State {
             throw UsageError("tiles: pictures in tiles draw their own depth; leave out "
                              "FrameOptions::depth");
         }
+        check_frame(camera, options);
+        const GLuint framebuffer = framebuffer_name(target.framebuffer);
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
-        Frame frame = begin(camera, options, target.framebuffer);
+        Frame frame = begin(camera, options, framebuffer);
         samples_drawn_ = false;
         const bool by_cuts = options.method == Method::exact;
         FrameStats stats = unbroken([&] {
@@ -328,11 +351,25 @@ class Renderer::State {
         return lineatlas::standard_camera(camera, scene_->bounds(), values);
     }
 
-    Frame begin(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
+    /// Throws UsageError for a mark of the pens that draw which has no picture.
+    void check_marks(const Style& style) const {
+        pens_.check(style.pen.mark);
+        if (style.hidden) pens_.check(style.hidden_pen.mark);
+        if (style.focus.on) pens_.check(style.focus.mark);
+        for (const PenRule& rule : style.pens)
+            if (rule.mark) pens_.check(*rule.mark);
+    }
+
+    /// Throws UsageError and DeviceError for what can't be drawn, before anything is.
+    void check_frame(const Camera& camera, const FrameOptions& options) const {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
         check_picture(camera.size);
+        if (options.draw) check_marks(options.style);
         if (scene_->chunk_count() > 1) check_chunks(options);
+    }
+
+    Frame begin(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
         options_ = options;
         scale_lengths(options_.style, camera.size);
         camera_ = standard_camera(camera, options);
@@ -340,13 +377,12 @@ class Renderer::State {
                     .depth_mapping = camera_.depth,
                     .options = options_,
                     .scene = *scene_,
-                    .framebuffer = framebuffer_name(framebuffer),
+                    .framebuffer = framebuffer,
                     .pens = pens_,
                     .backdrop = backdrop_,
                     .clock = {connection_.stages->device(), options.measure_stages,
                               options.profile ? &*recorder_ : nullptr}};
-        frame.stroke_params(options_.style.pen); // refuses an unknown pen and
-        frame.probes_per_axis(); // refuses what is not a square before anything is drawn
+        frame.stroke_params(options_.style.pen); // refuses a pen that has no texture here
         if (scene_->has_moved()) frame.clock("transform", [&] { scene_->move(); });
         return frame;
     }

@@ -16,112 +16,147 @@ namespace {
 
 using namespace makers;
 
-constexpr std::string_view automatic = "auto";
+using Option = SettingOf<FrameOptions>;
 
-FrameSetting method() {
-    // What follows `automatic` stands in the order of Method.
-    const std::vector<std::string> names{std::string{automatic}, "atlas", "exact", "spine",
-                                         "itembuffer",           "opengl"};
-    return {"method",
-            fmt::format("one of {}", fmt::join(names, ", ")),
-            "How visibility is computed; auto is exact, but atlas for sequences of pictures and "
-            "where options of samples are given",
-            false,
-            [names](const FrameSettings& s) -> SettingValue {
-                return s.method ? names.at(static_cast<std::size_t>(*s.method) + 1) : names.front();
-            },
-            [names](FrameSettings& s, const SettingValue& value) {
-                const std::string* given = std::get_if<std::string>(&value);
-                if (given == nullptr) return false;
-                const auto found = std::ranges::find(names, *given);
-                if (found == names.end()) return false;
-                s.method.reset();
-                if (found != names.begin())
-                    s.method = static_cast<Method>(found - names.begin() - 1);
-                return true;
-            },
-            names};
-}
-
-FrameSetting probes() {
-    return {"probes",
-            fmt::format("one of {}", fmt::join(probe_counts, ", ")),
-            "Depth probes per sample; 1 with low quality",
-            false,
-            [](const FrameSettings& s) -> SettingValue { return double(s.for_pixels().probes); },
-            [](FrameSettings& s, const SettingValue& value) {
-                const double* given = std::get_if<double>(&value);
-                if (given == nullptr ||
-                    std::ranges::find(probe_counts, *given) == probe_counts.end()) {
-                    return false;
-                }
-                s.probes = static_cast<std::uint32_t>(*given);
-                return true;
-            }};
-}
-
-FrameSetting depth_scale() {
-    const Range range{1, finest_depth_scale};
-    return {
-        "depth-scale",
-        "a whole number " + words(range),
-        "Depth texels per pixel and axis; 1 with low quality, 4 for paths with high",
-        false,
-        [](const FrameSettings& s) -> SettingValue { return double(s.for_pixels().depth_scale); },
-        [range](FrameSettings& s, const SettingValue& value) {
-            const double* given = std::get_if<double>(&value);
-            if (given == nullptr || !range.contains(*given) || *given != std::floor(*given)) {
-                return false;
-            }
-            s.depth_scale = static_cast<int>(*given);
-            return true;
-        }};
-}
-
-FrameSetting lines() {
+Option lines() {
     return {
         "lines",
         fmt::format("one or more, separated by commas, of {}", fmt::join(line_kind_names, ", ")),
         "Kinds of line to draw",
         false,
-        [](const FrameSettings& s) -> SettingValue { return line_kinds_to_text(s.rest.lines); },
-        [](FrameSettings& s, const SettingValue& value) {
+        [](const FrameOptions& o) -> SettingValue { return line_kinds_to_text(o.lines); },
+        [](const FrameOptions&) { return true; }, // bits of no kind select none
+        [](FrameOptions& o, const SettingValue& value) {
             const auto* given = std::get_if<std::string>(&value);
             const auto kinds = given != nullptr ? line_kinds_from(*given) : std::nullopt;
-            if (kinds) s.rest.lines = *kinds;
+            if (kinds) o.lines = *kinds;
             return kinds.has_value();
         },
         {line_kind_names.begin(), line_kind_names.end()}};
 }
 
+Option probes() {
+    const auto is_count = [](double given) {
+        return std::ranges::find(probe_counts, given) != probe_counts.end();
+    };
+    return {"probes",
+            fmt::format("one of {}", fmt::join(probe_counts, ", ")),
+            "Depth probes per sample; 1 with low quality",
+            false,
+            [](const FrameOptions& o) -> SettingValue { return double(o.probes); },
+            [is_count](const FrameOptions& o) { return is_count(o.probes); },
+            [is_count](FrameOptions& o, const SettingValue& value) {
+                const double* given = std::get_if<double>(&value);
+                if (given == nullptr || !is_count(*given)) return false;
+                o.probes = static_cast<std::uint32_t>(*given);
+                return true;
+            }};
+}
+
+std::vector<Option> make_options() {
+    using F = FrameOptions;
+    std::vector<Option> t;
+    t.push_back(lines());
+    t.push_back(choice<F>(
+        "method", [](auto& o) -> auto& { return o.method; },
+        {"atlas", "exact", "spine", "itembuffer", "opengl"}, "How visibility is computed"));
+    t.push_back(probes());
+    t.push_back(whole<F>(
+        "depth-scale", [](auto& o) -> auto& { return o.depth_scale; }, {1, finest_depth_scale},
+        "Depth texels per pixel and axis; 1 with low quality, 4 for paths with high"));
+    t.push_back(number<F>(
+        "step", [](auto& o) -> auto& { return o.step; }, {finest_step, longest_step}, "pixels",
+        "Distance of visibility samples along a line"));
+    t.push_back(choice<F>(
+        "atlas", [](auto& o) -> auto& { return o.atlas; }, {"auto", "raster", "compute"},
+        "Where samples are computed"));
+    t.push_back(choice<F>(
+        "depth", [](auto& o) -> auto& { return o.depth_form; }, {"auto", "raster", "compute"},
+        "Where the depth of the triangles, and a fill, are drawn"));
+    t.push_back(choice<F>(
+        "strokes", [](auto& o) -> auto& { return o.stroke_form; }, {"auto", "raster", "compute"},
+        "Where plain strokes are drawn"));
+    t.push_back(choice<F>(
+        "atlas-layout", [](auto& o) -> auto& { return o.atlas_layout; }, {"wrap", "gutter"},
+        "How rows of the atlas end"));
+    t.push_back(choice<F>(
+        "stroke-shader", [](auto& o) -> auto& { return o.stroke_shader; }, {"geometry", "vertex"},
+        "How strokes are widened; one picture"));
+    return t;
+}
+
+/// The settings of a frame that are one of its options each.
+const std::vector<Option>& options_table() {
+    static const std::vector<Option> table = make_options();
+    return table;
+}
+
+FrameSetting in_rest(const Option& own) {
+    return {
+        own.key,
+        own.values,
+        own.help,
+        own.flag,
+        [get = own.get](const FrameSettings& s) { return get(s.rest); },
+        [holds = own.holds](const FrameSettings& s) { return holds(s.rest); },
+        [set = own.set](FrameSettings& s, const SettingValue& value) { return set(s.rest, value); },
+        own.names};
+}
+
+/// Of what follows from other settings while it is not chosen.
+template <class T>
+FrameSetting chosen(const Option& own, std::optional<T> FrameSettings::*choice,
+                    T FrameOptions::*member) {
+    return {own.key,
+            own.values,
+            own.help,
+            own.flag,
+            [get = own.get](const FrameSettings& s) { return get(s.for_pixels()); },
+            [holds = own.holds](const FrameSettings& s) { return holds(s.for_pixels()); },
+            [set = own.set, choice, member](FrameSettings& s, const SettingValue& value) {
+                FrameOptions options;
+                if (!set(options, value)) return false;
+                s.*choice = options.*member;
+                return true;
+            },
+            own.names};
+}
+
+FrameSetting method(const Option& own) {
+    static const std::string automatic = "auto";
+    FrameSetting setting = chosen(own, &FrameSettings::method, &FrameOptions::method);
+    setting.names.insert(setting.names.begin(), automatic);
+    setting.values = fmt::format("one of {}", fmt::join(setting.names, ", "));
+    setting.help = "How visibility is computed; auto is exact, but atlas for sequences of pictures "
+                   "and where options of samples are given";
+    setting.get = [get = setting.get](const FrameSettings& s) {
+        return s.method ? get(s) : SettingValue{automatic};
+    };
+    setting.set = [set = setting.set](FrameSettings& s, const SettingValue& value) {
+        if (value != SettingValue{automatic}) return set(s, value);
+        s.method.reset();
+        return true;
+    };
+    return setting;
+}
+
 std::vector<FrameSetting> make_frame_settings() {
     using F = FrameSettings;
     std::vector<FrameSetting> t;
-    t.push_back(lines());
-    t.push_back(method());
-    t.push_back(choice<F>(
-        "quality", [](auto& s) -> auto& { return s.quality; }, {"low", "high"},
-        "What probes and depth-scale are unless they are given"));
-    t.push_back(probes());
-    t.push_back(depth_scale());
-    t.push_back(number<F>(
-        "step", [](auto& s) -> auto& { return s.rest.step; }, {finest_step, 10'000}, "pixels",
-        "Distance of visibility samples along a line"));
-    t.push_back(choice<F>(
-        "atlas", [](auto& s) -> auto& { return s.rest.atlas; }, {"auto", "raster", "compute"},
-        "Where samples are computed"));
-    t.push_back(choice<F>(
-        "depth", [](auto& s) -> auto& { return s.rest.depth_form; }, {"auto", "raster", "compute"},
-        "Where the depth of the triangles, and a fill, are drawn"));
-    t.push_back(choice<F>(
-        "strokes", [](auto& s) -> auto& { return s.rest.stroke_form; },
-        {"auto", "raster", "compute"}, "Where plain strokes are drawn"));
-    t.push_back(choice<F>(
-        "atlas-layout", [](auto& s) -> auto& { return s.rest.atlas_layout; }, {"wrap", "gutter"},
-        "How rows of the atlas end"));
-    t.push_back(choice<F>(
-        "stroke-shader", [](auto& s) -> auto& { return s.rest.stroke_shader; },
-        {"geometry", "vertex"}, "How strokes are widened; one picture"));
+    for (const Option& own : options_table()) {
+        if (own.key == "method") {
+            t.push_back(method(own));
+            t.push_back(choice<F>(
+                "quality", [](auto& s) -> auto& { return s.quality; }, {"low", "high"},
+                "What probes and depth-scale are unless they are given"));
+        } else if (own.key == "probes") {
+            t.push_back(chosen(own, &F::probes, &FrameOptions::probes));
+        } else if (own.key == "depth-scale") {
+            t.push_back(chosen(own, &F::depth_scale, &FrameOptions::depth_scale));
+        } else {
+            t.push_back(in_rest(own));
+        }
+    }
     return t;
 }
 
@@ -172,6 +207,10 @@ const FrameSetting& find_frame_setting(std::string_view key) {
 
 const std::string& name_of(Method method) {
     return find_frame_setting("method").names.at(static_cast<std::size_t>(method) + 1);
+}
+
+void check_frame_options(const FrameOptions& options) {
+    for (const Option& own : options_table()) check_member(options, own, "");
 }
 
 std::string frame_settings_table() {

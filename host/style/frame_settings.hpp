@@ -67,6 +67,10 @@ std::span<const FrameSetting> frame_settings();
 /// Throws UsageError with the nearest key.
 const FrameSetting& find_frame_setting(std::string_view key);
 
+/// Throws UsageError for the first member that none of the settings could be set to; the style is
+/// not looked at. Allocates nothing.
+void check_frame_options(const FrameOptions& options);
+
 /// As `--method` has it.
 const std::string& name_of(Method method);
 

@@ -8,12 +8,14 @@
 #include "core/line_pens.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
+#include "setting_makers.hpp"
 #include "settings.hpp"
 
 namespace lineatlas {
 namespace {
 
 constexpr std::string_view factor_key = "width-factor";
+constexpr makers::Range factor_range{0.01F, 100};
 
 /// Calls `each(key, member of PenRule, member of Pen)` for all that a rule can say of a pen.
 template <class Each>
@@ -50,6 +52,20 @@ std::vector<std::string> known_kinds() {
     return kinds;
 }
 
+bool is_hidden_outline(const PenMatch& match) {
+    return match.hidden && std::ranges::find(match.kinds, outline_name) != match.kinds.end();
+}
+
+/// The settings of the style's own pen that rules change.
+const std::vector<const Setting*>& settings_of_pen() {
+    static const std::vector<const Setting*> of_pen = [] {
+        std::vector<const Setting*> found;
+        for_each_member([&](const char* key, auto, auto) { found.push_back(&find_setting(key)); });
+        return found;
+    }();
+    return of_pen;
+}
+
 const std::vector<std::string>& checked_kinds(const std::vector<std::string>& given) {
     const std::vector<std::string> kinds = known_kinds();
     for (const std::string& kind : given) {
@@ -63,8 +79,8 @@ const std::vector<std::string>& checked_kinds(const std::vector<std::string>& gi
 
 void set_factor(PenRule& rule, const SettingValue& value) {
     const double* given = std::get_if<double>(&value);
-    if (given == nullptr || !(*given >= 0.01) || !(*given <= 100))
-        throw wrong_value(factor_key, "a number from 0.01 to 100", {}, value);
+    if (given == nullptr || !factor_range.contains(*given))
+        throw wrong_value(factor_key, "a number " + makers::words(factor_range), {}, value);
     rule.width_factor = static_cast<float>(*given);
 }
 
@@ -120,8 +136,20 @@ void set_match_key(PenMatch& match, std::string_view key,
             throw UsageError(fmt::format("pens: {} must be a name, with * and ? if need be", key));
         (key == "object" ? match.object : match.material) = values->front();
     }
-    if (match.hidden && std::ranges::find(match.kinds, outline_name) != match.kinds.end())
-        throw UsageError("pens: what is hidden is no outline");
+    if (is_hidden_outline(match)) throw UsageError("pens: what is hidden is no outline");
+}
+
+void check_rule(const Style& style, std::size_t number) {
+    const PenRule& rule = style.pens[number];
+    const std::string of = fmt::format("style: rule {} of pens: ", number + 1);
+    checked_kinds(rule.match.kinds);
+    if (is_hidden_outline(rule.match)) throw UsageError(of + "what is hidden is no outline");
+    if (rule.width_factor && !factor_range.contains(*rule.width_factor))
+        throw wrong_value(of + std::string{factor_key}, "a number " + makers::words(factor_range),
+                          {}, double{*rule.width_factor});
+    const Pen& own = rule.match.hidden ? style.hidden_pen : style.pen;
+    const Style with{.pen = with_rule(own, rule, own)};
+    for (const Setting* setting : settings_of_pen()) check_member(with, *setting, of);
 }
 
 std::vector<std::pair<std::string, SettingValue>> pen_values(const PenRule& rule) {

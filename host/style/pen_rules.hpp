@@ -25,6 +25,10 @@ const SettingOf<Style>& pen_setting(std::string_view key);
 void set_match_key(PenMatch& match, std::string_view key,
                    const std::variant<bool, std::vector<std::string>>& value);
 
+/// Throws UsageError for a rule of the style by whose number it goes that says what no style file
+/// can, or makes a pen that none can have.
+void check_rule(const Style& style, std::size_t number);
+
 /// What a rule says of its pen, by the keys that set_pen_key() takes.
 std::vector<std::pair<std::string, SettingValue>> pen_values(const PenRule& rule);
 

@@ -23,6 +23,8 @@ struct SettingOf {
     std::string help;   ///< one line
     bool flag;          ///< true or false
     std::function<SettingValue(const Struct&)> get;
+    /// Whether the member is what it must be, as a program may have set it to anything.
+    std::function<bool(const Struct&)> holds;
     /// False for a value of another type or out of range; the struct is then unchanged.
     std::function<bool(Struct&, const SettingValue&)> set;
     std::vector<std::string> names{}; ///< where there is a choice of words
@@ -39,6 +41,14 @@ void set_value(Struct& object, const SettingOf<Struct>& setting, const SettingVa
                std::string_view called) {
     if (!setting.set(object, value))
         throw wrong_value(called, setting.values, setting.names, value);
+}
+
+/// Throws UsageError, in the same words, for a member that is not what it must be. `of` stands
+/// before the key.
+template <class Struct>
+void check_member(const Struct& object, const SettingOf<Struct>& setting, std::string_view of) {
+    if (!setting.holds(object))
+        throw wrong_value(std::string{of} + setting.key, setting.values, {}, setting.get(object));
 }
 
 /// That no setting has this key: the nearest of `keys`, or else `listed_by`, which lists them.

@@ -21,16 +21,18 @@ namespace lineatlas::makers {
 
 struct Range {
     float least, most;
-    bool above = false; ///< the least value itself is out
+    bool above = false;   ///< the least value itself is out
+    bool or_zero = false; ///< 0 is in, too
     bool contains(double value) const {
+        if (or_zero && value == 0) return true;
         return (above ? value > least : value >= least) && value <= most;
     }
 };
 
 inline std::string words(const Range& range, std::string_view unit = {}) {
-    return fmt::format("{} {} {} {}{}{}", range.above ? "above" : "from", range.least,
+    return fmt::format("{} {} {} {}{}{}{}", range.above ? "above" : "from", range.least,
                        range.above ? "and at most" : "to", range.most, unit.empty() ? "" : " ",
-                       unit);
+                       unit, range.or_zero ? ", or 0" : "");
 }
 
 // Each maker takes `member`, a function from Struct& or const Struct& to the member.
@@ -43,6 +45,7 @@ SettingOf<Struct> number(std::string key, Member member, Range range, std::strin
             std::move(help),
             false,
             [member](const Struct& object) -> SettingValue { return double{member(object)}; },
+            [member, range](const Struct& object) { return range.contains(member(object)); },
             [member, range](Struct& object, const SettingValue& value) {
                 const double* given = std::get_if<double>(&value);
                 if (given == nullptr || !range.contains(*given)) return false;
@@ -62,6 +65,7 @@ SettingOf<Struct> whole(std::string key, Member member, Range range, std::string
             [member](const Struct& object) -> SettingValue {
                 return static_cast<double>(member(object));
             },
+            [member, range](const Struct& object) { return range.contains(member(object)); },
             [member, range](Struct& object, const SettingValue& value) {
                 const double* given = std::get_if<double>(&value);
                 if (given == nullptr || !range.contains(*given) || *given != std::floor(*given)) {
@@ -79,6 +83,7 @@ SettingOf<Struct> flag(std::string key, Member member, std::string help) {
             std::move(help),
             true,
             [member](const Struct& object) -> SettingValue { return member(object); },
+            [](const Struct&) { return true; },
             [member](Struct& object, const SettingValue& value) {
                 const bool* given = std::get_if<bool>(&value);
                 if (given != nullptr) member(object) = *given;
@@ -95,7 +100,12 @@ SettingOf<Struct> choice(std::string key, Member member, std::vector<std::string
             std::move(help),
             false,
             [member, names](const Struct& object) -> SettingValue {
-                return names.at(static_cast<std::size_t>(member(object)));
+                const auto number = static_cast<std::size_t>(member(object));
+                if (number < names.size()) return names[number];
+                return static_cast<double>(member(object)); // no enumerator
+            },
+            [member, count = names.size()](const Struct& object) {
+                return static_cast<std::size_t>(member(object)) < count;
             },
             [member, names](Struct& object, const SettingValue& value) {
                 const std::string* given = std::get_if<std::string>(&value);
@@ -107,6 +117,10 @@ SettingOf<Struct> choice(std::string key, Member member, std::vector<std::string
                 return true;
             },
             names};
+}
+
+inline bool is_share(double value) {
+    return value >= 0 && value <= 1;
 }
 
 template <class Struct = Style, class Member>
@@ -121,6 +135,10 @@ SettingOf<Struct> color(std::string key, Member member, std::string help) {
                 if (*parse_color(hex) == value) return hex;
                 return std::vector<double>{value.x, value.y, value.z};
             },
+            [member](const Struct& object) {
+                const glm::vec3 value = member(object);
+                return is_share(value.x) && is_share(value.y) && is_share(value.z);
+            },
             [member](Struct& object, const SettingValue& value) {
                 if (const auto* text = std::get_if<std::string>(&value)) {
                     const std::optional<glm::vec3> parsed = parse_color(*text);
@@ -128,8 +146,7 @@ SettingOf<Struct> color(std::string key, Member member, std::string help) {
                     return parsed.has_value();
                 }
                 const auto* rgb = std::get_if<std::vector<double>>(&value);
-                const auto in_range = [](double c) { return c >= 0 && c <= 1; };
-                if (rgb == nullptr || rgb->size() != 3 || !std::ranges::all_of(*rgb, in_range)) {
+                if (rgb == nullptr || rgb->size() != 3 || !std::ranges::all_of(*rgb, is_share)) {
                     return false;
                 }
                 member(object) = {(*rgb)[0], (*rgb)[1], (*rgb)[2]};
@@ -148,6 +165,12 @@ SettingOf<Struct> profile(std::string key, Member member, Range range, std::stri
                 const Profile& profile = member(object);
                 if (profile.size() == 1) return double{profile[0]};
                 return std::vector<double>(profile.begin(), profile.end());
+            },
+            [member, range](const Struct& object) {
+                const Profile& profile = member(object);
+                const auto in_range = [&](float v) { return range.contains(v); };
+                return !profile.empty() && profile.size() <= most &&
+                       std::ranges::all_of(profile, in_range);
             },
             [member, range](Struct& object, const SettingValue& value) {
                 std::vector<double> given;
@@ -168,6 +191,9 @@ SettingOf<Struct> mark(std::string key, Member member, std::string same, std::st
     std::vector<std::string> names;
     for (const PenName& pen : pen_names()) names.emplace_back(pen.name);
     if (!same.empty()) names.push_back(same);
+    const auto is_known = [names](const std::string& mark) {
+        return is_pen_file(mark) || std::ranges::find(names, mark) != names.end();
+    };
     return {std::move(key),
             fmt::format("one of {}, or an image file", fmt::join(names, ", ")),
             std::move(help),
@@ -175,12 +201,13 @@ SettingOf<Struct> mark(std::string key, Member member, std::string same, std::st
             [member, same](const Struct& object) -> SettingValue {
                 return member(object).empty() ? same : member(object);
             },
-            [member, same, names](Struct& object, const SettingValue& value) {
+            [member, same, is_known](const Struct& object) {
+                const std::string& mark = member(object);
+                return mark.empty() ? !same.empty() : mark != same && is_known(mark);
+            },
+            [member, same, is_known](Struct& object, const SettingValue& value) {
                 const auto* given = std::get_if<std::string>(&value);
-                if (given == nullptr) return false;
-                if (!is_pen_file(*given) && std::ranges::find(names, *given) == names.end()) {
-                    return false;
-                }
+                if (given == nullptr || !is_known(*given)) return false;
                 member(object) = *given == same ? "" : *given;
                 return true;
             },

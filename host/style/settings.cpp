@@ -1,11 +1,13 @@
 #include "settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "lineatlas/lines.hpp"
+#include "pen_rules.hpp"
 #include "setting_makers.hpp"
 
 namespace lineatlas {
@@ -14,6 +16,17 @@ namespace {
 using namespace makers;
 
 constexpr float longest = 10'000; // pixels
+
+bool is_direction(std::span<const double> v) {
+    const auto good = [](double c) { return std::abs(c) <= 1e6; };
+    return v.size() == 3 && std::ranges::all_of(v, good) &&
+           glm::vec3{v[0], v[1], v[2]} != glm::vec3{0};
+}
+
+bool is_place(std::span<const double> v) {
+    const auto good = [](double c) { return std::abs(c) <= 1e30; };
+    return (v.size() == 2 || v.size() == 3) && std::ranges::all_of(v, good);
+}
 
 Setting light() {
     return {"light",
@@ -24,41 +37,41 @@ Setting light() {
                 const glm::vec3 v = style.fill.light;
                 return std::vector<double>{v.x, v.y, v.z};
             },
+            [](const Style& style) {
+                const glm::dvec3 v = style.fill.light;
+                return is_direction(std::array{v.x, v.y, v.z});
+            },
             [](Style& style, const SettingValue& value) {
                 const auto* given = std::get_if<std::vector<double>>(&value);
-                const auto good = [](double v) { return std::abs(v) <= 1e6; };
-                if (given == nullptr || given->size() != 3 || !std::ranges::all_of(*given, good)) {
-                    return false;
-                }
-                const glm::vec3 light{(*given)[0], (*given)[1], (*given)[2]};
-                if (light == glm::vec3{0}) return false;
-                style.fill.light = light;
+                if (given == nullptr || !is_direction(*given)) return false;
+                style.fill.light = {(*given)[0], (*given)[1], (*given)[2]};
                 return true;
             }};
 }
 
 Setting density_priority() {
-    return {"density-priority",
-            fmt::format("{} numbers from 0 to 1: {}", line_kind_names.size(),
-                        fmt::join(line_kind_names, ",")),
-            "Which kinds of line stay longer where lines are dense",
-            false,
-            [](const Style& style) -> SettingValue {
-                const auto& priority = style.density.priority;
-                return std::vector<double>(priority.begin(), priority.end());
-            },
-            [](Style& style, const SettingValue& value) {
-                const auto* given = std::get_if<std::vector<double>>(&value);
-                auto& priority = style.density.priority;
-                const auto in_range = [](double v) { return v >= 0 && v <= 1; };
-                if (given == nullptr || given->size() != priority.size() ||
-                    !std::ranges::all_of(*given, in_range)) {
-                    return false;
-                }
-                std::ranges::transform(*given, priority.begin(),
-                                       [](double v) { return static_cast<float>(v); });
-                return true;
-            }};
+    return {
+        "density-priority",
+        fmt::format("{} numbers from 0 to 1: {}", line_kind_names.size(),
+                    fmt::join(line_kind_names, ",")),
+        "Which kinds of line stay longer where lines are dense",
+        false,
+        [](const Style& style) -> SettingValue {
+            const auto& priority = style.density.priority;
+            return std::vector<double>(priority.begin(), priority.end());
+        },
+        [](const Style& style) { return std::ranges::all_of(style.density.priority, is_share); },
+        [](Style& style, const SettingValue& value) {
+            const auto* given = std::get_if<std::vector<double>>(&value);
+            auto& priority = style.density.priority;
+            if (given == nullptr || given->size() != priority.size() ||
+                !std::ranges::all_of(*given, is_share)) {
+                return false;
+            }
+            std::ranges::transform(*given, priority.begin(),
+                                   [](double v) { return static_cast<float>(v); });
+            return true;
+        }};
 }
 
 Setting focus() {
@@ -72,6 +85,10 @@ Setting focus() {
                 if (!focus.in_scene) return std::vector<double>{focus.point.x, focus.point.y};
                 return std::vector<double>{focus.point.x, focus.point.y, focus.point.z};
             },
+            [](const Style& style) {
+                const glm::dvec3 point = style.focus.point;
+                return is_place(std::array{point.x, point.y, point.z});
+            },
             [](Style& style, const SettingValue& value) {
                 Focus& focus = style.focus;
                 if (const auto* text = std::get_if<std::string>(&value)) {
@@ -79,11 +96,7 @@ Setting focus() {
                     return *text == "none";
                 }
                 const auto* given = std::get_if<std::vector<double>>(&value);
-                const auto good = [](double v) { return std::abs(v) <= 1e30; };
-                if (given == nullptr || given->size() < 2 || given->size() > 3 ||
-                    !std::ranges::all_of(*given, good)) {
-                    return false;
-                }
+                if (given == nullptr || !is_place(*given)) return false;
                 focus.on = true;
                 focus.in_scene = given->size() == 3;
                 focus.point = {(*given)[0], (*given)[1], focus.in_scene ? (*given)[2] : 0.0};
@@ -190,7 +203,8 @@ std::vector<Setting> make_settings() {
         "Strength of the paper's texture"));
 
     t.push_back(number(
-        "made-for", [](auto& s) -> auto& { return s.made_for; }, {0, 65536}, "pixels",
+        "made-for", [](auto& s) -> auto& { return s.made_for; },
+        {.least = 1, .most = 65536, .or_zero = true}, "pixels",
         "Shorter side of the picture that lengths are for; they grow with it; 0: they do not"));
 
     const Range extent{0, 1000};
@@ -229,6 +243,11 @@ std::span<const Setting> settings() {
 
 const Setting& find_setting(std::string_view key) {
     return find_setting(settings(), key, "`lineatlas styles --keys`");
+}
+
+void check_style(const Style& style) {
+    for (const Setting& setting : settings()) check_member(style, setting, "style: ");
+    for (std::size_t i = 0; i < style.pens.size(); ++i) check_rule(style, i);
 }
 
 std::string settings_table() {

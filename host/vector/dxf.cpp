@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "check_drawing.hpp"
 #include "dxf_tables.hpp"
 #include "lineatlas/vector.hpp"
 #include "outline.hpp"
@@ -101,6 +102,7 @@ void add_comment(DxfText& text, std::string_view comment) {
 } // namespace
 
 std::string to_dxf(const VectorDrawing& drawing, const DxfOptions& options) {
+    check_drawing(drawing);
     const Sheet sheet = lay_out(drawing.size, options.page, options.margin, Unit::mm);
     const std::vector<LineGroup> groups = line_groups(drawing);
     const DxfLayers layers = dxf_layers(groups, sheet);

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "check_drawing.hpp"
 #include "lineatlas/vector.hpp"
 #include "svg_groups.hpp"
 
@@ -126,6 +127,7 @@ std::string text_of(const Json& json) {
 } // namespace
 
 std::string to_json(const VectorDrawing& drawing, const JsonOptions& options) {
+    check_drawing(drawing);
     std::string text = text_of(head_json(drawing, options));
     text.pop_back(); // the brace that closes it
     text += ",\n\"paths\":[";

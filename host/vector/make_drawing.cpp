@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <tuple>
 
@@ -9,12 +10,14 @@
 #include "halos.hpp"
 #include "junctions.hpp"
 #include "lengths.hpp"
+#include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 #include "overlaps.hpp"
 #include "pieces.hpp"
 #include "plotter.hpp"
 #include "simplify.hpp"
 #include "strips.hpp"
+#include "style/settings.hpp"
 
 namespace lineatlas {
 namespace {
@@ -63,11 +66,18 @@ void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
     }
 }
 
+void check(const VectorOptions& options) {
+    if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
+        throw UsageError("tolerance must be a number of pixels of at least 0");
+}
+
 } // namespace
 
 VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
                                   std::span<const Interval> intervals, const Style& given,
                                   const VectorOptions& options) {
+    check_style(given);
+    check(options);
     Style style = given;
     scale_lengths(style, camera.size);
     LineClasses classes;

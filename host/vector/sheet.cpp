@@ -19,11 +19,15 @@ glm::dvec2 page_size(const Page& page, glm::dvec2 picture, Unit unit) {
 Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin, Unit units) {
     const glm::dvec2 pixels{picture};
     const double space = length_in(margin, units);
+    if (!(space >= 0) || !std::isfinite(space))
+        throw UsageError("the margin must be a length of at least 0");
     const double natural = length_in({1, Unit::px}, units);
     Sheet sheet{.size = pixels * natural + 2 * space, .scale = natural, .corner = {}, .digits = 0};
     if (page) {
         sheet.size = page_size(*page, pixels, units);
         const glm::dvec2 room = sheet.size - 2 * space;
+        if (!std::isfinite(room.x) || !std::isfinite(room.y))
+            throw UsageError("the page must have a width and a height");
         if (!(std::min(room.x, room.y) > 0)) {
             throw UsageError("the margin leaves no room on the page");
         }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <pugixml.hpp>
 
+#include "check_drawing.hpp"
 #include "line_groups.hpp"
 #include "lineatlas/vector.hpp"
 #include "outline.hpp"
@@ -99,6 +100,7 @@ class PathWriter {
 } // namespace
 
 std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options) {
+    check_drawing(drawing);
     const Sheet sheet = lay_out(drawing.size, options);
     pugi::xml_document document;
     pugi::xml_node svg = add_svg(document, sheet, options);

@@ -17,8 +17,8 @@ namespace lineatlas {
 namespace {
 
 void check(const VisibilityOptions& options) {
-    if (!(options.step >= finest_step) || !std::isfinite(options.step)) {
-        throw UsageError("step must be a number of pixels of at least 0.01");
+    if (!(options.step >= finest_step && options.step <= longest_step)) {
+        throw UsageError("step must be a number from 0.01 to 10000 pixels");
     }
     if (!(options.outline_depth >= 0) || !std::isfinite(options.outline_depth))
         throw UsageError("outline depth must be a number of pixels of at least 0");

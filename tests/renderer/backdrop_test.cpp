@@ -253,14 +253,11 @@ TEST_F(BackdropTest, NoFillDrawsNothing) {
     EXPECT_EQ(colors_in(fill(scene, camera, {})), (std::set<Color>{{255, 255, 255}}));
 }
 
-TEST_F(BackdropTest, WhatIsOutOfRangeIsRefused) {
+TEST_F(BackdropTest, AFillNeedsADepthAttachment) {
     const LineSet& lines = scene_lines("clevis");
     SceneBuffers scene{*connection_.stages, connection_.mode, lines};
     const Camera camera = scene_cameras("clevis", canvas_.size()).front().camera;
     Frame frame = frame_of(scene, camera);
-    EXPECT_THROW(backdrop_.draw_fill(frame, {.mode = FillMode::toon, .toon_steps = 1}), UsageError);
-    EXPECT_THROW(backdrop_.draw_fill(frame, {.mode = FillMode::flat, .ambient = -1}), UsageError);
-    EXPECT_THROW(backdrop_.draw_paper(frame, {.grain = 1.5F}), UsageError);
     const gl::Texture2D texture = gl::Texture2D::create();
     glTextureStorage2D(texture.id(), 1, GL_RGBA8, 400, 300);
     const gl::Framebuffer flat = gl::Framebuffer::create();

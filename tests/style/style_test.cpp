@@ -6,7 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -253,6 +256,130 @@ TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
                                ""}) {
         EXPECT_FALSE(refusal(change).empty()) << change;
     }
+}
+
+/// What a program may set a member to and no style file can.
+struct Misuse {
+    std::string key;
+    std::function<void(Style&)> set;
+};
+
+std::vector<Misuse> misuses() {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float endless = std::numeric_limits<float>::infinity();
+    std::vector<Misuse> all;
+    const auto add = [&](const std::string& key, auto member, auto... wrong) {
+        const auto one = [&](auto value) {
+            all.push_back({key, [member, value](Style& style) { member(style) = value; }});
+        };
+        (one(wrong), ...);
+    };
+    const auto add_number = [&](const std::string& key, auto member, float below, float above) {
+        add(key, member, below, above, nan, endless, -endless);
+    };
+    const auto add_color = [&](const std::string& key, auto member) {
+        add(key, member, glm::vec3{2, 0, 0}, glm::vec3{0, 0, -1}, glm::vec3{0, nan, 0});
+    };
+    const auto add_pen = [&](const std::string& prefix, const std::string& mark, auto pen) {
+        const auto of = [&](auto member) {
+            return [ pen, member ](Style & style) -> auto& {
+                return pen(style).*member;
+            };
+        };
+        add(mark, of(&Pen::mark), std::string{}, std::string{"crayon"});
+        add_number(prefix + "width", of(&Pen::width), 0, 1001);
+        add_color(prefix + "color", of(&Pen::color));
+        add_number(prefix + "opacity", of(&Pen::opacity), -0.1F, 7);
+        add(prefix + "join", of(&Pen::join), Join{3}, Join{-1});
+        add_number(prefix + "mitre-limit", of(&Pen::mitre_limit), -3, 101);
+        add(prefix + "cap", of(&Pen::cap), Cap{4});
+        add(prefix + "path-cap", of(&Pen::path_cap), Cap{99});
+        add_number(prefix + "cap-length", of(&Pen::cap_length), -5, 10'001);
+        add(prefix + "width-profile", of(&Pen::width_profile), Profile{}, Profile(17, 1.0F),
+            Profile{1, 5}, Profile{nan});
+        add(prefix + "opacity-profile", of(&Pen::opacity_profile), Profile{}, Profile{-1});
+    };
+    add_pen("", "pen", [](Style& s) -> Pen& { return s.pen; });
+    add_pen("hidden-", "hidden-pen", [](Style& s) -> Pen& { return s.hidden_pen; });
+    const auto filter = [&](auto member) {
+        return [member](Style& s) -> float& { return s.filter.*member; };
+    };
+    add_number("fill-holes", filter(&StrokeFilter::fill), -1, 10'001);
+    add_number("drop-runs", filter(&StrokeFilter::drop), -1, 10'001);
+    add_number("overshoot", filter(&StrokeFilter::overshoot), -1, 10'001);
+    add_number("overshoot-variation", filter(&StrokeFilter::overshoot_variation), -1, 1.1F);
+    add_number("undershoot", filter(&StrokeFilter::undershoot), -1, 10'001);
+    add_number("halo", filter(&StrokeFilter::halo), -4, 10'001);
+    const auto number = [&](const std::string& key, auto member, float below, float above) {
+        add_number(
+            key, [member](Style& s) -> float& { return member(s); }, below, above);
+    };
+    number(
+        "density", [](Style& s) -> float& { return s.density.limit; }, -1, 101);
+    number(
+        "hidden-density", [](Style& s) -> float& { return s.hidden_density; }, -1, 101);
+    number(
+        "density-priority", [](Style& s) -> float& { return s.density.priority[7]; }, -1, 2);
+    add(
+        "fill", [](Style& s) -> FillMode& { return s.fill.mode; }, FillMode{4});
+    add_color("fill-color", [](Style& s) -> glm::vec3& { return s.fill.color; });
+    add(
+        "light", [](Style& s) -> glm::vec3& { return s.fill.light; }, glm::vec3{0},
+        glm::vec3{nan, 0, 1}, glm::vec3{1e7F, 0, 0});
+    number(
+        "ambient", [](Style& s) -> float& { return s.fill.ambient; }, -1, 2);
+    add(
+        "toon-steps", [](Style& s) -> int& { return s.fill.toon_steps; }, 1, 9);
+    add_color("paper", [](Style& s) -> glm::vec3& { return s.paper.color; });
+    number(
+        "paper-grain", [](Style& s) -> float& { return s.paper.grain; }, -1, 2);
+    number(
+        "made-for", [](Style& s) -> float& { return s.made_for; }, 0.5F, 65537);
+    add(
+        "focus", [](Style& s) -> glm::vec3& { return s.focus.point; }, glm::vec3{nan, 0, 0});
+    const auto focus = [&](auto member) {
+        return [member](Style& s) -> float& { return s.focus.*member; };
+    };
+    add_number("focus-radius", focus(&Focus::radius), -1, 1001);
+    add_number("focus-falloff", focus(&Focus::falloff), -1, 1001);
+    add_number("focus-width", focus(&Focus::width), -1, 101);
+    add_number("focus-opacity", focus(&Focus::opacity), -1, 2);
+    add_number("focus-hidden-opacity", focus(&Focus::hidden_opacity), -1, 2);
+    add_number("focus-density", focus(&Focus::density), -1, 101);
+    add(
+        "focus-pen", [](Style& s) -> std::string& { return s.focus.mark; }, std::string{"crayon"},
+        std::string{"same"});
+    return all;
+}
+
+TEST(Settings, MembersThatNoFileCanSetAreRefusedByKey) {
+    std::set<std::string> keys;
+    for (const auto& [key, set] : misuses()) {
+        keys.insert(key);
+        Style style;
+        set(style);
+        try {
+            check_style(style);
+            ADD_FAILURE() << key << ": taken";
+        } catch (const UsageError& error) {
+            EXPECT_EQ(std::string{error.what()}.find("style: " + key + " must be "), 0U)
+                << error.what();
+        }
+    }
+    for (const Setting& setting : settings()) {
+        EXPECT_TRUE(setting.flag || keys.contains(setting.key)) << setting.key;
+    }
+}
+
+TEST(Settings, WhatFilesSetIsTakenByTheCheckToo) {
+    EXPECT_NO_THROW(check_style({}));
+    Style style;
+    for (const auto& [key, value] : samples()) {
+        apply_setting(style, key + "=" + value);
+        EXPECT_NO_THROW(check_style(style)) << key;
+    }
+    for (const StyleInfo& shipped : list_styles())
+        EXPECT_NO_THROW(check_style(load_style(shipped.name))) << shipped.name;
 }
 
 TEST_F(StyleFiles, AStyleSurvivesBeingWritten) {

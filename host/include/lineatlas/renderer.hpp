@@ -100,7 +100,7 @@ struct FrameOptions {
     /// What hides lines, in place of a depth buffer that the renderer draws of the triangles of the
     /// line set; `depth_scale` and `depth_form` do not count then. Methods atlas and spine only.
     std::optional<DepthTexture> depth{};
-    float step = 2;                         ///< k: pixels between samples, above 0 (§4.1)
+    float step = 2;                         ///< k: pixels between samples, 0.01 to 10000 (§4.1)
     LineKindMask lines = all_line_kinds;    ///< what is drawn of the kinds extracted
     AtlasForm atlas = AtlasForm::automatic; ///< where samples are computed
     /// Where depth is drawn; methods atlas and spine, exact for its fill.
@@ -238,7 +238,10 @@ class LINEATLAS_API Renderer {
     void set_hidden(std::span<const std::uint32_t> objects);
 
     /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
-    /// viewport, premultiplied. Fills and method opengl clear the depth there.
+    /// viewport, premultiplied. Fills and method opengl clear the depth there. Throws UsageError,
+    /// before anything is drawn, for options and a style out of range, for a camera whose picture
+    /// is empty or too large or whose matrices are not finite or have no inverse, and for a
+    /// framebuffer that is not complete or lacks the depth attachment that a fill needs.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
     /// What TileTarget::tile_size must be at most for a picture of this size to be drawn here; 0 if
@@ -248,7 +251,8 @@ class LINEATLAS_API Renderer {
     /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that
     /// of the whole picture, and strokes run on over the borders of tiles. Rows of tiles come from
     /// top to bottom. Method atlas in its compute form only; `cull_hidden` and `steady` are off.
-    /// Throws Cancelled where TileTarget::progress says so, and can draw on after it.
+    /// Throws Cancelled where TileTarget::progress says so, and can draw on after it; UsageError as
+    /// draw() does.
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target);
 

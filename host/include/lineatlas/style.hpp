@@ -40,11 +40,11 @@ struct Pen {
     glm::vec3 color{0, 0, 0}; ///< RGB, 0 to 1
     float opacity = 1;        ///< 0 to 1
     Join join = Join::mitre;  ///< how its segments meet
-    /// Longest mitre in stroke widths, at least 1; beyond it the join is bevelled (as in SVG).
+    /// Longest mitre in stroke widths, 1 to 100; beyond it the join is bevelled (as in SVG).
     float mitre_limit = 4;
     Cap cap = Cap::butt;        ///< where visibility ends
     Cap path_cap = Cap::round;  ///< where the path itself ends
-    float cap_length = 12;      ///< of tapered and textured caps
+    float cap_length = 12;      ///< of tapered and textured caps, 0 to 10000
     Profile width_profile{1};   ///< factors of the width along a visible stroke, 0 to 4
     Profile opacity_profile{1}; ///< factors of the opacity, 0 to 1
 };
@@ -61,7 +61,7 @@ enum class FillMode {
 struct Fill {
     FillMode mode = FillMode::none;     ///< how faces are coloured
     glm::vec3 color{0.9F, 0.9F, 0.88F}; ///< of triangles without a material's colour
-    glm::vec3 light{0.4F, 0.8F, 0.5F};  ///< direction to the light, in eye space
+    glm::vec3 light{0.4F, 0.8F, 0.5F};  ///< direction to the light, in eye space; not 0
     float ambient = 0.35F;              ///< what is not lit, 0 to 1
     int toon_steps = 3;                 ///< 2 to 8
 };
@@ -78,12 +78,13 @@ struct Focus {
     bool on = false;                ///< without one all is near
     bool in_scene = false;          ///< `point` is in the model's coordinates, else in the window
     glm::vec3 point{0.5F, 0.5F, 0}; ///< window: shares of its width and height from the lower left
-    float radius = 0.2F;      ///< window: shares of its height; scene: of the model's diagonal
+    /// Window: shares of its height; scene: of the model's diagonal; 0 to 1000.
+    float radius = 0.2F;
     float falloff = 0.3F;     ///< the same
-    float width = 0.5F;       ///< factor of the width far away
-    float opacity = 0.4F;     ///< factor of the opacity far away
-    float hidden_opacity = 0; ///< factor of the hidden lines' opacity far away
-    float density = 1;        ///< factor of the density limit far away
+    float width = 0.5F;       ///< factor of the width far away, 0 to 100
+    float opacity = 0.4F;     ///< factor of the opacity far away, 0 to 1
+    float hidden_opacity = 0; ///< factor of the hidden lines' opacity far away, 0 to 1
+    float density = 1;        ///< factor of the density limit far away, 0 to 100
     std::string mark{};       ///< the pen's mark far away; empty: the same
 };
 
@@ -99,10 +100,11 @@ struct PenMatch {
 
 /// A pen for some of the lines: what it names is so, the rest is as without it.
 struct PenRule {
-    PenMatch match{};                         ///< which lines it is for
-    std::optional<std::string> mark{};        ///< Pen::mark
-    std::optional<float> width{};             ///< Pen::width
-    std::optional<float> width_factor{};      ///< of the style's own width, in place of `width`
+    PenMatch match{};                  ///< which lines it is for
+    std::optional<std::string> mark{}; ///< Pen::mark
+    std::optional<float> width{};      ///< Pen::width
+    /// Of the style's own width, in place of `width`; 0.01 to 100.
+    std::optional<float> width_factor{};
     std::optional<glm::vec3> color{};         ///< Pen::color
     std::optional<float> opacity{};           ///< Pen::opacity
     std::optional<Join> join{};               ///< Pen::join
@@ -115,16 +117,17 @@ struct PenRule {
 };
 
 /// How a drawing looks. The keys of style files and the options of the tool have the names of these
-/// members (docs/styles.md).
+/// members; what each may be is the same for them and for a program (docs/styles.md). Any call that
+/// draws throws UsageError, before it draws, for a member that is something else.
 struct Style {
     Pen pen{};           ///< of visible lines
     bool hidden = false; ///< draw hidden lines too, with their own pen, under the visible ones
     /// Of hidden lines.
     Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
-    StrokeFilter filter{}; ///< changes along the lines
-    Density density{};     ///< what is left out where lines are dense
+    StrokeFilter filter{}; ///< changes along the lines; lengths from 0 to 10000 pixels
+    Density density{};     ///< what is left out where lines are dense; Density::limit 0 to 100
     /// Pixels of hidden line per pixel at most, where `hidden` draws them, by the priorities of
-    /// `density`; 0: any.
+    /// `density`; 0: any, 100 at most.
     float hidden_density = 0;
     Fill fill{};   ///< under the lines
     Paper paper{}; ///< what is drawn on
@@ -133,7 +136,8 @@ struct Style {
     /// `hidden_pen`.
     std::vector<PenRule> pens{};
     /// Shorter side, in pixels, of the picture that the lengths are for: in a larger one they are
-    /// longer in proportion, in a smaller one as they are. 0: they are pixels of every picture.
+    /// longer in proportion, in a smaller one as they are; 1 to 65536. 0: they are pixels of every
+    /// picture.
     float made_for = 0;
 };
 

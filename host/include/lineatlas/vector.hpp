@@ -84,12 +84,13 @@ struct VectorOptions {
     /// What LineVisibility::outlines() or Renderer::read_outlines() found with the intervals; only
     /// a style with pens for outlines needs them.
     std::span<const OutlinePart> outlines{};
-    double tolerance = 0.05; ///< pixels by which simplified paths may be off
+    double tolerance = 0.05; ///< pixels by which simplified paths may be off, at least 0
     bool plotter = false;    ///< order, turn and join paths for the least travel of the pen
 };
 
 /// The drawing of what `Renderer::read_intervals` gave for a frame with this camera. Hidden lines
-/// are in it if the style draws them and `intervals` has them.
+/// are in it if the style draws them and `intervals` has them. Throws UsageError for a
+/// style that a renderer does not take.
 LINEATLAS_API VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
                                                 std::span<const Interval> intervals,
                                                 const Style& style,
@@ -144,7 +145,8 @@ struct SvgOptions {
     std::string certificate{};          ///< what a check of it found, as metadata; empty: none
 };
 
-/// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room.
+/// The drawing as SVG 1.1. Throws UsageError when the margin leaves no room, and for a pen or a
+/// paper of the drawing that no style can have.
 LINEATLAS_API std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options = {});
 
 /// How a drawing is written as DXF.
@@ -158,7 +160,7 @@ struct DxfOptions {
 };
 
 /// The drawing as DXF of AutoCAD 2004, ASCII, in millimetres of the page from its lower left
-/// corner. Throws UsageError when the margin leaves no room.
+/// corner. Throws UsageError as to_svg() does.
 LINEATLAS_API std::string to_dxf(const VectorDrawing& drawing, const DxfOptions& options = {});
 
 /// How a drawing is written as JSON.
@@ -169,7 +171,7 @@ struct JsonOptions {
     glm::dvec3 origin{0};      ///< added to points in space: LoadedMesh::origin
 };
 
-/// The drawing as JSON (docs/vector.md).
+/// The drawing as JSON (docs/vector.md). Throws UsageError as to_svg() does.
 LINEATLAS_API std::string to_json(const VectorDrawing& drawing, const JsonOptions& options = {});
 
 } // namespace lineatlas

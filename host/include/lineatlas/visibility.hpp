@@ -19,7 +19,7 @@ namespace lineatlas {
 struct VisibilityOptions {
     LineKindMask lines = all_line_kinds; ///< of the kinds extracted
     bool hidden = false; ///< hidden pieces too: together the whole of every line in the picture
-    /// Pixels, above 0: a line of one segment that is shorter is left out, as
+    /// Pixels, 0.01 to 10000: a line of one segment that is shorter is left out, as
     /// FrameOptions::step has it.
     float step = 2;
     bool outlines = false;   ///< for LineVisibility::outlines()
