@@ -11,6 +11,7 @@
 #include "compute/compare/comparing_device.hpp"
 #include "compute/kernels.hpp"
 #include "core/assembly_state.hpp"
+#include "core/check_camera.hpp"
 #include "core/limits.hpp"
 #include "core/picture_size.hpp"
 #include "exact_method.hpp"
@@ -253,7 +254,7 @@ class Renderer::State {
     std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
                              LineKindMask kinds) {
         if (!scene_) throw UsageError("renderer: set_lines() must come before pick()");
-        check_picture(camera.size);
+        check_camera(camera);
         return pick_in(lineatlas::standard_camera(camera, scene_->bounds()).camera, position,
                        radius, kinds);
     }
@@ -364,7 +365,7 @@ class Renderer::State {
     void check_frame(const Camera& camera, const FrameOptions& options) const {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
-        check_picture(camera.size);
+        check_camera(camera);
         if (options.draw) check_marks(options.style);
         if (scene_->chunk_count() > 1) check_chunks(options);
     }

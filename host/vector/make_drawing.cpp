@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "chaining.hpp"
+#include "core/check_camera.hpp"
 #include "core/depth_tolerance.hpp"
 #include "core/line_pens.hpp"
 #include "halos.hpp"
@@ -77,6 +78,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
                                   std::span<const Interval> intervals, const Style& given,
                                   const VectorOptions& options) {
     check_style(given);
+    check_camera(camera);
     check(options);
     Style style = given;
     scale_lengths(style, camera.size);

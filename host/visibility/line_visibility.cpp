@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "compute/choose_device.hpp"
+#include "core/check_camera.hpp"
 #include "core/contact.hpp"
-#include "core/picture_size.hpp"
 #include "core/standard_camera.hpp"
 #include "lineatlas/error.hpp"
 #include "picking.hpp"
@@ -29,7 +29,7 @@ void check(const VisibilityOptions& options) {
 class LineVisibility::State {
     void check_ready(const Camera& camera) const {
         if (!tables_) throw UsageError("visibility: there are no lines; set_lines() has failed");
-        check_picture(camera.size);
+        check_camera(camera);
     }
 
     LineView view_by(const StandardCamera& standard, LineKindMask kinds, float step) const {

@@ -1,6 +1,5 @@
 #include "views.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bindings.hpp"
+#include "core/check_camera.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/framing.hpp"
 #include "model.hpp"
@@ -56,11 +56,8 @@ glm::mat4 matrix_from(const py::object& object, const char* name) {
         throw UsageError(std::string{name} + " must have the shape (4, 4)");
     glm::mat4 matrix{1};
     for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            const auto value = static_cast<float>(rows.at(row, column));
-            if (!std::isfinite(value)) throw UsageError(std::string{name} + " must be finite");
-            matrix[column][row] = value;
-        }
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = static_cast<float>(rows.at(row, column));
     }
     return matrix;
 }
@@ -78,6 +75,7 @@ Camera make_python_camera(const py::object& view, const py::object& projection,
     camera.view = matrix_from(view, "view");
     camera.projection = matrix_from(projection, "projection");
     camera.clip.zero_to_one = zero_to_one;
+    check_camera(camera);
     return camera;
 }
 
@@ -191,7 +189,8 @@ void bind_view(py::module_& module) {
     py::class_<Camera>(module, "Camera",
                        "A camera as the two matrices of a program of its own, (4, 4) each, for\n"
                        "column vectors as in OpenGL. zero_to_one: depth of clip space goes from 0\n"
-                       "to w as in Direct3D and Vulkan. Depth may be reversed.")
+                       "to w as in Direct3D and Vulkan. Depth may be reversed. Raises UsageError\n"
+                       "for a matrix that is not finite or has no inverse.")
         .def(py::init(&make_python_camera), py::arg("view"), py::arg("projection"), py::kw_only(),
              py::arg("zero_to_one") = false)
         .def_property_readonly(

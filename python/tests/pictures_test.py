@@ -158,6 +158,14 @@ class Views(unittest.TestCase):
             lineatlas.draw(mesh, up="w")
         with self.assertRaisesRegex(lineatlas.UsageError, "4, 4"):
             lineatlas.Camera(np.eye(3), np.eye(4))
+        said = "; view and projection must be finite numbers that have an inverse$"
+        for wrong, what in ((np.nan, "not finite"), (np.inf, "not finite"), (1e300, "not finite"),
+                            (0, "singular")):
+            with self.assertRaisesRegex(lineatlas.UsageError, "^camera: the view matrix is " + what + said):
+                lineatlas.Camera(np.diag([wrong] * 4), np.eye(4))
+            with self.assertRaisesRegex(lineatlas.UsageError,
+                                        "^camera: the projection matrix is " + what + said):
+                lineatlas.Camera(np.eye(4), np.diag([wrong] * 4))
 
 
 class Styles(unittest.TestCase):

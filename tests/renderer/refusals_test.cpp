@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "compare.hpp"
@@ -209,6 +210,61 @@ TEST_F(Refusals, TargetsAreLookedAtFirst) {
     EXPECT_NE(message(0, {}).find("no framebuffer of its own"), std::string::npos);
     EXPECT_NE(message(flat.id(), filled).find("no depth attachment"), std::string::npos);
     EXPECT_NE(message(flat.id(), lines).find("no depth attachment"), std::string::npos);
+}
+
+std::vector<std::pair<std::string, std::function<void(Camera&)>>> wrong_cameras() {
+    return {
+        {"projection matrix is not finite", [](Camera& c) { c.projection[0][0] = nan; }},
+        {"projection matrix is not finite", [](Camera& c) { c.projection[2][3] = -endless; }},
+        {"projection matrix is singular", [](Camera& c) { c.projection = glm::mat4{0}; }},
+        {"projection matrix is singular", [](Camera& c) { c.projection[1][1] = 0; }},
+        {"view matrix is not finite", [](Camera& c) { c.view[3][0] = nan; }},
+        {"view matrix is not finite", [](Camera& c) { c.view[3][1] = endless; }},
+        {"view matrix is singular", [](Camera& c) { c.view = glm::mat4{0}; }},
+        {"view matrix is singular", [](Camera& c) { c.view[1] = c.view[2]; }},
+        {"product of projection and view is not finite",
+         [](Camera& c) {
+             c.view[3] = {3e38F, 3e38F, 3e38F, 1};
+         }},
+        {"each side must be",
+         [](Camera& c) {
+             c.size = {0, 0};
+         }},
+        {"each side must be",
+         [](Camera& c) {
+             c.size = {-5, 10};
+         }},
+    };
+}
+
+TEST_F(Refusals, CamerasThatShowNothingAreRefusedAlike) {
+    for (const auto& [part, change] : wrong_cameras()) {
+        Camera camera = camera_;
+        change(camera);
+        const std::string drawn =
+            refuses(part, [&] { renderer_.draw(camera, {}, canvas_.framebuffer()); });
+        EXPECT_NE(drawn.find(part), std::string::npos) << drawn;
+        EXPECT_EQ(drawn, refuses(part, [&] { draw_tiles(camera, {}); }));
+        EXPECT_EQ(drawn, refuses(part, [&] { renderer_.pick(camera, {1, 1}, 1); }));
+        EXPECT_EQ(drawn, refusal([&] { visibility_->find(camera); }));
+        EXPECT_EQ(drawn, refusal([&] { visibility_->pick(camera, {1, 1}, 1); }));
+        EXPECT_EQ(drawn, refusal([&] { make_vector_drawing(lines_, camera, intervals_, {}); }));
+    }
+}
+
+TEST_F(Refusals, CamerasOfOddKindsAreTaken) {
+    Camera endless_far = camera_; // reversed, with the far plane infinitely far away
+    endless_far.projection[2][2] = 0;
+    endless_far.projection[3][2] = 0.1F;
+    endless_far.clip.zero_to_one = true;
+    Camera far_away = camera_;
+    far_away.view = far_away.view * glm::translate(glm::mat4{1}, {1e6F, -1e6F, 1e6F});
+    Camera tiny = camera_; // of a model a billion times as large
+    tiny.view = tiny.view * glm::scale(glm::mat4{1}, glm::vec3{1e-9F});
+    for (const Camera& camera : {endless_far, far_away, tiny}) {
+        EXPECT_NO_THROW(renderer_.draw(camera, {}, canvas_.framebuffer()));
+        EXPECT_NO_THROW(visibility_->find(camera));
+    }
 }
 
 } // namespace

@@ -286,7 +286,8 @@ class LINEATLAS_API Renderer {
     /// UsageError before the first frame of the lines, for a position that is not finite and for a
     /// radius that is not from 0 to 1000.
     std::optional<Pick> pick(glm::vec2 position, float radius);
-    /// The same of what a camera would show now, of lines of these kinds, without a frame.
+    /// The same of what a camera would show now, of lines of these kinds, without a frame. Throws
+    /// UsageError for a camera that draw() does not take.
     std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
                              LineKindMask lines = all_line_kinds);
 

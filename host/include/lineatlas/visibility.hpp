@@ -53,15 +53,15 @@ class LINEATLAS_API LineVisibility {
     /// The visible pieces of the lines that `camera` sees, in order of LineSet::segments and along
     /// each; with VisibilityOptions::hidden the hidden ones too. They are those of
     /// Renderer::read_intervals() of a frame of Method::exact, bit by bit on one device. Throws
-    /// UsageError for a camera whose picture is empty or too large, DeviceError where memory does
+    /// UsageError for a camera that Renderer::draw() does not take, DeviceError where memory does
     /// not suffice, Cancelled where `progress` says so: it is asked before each stage.
     std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options = {},
                                const Progress& progress = {});
 
     /// What `camera` shows at `position`, in pixels from the lower left corner of its viewport: of
     /// the visible lines of these kinds the nearest that is no farther than `radius` pixels, or
-    /// else the face there, or nothing. Throws UsageError for a camera whose picture is empty or
-    /// too large, a position that is not finite and a radius that is not from 0 to 1000.
+    /// else the face there, or nothing. Throws UsageError for a camera that find() does not take, a
+    /// position that is not finite and a radius that is not from 0 to 1000.
     std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
                              LineKindMask lines = all_line_kinds);
 
