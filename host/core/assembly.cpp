@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "assembly_state.hpp"
+#include "check_lines.hpp"
 #include "lineatlas/error.hpp"
 #include "meshlet_table.h"
 #include "objects_apart.hpp"
@@ -410,6 +411,7 @@ Assembly::Assembly(Assembly&&) noexcept = default;
 Assembly& Assembly::operator=(Assembly&&) noexcept = default;
 
 std::vector<std::uint32_t> Assembly::add(const LineSet& lines) {
+    check_lines(lines);
     Layout layout{*state_};
     if (lines.objects.empty()) return {layout.add(lines)};
     std::vector<std::uint32_t> numbers;

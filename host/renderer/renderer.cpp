@@ -12,6 +12,7 @@
 #include "compute/kernels.hpp"
 #include "core/assembly_state.hpp"
 #include "core/check_camera.hpp"
+#include "core/check_lines.hpp"
 #include "core/limits.hpp"
 #include "core/picture_size.hpp"
 #include "exact_method.hpp"
@@ -470,6 +471,7 @@ void Renderer::set_pen_image(const std::string& mark, Image image) {
 }
 void Renderer::set_lines(const LineSet& lines) {
     const gl::StateGuard guard = state_->enter();
+    check_lines(lines);
     state_->set_lines(lines);
 }
 void Renderer::set_lines(const Assembly& parts) {

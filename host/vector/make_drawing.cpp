@@ -6,6 +6,7 @@
 
 #include "chaining.hpp"
 #include "core/check_camera.hpp"
+#include "core/check_lines.hpp"
 #include "core/depth_tolerance.hpp"
 #include "core/line_pens.hpp"
 #include "halos.hpp"
@@ -67,7 +68,8 @@ void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
     }
 }
 
-void check(const VectorOptions& options) {
+void check(const LineSet& lines, const VectorOptions& options) {
+    check_lines(lines);
     if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
         throw UsageError("tolerance must be a number of pixels of at least 0");
 }
@@ -79,7 +81,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
                                   const VectorOptions& options) {
     check_style(given);
     check_camera(camera);
-    check(options);
+    check(lines, options);
     Style style = given;
     scale_lengths(style, camera.size);
     LineClasses classes;

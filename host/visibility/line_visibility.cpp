@@ -8,6 +8,7 @@
 
 #include "compute/choose_device.hpp"
 #include "core/check_camera.hpp"
+#include "core/check_lines.hpp"
 #include "core/contact.hpp"
 #include "core/standard_camera.hpp"
 #include "lineatlas/error.hpp"
@@ -61,6 +62,7 @@ class LineVisibility::State {
     std::string description() const { return device_->description(); }
 
     void set_lines(const LineSet& lines) {
+        check_lines(lines);
         tables_.reset();
         work_.reset();
         tables_ = upload_lines(*device_, lines);

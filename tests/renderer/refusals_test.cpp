@@ -13,6 +13,7 @@
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
+#include "lineatlas/assembly.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/vector.hpp"
@@ -265,6 +266,20 @@ TEST_F(Refusals, CamerasOfOddKindsAreTaken) {
         EXPECT_NO_THROW(renderer_.draw(camera, {}, canvas_.framebuffer()));
         EXPECT_NO_THROW(visibility_->find(camera));
     }
+}
+
+TEST_F(Refusals, LineSetsWithIndicesOutOfRangeAreNotTaken) {
+    LineSet wrong = lines_;
+    wrong.segments[3].p = 0x7FFFFFFF;
+    const std::string expected = "line set: segment 3 has the index 2147483647, but there are " +
+                                 std::to_string(lines_.vertices.size()) + " vertices";
+    EXPECT_EQ(expected, refuses("set_lines", [&] { renderer_.set_lines(wrong); }));
+    EXPECT_EQ(expected, refusal([&] { LineVisibility{wrong}; }));
+    EXPECT_EQ(expected, refusal([&] { visibility_->set_lines(wrong); }));
+    EXPECT_EQ(visibility_->find(camera_).size(), intervals_.size()) << "lines of before";
+    Assembly parts;
+    EXPECT_EQ(expected, refusal([&] { parts.add(wrong); }));
+    EXPECT_EQ(expected, refusal([&] { make_vector_drawing(wrong, camera_, intervals_, {}); }));
 }
 
 } // namespace

@@ -26,7 +26,8 @@ class LINEATLAS_API Assembly {
     Assembly& operator=(Assembly&&) noexcept; ///< likewise
 
     /// Adds the objects of a line set, or all of it as one where it has none, and gives their
-    /// numbers in lines().objects: those of parts that are gone first, then the next.
+    /// numbers in lines().objects: those of parts that are gone first, then the next. Throws
+    /// UsageError for lines that Renderer::set_lines() does not take.
     std::vector<std::uint32_t> add(const LineSet& lines);
 
     /// Takes a part out. Its number stands for nothing until add() gives it again. Throws

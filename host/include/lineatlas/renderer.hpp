@@ -209,7 +209,8 @@ class LINEATLAS_API Renderer {
     /// is not the name of a file (it needs a `/` or a `.`) or the picture is empty.
     void set_pen_image(const std::string& mark, Image image);
 
-    /// Uploads the lines and triangles to draw; they replace what was there.
+    /// Uploads the lines and triangles to draw; they replace what was there. Throws UsageError for
+    /// an index that is out of range and a vertex that is not finite; what was there stays then.
     void set_lines(const LineSet& lines);
     /// The same of the parts of an assembly, which may change and be set again: what it had when it
     /// was set last stays, where it was moved to and hidden, too, and costs nothing; new parts

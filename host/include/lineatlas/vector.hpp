@@ -89,7 +89,7 @@ struct VectorOptions {
 };
 
 /// The drawing of what `Renderer::read_intervals` gave for a frame with this camera. Hidden lines
-/// are in it if the style draws them and `intervals` has them. Throws UsageError for a
+/// are in it if the style draws them and `intervals` has them. Throws UsageError for a line set, a
 /// camera and a style that a renderer does not take.
 LINEATLAS_API VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
                                                 std::span<const Interval> intervals,

@@ -36,8 +36,8 @@ struct VisibilityOptions {
 class LINEATLAS_API LineVisibility {
   public:
     /// For lines and triangles that hide them, as Renderer::set_lines() takes them. Throws
-    /// UsageError for a backend that does not exist and for DeviceOptions::interop, DeviceError
-    /// where the machine has no such device.
+    /// UsageError for a backend that does not exist, for DeviceOptions::interop and for lines that
+    /// Renderer::set_lines() does not take, DeviceError where the machine has no such device.
     explicit LineVisibility(const LineSet& lines, const DeviceOptions& options = {});
     ~LineVisibility();
     /// What is moved from can only be assigned to or destroyed.
@@ -47,7 +47,7 @@ class LINEATLAS_API LineVisibility {
     /// The compute backend in use, for people.
     std::string description() const;
 
-    /// Other lines and triangles, on the same device.
+    /// Other lines and triangles, on the same device. Throws as the constructor does.
     void set_lines(const LineSet& lines);
 
     /// The visible pieces of the lines that `camera` sees, in order of LineSet::segments and along
