@@ -1,14 +1,18 @@
 #include "opencl_backend.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "compute/kernel_bytes.hpp"
+#include "core/limits.hpp"
 #include "guarded.hpp"
+#include "lineatlas/error.hpp"
 #include "opencl_command_log.hpp"
 #include "programs.hpp"
+#include "shared_context.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -32,14 +36,12 @@ class Implementation final : public OpenClBackend {
   public:
     Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
                    const Tuning& tuning)
-        : device_(device), tuning_(within_groups(tuning, device.device)) {
-        guarded("creating a context", [&] {
-            std::vector<cl_context_properties> all{
-                CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform())};
-            all.insert(all.end(), properties.begin(), properties.end());
-            all.push_back(0);
-            context_ = cl::Context{device.device, all.data()};
-            queue_ = cl::CommandQueue{context_, device.device};
+        : device_(device), tuning_(within_groups(tuning, device.device)),
+          // A context that is tied to GL ends with what it is tied to.
+          context_(properties.empty() ? shared_context(device)
+                                      : std::make_shared<SharedContext>(device, properties)) {
+        guarded("creating a queue", [&] {
+            queue_ = cl::CommandQueue{context(), device.device};
             programs_.emplace(device_, context_, tuned_options(tuning_),
                               user_program_cache(tuning_.program_cache));
         });
@@ -48,7 +50,7 @@ class Implementation final : public OpenClBackend {
     std::string description() const override { return device_.description(); }
     const Tuning& tuning() const override { return tuning_; }
     const OpenClDevice& device() const override { return device_; }
-    const cl::Context& context() const override { return context_; }
+    const cl::Context& context() const override { return context_->context(); }
     const cl::CommandQueue& queue() const override { return queue_; }
 
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
@@ -104,7 +106,8 @@ class Implementation final : public OpenClBackend {
     }
 
     void launch(const Launch& launch) override {
-        BuiltKernel& built = programs_->built(launch.kernel);
+        BuiltKernel& built =
+            or_retire([&]() -> BuiltKernel& { return programs_->built(launch.kernel); });
         const auto enqueue = [&] {
             const auto group = static_cast<std::uint32_t>(
                 std::min<std::size_t>(launch.group, built.largest_group));
@@ -139,8 +142,8 @@ class Implementation final : public OpenClBackend {
             CL_MEM_READ_WRITE | (host != nullptr ? CL_MEM_USE_HOST_PTR : cl_mem_flags{});
         return guarded("making a buffer", [&] {
             try {
-                return std::make_unique<OpenClBuffer>(cl::Buffer{context_, flags, size, host}, size,
-                                                      std::move(share));
+                return std::make_unique<OpenClBuffer>(cl::Buffer{context(), flags, size, host},
+                                                      size, std::move(share));
             } catch (const cl::Error& error) {
                 memory_.check(error.err(), size);
                 throw;
@@ -172,7 +175,7 @@ class Implementation final : public OpenClBackend {
         guarded("creating a queue that keeps times", [&] {
             if ((queue_.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE) != 0) return;
             queue_.finish();
-            queue_ = cl::CommandQueue{context_, device_.device, CL_QUEUE_PROFILING_ENABLE};
+            queue_ = cl::CommandQueue{context(), device_.device, CL_QUEUE_PROFILING_ENABLE};
         });
     }
     /// The event that a command about to be enqueued has in the log, if one is kept.
@@ -183,13 +186,27 @@ class Implementation final : public OpenClBackend {
     template <class Action>
     auto guarded(std::string_view doing, Action&& action, std::string_view what = {}) const
         -> decltype(action()) {
-        return compute::guarded(device_, doing, std::forward<Action>(action), what);
+        return or_retire([&]() -> decltype(action()) {
+            return compute::guarded(device_, doing, std::forward<Action>(action), what);
+        });
+    }
+    /// After a failure a driver may refuse all that follows in the context.
+    template <class Action>
+    auto or_retire(Action&& action) const -> decltype(action()) {
+        try {
+            return action();
+        } catch (const Shortage&) { // which is none: the memory is used by what works
+            throw;
+        } catch (const DeviceError&) {
+            retire(*context_);
+            throw;
+        }
     }
 
     OpenClDevice device_;
     DeviceMemory memory_{device_.device};
     Tuning tuning_;
-    cl::Context context_;
+    std::shared_ptr<SharedContext> context_;
     cl::CommandQueue queue_;
     std::optional<Programs> programs_;      ///< of context_
     std::shared_ptr<OpenClCommandLog> log_; ///< while one is kept

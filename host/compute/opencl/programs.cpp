@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "guarded.hpp"
+#include "shared_context.hpp"
 #include "sources/sources.hpp"
 
 namespace lineatlas::compute {
@@ -95,8 +96,8 @@ std::optional<ProgramCache> user_program_cache(bool by_default) {
     return folder ? std::optional{ProgramCache{*folder}} : std::nullopt;
 }
 
-Programs::Programs(const OpenClDevice& device, cl::Context context, const std::string& options,
-                   std::optional<ProgramCache> cache)
+Programs::Programs(const OpenClDevice& device, std::shared_ptr<SharedContext> context,
+                   const std::string& options, std::optional<ProgramCache> cache)
     : device_(device), context_(std::move(context)), cache_(std::move(cache)),
       options_(common_options(device.device) + options), kernels_(all_kernels().size()) {}
 
@@ -109,8 +110,7 @@ BuiltKernel& Programs::built(const Kernel& kernel) {
         const ProgramRecipe recipe{kernel.file(), source_of(kernel),
                                    options_ + ' ' + std::string{kernel.defines}};
         program =
-            programs_
-                .emplace(key, make_program(device_, context_, recipe, cache_ ? &*cache_ : nullptr))
+            programs_.emplace(key, context_->program(device_, recipe, cache_ ? &*cache_ : nullptr))
                 .first;
     }
     guarded(device_, "creating a kernel", [&] {

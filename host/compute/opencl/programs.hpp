@@ -2,14 +2,18 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "devices.hpp"
 #include "lineatlas/compute_device.hpp"
 #include "program_cache.hpp"
 
 namespace lineatlas::compute {
+
+class SharedContext;
 
 /// A kernel of a built program.
 struct BuiltKernel {
@@ -36,21 +40,21 @@ cl::Program make_program(const OpenClDevice& device, const cl::Context& context,
 /// `by_default`. Throws UsageError if it is neither that nor "off".
 std::optional<ProgramCache> user_program_cache(bool by_default);
 
-/// The programs of one context, each made once.
+/// The kernels of one user of a context: they keep their arguments, which programs do not.
 class Programs {
   public:
     /// `options`: for the compiler, of every program.
-    Programs(const OpenClDevice& device, cl::Context context, const std::string& options,
-             std::optional<ProgramCache> cache);
+    Programs(const OpenClDevice& device, std::shared_ptr<SharedContext> context,
+             const std::string& options, std::optional<ProgramCache> cache);
 
-    /// The kernel, built with its program if this is the first use: looking at a source takes some
-    /// drivers 20 ms even if they know it, and few frames need all of them. Throws as make_program
-    /// does.
+    /// The kernel, built with its program if this is the first use in the context: looking at a
+    /// source takes some drivers 20 ms even if they know it, and few frames need all of them.
+    /// Throws as make_program does.
     BuiltKernel& built(const Kernel& kernel);
 
   private:
     OpenClDevice device_;
-    cl::Context context_;
+    std::shared_ptr<SharedContext> context_;
     std::optional<ProgramCache> cache_;
     std::string options_;
     std::vector<BuiltKernel> kernels_;            ///< by Kernel::index

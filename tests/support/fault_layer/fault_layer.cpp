@@ -26,10 +26,16 @@ const cl_icd_dispatch* driver = nullptr;
 bool is_lost = false;           ///< from the failed command on, where that is wanted
 cl_int late_error = CL_SUCCESS; ///< for the next wait
 
+/// Several threads may count at the same time.
+template <class Number>
+void count_up(Number& number, int by = 1) {
+    std::atomic_ref{number} += by;
+}
+
 /// Counts a call; whether it is the one that fails.
 bool fails(int& count, int& wanted) {
-    ++count;
-    is_lost = is_lost && faults.lost;
+    count_up(count);
+    if (is_lost && !faults.lost) is_lost = false;
     if (is_lost) return true;
     if (wanted == 0 || --wanted > 0) return false;
     is_lost = faults.lost;
@@ -54,7 +60,7 @@ cl_int wait_status(cl_int status) {
 template <class Argument>
 void count_event(Argument argument) {
     if constexpr (std::is_same_v<Argument, cl_event*>) {
-        if (argument != nullptr) ++faults.references[cl_events];
+        if (argument != nullptr) count_up(faults.references[cl_events]);
     }
 }
 
@@ -72,10 +78,11 @@ struct Hook<function, kind> {
             return nullptr;
         }
         Result result = (driver->*function)(arguments...);
-        if (result != nullptr) ++faults.references[kind];
+        if (result != nullptr) count_up(faults.references[kind]);
         return result;
     }
     static Result CL_API_CALL build(Arguments... arguments) {
+        count_up(faults.builds);
         if (fails(faults.creations, faults.fail_creation)) return CL_OUT_OF_HOST_MEMORY;
         return (driver->*function)(arguments...);
     }
@@ -110,12 +117,12 @@ struct Hook<function, kind> {
     }
     static Result CL_API_CALL retain(Arguments... arguments) {
         const Result status = (driver->*function)(arguments...);
-        if (status == CL_SUCCESS) ++faults.references[kind];
+        if (status == CL_SUCCESS) count_up(faults.references[kind]);
         return status;
     }
     static Result CL_API_CALL release(Arguments... arguments) {
         const Result status = (driver->*function)(arguments...);
-        if (status == CL_SUCCESS) --faults.references[kind];
+        if (status == CL_SUCCESS) count_up(faults.references[kind], -1);
         return status;
     }
 };

@@ -5,8 +5,8 @@
 #include <numeric>
 
 /// A layer between the OpenCL loader and the drivers (OPENCL_LAYERS) that lets chosen calls fail,
-/// makes devices smaller than they are, and counts references: what was created or retained and not
-/// released yet.
+/// makes devices smaller than they are, and counts references, which are what was created or
+/// retained and not released yet, and builds.
 namespace lineatlas::test {
 
 enum ClKind { cl_contexts, cl_queues, cl_memory, cl_programs, cl_kernels, cl_events, cl_kinds };
@@ -34,6 +34,8 @@ struct OpenClFaults {
     std::size_t largest_group = 0;
     bool says_limits = true;     ///< programs can ask the device for these; kernels say theirs
     std::uint64_t allocated = 0; ///< of the memory, by buffers
+
+    int builds = 0; ///< of programs, since it was set to 0
 
     /// Contexts made from now on build a program once in all their lives (quick_builds.hpp).
     bool builds_once = false;
