@@ -85,6 +85,7 @@ KERNEL(fill_colors, FillColorsParameters) {
  * cover; premultiplied. */
 KERNEL(fill_pixels, FillPixelsParameters) {
     const uint i = (uint)get_global_id(0);
+    if (args.blocks == 0) return; /* of no picture */
     const int2 size = to_int2(args.size), low = to_int2(args.low), wanted = to_int2(args.wanted);
     const int2 origin = to_int2(args.origin);
     const int y = (int)(i / args.blocks), scale = args.scale;

@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "backdrop.hpp"
+#include "frame_forms.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
 
@@ -115,8 +116,7 @@ void AtlasMethod::prepare(const Frame& frame) {
     cull_hidden_ = frame.culls_hidden();
     keeps_intervals_ = IntervalStage::wanted(frame);
     // The item buffer has no depth that kernels could look at.
-    finds_outlines_ = frame.options.method == Method::atlas &&
-                      (StrokeStage::wants_outlines(frame) || IntervalStage::wants_outlines(frame));
+    finds_outlines_ = frame.options.method == Method::atlas && needs_outlines(frame.options);
 }
 
 void AtlasMethod::begin_chunk(Frame& frame, std::size_t chunk) {
@@ -342,8 +342,7 @@ void AtlasMethod::forget_chains(const compute::SegmentTable& table) {
 }
 
 bool AtlasMethod::is_steady(const Frame& frame) {
-    return frame.options.steady && frame.options.method == Method::atlas &&
-           frame.options.probes > 1 && frame.scene.chunk_count() == 1;
+    return wants_steadiness(frame.options) && frame.scene.chunk_count() == 1;
 }
 
 void AtlasMethod::steady(Frame& frame) {

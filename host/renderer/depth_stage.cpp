@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "frame_forms.hpp"
 #include "picture_limits.hpp"
 
 namespace lineatlas {
@@ -37,8 +38,7 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 DepthStage::DepthStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), surfaces_(connection),
-      kernels_are_faster_(interop::gl_is_software() && device_.tuning().depth_lanes > 1) {}
+      handover_(device_), surfaces_(connection), kernels_are_faster_(kernels_are_faster(device_)) {}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     surfaces_.set_scene();
@@ -124,11 +124,7 @@ void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRect
 }
 
 bool DepthStage::wants_kernels(const Frame& frame) const {
-    const Method method = frame.options.method;
-    if (frame.options.depth || method == Method::item_buffer || method == Method::opengl)
-        return false;
-    return frame.options.depth_form == DepthForm::compute ||
-           (frame.options.depth_form == DepthForm::automatic && kernels_are_faster_);
+    return wants_depth_kernels(frame.options, kernels_are_faster_);
 }
 
 compute::Buffer& DepthStage::blank_tiles() {

@@ -8,8 +8,12 @@
 
 namespace lineatlas {
 
+std::uint32_t probes_per_axis(std::uint32_t probes) {
+    return static_cast<std::uint32_t>(std::lround(std::sqrt(probes)));
+}
+
 std::uint32_t Frame::probes_per_axis() const {
-    return static_cast<std::uint32_t>(std::lround(std::sqrt(options.probes)));
+    return lineatlas::probes_per_axis(options.probes);
 }
 
 float Frame::depth_tolerance() const {

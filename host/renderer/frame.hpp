@@ -54,6 +54,9 @@ struct Frame {
     gl::ProbeParams probe_params(GLuint depth) const;
 };
 
+/// The root of FrameOptions::probes, which is a square.
+std::uint32_t probes_per_axis(std::uint32_t probes);
+
 /// Throws UsageError if the device has no textures as large as a depth buffer of that size.
 void check_depth_size(glm::ivec2 size);
 

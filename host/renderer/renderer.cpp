@@ -15,6 +15,7 @@
 #include "core/check_lines.hpp"
 #include "core/limits.hpp"
 #include "core/picture_size.hpp"
+#include "core/progress.hpp"
 #include "exact_method.hpp"
 #include "frame.hpp"
 #include "glpasses/current_context.hpp"
@@ -23,6 +24,7 @@
 #include "glpasses/state_guard.hpp"
 #include "lineatlas/assembly.hpp"
 #include "lineatlas/error.hpp"
+#include "needed_kernels.hpp"
 #include "opengl_method.hpp"
 #include "pen_textures.hpp"
 #include "picture_limits.hpp"
@@ -86,6 +88,17 @@ void check_framebuffer(GLuint framebuffer, const FrameOptions& options) {
                          "method atlas");
     }
     if (options.style.fill.mode != FillMode::none) Backdrop::check_fill(framebuffer);
+}
+
+/// The same for calls that run in the renderer's state. Both must outlive it.
+Progress outside(gl::StateGuard& guard, const Progress& progress) {
+    if (!progress) return {};
+    return [&](float done) {
+        guard.restore();
+        const bool goes_on = progress(done);
+        guard.take();
+        return goes_on;
+    };
 }
 
 } // namespace
@@ -198,6 +211,22 @@ class Renderer::State {
         std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
         if (profiled) profiled->finish(stats);
         return stats;
+    }
+
+    void prepare(const FrameOptions& options, const Progress& progress) {
+        check(options);
+        compute::Device& device = connection_.stages->device();
+        const std::vector<compute::KernelForm> kernels = needed_kernels(options, device);
+        const bool many = scene_ && scene_->most_elements() >= compute::IdleLaunches::many_items;
+        const ProgressPart part{progress, "preparing"};
+        compute::IdleLaunches idle{device};
+        float done = 0;
+        for (const compute::KernelForm& kernel : kernels) {
+            part(done++ / static_cast<float>(kernels.size()));
+            idle.launch(kernel);
+            if (many && kernel.per_element) idle.launch(kernel, true);
+        }
+        part(1);
     }
 
     int tile_size(glm::ivec2 size, const FrameOptions& options) const {
@@ -520,32 +549,27 @@ int Renderer::tile_size(glm::ivec2 size, const FrameOptions& options) const {
     const gl::StateGuard guard = state_->enter();
     return state_->tile_size(size, options);
 }
+void Renderer::prepare(const FrameOptions& options, const Progress& progress) {
+    gl::StateGuard guard = state_->enter();
+    state_->prepare(options, outside(guard, progress));
+}
 FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
                                 const TileTarget& target) {
     gl::StateGuard guard = state_->enter();
     // What the program does between tiles it does in its own state.
-    const auto outside = [&guard](const auto& action) {
+    const auto between = [&guard](const auto& action) {
         return [&guard, &action](const PictureTile& tile) {
             guard.restore();
             action(tile);
             guard.take();
         };
     };
-    Progress progress;
-    if (target.progress) {
-        progress = [&](float done) {
-            guard.restore();
-            const bool goes_on = target.progress(done);
-            guard.take();
-            return goes_on;
-        };
-    }
     return state_->draw_tiles(camera, options,
                               {.framebuffer = target.framebuffer,
                                .tile_size = target.tile_size,
-                               .begin = outside(target.begin),
-                               .end = outside(target.end),
-                               .progress = progress});
+                               .begin = between(target.begin),
+                               .end = between(target.end),
+                               .progress = outside(guard, target.progress)});
 }
 Renderer::Samples Renderer::read_samples() {
     const gl::StateGuard guard = state_->enter();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -139,6 +140,9 @@ class SceneBuffers {
     float contact() const { return contact_; } ///< contact_of() it
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return segment_count_; } ///< of all chunks
+    std::uint32_t most_elements() const {
+        return std::max({motion_.vertex_count(), triangle_count_, segment_count_});
+    }
     std::uint64_t mesh_bytes() const;
     std::uint64_t segment_bytes() const { return std::uint64_t{segment_count_} * sizeof(Segment); }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/pens.hpp"
+#include "frame_forms.hpp"
 #include "glpasses/storage.hpp"
 
 namespace lineatlas {
@@ -14,29 +15,6 @@ constexpr std::uint32_t first_entry_capacity = 1U << 14U;
 
 // Fewer runs than one for so many pixels take GL less time than a pass over the picture.
 constexpr std::uint64_t pixels_per_run = 128;
-
-// No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
-constexpr float longest_mitre = 4;
-
-bool is_constant(const Profile& profile) {
-    return profile.size() == 1 && profile[0] == 1;
-}
-
-/// Whether a mark is the same all across the stroke, at any width.
-bool is_even(const std::string& mark) {
-    if (mark == "solid") return true;
-    const std::optional<DashLengths> dashes = dash_lengths(mark, 1);
-    return dashes && !dashes->round;
-}
-
-/// Whether kernels know all that the pen does.
-bool is_plain(const Pen& pen) {
-    const auto is_plain_cap = [](Cap cap) { return cap == Cap::butt || cap == Cap::round; };
-    const bool has_bevels =
-        pen.join == Join::bevel || (pen.join == Join::mitre && pen.mitre_limit < longest_mitre);
-    return is_even(pen.mark) && is_plain_cap(pen.cap) && is_plain_cap(pen.path_cap) &&
-           !has_bevels && is_constant(pen.width_profile) && is_constant(pen.opacity_profile);
-}
 
 /// Whether the picture has 8 bits per channel, as coverage has.
 bool has_bytes(GLuint framebuffer) {
@@ -67,14 +45,10 @@ std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
 
 StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_),
-      kernels_are_faster_(interop::gl_is_software() && device_.tuning().depth_lanes > 1) {}
+      handover_(device_), kernels_are_faster_(kernels_are_faster(device_)) {}
 
 bool StrokeCoverage::wants(const Frame& frame) const {
-    const Style& style = frame.options.style;
-    const bool asked = frame.options.stroke_form == StrokeForm::compute ||
-                       (frame.options.stroke_form == StrokeForm::automatic && kernels_are_faster_);
-    if (!frame.options.draw || !asked || style.focus.on) return false;
+    if (!wants_stroke_kernels(frame.options, kernels_are_faster_)) return false;
     std::size_t layers = 0;
     for (const bool hidden : {false, true}) {
         if (hidden && !has_hidden_) continue;

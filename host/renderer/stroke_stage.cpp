@@ -4,6 +4,8 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "frame_forms.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -12,19 +14,6 @@ constexpr std::uint32_t first_run_capacity = 1U << 13U;
 
 std::span<std::byte> bytes_of(FrameRecord& record) {
     return std::as_writable_bytes(std::span{&record, 1});
-}
-
-/// Whether anything of the style concerns whole strokes, not runs of single segments.
-bool needs_filter(const Style& style, const std::vector<Pen>& pens) {
-    const StrokeFilter& f = style.filter;
-    const bool changes_lengths =
-        f.fill > 0 || f.drop > 0 || f.overshoot > 0 || f.undershoot > 0 || f.halo > 0;
-    const auto varies = [](const Profile& profile) { return profile.size() > 1; };
-    return changes_lengths || std::ranges::any_of(pens, [&](const Pen& pen) {
-               const bool has_caps = pen.cap != Cap::butt || pen.path_cap == Cap::taper ||
-                                     pen.path_cap == Cap::texture;
-               return has_caps || varies(pen.width_profile) || varies(pen.opacity_profile);
-           });
 }
 
 } // namespace
@@ -55,7 +44,7 @@ void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_
 void StrokeStage::prepare(const Frame& frame) {
     const Style& style = frame.options.style;
     has_hidden_ = draws_hidden(frame);
-    filters_ = frame.options.draw && needs_filter(style, pens_.pens(false));
+    filters_ = needs_filter(frame.options, pens_.pens(false));
     if (has_hidden_ && !hidden_.runs) {
         make_table(hidden_);
         handover_.to_compute({hidden_.runs.get(), hidden_.record.get()});
@@ -314,21 +303,11 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
 bool StrokeStage::measures_lines(const Frame& frame) const {
     const Style& style = frame.options.style;
     return !frame.options.draw || style.hidden || style.density.limit > 0 ||
-           needs_filter(style, pens_.pens(false)) || has_textures(frame);
+           needs_filter(frame.options, pens_.pens(false)) || has_textures(frame);
 }
 
 bool StrokeStage::has_textures(const Frame& frame) const {
-    const Style& style = frame.options.style;
-    const auto is_texture = [](const std::string& mark) {
-        return !mark.empty() && mark != "solid";
-    };
-    const auto textured = [&](const Pen& pen) {
-        return is_texture(pen.mark) || pen.cap == Cap::texture || pen.path_cap == Cap::texture;
-    };
-    return frame.options.draw &&
-           (std::ranges::any_of(pens_.pens(false), textured) ||
-            (style.hidden && std::ranges::any_of(pens_.pens(true), textured)) ||
-            (style.focus.on && is_texture(style.focus.mark)));
+    return lineatlas::has_textures(frame.options, pens_.pens(false), pens_.pens(true));
 }
 
 void StrokeStage::begin_frame(Frame& frame) {

@@ -212,6 +212,13 @@ class Renderer:
         view: Optional[_View] = None,
         up: _Up = "y",
     ) -> Optional[Pick]: ...
+    def prepare(
+        self,
+        *,
+        style: Optional[_Style] = None,
+        options: Optional[Options] = None,
+        progress: Optional[_Progress] = None,
+    ) -> None: ...
     def draw(
         self,
         *,

@@ -289,6 +289,12 @@ gl::Canvas& Drawer::canvas(Pictures& pictures, glm::ivec2 size, int bits) {
     return *canvas;
 }
 
+void Drawer::prepare(const FrameOptions& options, const Progress& progress) {
+    Pictures* pictures = nullptr;
+    const InUse use{*this, pictures};
+    pictures->renderer.prepare(options, progress);
+}
+
 Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool transparent) {
     Pictures* pictures = nullptr;
     const InUse use{*this, pictures};

@@ -66,6 +66,16 @@ void set_model(Drawer& drawer, const ModelArgument& model, const KindsArgument& 
     });
 }
 
+void prepare(Drawer& drawer, const MaybeStyle& style, const MaybeOptions& options,
+             const py::object& progress) {
+    const FrameOptions frame = frame_options(options, style_of(style));
+    const std::string note = released(progress, [&](const Progress& asked) {
+        drawer.prepare(frame, asked);
+        return drawer.take_note();
+    });
+    warn(note);
+}
+
 py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                Flag<"transparent"> transparent) {
@@ -234,6 +244,9 @@ void bind_drawing(py::class_<Drawer>& renderer) {
     const py::arg_v options = py::arg("options") = py::none();
     const py::arg_v progress = py::arg("progress") = py::none();
     renderer
+        .def("prepare", &prepare, py::kw_only(), style, options, progress,
+             "Builds ahead all kernels that pictures of this style with these options need, so\n"
+             "that draw() builds none. What is built stays for all renderers of the process.")
         .def("draw", &draw, py::kw_only(), size, view, up, style, options,
              py::arg("transparent") = false,
              "The drawing as a (height, width, 4) uint8 array: red, green, blue, alpha, rows from\n"

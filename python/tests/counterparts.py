@@ -64,6 +64,7 @@ ELSEWHERE = {
     "AtlasForm.*": "Options(atlas)", "AtlasLayoutChoice.*": "Options(atlas_layout)", "DepthForm.*": "Options(depth)", "StrokeForm.*": "Options(strokes)",
     "KeptIntervals.*": "Renderer.intervals(hidden)", "Method.*": "Options(method)", "StrokeShader.*": "Options(stroke_shader)",
     "Renderer.description()": "Renderer.description", "Renderer.draw()": "Renderer.draw()",
+    "Renderer.prepare()": "Renderer.prepare()",
     "Renderer.pick()": "Renderer.pick()", "LineVisibility.pick()": "Renderer.pick()",
     "Renderer.set_transforms()": "Renderer.set_transforms()", "move_objects()": "Renderer.set_transforms()",
     "Renderer.set_positions()": "Renderer.set_positions()", "move_vertices()": "Renderer.set_positions()",

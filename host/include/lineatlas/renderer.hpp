@@ -238,6 +238,15 @@ class LINEATLAS_API Renderer {
     /// there is not; then all is as it was.
     void set_hidden(std::span<const std::uint32_t> objects);
 
+    /// Builds ahead all kernels that frames with these options need, whatever their lines are and
+    /// wherever they are seen from, so that no draw() with them builds any. It may come before
+    /// set_lines(); after it, it also builds what PoCL wants for 65,536 and more segments, vertices
+    /// or triangles. What was built stays for all renderers of the process on that device
+    /// (docs/embedding.md); set_device() may need others. Nothing of the options counts that
+    /// concerns the picture alone. `progress` is asked before each kernel, in your GL state; what
+    /// was built until it said false stays built. Throws as draw() does for options that are wrong.
+    void prepare(const FrameOptions& options, const Progress& progress = {});
+
     /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
     /// viewport, premultiplied. Fills and method opengl clear the depth there. Throws UsageError,
     /// before anything is drawn, for options and a style out of range, for a camera whose picture

@@ -3,8 +3,11 @@
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <set>
+#include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include <CL/cl_icd.h>
 
@@ -185,12 +188,42 @@ cl_int CL_API_CALL set_argument(cl_kernel kernel, cl_uint index, size_t size, co
     return driver->clSetKernelArg(kernel, index, size, value);
 }
 
+/// What drivers build a kernel for: "scan_list -DSCAN_SATURATE=0 ..., groups of 64".
+std::string form_of(cl_kernel kernel, std::size_t items, std::size_t group) {
+    constexpr std::size_t many = 1U << 16U; // for PoCL
+
+    char name[64] = "", options[1024] = "";
+    cl_program program = nullptr;
+    cl_context context = nullptr;
+    cl_device_id device = nullptr;
+    driver->clGetKernelInfo(kernel, CL_KERNEL_FUNCTION_NAME, sizeof(name), name, nullptr);
+    driver->clGetKernelInfo(kernel, CL_KERNEL_PROGRAM, sizeof(program), &program, nullptr);
+    driver->clGetKernelInfo(kernel, CL_KERNEL_CONTEXT, sizeof(context), &context, nullptr);
+    driver->clGetContextInfo(context, CL_CONTEXT_DEVICES, sizeof(device), &device, nullptr);
+    driver->clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_OPTIONS, sizeof(options),
+                                  options, nullptr);
+    return std::string{name} + ' ' + options +
+           (items < many ? ", groups of " : ", many groups of ") + std::to_string(group);
+}
+
+void look_at(cl_kernel kernel, std::size_t items, std::size_t group) {
+    static std::set<std::string> known;
+    static int period = 0;
+    if (faults.period == 0) return;
+    if (std::exchange(period, faults.period) != faults.period) known.clear();
+    const auto [form, is_new] = known.insert(form_of(kernel, items, group));
+    if (!is_new) return;
+    ++faults.new_forms;
+    faults.new_form = form->c_str();
+}
+
 cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions,
                           const size_t* offset, const size_t* global, const size_t* local,
                           cl_uint waits, const cl_event* wait_list, cl_event* event) {
     if (faults.largest_group != 0 && local[0] > faults.largest_group) {
         return CL_INVALID_WORK_GROUP_SIZE;
     }
+    look_at(kernel, global[0], local[0]);
     return Hook<&cl_icd_dispatch::clEnqueueNDRangeKernel>::command(
         queue, kernel, dimensions, offset, global, local, waits, wait_list, event);
 }

@@ -6,7 +6,7 @@
 
 /// A layer between the OpenCL loader and the drivers (OPENCL_LAYERS) that lets chosen calls fail,
 /// makes devices smaller than they are, and counts references, which are what was created or
-/// retained and not released yet, and builds.
+/// retained and not released yet, builds, and what is launched for the first time.
 namespace lineatlas::test {
 
 enum ClKind { cl_contexts, cl_queues, cl_memory, cl_programs, cl_kernels, cl_events, cl_kinds };
@@ -36,6 +36,11 @@ struct OpenClFaults {
     std::uint64_t allocated = 0; ///< of the memory, by buffers
 
     int builds = 0; ///< of programs, since it was set to 0
+    /// Above 0: a period, in which launches are looked at. `new_forms`: of how many kernels the
+    /// first in that period, of a program with its options and work-groups of a size, was made
+    /// since it was set to 0, and the last of them.
+    int period = 0, new_forms = 0;
+    const char* new_form = "";
 
     /// Contexts made from now on build a program once in all their lives (quick_builds.hpp).
     bool builds_once = false;

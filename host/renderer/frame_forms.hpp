@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "lineatlas/compute_device.hpp"
+#include "lineatlas/renderer.hpp"
+
+// What of a frame is drawn by kernels and which stages its style asks for, as far as that is known
+// before its lines are.
+namespace lineatlas {
+
+/// Whether kernels draw depth, fills and strokes faster than GL: where both run on the CPU. In the
+/// current GL context.
+bool kernels_are_faster(const compute::Device& device);
+
+/// Whether depth, and a fill by it, is drawn by kernels, where the frame draws any.
+bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster);
+/// Whether strokes are, where kernels know all pens and there are many runs.
+bool wants_stroke_kernels(const FrameOptions& options, bool kernels_are_faster);
+/// Whether kernels know all that the pen does.
+bool is_plain(const Pen& pen);
+
+/// Whether frames are averaged with those before them, where all segments are in one table.
+bool wants_steadiness(const FrameOptions& options);
+/// Whether anything of the style concerns whole strokes, not runs of single segments. `pens`: of
+/// visible lines.
+bool needs_filter(const FrameOptions& options, std::span<const Pen> pens);
+/// Whether anything that is drawn has a texture along its strokes: dashes, grain, dry ends.
+bool has_textures(const FrameOptions& options, std::span<const Pen> pens,
+                  std::span<const Pen> hidden_pens);
+/// Whether frames tell outlines from other lines.
+bool needs_outlines(const FrameOptions& options);
+
+} // namespace lineatlas
