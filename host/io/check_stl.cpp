@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "checked.hpp"
-#include "exact_bounds.hpp"
+#include "core/exact_bounds.hpp"
 #include "little_endian.hpp"
 #include "text_cursor.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact_bounds.hpp"
+#include "core/exact_bounds.hpp"
 #include "polygon/polygon.hpp"
 #include "source_file.hpp"
 
@@ -45,12 +45,8 @@ void check_indices(const Soup& soup, const std::filesystem::path& path) {
 /// The box of all positions that something uses and that can be drawn.
 ExactBounds bounds_of(const Soup& soup) {
     ExactBounds bounds;
-    const auto add = [&](std::uint32_t index) {
-        if (is_drawable(soup.positions[index])) bounds.add(soup.positions[index]);
-    };
-    for (const std::uint32_t corner : soup.corners) add(corner);
-    for (const auto& polyline : soup.polylines)
-        for (const std::uint32_t index : polyline) add(index);
+    bounds.add_drawable(soup.positions, soup.corners);
+    for (const auto& polyline : soup.polylines) bounds.add_drawable(soup.positions, polyline);
     return bounds;
 }
 
@@ -190,8 +186,7 @@ void add_notes(LoadedMesh& loaded, const FaceCounts& counts, std::size_t lost_li
         loaded.notes.push_back(
             counted(lost_lines, "line", "lines") +
             " without length or with coordinates that are no finite numbers dropped");
-    if (loaded.origin != glm::dvec3{0})
-        loaded.notes.push_back("far from zero for its size, drawn about " + written(loaded.origin));
+    if (loaded.origin != glm::dvec3{0}) loaded.notes.push_back(note_of_origin(loaded.origin));
 }
 
 std::string why_empty(const Soup& soup, const FaceCounts& counts,

@@ -46,15 +46,15 @@ std::uint32_t checked_index(std::int64_t index, std::size_t limit, std::size_t p
                      std::to_string(index) + ", but there are " + std::to_string(limit));
 }
 
-template <class Real>
-std::vector<glm::vec3> finite_rows(const py::array& given, const char* name) {
+template <class Real, class Point>
+std::vector<Point> finite_rows(const py::array& given, const char* name) {
     const py::array_t<Real, py::array::c_style | py::array::forcecast> rows(given);
-    std::vector<glm::vec3> points(static_cast<std::size_t>(rows.size()) / 3);
+    std::vector<Point> points(static_cast<std::size_t>(rows.size()) / 3);
     const Real* value = rows.data();
     for (std::size_t i = 0; i < points.size(); ++i, value += 3) {
         for (int axis = 0; axis < 3; ++axis) {
-            points[i][axis] = static_cast<float>(value[axis]);
-            if (std::isfinite(points[i][axis])) continue;
+            points[i][axis] = static_cast<typename Point::value_type>(value[axis]);
+            if (std::isfinite(static_cast<float>(value[axis]))) continue;
             throw UsageError(std::string{name} + ": row " + std::to_string(i) +
                              " is not finite as 32-bit floats");
         }
@@ -68,14 +68,28 @@ whole_numbers(const py::array& array) {
     return {array};
 }
 
-} // namespace
-
-std::vector<glm::vec3> points_from(py::handle object, const char* name) {
+template <class Point>
+std::vector<Point> rows_from(py::handle object, const char* name) {
     const py::array given = number_array(object, name, "fiu");
     check_rows(given, 3, name);
     // By way of double what is too large for a float becomes infinite without a word.
-    return given.dtype().is(py::dtype::of<float>()) ? finite_rows<float>(given, name)
-                                                    : finite_rows<double>(given, name);
+    return given.dtype().is(py::dtype::of<float>()) ? finite_rows<float, Point>(given, name)
+                                                    : finite_rows<double, Point>(given, name);
+}
+
+} // namespace
+
+std::vector<glm::vec3> points_from(py::handle object, const char* name) {
+    return rows_from<glm::vec3>(object, name);
+}
+
+std::vector<glm::dvec3> exact_points_from(py::handle object, const char* name) {
+    return rows_from<glm::dvec3>(object, name);
+}
+
+bool holds_floats(py::handle object) {
+    return py::isinstance<py::array>(object) &&
+           py::reinterpret_borrow<py::array>(object).dtype().is(py::dtype::of<float>());
 }
 
 std::vector<glm::mat4> matrices_from(py::handle object, const char* name) {

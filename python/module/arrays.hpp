@@ -26,8 +26,12 @@ inline std::tuple<float, float, float> tuple_of(glm::vec3 vector) {
     return {vector.x, vector.y, vector.z};
 }
 
-/// Rows of three finite numbers, from any real type and memory order.
+/// Rows of three numbers that are finite as floats, from any real type and memory order.
 std::vector<glm::vec3> points_from(py::handle object, const char* name);
+/// The same with all their digits.
+std::vector<glm::dvec3> exact_points_from(py::handle object, const char* name);
+/// Whether they were floats before they came here: what digits those lack is lost.
+bool holds_floats(py::handle object);
 
 /// Matrices of finite numbers, from an array of the shape (n, 4, 4).
 std::vector<glm::mat4> matrices_from(py::handle object, const char* name);

@@ -25,6 +25,17 @@ std::vector<std::uint8_t> to_bytes(std::span<const std::byte> values) {
     return bytes;
 }
 
+/// The part's mesh about the origin of `other`, beside which it is to stand.
+Mesh mesh_beside(const Model& part, const Model& other) {
+    Mesh mesh = part.mesh;
+    const auto [x, y, z] = part.origin;
+    const auto [other_x, other_y, other_z] = other.origin;
+    const glm::dvec3 shift = glm::dvec3{x, y, z} - glm::dvec3{other_x, other_y, other_z};
+    if (shift == glm::dvec3{0}) return mesh;
+    for (glm::vec3& position : mesh.positions) position = glm::dvec3{position} + shift;
+    return mesh;
+}
+
 } // namespace
 
 ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options,
@@ -208,13 +219,15 @@ void Drawer::start_assembly() {
 }
 
 std::vector<std::uint32_t> Drawer::add(const Model& part, const Progress& progress) {
-    LineSet lines = extract_lines(part.mesh, subject()->options, progress);
+    const std::shared_ptr<const ModelLines> before = subject();
+    const Mesh mesh = mesh_beside(part, *before->model);
+    LineSet lines = extract_lines(mesh, before->options, progress);
     const InUse use{*this};
     start_assembly();
     auto model = std::make_shared<Model>(*made_->model);
     shift_sources(lines, static_cast<std::uint32_t>(model->mesh.positions.size()),
                   static_cast<std::uint32_t>(model->mesh.triangles.size()));
-    append(model->mesh, part.mesh);
+    append(model->mesh, mesh);
     std::vector<std::uint32_t> numbers = assembly_->add(lines);
     take_parts(std::move(model), numbers);
     return numbers;

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -10,12 +13,14 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "core/exact_bounds.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
 #include "model.hpp"
 #include "process.hpp"
 #include "progress.hpp"
+#include "views.hpp"
 
 namespace lineatlas::python {
 namespace {
@@ -71,11 +76,40 @@ void add_groups(Mesh& mesh, const py::object& triangle_group, const Groups& grou
 }
 
 /// Indices of positions, or points of its own.
-void add_polyline(Mesh& mesh, py::handle line) {
-    if (holds_integers(line))
-        mesh.polylines.push_back(indices_from(line, "polylines", mesh.positions.size()));
-    else
-        lineatlas::add_polyline(mesh, points_from(line, "polylines"));
+void add_polyline(Mesh& mesh, std::vector<glm::dvec3>& positions, py::handle line) {
+    if (holds_integers(line)) {
+        mesh.polylines.push_back(indices_from(line, "polylines", positions.size()));
+        return;
+    }
+    const std::vector<glm::dvec3> points = exact_points_from(line, "polylines");
+    std::vector<std::uint32_t>& own = mesh.polylines.emplace_back(points.size());
+    std::iota(own.begin(), own.end(), static_cast<std::uint32_t>(positions.size()));
+    positions.insert(positions.end(), points.begin(), points.end());
+}
+
+/// Gives the model its positions, about an origin if they lie far from zero, as files get it.
+void place(Model& model, std::span<const glm::dvec3> positions) {
+    Mesh& mesh = model.mesh;
+    ExactBounds bounds;
+    for (const glm::uvec3& t : mesh.triangles)
+        bounds.add_drawable(positions, std::array{t.x, t.y, t.z});
+    for (const auto& line : mesh.polylines) bounds.add_drawable(positions, line);
+    const glm::dvec3 origin = origin_for(bounds);
+    mesh.positions.reserve(positions.size());
+    for (const glm::dvec3& position : positions) mesh.positions.emplace_back(position - origin);
+    if (origin == glm::dvec3{0}) return;
+    model.origin = {origin.x, origin.y, origin.z};
+    model.notes.push_back(note_of_origin(origin));
+}
+
+/// Of positions that came as floats, and got an origin.
+void warn_of_lost_digits(glm::dvec3 origin) {
+    const glm::dvec3 distance = glm::abs(origin);
+    const auto farthest = static_cast<float>(std::max({distance.x, distance.y, distance.z}));
+    const float step = std::nextafter(farthest, 2 * farthest) - farthest;
+    warn_user(fmt::format("positions are float32, which far from zero holds steps of {:.3g} only; "
+                          "give float64",
+                          step));
 }
 
 /// The names of KnownEdge::Kind, in its order.
@@ -146,17 +180,21 @@ std::shared_ptr<Model> make_model(const py::object& positions, const py::object&
                                   const py::object& polyline_object) {
     auto model = std::make_shared<Model>();
     Mesh& mesh = model->mesh;
-    mesh.positions = points_from(positions, "positions");
-    const std::size_t corners = mesh.positions.size();
-    for (const py::handle line : *polylines) add_polyline(mesh, line);
+    std::vector<glm::dvec3> points = exact_points_from(positions, "positions");
+    const std::size_t corners = points.size();
+    for (const py::handle line : *polylines) add_polyline(mesh, points, line);
     if (!triangles.is_none())
         mesh.triangles = triangles_from(triangles, "triangles", corners);
     else if (mesh.polylines.empty())
         mesh.triangles = triangles_in_order(corners);
+    place(*model, points);
     add_groups(mesh, triangle_group, *groups);
     add_known_edges(mesh, *known);
     mesh.triangle_object = objects_from(triangle_object, "triangle_object", mesh.triangles.size());
     mesh.polyline_object = objects_from(polyline_object, "polyline_object", mesh.polylines.size());
+    const auto [x, y, z] = model->origin;
+    const glm::dvec3 origin{x, y, z};
+    if (origin != glm::dvec3{0} && holds_floats(positions)) warn_of_lost_digits(origin);
     return model;
 }
 
@@ -283,7 +321,8 @@ void bind_mesh(py::module_& module) {
     py::class_<Model, std::shared_ptr<Model>> mesh(
         module, "Mesh",
         "Triangles and polylines to draw the lines of. It can't be changed.\n\n"
-        "positions: (n, 3) real numbers. triangles: (m, 3) indices; without them, and without\n"
+        "positions: (n, 3) real numbers, about `origin` if they lie far from zero. triangles: (m, "
+        "3) indices; without them, and without\n"
         "polylines, each three positions are a triangle. triangle_group: (m,) indices into\n"
         "groups, or any numbers where groups are not named; groups: Group or names of materials.\n"
         "polylines: lines to be drawn as they are, each (k,) indices or (k, 3) points.\n"
@@ -317,8 +356,10 @@ void bind_mesh(py::module_& module) {
         .def_property_readonly("notes", &notes,
                                "What was repaired or left out when the file was read.")
         .def_readonly("origin", &Model::origin,
-                      "What was taken off the file's positions: zero, unless it lies so far from "
-                      "zero, compared with its size, that float32 could not hold it there.")
+                      "What was taken off the positions that were given, or stood in the file: "
+                      "zero, unless\nthey lie so far from zero, compared with their size, that "
+                      "float32 could not hold\nthem there. Points, views and matrices that go with "
+                      "the mesh are about it: given\nplaces less the origin.")
         .def("__repr__", &describe);
     bind_section(mesh);
     module.def(

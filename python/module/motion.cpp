@@ -67,15 +67,18 @@ void bind_motion(py::class_<Drawer>& renderer) {
              "as it is. What is drawn next shows it; nothing is found anew.")
         .def(
             "set_positions", &set_positions, py::arg("positions"),
-            "Gives the mesh other positions, as many as it has: it bends and stretches, but keeps\n"
-            "its triangles and which of its edges are lines. What is drawn next shows it.")
+            "Gives the mesh other positions, as many as it has and about Mesh.origin as they are:\n"
+            "it bends and stretches, but keeps its triangles and which of its edges are lines.\n"
+            "What is drawn next shows it.")
         .def("hide", &hide, py::arg("objects"),
              "Shows all objects but these, by their numbers in `objects`; [] shows all. The\n"
              "others' lines are not drawn and hide nothing.")
-        .def("add", &add, py::arg("model"), py::kw_only(), py::arg("progress") = py::none(),
-             "Adds another model, found with the same options, and gives the numbers of its\n"
-             "objects. It costs what it has, not what was there before. Positions, triangles and\n"
-             "groups of its mesh are counted on from those before.")
+        .def(
+            "add", &add, py::arg("model"), py::kw_only(), py::arg("progress") = py::none(),
+            "Adds another model, found with the same options, and gives the numbers of its\n"
+            "objects. It costs what it has, not what was there before. Positions, triangles and\n"
+            "groups of its mesh are counted on from those before. Where its origin is another, it\n"
+            "stands beside them as the places say that were given.")
         .def("remove", &remove, py::arg("object"),
              "Takes an object out; the others keep their numbers, and add() gives its own again.")
         .def_property_readonly("objects", &objects,

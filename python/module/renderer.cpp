@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "core/empty_drawing.hpp"
+#include "core/exact_bounds.hpp"
 #include "drawer.hpp"
 #include "intervals.hpp"
 #include "lineatlas/error.hpp"
@@ -27,6 +28,15 @@ using MaybePage = Argument<std::optional<std::string>, "page", "text such as \"a
 /// Of a drawing without a line; empty: it has some.
 void warn_of_no_line(const std::string& why) {
     if (!why.empty()) warn_user("no line is drawn: " + why);
+}
+
+/// Why a camera shows none of these lines.
+std::string why_blank(const ModelLines& subject, const Camera& camera) {
+    const std::string why = why_no_line(subject.lines, subject.options.kinds, camera);
+    const auto [x, y, z] = subject.model->origin;
+    const glm::dvec3 origin{x, y, z};
+    if (origin == glm::dvec3{0}) return why;
+    return why + "; views and cameras are about Mesh.origin, which is " + written(origin);
 }
 
 void warn(const std::string& note) {
@@ -91,7 +101,7 @@ py::array draw(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
         note = drawer.take_note();
         const bool shows_lines =
             picture.shows_lines ? *picture.shows_lines : any_in_view(subject->lines, camera);
-        if (!shows_lines) flaw = why_no_line(subject->lines, subject->options.kinds, camera);
+        if (!shows_lines) flaw = why_blank(*subject, camera);
     }
     warn(note);
     warn_user(of_framing);
@@ -142,7 +152,7 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         const VectorDrawing drawing = make_vector_drawing(
             lines, camera, found.intervals, frame.style,
             {.mesh = mesh, .outlines = found.outlines, .plotter = arguments.plotter});
-        if (drawing.paths.empty()) flaw = why_no_line(lines, found.subject->options.kinds, camera);
+        if (drawing.paths.empty()) flaw = why_blank(*found.subject, camera);
         return written(drawing);
     });
     warn_user(of_framing);

@@ -1,6 +1,7 @@
 """NumPy arrays in and out: every type and order, and clear errors for what is none of them."""
 
 import unittest
+import warnings
 
 import numpy as np
 
@@ -113,6 +114,83 @@ class In(unittest.TestCase):
             lineatlas.Mesh(CUBE_POSITIONS, polylines=[[0, 8]])
         with self.assertRaisesRegex(lineatlas.UsageError, "triangle_group: entry 2"):
             cube(triangle_group=[0, 0, 1] + [0] * 9, groups=["a"])
+
+
+class FarFromZero(FolderTest):
+    """A cube of a metre where surveys have it: as at zero, about an origin, and as out of a file."""
+
+    PLACES = [(5e5, 0, 5e6), (0, 0, 3e5), (-5e6, 2e6, 40)]
+
+    def mesh_at(self, place: tuple, **arguments) -> lineatlas.Mesh:
+        return lineatlas.Mesh(CUBE_POSITIONS.astype(float) + place, CUBE_TRIANGLES, **arguments)
+
+    def view_at(self, mesh: lineatlas.Mesh, place: tuple) -> lineatlas.View:
+        shift = np.subtract(place, mesh.origin)
+        return lineatlas.View(CUBE_VIEW.eye + shift, CUBE_VIEW.target + shift)
+
+    def test_lines_are_those_at_zero(self) -> None:
+        near = lineatlas.intervals(cube(), size=(400, 300), view=CUBE_VIEW)
+        self.assertEqual(tuple(cube().origin), (0, 0, 0))
+        for place in self.PLACES:
+            mesh = self.mesh_at(place)
+            self.assertNotEqual(tuple(mesh.origin), (0, 0, 0))
+            self.assertIn("far from zero", mesh.notes[0])
+            view = self.view_at(mesh, place)
+            found = lineatlas.intervals(mesh, size=(400, 300), view=view)
+            self.assertEqual(len(found), len(near))
+            np.testing.assert_allclose(found["p"], near["p"], atol=0.01)
+            world = found["p_world"] + np.array(mesh.origin)
+            np.testing.assert_allclose(world, near["p_world"] + np.array(place), atol=1e-4)
+            with lineatlas.Renderer(mesh) as renderer:
+                seen = renderer.pick(200, 150, radius=50, size=(400, 300), view=view)
+                distance = np.add(seen.world, mesh.origin) - place
+                self.assertTrue((distance > -0.01).all() and (distance < 1.01).all(), distance)
+
+    def test_as_out_of_a_file(self) -> None:
+        for place in self.PLACES:
+            made = self.mesh_at(place)
+            text = "".join(f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in CUBE_POSITIONS.astype(float) + place)
+            text += "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in CUBE_TRIANGLES)
+            (self.folder / "cube.obj").write_text(text)
+            read = lineatlas.load(self.folder / "cube.obj")
+            self.assertEqual(tuple(made.origin), tuple(read.origin))
+            np.testing.assert_array_equal(made.positions, read.positions)
+            self.assertEqual(made.notes, read.notes)
+
+    def test_lost_digits_are_said(self) -> None:
+        with self.assertWarnsRegex(UserWarning, "float32.*steps of 0.5"):
+            lineatlas.Mesh((CUBE_POSITIONS + np.array((0, 0, 5e6))).astype(np.float32), CUBE_TRIANGLES)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.mesh_at(self.PLACES[0])
+            cube()
+
+    def test_lines_alone(self) -> None:
+        line = np.array([[0, 0, 0], [0.25, 0.5, 0.125]]) + np.array(self.PLACES[0])
+        mesh = lineatlas.Mesh(np.zeros((0, 3)), polylines=[line])
+        np.testing.assert_allclose(mesh.positions + np.array(mesh.origin), line, atol=1e-6)
+
+    def test_parts_stand_beside_each_other(self) -> None:
+        place = np.array(self.PLACES[0])
+        first, second = self.mesh_at(place), self.mesh_at(place + (2, 0, 0))
+        self.assertNotEqual(first.origin, second.origin)
+        both = lineatlas.Mesh(np.concatenate([CUBE_POSITIONS + place, CUBE_POSITIONS + place + (2, 0, 0)]),
+                              np.concatenate([CUBE_TRIANGLES, CUBE_TRIANGLES + 8]))
+        shift = place - first.origin
+        size, view = (400, 300), lineatlas.View(np.add((5, 4, 7), shift), np.add((1.5, 0.5, 0.5), shift))
+        with lineatlas.Renderer(first, separate_objects=True) as renderer:
+            renderer.add(second)
+            added = renderer.intervals(size=size, view=view)
+        moved = np.subtract(first.origin, both.origin)
+        whole = lineatlas.intervals(both, size=size, view=lineatlas.View(view.eye + moved, view.target + moved))
+        length = [float(np.linalg.norm(f["q"] - f["p"], axis=1).sum()) for f in (added, whole)]
+        self.assertAlmostEqual(length[0], length[1], delta=0.5)
+
+    def test_a_view_that_is_not_about_the_origin(self) -> None:
+        mesh = self.mesh_at(self.PLACES[0])
+        view = lineatlas.View(np.add(CUBE_VIEW.eye, self.PLACES[0]), np.add(CUBE_VIEW.target, self.PLACES[0]))
+        with self.assertWarnsRegex(UserWarning, "about Mesh.origin"):
+            lineatlas.Renderer(mesh).to_svg(size=(100, 80), view=view)
 
 
 class Out(FolderTest):

@@ -53,6 +53,8 @@ ELSEWHERE = {
     "MeshArrays": "Mesh()", "MeshArrays.indices": "Mesh(triangles)", "MeshArrays.materials": "Mesh(triangle_group)",
     "MeshArrays.positions": "Mesh(positions)", "MeshGroup": "Group", "MeshGroup.color": "Group.color",
     "MeshGroup.material": "Group.material", "MeshGroup.object": "Group.object", "make_mesh()": "Mesh()",
+    "ExactArrays": "Mesh()", "ExactArrays.indices": "Mesh(triangles)", "ExactArrays.materials": "Mesh(triangle_group)",
+    "ExactArrays.positions": "Mesh(positions)", "ExactMesh": "Mesh", "ExactMesh.mesh": "Mesh", "ExactMesh.origin": "Mesh.origin",
     "add_polyline()": "Mesh(polylines)",
     # pictures and intervals
     "FrameOptions": "Options", "FrameOptions.atlas": "Options(atlas)", "FrameOptions.atlas_layout": "Options(atlas_layout)",
@@ -127,7 +129,7 @@ ELSEWHERE = {
 # Of each reason the names.
 NOT_IN_PYTHON = {
     "NumPy does it in a line": """
-        Camera.clip_from_world() Bounds.* bounds_of() Mesh.empty() MeshArrays.stride Pixels.* Image.* read_image()""",
+        Camera.clip_from_world() Bounds.* bounds_of() Mesh.empty() MeshArrays.stride ExactArrays.stride Pixels.* Image.* read_image()""",
     "a part of drawing into a program's own framebuffer, which the package does not offer": """
         Camera.origin ClipControl.upper_left DepthTexture.* FrameOptions.depth HeadlessContext.* Renderer.tile_size()
         Renderer.draw_tiles() PictureTile.* TileTarget.* Renderer.set_pen_image()""",

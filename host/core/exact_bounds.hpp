@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 
 #include <glm/common.hpp>
@@ -8,7 +10,7 @@
 
 namespace lineatlas {
 
-/// A box around positions as a file has them.
+/// A box around positions as a file, or a program, has them.
 struct ExactBounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};
@@ -17,6 +19,8 @@ struct ExactBounds {
         min = glm::min(min, position);
         max = glm::max(max, position);
     }
+    /// Those of the positions that `used` names and that can be drawn.
+    void add_drawable(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> used);
     /// The longest side; below zero if it holds nothing.
     double extent() const;
 };
@@ -33,6 +37,9 @@ bool is_drawable(glm::dvec3 position);
 /// within a thousand times its size from zero, else near its middle. Chosen so that nothing is
 /// rounded when it is taken off positions that were floats.
 glm::dvec3 origin_for(const ExactBounds& bounds);
+
+/// What people are told where an origin is not zero.
+std::string note_of_origin(glm::dvec3 origin);
 
 /// "1000,0,-20.5"
 std::string written(glm::dvec3 position);

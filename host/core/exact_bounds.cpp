@@ -6,6 +6,12 @@
 
 namespace lineatlas {
 
+void ExactBounds::add_drawable(std::span<const glm::dvec3> positions,
+                               std::span<const std::uint32_t> used) {
+    for (const std::uint32_t index : used)
+        if (is_drawable(positions[index])) add(positions[index]);
+}
+
 double ExactBounds::extent() const {
     const glm::dvec3 size = max - min;
     return std::max({size.x, size.y, size.z});
@@ -32,6 +38,10 @@ glm::dvec3 origin_for(const ExactBounds& bounds) {
         if (std::abs(middle) > far * extent) origin[axis] = std::round(middle / step) * step;
     }
     return origin;
+}
+
+std::string note_of_origin(glm::dvec3 origin) {
+    return "far from zero for its size, drawn about " + written(origin);
 }
 
 std::string written(glm::dvec3 position) {
