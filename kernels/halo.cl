@@ -51,7 +51,9 @@ static float length_of(const float2 way) {
 static float4 lengthened(__global const Run* run, const float at_start, const float at_end) {
     const float2 way = run_way(run);
     const float2 along = way / length_of(way);
-    return float4(vload2(0, run->start) - along * at_start, vload2(0, run->end) + along * at_end);
+    const float2 start = vload2(0, run->start) - along * at_start;
+    const float2 end = vload2(0, run->end) + along * at_end;
+    return float4(start.x, start.y, end.x, end.y);
 }
 
 static int tile_of(const float pixels, const int count) {
@@ -108,7 +110,8 @@ KERNEL(halo_count, HaloParameters) {
 static float2 nearest_depths(__global const Run* run) {
     const float2 own = float2(run->start_depth, run->end_depth);
     const float length = length_of(run_way(run));
-    if (length < LA_HALO_REACH_OVER) return float2(fmin(own.x, own.y));
+    const float nearer = fmin(own.x, own.y);
+    if (length < LA_HALO_REACH_OVER) return float2(nearer, nearer);
     const float over = (own.y - own.x) / length * LA_HALO_REACH_OVER;
     return float2(own.x - over, own.y + over) - fabs(over);
 }

@@ -33,12 +33,12 @@ typedef struct la_mat4 {
 #define to_int2(value) vload2(0, (value).v)
 #define to_int4(value) vload4(0, (value).v)
 
-#define float2(...) ((float2)(__VA_ARGS__))
-#define float3(...) ((float3)(__VA_ARGS__))
-#define float4(...) ((float4)(__VA_ARGS__))
-#define int2(...) ((int2)(__VA_ARGS__))
-#define int4(...) ((int4)(__VA_ARGS__))
-#define uint2(...) ((uint2)(__VA_ARGS__))
+#define float2(x, y) ((float2)(x, y))
+#define float3(x, y, z) ((float3)(x, y, z))
+#define float4(x, y, z, w) ((float4)(x, y, z, w))
+#define int2(x, y) ((int2)(x, y))
+#define int4(x, y, z, w) ((int4)(x, y, z, w))
+#define uint2(x, y) ((uint2)(x, y))
 #define FUNCTION static
 #define LA_TYPEDEF(name) typedef struct name name;
 #define float_of(v) ((float)(v))

@@ -129,7 +129,7 @@ KERNEL(project_clip, ProjectClipParameters) {
     const float4 cp = p + way * t0;
     const float4 cq = t1 < 1.0f ? p + way * t1 : q;
 
-    const float3 scale = float3(viewport * 0.5f, 0.5f);
+    const float3 scale = float3(viewport.x * 0.5f, viewport.y * 0.5f, 0.5f);
     const float3 window_p = (xyz(cp) / cp.w + 1.0f) * scale;
     const float3 d = (xyz(cq) / cq.w + 1.0f) * scale - window_p;
     const float length_px = sqrt(d.x * d.x + d.y * d.y);

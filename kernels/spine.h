@@ -43,7 +43,7 @@ LA_TYPEDEF(Spine)
  * patches are for the caller to find. */
 FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, const uint own_b,
                           const bool numbered, const float2 viewport, const float depth_scale) {
-    const float3 scale = float3(viewport * 0.5f, 0.5f);
+    const float3 scale = float3(viewport.x * 0.5f, viewport.y * 0.5f, 0.5f);
     const float3 window_p = (xyz(p) / p.w + 1.0f) * scale;
     const float3 window_q = (xyz(q) / q.w + 1.0f) * scale;
     const float3 d = window_q - window_p;

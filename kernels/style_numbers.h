@@ -5,14 +5,9 @@
 
 #ifdef __OPENCL_VERSION__
 #define LA_BY_DEFAULT(value)
-#define LA_ARRAY(type, name, size, ...) type name[size]
 #else
 #include <array>
 #define LA_BY_DEFAULT(value) = value
-#define LA_ARRAY(type, name, size, ...)                                                            \
-    std::array<type, size> name {                                                                  \
-        __VA_ARGS__                                                                                \
-    }
 
 namespace lineatlas {
 #endif
@@ -37,7 +32,11 @@ typedef struct Density {
     float limit LA_BY_DEFAULT(0);
     /** Weight of each line kind (crease, boundary, material, silhouette, file, intersection,
      * section, hatching), 0 to 1: lines of more weight stay longer, then longer lines. */
-    LA_ARRAY(float, priority, 8, 0.5F, 0.6F, 0.5F, 1, 1, 0.5F, 1, 0.2F);
+#ifdef __OPENCL_VERSION__
+    float priority[8];
+#else
+    std::array<float, 8> priority{0.5F, 0.6F, 0.5F, 1, 1, 0.5F, 1, 0.2F};
+#endif
 } Density;
 
 #ifndef __OPENCL_VERSION__

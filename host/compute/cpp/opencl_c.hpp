@@ -65,7 +65,6 @@ struct Vector3 {
     Vector3() = default;
     Vector3(T all) : x(all), y(all), z(all) {}
     Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
-    Vector3(Vector2<T> a, T z_) : x(a.x), y(a.y), z(z_) {}
 #define EACH(op) Vector3(a.x op b.x, a.y op b.y, a.z op b.z)
     VECTOR_OPERATORS(Vector3, EACH)
 #undef EACH
@@ -76,7 +75,6 @@ struct Vector4 {
     Vector4() = default;
     Vector4(T all) : x(all), y(all), z(all), w(all) {}
     Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
-    Vector4(Vector2<T> a, Vector2<T> b) : x(a.x), y(a.y), z(b.x), w(b.y) {}
 #define EACH(op) Vector4(a.x op b.x, a.y op b.y, a.z op b.z, a.w op b.w)
     VECTOR_OPERATORS(Vector4, EACH)
 #undef EACH
