@@ -47,12 +47,12 @@ Tuning within_groups(Tuning tuning, const cl::Device& device) {
     limit(tuning.local_size, most);
     limit(tuning.block_local_size, most);
     limit(tuning.scan_tile, std::bit_floor(std::min(most, in_local_memory)));
-    // depth.cl: rows of a tile are longer by two vectors.
+    // depth.cl: rows of a tile are longer by two vectors, and a texel has a depth and a number.
     const auto depth_tile_size = [&] {
-        return tuning.depth_tile * (tuning.depth_tile + 2 * tuning.depth_lanes);
+        return 2 * tuning.depth_tile * (tuning.depth_tile + 2 * tuning.depth_lanes);
     };
     while (tuning.depth_tile > LA_TILE && depth_tile_size() > in_local_memory)
-        tuning.depth_tile /= 2;
+        tuning.depth_tile -= LA_TILE;
     return tuning;
 }
 
