@@ -21,28 +21,17 @@ const cl::Buffer& memory_of(Buffer& buffer) {
     return static_cast<OpenClBuffer&>(buffer).memory;
 }
 
-/// How a device is launched on decides what its kernels are compiled for.
-std::string tuned_options(const Tuning& tuning) {
-    const auto define = [](const char* name, std::uint32_t value) {
-        return std::string{" -D"} + name + "=" + std::to_string(value);
-    };
-    return define("SCAN_TILE", tuning.scan_tile) + define("SCAN_PER_ITEM", tuning.scan_per_item) +
-           define("DEPTH_LANES", tuning.depth_lanes) + define("DEPTH_TILE", tuning.depth_tile) +
-           define("HALO_LANES", tuning.halo_lanes) + define("FACE_LANES", tuning.face_lanes) +
-           define("PROBE_VECTORS", tuning.atlas_vectors ? 1 : 0);
-}
-
 class Implementation final : public OpenClBackend {
   public:
     Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
                    const Tuning& tuning)
-        : device_(device), tuning_(within_groups(tuning, device.device)),
+        : device_(device), tuning_(within_groups(tuning, group_limits(device.device))),
           // A context that is tied to GL ends with what it is tied to.
           context_(properties.empty() ? shared_context(device)
                                       : std::make_shared<SharedContext>(device, properties)) {
         guarded("creating a queue", [&] {
             queue_ = cl::CommandQueue{context(), device.device};
-            programs_.emplace(device_, context_, tuned_options(tuning_),
+            programs_.emplace(device_, context_, compiler_options(tuning_),
                               user_program_cache(tuning_.program_cache));
         });
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -37,16 +38,19 @@ Tuning tuning_for(const OpenClDevice& device) {
     return within_quirks(user_table().values_for(device), device);
 }
 
-Tuning within_groups(Tuning tuning, const cl::Device& device) {
-    const std::size_t most = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
-    const std::size_t in_local_memory =
-        device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>() / sizeof(cl_uint);
+GroupLimits group_limits(const cl::Device& device) {
+    return {device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>(),
+            device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>()};
+}
+
+Tuning within_groups(Tuning tuning, const GroupLimits& limits) {
+    const std::size_t in_local_memory = limits.local_memory / sizeof(cl_uint);
     const auto limit = [](std::uint32_t& size, std::size_t largest) {
         size = static_cast<std::uint32_t>(std::min<std::size_t>(size, largest));
     };
-    limit(tuning.local_size, most);
-    limit(tuning.block_local_size, most);
-    limit(tuning.scan_tile, std::bit_floor(std::min(most, in_local_memory)));
+    limit(tuning.local_size, limits.items);
+    limit(tuning.block_local_size, limits.items);
+    limit(tuning.scan_tile, std::bit_floor(std::min(limits.items, in_local_memory)));
     // depth.cl: rows of a tile are longer by two vectors, and a texel has a depth and a number.
     const auto depth_tile_size = [&] {
         return 2 * tuning.depth_tile * (tuning.depth_tile + 2 * tuning.depth_lanes);
@@ -54,6 +58,16 @@ Tuning within_groups(Tuning tuning, const cl::Device& device) {
     while (tuning.depth_tile > LA_TILE && depth_tile_size() > in_local_memory)
         tuning.depth_tile -= LA_TILE;
     return tuning;
+}
+
+std::string compiler_options(const Tuning& tuning) {
+    const auto define = [](const char* name, std::uint32_t value) {
+        return std::string{" -D"} + name + "=" + std::to_string(value);
+    };
+    return define("SCAN_TILE", tuning.scan_tile) + define("SCAN_PER_ITEM", tuning.scan_per_item) +
+           define("DEPTH_LANES", tuning.depth_lanes) + define("DEPTH_TILE", tuning.depth_tile) +
+           define("HALO_LANES", tuning.halo_lanes) + define("FACE_LANES", tuning.face_lanes) +
+           define("PROBE_VECTORS", tuning.atlas_vectors ? 1 : 0);
 }
 
 } // namespace lineatlas::compute

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <string>
 
 #include "devices.hpp"
 #include "lineatlas/compute_device.hpp"
@@ -11,7 +12,17 @@ namespace lineatlas::compute {
 /// that is LINEATLAS_KERNEL_DIR's and not right.
 Tuning tuning_for(const OpenClDevice& device);
 
+/// What a work-group may have of a device.
+struct GroupLimits {
+    std::size_t items = 0;        ///< work-items
+    std::size_t local_memory = 0; ///< bytes
+};
+GroupLimits group_limits(const cl::Device& device);
+
 /// `tuning` with no work-group larger than the device takes, and tiles that fit its local memory.
-Tuning within_groups(Tuning tuning, const cl::Device& device);
+Tuning within_groups(Tuning tuning, const GroupLimits& limits);
+
+/// What kernels are compiled for where they are launched by `tuning`: options of the compiler.
+std::string compiler_options(const Tuning& tuning);
 
 } // namespace lineatlas::compute

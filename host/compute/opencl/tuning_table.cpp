@@ -10,9 +10,15 @@
 namespace lineatlas::compute {
 namespace {
 
+constexpr std::string_view types[] = {"cpu", "gpu", "other"};
+
 std::string_view type_of(const OpenClDevice& device) {
     return device.is_cpu ? "cpu" : device.is_gpu ? "gpu" : "other";
 }
+
+/// The names of a device that a row may tell a part of.
+constexpr std::string OpenClDevice::*names[] = {
+    &OpenClDevice::platform_name, &OpenClDevice::device_name, &OpenClDevice::driver_version};
 
 /// What the field takes, in words.
 std::string kind_of(const TuningField& field) {
@@ -125,32 +131,23 @@ class TuningReader {
             const auto text = value.value<std::string>();
             if (!text || text->empty()) refuse(value.source(), key.str(), "must be a text");
             if (key == "platform")
-                add_part(row, &OpenClDevice::platform_name, *text);
+                row.parts.platform_name = *text;
             else if (key == "device")
-                add_part(row, &OpenClDevice::device_name, *text);
+                row.parts.device_name = *text;
             else if (key == "driver")
-                add_part(row, &OpenClDevice::driver_version, *text);
+                row.parts.driver_version = *text;
             else if (key == "type")
-                add_type(value, row, *text);
+                row.type = read_type(value, *text);
             else
                 refuse(key.source(), key.str(),
                        "is no part of match: platform, device, driver, type");
         }
     }
 
-    static void add_part(TuningTable::Row& row, std::string OpenClDevice::*name,
-                         const std::string& part) {
-        row.conditions.emplace_back([name, part](const OpenClDevice& device) {
-            return contains_ignoring_case(device.*name, part);
-        });
-    }
-
-    void add_type(const toml::node& node, TuningTable::Row& row, const std::string& type) const {
-        if (type != "cpu" && type != "gpu" && type != "other") {
+    std::string read_type(const toml::node& node, const std::string& type) const {
+        if (std::ranges::find(types, type) == std::end(types))
             refuse(node.source(), "type", "must be cpu, gpu or other");
-        }
-        row.conditions.emplace_back(
-            [type](const OpenClDevice& device) { return type_of(device) == type; });
+        return type;
     }
 
     void read_value(const toml::key& key, const toml::node& node, TuningTable::Row& row) const {
@@ -171,13 +168,31 @@ class TuningReader {
 TuningTable::TuningTable(std::string_view text, const std::string& place)
     : place_(place), rows_(TuningReader{place}.rows_of(text)) {}
 
+bool TuningTable::Row::matches(const OpenClDevice& device) const {
+    return (type.empty() || type == type_of(device)) &&
+           std::ranges::all_of(names, [&](std::string OpenClDevice::*name) {
+               return contains_ignoring_case(device.*name, parts.*name);
+           });
+}
+
+std::vector<OpenClDevice> TuningTable::examples() const {
+    std::vector<OpenClDevice> result;
+    for (const Row& row : rows_) {
+        for (const std::string_view type : types) {
+            if (!row.type.empty() && row.type != type) continue;
+            result.push_back(row.parts);
+            result.back().is_cpu = type == "cpu";
+            result.back().is_gpu = type == "gpu";
+        }
+    }
+    return result;
+}
+
 Tuning TuningTable::values_for(const OpenClDevice& device) const {
     Tuning tuning;
     std::set<const TuningField*> given;
     for (const Row& row : rows_) {
-        if (!std::ranges::all_of(row.conditions, [&](const auto& fits) { return fits(device); })) {
-            continue;
-        }
+        if (!row.matches(device)) continue;
         for (const auto& [field, value] : row.values) {
             set_value(tuning, *field, value);
             given.insert(field);

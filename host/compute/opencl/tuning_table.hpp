@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,9 +35,16 @@ class TuningTable {
     /// Throws FileError if the rows that match leave a value out.
     Tuning values_for(const OpenClDevice& device) const;
 
+    /// A device that each row matches, and where the row takes any type, one of each type. Names
+    /// that the row leaves open are empty.
+    std::vector<OpenClDevice> examples() const;
+
   private:
     struct Row {
-        std::vector<std::function<bool(const OpenClDevice&)>> conditions;
+        OpenClDevice parts; ///< of the names of devices that it matches
+        std::string type;   ///< of them; empty: any
+        bool matches(const OpenClDevice& device) const;
+
         std::vector<std::pair<const TuningField*, std::uint32_t>> values;
     };
 

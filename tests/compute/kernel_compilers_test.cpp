@@ -1,0 +1,210 @@
+// Every program, in every form that the tuning table gives a device, is OpenCL C 1.2 without
+// extensions to compilers of three kinds, and no work-group needs more local memory than each
+// device has. clang stands for compilers of drivers that are not here.
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "compute/kernels.hpp"
+#include "compute/opencl/tuning_table.hpp"
+#include "planted_error.hpp"
+#include "sources/sources.hpp"
+#include "temporary_folder.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// The least that OpenCL 1.2 promises (CL_DEVICE_LOCAL_MEM_SIZE).
+constexpr std::size_t least_local_memory = 32 * 1024;
+constexpr std::size_t largest_group = 1024; // of what OpenCL devices have
+
+struct Program {
+    std::string file, source, options;
+    auto operator<=>(const Program&) const = default;
+};
+
+std::string without_comments(std::string source) {
+    for (std::size_t begin = 0; (begin = source.find("/*", begin)) != std::string::npos;)
+        source.erase(begin, source.find("*/", begin) + 2 - begin);
+    return source;
+}
+
+/// Those of `options` that the source can tell apart.
+std::string that_matter(const std::string& options, const std::string& source) {
+    std::istringstream words{options};
+    std::string result;
+    for (std::string word; words >> word;) {
+        const std::size_t name = std::string_view{"-D"}.size();
+        if (source.find(word.substr(name, word.find('=') - name)) != std::string::npos)
+            result += ' ' + word;
+    }
+    return result;
+}
+
+/// What devices of the table have kernels compiled for: as it says, or where the device has the
+/// least local memory.
+std::set<std::string> forms(bool least_memory) {
+    const compute::TuningTable table{kernel_source("tuning.toml"), "tuning.toml"};
+    std::set<std::string> result;
+    for (const compute::OpenClDevice& device : table.examples()) {
+        compute::Tuning tuning = compute::tuning_for(device);
+        if (least_memory)
+            tuning = compute::within_groups(tuning, {largest_group, least_local_memory});
+        result.insert(compute::compiler_options(tuning));
+    }
+    return result;
+}
+
+/// `stage`: of that one alone; empty: of all.
+std::set<Program> programs(const std::set<std::string>& forms, std::string_view stage) {
+    std::set<Program> result;
+    for (const compute::Kernel& kernel : compute::all_kernels()) {
+        if (!stage.empty() && kernel.stage != stage) continue;
+        const std::string source = compute::source_of(kernel);
+        const std::string code = without_comments(source);
+        for (const std::string& form : forms)
+            result.insert({kernel.file(), source,
+                           that_matter(form, code) + ' ' + std::string{kernel.defines}});
+    }
+    return result;
+}
+
+struct Output {
+    bool good = false;
+    std::string text;
+};
+
+Output run(const std::string& command) {
+    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+    Output output;
+    std::array<char, 4096> part{};
+    while (std::fgets(part.data(), part.size(), pipe) != nullptr) output.text += part.data();
+    output.good = ::pclose(pipe) == 0;
+    return output;
+}
+
+/// What clang says of all programs with `arguments`, by the file and options of each.
+std::map<std::string, Output> compile(const std::set<Program>& programs,
+                                      const std::string& arguments) {
+    const TemporaryFolder folder;
+    const std::vector<Program> list{programs.begin(), programs.end()};
+    std::vector<Output> outputs(list.size());
+    std::atomic<std::size_t> next = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (unsigned i = 0; i < std::max(2U, std::thread::hardware_concurrency()); ++i) {
+            threads.emplace_back([&] {
+                for (std::size_t i = next++; i < list.size(); i = next++) {
+                    const auto file = folder.path() / std::to_string(i);
+                    std::ofstream{file} << list[i].source;
+                    outputs[i] = run("clang -x cl -cl-std=CL1.2 -D__OPENCL_VERSION__=120 -Xclang "
+                                     "-finclude-default-header -nogpulib -pedantic-errors " +
+                                     arguments + list[i].options + " " + file.string());
+                }
+            });
+        }
+    }
+    std::map<std::string, Output> result;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        result[list[i].file + list[i].options] = std::move(outputs[i]);
+    return result;
+}
+
+/// What is wrong with programs by compilers of three kinds, by target, file and options.
+std::map<std::string, std::string> refusals(std::string_view stage = {}) {
+    std::map<std::string, std::string> result;
+    std::set<std::string> all = forms(false);
+    all.merge(forms(true));
+    for (const std::string target : {"spir64", "nvptx64--nvidiacl", "amdgcn--amdhsa"}) {
+        for (const auto& [program, output] :
+             compile(programs(all, stage), "-fsyntax-only --target=" + target)) {
+            if (!output.good) result[target + ' ' + program] = output.text;
+        }
+    }
+    return result;
+}
+
+/// Bytes that a work-group of each kernel needs on a device with the least local memory, or more
+/// than that, as clang has laid them out for a GPU of AMD's; throws if it says nothing.
+std::map<std::string, std::size_t> local_memory(std::string_view stage = {}) {
+    std::map<std::string, std::size_t> result;
+    for (const auto& [program, output] : compile(
+             programs(forms(true), stage), "-O0 -S -o - --target=amdgcn--amdhsa -mcpu=gfx900")) {
+        std::istringstream lines{output.text};
+        std::string kernel;
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words{line};
+            std::string word;
+            words >> word;
+            if (word == ".amdhsa_kernel") words >> kernel;
+            if (word == ".amdhsa_group_segment_fixed_size")
+                words >> result[program + ": " + kernel];
+        }
+        if (kernel.empty()) throw Error(program + " was not laid out: " + output.text);
+    }
+    return result;
+}
+
+class KernelCompilers : public testing::Test {
+  protected:
+    void SetUp() override {
+        const Output targets = run("clang --print-targets");
+        if (!targets.good) GTEST_SKIP() << "there is no clang (apt install clang)";
+        for (const char* target : {"nvptx64", "amdgcn"}) {
+            if (targets.text.find(target) == std::string::npos)
+                GTEST_SKIP() << "this clang does not know " << target;
+        }
+    }
+};
+
+TEST_F(KernelCompilers, TakeEveryProgramInEveryForm) {
+    EXPECT_GE(forms(false).size(), 3U) << "a CPU's, a GPU's and rusticl's";
+    for (const auto& [program, text] : refusals()) ADD_FAILURE() << program << ":\n" << text;
+}
+
+TEST_F(KernelCompilers, NeedNoMoreLocalMemoryThanEveryDeviceHas) {
+    std::size_t most = 0;
+    for (const auto& [kernel, bytes] : local_memory()) {
+        EXPECT_LE(bytes, least_local_memory) << kernel;
+        most = std::max(most, bytes);
+    }
+    EXPECT_GT(most, least_local_memory / 4) << "tiles have been measured";
+}
+
+TEST_F(KernelCompilers, RefuseWhatOpenClDoesNotHave) {
+    const std::pair<const char*, const char*> planted[] = {
+        {"#define all_of(...) __VA_ARGS__", "variadic macros"},
+        {"static int two(void) { return ({ 2; }); }", "GNU statement expression"}};
+    for (const auto& [text, complaint] : planted) {
+        const PlantedError error{"language.h", "#define FUNCTION static",
+                                 std::string{"#define FUNCTION static\n"} + text};
+        const auto found = refusals("facing");
+        EXPECT_EQ(found.size(), 3U) << "each compiler: " << text;
+        for (const auto& [program, said] : found)
+            EXPECT_NE(said.find(complaint), std::string::npos) << program << said;
+    }
+}
+
+TEST_F(KernelCompilers, MeasureLocalMemory) {
+    const PlantedError error{"facing.cl", "    const uint i =",
+                             "    LOCAL_TABLE(uint, large, 10240);\n"
+                             "    large[args.count % 10240] = 1;\n"
+                             "    const uint i ="};
+    const auto bytes = local_memory("facing");
+    ASSERT_EQ(bytes.size(), 1U);
+    EXPECT_EQ(bytes.begin()->second, 40U * 1024);
+}
+
+} // namespace
+} // namespace lineatlas::test
