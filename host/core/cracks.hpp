@@ -13,8 +13,8 @@ namespace lineatlas {
 /// agree to a few digits. Both ends have to meet, within 0.001 % of the model's diagonal or what
 /// Mesh::precision allows, and the edge must be much longer than that. The vertices are merged into
 /// the first of them, so that all that follows finds one surface there; none is removed. Triangles
-/// that lose a corner by it are. How many pairs of edges there were; if any, `edges` are no longer
-/// those of the mesh.
+/// that lose a corner by it are. Returns how many boundaries became
+/// one edge with another; if any, `edges` are no longer those of the mesh.
 std::size_t close_cracks(WeldedMesh& mesh, const std::vector<MeshEdge>& edges);
 
 } // namespace lineatlas

@@ -1,5 +1,6 @@
 #include "core/cracks.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -8,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/diagonal.hpp"
+#include "core/vertex_sets.hpp"
 #include "lineatlas/lines.hpp"
 #include "test_meshes.hpp"
 
@@ -99,6 +102,66 @@ TEST(Cracks, AreAsWideAsTheFileIsPrecise) {
     EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_BOUNDARY], 8U);
     mesh.precision = 2e-3F;
     EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_BOUNDARY], 6U);
+}
+
+TEST(Cracks, OfManySheetsInOnePlaceAreClosedOnceEach) {
+    // Each sheet lies on each other one: pairs of them would be a hundred times as many.
+    test::Random random{97};
+    constexpr std::size_t sheets = 400;
+    const auto corner = [&](glm::vec3 at) { return at + random.point(1e-6F); };
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < sheets; ++i) {
+        mesh.positions.insert(mesh.positions.end(),
+                              {corner({0, 0, 0}), corner({1, 0, 0}), corner({0, 1, 0})});
+        mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    const LineSet lines = extract_lines(mesh);
+    EXPECT_EQ(lines.left_out.cracks, 3 * (sheets - 1));
+    EXPECT_EQ(lines.segments.size(), 3U);
+}
+
+TEST(Cracks, AreClosedAsIfAllPairsWereCompared) {
+    // Edges as wide apart as the widest crack: which of them are one depends on all between.
+    test::Random random{98};
+    for (int round = 0; round < 20; ++round) {
+        const float widest = 1e-5F * std::sqrt(3.0F);
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 1, 1}}; // the diagonal, whatever else there is
+        std::vector<std::array<glm::vec3, 2>> edges;
+        for (std::uint32_t i = 0; i < 60; ++i) {
+            const glm::vec3 p = glm::vec3{0.3F} + random.point(2 * widest);
+            const glm::vec3 q = glm::vec3{0.3F, 0.3F, 0.7F} + random.point(2 * widest);
+            edges.push_back({p, q});
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            const float turn = 0.1F * static_cast<float>(i);
+            const glm::vec3 apex =
+                glm::vec3{0.3F + 0.2F * std::cos(turn), 0.3F + 0.2F * std::sin(turn), 0.5F};
+            mesh.positions.insert(mesh.positions.end(),
+                                  {i % 2 == 0 ? p : q, i % 2 == 0 ? q : p, apex});
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+        }
+        mesh.polylines = {{0, 1}};
+        WeldedMesh welded = weld(mesh);
+        VertexSets expected{edges.size()};
+        std::size_t closed = 0;
+        for (std::uint32_t a = 0; a < edges.size(); ++a) {
+            for (std::uint32_t b = 0; b < a; ++b) {
+                const auto apart = [&](int end) {
+                    return glm::distance(glm::dvec3{edges[a][end]}, glm::dvec3{edges[b][end]});
+                };
+                const double most = 1e-5 * diagonal_of(welded.vertices);
+                if (apart(0) > most || apart(1) > most) continue;
+                closed += expected.find(a) != expected.find(b) ? 1 : 0;
+                expected.unite(a, b);
+            }
+        }
+        EXPECT_EQ(close_cracks(welded, mesh_edges(welded)), closed);
+        for (std::uint32_t a = 0; a < edges.size(); ++a) {
+            for (std::uint32_t b = 0; b < a; ++b)
+                EXPECT_EQ(welded.triangles[a][a % 2] == welded.triangles[b][b % 2],
+                          expected.find(a) == expected.find(b));
+        }
+    }
 }
 
 TEST(Cracks, TakeASliverBesideThemAlong) {
