@@ -12,12 +12,14 @@ constexpr std::uint32_t most_in_leaf = 6;
 
 } // namespace
 
-BoxTree::BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners) {
+BoxTree::BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners,
+                 std::span<const std::uint32_t> numbers) {
     if (boxes.empty()) return;
     std::vector<Item> items;
     items.reserve(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        items.push_back({boxes[i], i, owners.empty() ? mixed : owners[i]});
+        items.push_back(
+            {boxes[i], numbers.empty() ? i : numbers[i], owners.empty() ? mixed : owners[i]});
     nodes_.reserve(2 * boxes.size() / most_in_leaf * 2 + 1);
     build(items, 0);
     for (const Item& item : items) {

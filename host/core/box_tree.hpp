@@ -21,37 +21,61 @@ inline bool boxes_meet(const Bounds& a, const Bounds& b) {
 class BoxTree {
   public:
     /// What belongs to one `owner` is not compared with itself by meeting_pairs(); none: all are
-    /// compared.
-    explicit BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners = {});
+    /// compared. Visits call box k `numbers[k]`; none: k.
+    explicit BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners = {},
+                     std::span<const std::uint32_t> numbers = {});
 
     static constexpr std::uint32_t nobody = 0xFFFFFFFF; ///< as an owner
 
-    /// Calls visit(i) for every box i that meets `box`, but for those of one owner.
+    /// Calls visit(i) for every box i that meets `box`, but for those of one owner and those in
+    /// nodes n with !enters(n).
+    template <class Visit, class Enters>
+    void visit_meeting(const Bounds& box, Visit&& visit, std::uint32_t but, Enters&& enters) const {
+        any_meeting(
+            box,
+            [&](std::uint32_t i) {
+                visit(i);
+                return false;
+            },
+            but, enters);
+    }
     template <class Visit>
     void visit_meeting(const Bounds& box, Visit&& visit, std::uint32_t but = nobody) const {
-        if (nodes_.empty()) return;
-        std::array<std::uint32_t, deepest> waiting;
-        std::size_t count = 0;
-        waiting[count++] = 0;
-        while (count > 0) {
-            const Node& node = nodes_[waiting[--count]];
-            if (!boxes_meet(node.box, box) || (but != nobody && node.owner == but)) continue;
-            if (node.count > 0) {
-                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                    const bool wanted = but == nobody || owners_[i] != but;
-                    if (wanted && boxes_meet(boxes_[i], box)) visit(order_[i]);
-                }
-            } else {
-                waiting[count++] = node.right;
-                waiting[count++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
-            }
-        }
+        visit_meeting(box, visit, but, [](std::uint32_t) { return true; });
     }
 
-    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet.
+    /// True if is(i) is for some box i that meets `box`; no further one is asked then.
+    template <class Is>
+    bool any_meeting(const Bounds& box, Is&& is) const {
+        return any_meeting(box, is, nobody, [](std::uint32_t) { return true; });
+    }
+
+    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet, but for
+    /// those in nodes m and n with !may(m, n). Two boxes of one node are in m and m.
+    template <class Visit, class May>
+    void visit_meeting_pairs(Visit&& visit, May&& may) const {
+        if (!nodes_.empty()) visit_within(0, visit, may);
+    }
     template <class Visit>
     void visit_meeting_pairs(Visit&& visit) const {
-        if (!nodes_.empty()) visit_within(0, visit);
+        visit_meeting_pairs(visit, [](std::uint32_t, std::uint32_t) { return true; });
+    }
+
+    /// Returns one value per node: of(i) of a box, both(a, b) of two values.
+    template <class Value, class Of, class Both>
+    std::vector<Value> values_of_nodes(Of&& of, Both&& both) const {
+        std::vector<Value> values(nodes_.size());
+        for (std::size_t index = nodes_.size(); index-- > 0;) { // children stand behind parents
+            const Node& node = nodes_[index];
+            if (node.count == 0) {
+                values[index] = both(values[index + 1], values[node.right]);
+                continue;
+            }
+            values[index] = of(order_[node.first]);
+            for (std::uint32_t i = node.first + 1; i < node.first + node.count; ++i)
+                values[index] = both(values[index], of(order_[i]));
+        }
+        return values;
     }
 
   private:
@@ -73,14 +97,38 @@ class BoxTree {
     /// `first`: where the items stand among all.
     std::uint32_t build(std::span<Item> items, std::uint32_t first);
 
+    template <class Is, class Enters>
+    bool any_meeting(const Bounds& box, Is&& is, std::uint32_t but, Enters&& enters) const {
+        if (nodes_.empty()) return false;
+        std::array<std::uint32_t, deepest> waiting;
+        std::size_t count = 0;
+        waiting[count++] = 0;
+        while (count > 0) {
+            const std::uint32_t index = waiting[--count];
+            const Node& node = nodes_[index];
+            if (!boxes_meet(node.box, box) || (but != nobody && node.owner == but)) continue;
+            if (!enters(index)) continue;
+            if (node.count > 0) {
+                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                    const bool wanted = but == nobody || owners_[i] != but;
+                    if (wanted && boxes_meet(boxes_[i], box) && is(order_[i])) return true;
+                }
+            } else {
+                waiting[count++] = node.right;
+                waiting[count++] = index + 1;
+            }
+        }
+        return false;
+    }
+
     bool are_strangers(const Node& a, const Node& b) const {
         return (a.owner == mixed || a.owner != b.owner) && boxes_meet(a.box, b.box);
     }
 
-    template <class Visit>
-    void visit_within(std::uint32_t index, Visit&& visit) const {
+    template <class Visit, class May>
+    void visit_within(std::uint32_t index, Visit& visit, May& may) const {
         const Node& node = nodes_[index];
-        if (node.owner != mixed) return;
+        if (node.owner != mixed || !may(index, index)) return;
         if (node.count > 0) {
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
                 for (std::uint32_t j = i + 1; j < node.first + node.count; ++j)
@@ -88,15 +136,15 @@ class BoxTree {
             }
             return;
         }
-        visit_within(index + 1, visit);
-        visit_within(node.right, visit);
-        visit_between(index + 1, node.right, visit);
+        visit_within(index + 1, visit, may);
+        visit_within(node.right, visit, may);
+        visit_between(index + 1, node.right, visit, may);
     }
 
-    template <class Visit>
-    void visit_between(std::uint32_t a, std::uint32_t b, Visit&& visit) const {
+    template <class Visit, class May>
+    void visit_between(std::uint32_t a, std::uint32_t b, Visit& visit, May& may) const {
         const Node &one = nodes_[a], &other = nodes_[b];
-        if (!are_strangers(one, other)) return;
+        if (!are_strangers(one, other) || !may(a, b)) return;
         if (one.count > 0 && other.count > 0) {
             for (std::uint32_t i = one.first; i < one.first + one.count; ++i) {
                 if (!boxes_meet(boxes_[i], other.box)) continue;
@@ -104,11 +152,11 @@ class BoxTree {
                     compare(i, j, visit);
             }
         } else if (other.count > 0 || (one.count == 0 && is_larger(one.box, other.box))) {
-            visit_between(a + 1, b, visit);
-            visit_between(one.right, b, visit);
+            visit_between(a + 1, b, visit, may);
+            visit_between(one.right, b, visit, may);
         } else {
-            visit_between(a, b + 1, visit);
-            visit_between(a, other.right, visit);
+            visit_between(a, b + 1, visit, may);
+            visit_between(a, other.right, visit, may);
         }
     }
 
@@ -118,7 +166,7 @@ class BoxTree {
     }
 
     template <class Visit>
-    void compare(std::uint32_t i, std::uint32_t j, Visit&& visit) const {
+    void compare(std::uint32_t i, std::uint32_t j, Visit& visit) const {
         if (!owners_.empty() && owners_[i] == owners_[j]) return;
         if (!boxes_meet(boxes_[i], boxes_[j])) return;
         const std::uint32_t a = order_[i], b = order_[j];

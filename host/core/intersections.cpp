@@ -12,12 +12,12 @@
 
 #include "chain.hpp"
 #include "contact.hpp"
-#include "diagonal.hpp"
 
 namespace lineatlas {
 namespace {
 
-const double coplanar_cosine = std::cos(2 * 0.017453292519943295); ///< 2 degrees
+constexpr double coplanar = 2 * 0.017453292519943295; ///< radians
+const double coplanar_cosine = std::cos(coplanar);
 /// Round parts that fit each other cut each other where their facets don't match, at less.
 const double shallow_cosine = std::cos(15 * 0.017453292519943295);
 
@@ -34,8 +34,8 @@ using Heights = std::array<double, 3>; ///< of a triangle's corners over a plane
 
 class Crossing {
   public:
-    Crossing(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals)
-        : mesh_(mesh), normals_(normals), diagonal_(diagonal_of(mesh.vertices)),
+    Crossing(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals, double diagonal)
+        : mesh_(mesh), normals_(normals), diagonal_(diagonal),
           contact_(contact_of(diagonal_, mesh.precision)) {}
 
     /// Takes in what two triangles have in common.
@@ -179,8 +179,8 @@ class Crossing {
 /// planes, at places that rounding tells apart; chains would end there.
 class NearPlaces {
   public:
-    explicit NearPlaces(const WeldedMesh& mesh)
-        : mesh_(mesh), cell_(same_place * diagonal_of(mesh.vertices)) {}
+    NearPlaces(const WeldedMesh& mesh, double diagonal)
+        : mesh_(mesh), cell_(same_place * diagonal) {}
 
     void join(std::vector<Intersection>& intersections) {
         for (Intersection& one : intersections) {
@@ -236,8 +236,8 @@ struct Span {
 class Doubles {
   public:
     Doubles(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
-            std::span<const DrawnLine> lines)
-        : mesh_(mesh), normals_(normals), lines_(lines), diagonal_(diagonal_of(mesh.vertices)),
+            std::span<const DrawnLine> lines, double diagonal)
+        : mesh_(mesh), normals_(normals), lines_(lines), diagonal_(diagonal),
           contact_(contact_of(diagonal_, mesh.precision)), tree_(boxes(mesh, lines)) {}
 
     bool has(const Intersection& one) {
@@ -399,26 +399,23 @@ class ChainedDoubles {
 
 std::vector<Intersection> find_intersections(const WeldedMesh& mesh,
                                              const std::vector<glm::dvec3>& normals,
-                                             const BoxTree& tree,
-                                             std::span<const std::uint32_t> object) {
-    Crossing crossing{mesh, normals};
-    tree.visit_meeting_pairs([&](std::uint32_t a, std::uint32_t b) {
-        if (!object.empty() && object[a] != object[b]) return;
-        crossing.meet(a, b);
-    });
+                                             const TriangleTree& tree, double diagonal) {
+    Crossing crossing{mesh, normals, diagonal};
+    tree.visit_pairs_at(coplanar, [&](std::uint32_t a, std::uint32_t b) { crossing.meet(a, b); });
     std::vector<Intersection> result = crossing.take();
-    NearPlaces{mesh}.join(result);
+    NearPlaces{mesh, diagonal}.join(result);
     return result;
 }
 
 void drop_doubled(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
-                  std::span<const DrawnLine> lines, std::vector<Intersection>& intersections) {
+                  std::span<const DrawnLine> lines, double diagonal,
+                  std::vector<Intersection>& intersections) {
     if (intersections.empty()) return;
-    Doubles doubles{mesh, normals, lines};
+    Doubles doubles{mesh, normals, lines, diagonal};
     std::vector<bool> is_double;
     is_double.reserve(intersections.size());
     for (const Intersection& one : intersections) is_double.push_back(doubles.has(one));
-    ChainedDoubles{mesh, intersections}.drop(is_double, diagonal_of(mesh.vertices));
+    ChainedDoubles{mesh, intersections}.drop(is_double, diagonal);
 }
 
 } // namespace lineatlas

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "box_tree.hpp"
 #include "lineatlas/lines.hpp"
+#include "triangle_tree.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -23,22 +23,22 @@ struct Intersection {
     std::uint32_t face_a, face_b; ///< face_a < face_b
 };
 
-/// All of them, in no order that means anything; but none of faces that only touch, or lie in one
-/// plane. `tree` is of the mesh's triangles, its owners the parts that don't meet themselves. With
-/// `object`, of triangles, only those of one object meet.
+/// All of one object, in no order that means anything; but none of faces that only touch, or lie in
+/// one plane. `tree` is of the object's triangles; parts, its owners, don't meet themselves.
+/// `diagonal` is the model's.
 std::vector<Intersection> find_intersections(const WeldedMesh& mesh,
                                              const std::vector<glm::dvec3>& normals,
-                                             const BoxTree& tree,
-                                             std::span<const std::uint32_t> object);
+                                             const TriangleTree& tree, double diagonal);
 
 /// A line that is drawn anyway.
 struct DrawnLine {
     std::uint32_t p, q; ///< vertices
 };
 
-/// Takes out those beside which a line runs that is seen wherever they are: it would be drawn
-/// twice. What runs behind the surface of one of the two faces doesn't count.
+/// Takes out those beside which a line of the same object runs that is seen wherever they are: it
+/// would be drawn twice. What runs behind the surface of one of the two faces doesn't count.
 void drop_doubled(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
-                  std::span<const DrawnLine> lines, std::vector<Intersection>& intersections);
+                  std::span<const DrawnLine> lines, double diagonal,
+                  std::vector<Intersection>& intersections);
 
 } // namespace lineatlas

@@ -15,9 +15,9 @@
 #include <glm/common.hpp>
 
 #include "added_vertices.hpp"
-#include "box_tree.hpp"
 #include "contours.hpp"
 #include "cracks.hpp"
+#include "diagonal.hpp"
 #include "edges.hpp"
 #include "host_clock.hpp"
 #include "intersections.hpp"
@@ -30,6 +30,7 @@
 #include "parts.hpp"
 #include "progress.hpp"
 #include "seams.hpp"
+#include "triangle_tree.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -232,22 +233,12 @@ class Extraction {
             if (edge.face_count == 1) is_open_[parts_.of_vertex[edge.p]] = true;
         has_parts_ = parts_.count > 1;
         if (!has_parts_ && std::ranges::find(is_open_, true) == is_open_.end()) return;
-        std::vector<Bounds> boxes;
-        std::vector<std::uint32_t> owners;
-        boxes.reserve(welded_.triangles.size());
-        owners.reserve(welded_.triangles.size());
-        for (const glm::uvec3& t : welded_.triangles) {
-            const glm::vec3 a = welded_.vertices[t.x], b = welded_.vertices[t.y],
-                            c = welded_.vertices[t.z];
-            boxes.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
-            owners.push_back(parts_.of_vertex[t.x]);
-        }
-        tree_.emplace(boxes, owners);
         object_of_triangle_ = objects_of(welded_);
+        trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_);
     }
 
     void leave_out_seams() {
-        if (!tree_ || options_.crease_angle) return; // a number means every edge by that number
+        if (!trees_ || options_.crease_angle) return; // a number means every edge by that number
         const std::int64_t start = host_nanoseconds();
         const std::vector<std::uint32_t> material =
             materials_of(mesh_.groups, welded_, object_of_triangle_);
@@ -261,7 +252,7 @@ class Extraction {
             if (!named) body[i] = above + part;
             closed_part.push_back(is_open_[part] ? BoxTree::nobody : part);
         }
-        seams_ = find_seams(welded_, edges_, normals_, kinds_, *tree_,
+        seams_ = find_seams(welded_, edges_, normals_, kinds_, *trees_,
                             {.material = material, .body = body, .closed_part = closed_part});
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (seams_.of_edge[i]) kinds_[i].reset();
@@ -344,18 +335,30 @@ class Extraction {
         }
     }
 
+    /// Of every object.
+    std::vector<std::vector<DrawnLine>> drawn_lines() const {
+        const auto& ends = welded_.object_ends;
+        std::vector<std::vector<DrawnLine>> result(ends.size());
+        for (const Line& line : fixed_) {
+            if (line.p >= ends.back() || line.q >= ends.back()) continue; // a seam's
+            const auto object = std::ranges::upper_bound(ends, line.p) - ends.begin();
+            result[object].push_back({line.p, line.q});
+        }
+        return result;
+    }
+
     void add_intersections() {
         if (!has_parts_ || !wanted(LineKind::intersection)) return;
         const std::int64_t start = host_nanoseconds();
-        std::vector<Intersection> found =
-            find_intersections(welded_, normals_, *tree_, object_of_triangle_);
-        std::vector<DrawnLine> drawn;
-        drawn.reserve(fixed_.size());
-        const std::size_t vertices = welded_.vertices.size();
-        for (const Line& line : fixed_) {
-            if (line.p < vertices && line.q < vertices) drawn.push_back({line.p, line.q});
+        const double diagonal = diagonal_of(welded_.vertices);
+        const std::vector<std::vector<DrawnLine>> drawn = drawn_lines();
+        std::vector<Intersection> found;
+        for (std::size_t object = 0; object < trees_->size(); ++object) {
+            std::vector<Intersection> own =
+                find_intersections(welded_, normals_, (*trees_)[object], diagonal);
+            drop_doubled(welded_, normals_, drawn[object], diagonal, own);
+            found.insert(found.end(), own.begin(), own.end());
         }
-        drop_doubled(welded_, normals_, drawn, found);
         std::ranges::sort(found, {}, [](const Intersection& one) {
             return std::pair{one.face_a, one.face_b};
         });
@@ -397,7 +400,7 @@ class Extraction {
     /// What has told lines from edges takes twice the memory of the lines.
     void forget_edges() {
         const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
-        empty(edges_, first_face_, normals_, bends_, kinds_, parts_, tree_, object_of_triangle_,
+        empty(edges_, first_face_, normals_, bends_, kinds_, parts_, trees_, object_of_triangle_,
               seams_);
     }
 
@@ -452,7 +455,7 @@ class Extraction {
     MeshParts parts_;
     std::vector<bool> is_open_; ///< parts
     bool has_parts_ = false;
-    std::optional<BoxTree> tree_; ///< of triangles
+    std::optional<TriangleTrees> trees_;
     std::vector<std::uint32_t> object_of_triangle_;
     Seams seams_;
     AddedVertices added_{welded_};

@@ -1,6 +1,7 @@
 #include "seams.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -17,7 +18,8 @@ constexpr double beyond = 1e-4;     ///< how far beside an edge it is looked whe
 constexpr double same_plane = 3e-5; ///< how far apart faces may lie that are one
 constexpr double least_part = 1e-3; ///< shorter parts are neither lines nor seams
 
-const double least_cosine = std::cos(0.017453292519943295); ///< of faces in one plane: 1 degree
+constexpr double most_bend = 0.017453292519943295; ///< of faces in one plane: 1 degree
+const double least_cosine = std::cos(most_bend);
 
 /// From one share of an edge to another.
 struct Span {
@@ -71,9 +73,9 @@ void keep_above(Span& span, double at_0, double at_1) {
 
 class SeamFinder {
   public:
-    SeamFinder(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals, const BoxTree& tree,
-               const SeamSurfaces& surfaces)
-        : mesh_(mesh), normals_(normals), tree_(tree), surfaces_(surfaces),
+    SeamFinder(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
+               const TriangleTrees& trees, const SeamSurfaces& surfaces)
+        : mesh_(mesh), normals_(normals), trees_(trees), surfaces_(surfaces),
           diagonal_(diagonal_of(mesh.vertices)),
           same_plane_(std::max(same_plane * diagonal_, contact_of(diagonal_, mesh.precision))) {}
 
@@ -81,14 +83,14 @@ class SeamFinder {
     Spans of_boundary(const MeshEdge& edge) {
         const std::optional<Side> a = side(edge, edge.face_a);
         if (!a) return {};
-        find_near(edge);
+        find_near(edge, std::array{normals_[a->face]});
         return covered(edge, *a, beyond, surfaces_.material);
     }
     Spans of_crease(const MeshEdge& edge) {
         const std::optional<Side> a = side(edge, edge.face_a);
         const std::optional<Side> b = side(edge, edge.face_b & LA_FACE_INDEX);
         if (!a || !b) return {};
-        find_near(edge);
+        find_near(edge, std::array{normals_[a->face], normals_[b->face]});
         if (near_.empty()) return {};
         const Spans a_goes_on = covered(edge, *a, beyond, surfaces_.body);
         const Spans b_goes_on = covered(edge, *b, beyond, surfaces_.body);
@@ -132,16 +134,17 @@ class SeamFinder {
         return Side{face, outward};
     }
 
-    /// Faces near the edge that are none of its own.
-    void find_near(const MeshEdge& edge) {
+    /// Faces near the edge that are none of its own and may lie along one of two normals.
+    void find_near(const MeshEdge& edge, std::span<const glm::dvec3> along) {
         const auto reach = static_cast<float>(2 * beyond * diagonal_);
         const glm::vec3 p = mesh_.vertices[edge.p], q = mesh_.vertices[edge.q];
         near_.clear();
         const auto keep = [&](std::uint32_t t) {
             if (t != edge.face_a && t != (edge.face_b & LA_FACE_INDEX)) near_.push_back(t);
         };
-        tree_.visit_meeting({glm::min(p, q) - reach, glm::max(p, q) + reach}, keep,
-                            surfaces_.closed_part[edge.face_a]);
+        trees_.of_triangle(edge.face_a)
+            .visit_along({glm::min(p, q) - reach, glm::max(p, q) + reach}, along, most_bend,
+                         surfaces_.closed_part[edge.face_a], keep);
     }
 
     /// Where some face in the plane of this one covers the line beside the edge, `away` outwards;
@@ -185,7 +188,7 @@ class SeamFinder {
 
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
-    const BoxTree& tree_;
+    const TriangleTrees& trees_;
     const SeamSurfaces& surfaces_;
     double diagonal_;
     double same_plane_; ///< how far apart faces may lie that are one
@@ -208,9 +211,9 @@ Spans rest_of(const Spans& seams, double least) {
 
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
-                 std::span<const std::optional<LineKind>> kinds, const BoxTree& tree,
+                 std::span<const std::optional<LineKind>> kinds, const TriangleTrees& trees,
                  const SeamSurfaces& surfaces) {
-    SeamFinder finder{mesh, normals, tree, surfaces};
+    SeamFinder finder{mesh, normals, trees, surfaces};
     Seams seams{.of_edge = std::vector<bool>(edges.size(), false), .left = {}, .cut = {}};
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
         const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "box_tree.hpp"
 #include "edges.hpp"
 #include "lineatlas/lines.hpp"
+#include "triangle_tree.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -38,11 +38,11 @@ struct SeamSurfaces {
 
 /// Which boundaries and creases (`kinds`) are seams. A boundary is one where, just beyond it, a
 /// face of the same material goes on in the same plane; a crease where one of its faces goes on,
-/// and the other goes on too or has another face over it. `tree` is of the mesh's
-/// triangles, its owners their parts.
+/// and the other goes on too or has another face over it. `trees` are of the objects,
+/// each of which has seams within itself alone.
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
-                 std::span<const std::optional<LineKind>> kinds, const BoxTree& tree,
+                 std::span<const std::optional<LineKind>> kinds, const TriangleTrees& trees,
                  const SeamSurfaces& surfaces);
 
 } // namespace lineatlas

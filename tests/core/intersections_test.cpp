@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -185,6 +186,56 @@ TEST(Intersections, AreWithinObjectsThatMove) {
     EXPECT_NEAR(within.length, 6, 1e-5);
     std::fill(mesh.triangle_object.begin() + 12, mesh.triangle_object.end(), 1U);
     EXPECT_TRUE(Crossings(mesh, {.separate_objects = true}).segments.empty());
+}
+
+/// How many segments of intersections each object has; none may run between two.
+std::vector<int> of_objects(const Mesh& mesh) {
+    const Crossings found{mesh, {.separate_objects = true}};
+    const std::vector<LineObject>& objects = found.lines.objects;
+    std::vector<int> counts(objects.size(), 0);
+    for (const Segment& s : found.segments) {
+        const auto is_in = [&](const LineObject& one, std::uint32_t vertex) {
+            return vertex >= one.first_vertex && vertex < one.first_vertex + one.vertex_count;
+        };
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            EXPECT_EQ(is_in(objects[i], s.p), is_in(objects[i], s.q)) << "from object to object";
+            counts[i] += is_in(objects[i], s.p) ? 1 : 0;
+        }
+    }
+    return counts;
+}
+
+/// A bar through a cube.
+Mesh skewered() {
+    return together(test::cube(), moved_by(test::cube(), {-0.1F, 0.1F, 0}, {0.4F, 3, 0.3F}));
+}
+
+TEST(Intersections, OfCopiesInOnePlaceAreOfEach) {
+    for (const float apart : {0.0F, 1e-6F, 1e-3F, 10.0F}) {
+        Mesh mesh;
+        for (std::uint32_t copy = 0; copy < 5; ++copy) {
+            mesh = together(mesh, moved_by(skewered(), {apart * static_cast<float>(copy), 0, 0}));
+            mesh.triangle_object.resize(mesh.triangles.size(), copy);
+        }
+        const std::vector<int> counts = of_objects(mesh);
+        ASSERT_EQ(counts.size(), 5U);
+        EXPECT_GT(counts[0], 0);
+        EXPECT_EQ(std::ranges::count(counts, counts[0]), 5) << apart;
+    }
+}
+
+TEST(Intersections, StayWhereAnotherObjectHasEdges) {
+    // A box over the end of the bar that sticks out of the cube.
+    const Mesh end = moved_by(test::cube(), {-0.1F, 2, 0}, {0.4F, 1, 0.3F});
+    std::vector<int> counts;
+    for (const float away : {0.0F, 5.0F}) {
+        Mesh mesh = skewered();
+        mesh.triangle_object.assign(mesh.triangles.size(), 0);
+        mesh = together(mesh, moved_by(end, {away, 0, 0}));
+        mesh.triangle_object.resize(mesh.triangles.size(), 1);
+        counts.push_back(of_objects(mesh).front());
+    }
+    EXPECT_EQ(counts[0], counts[1]);
 }
 
 /// Vertices that were added stand behind those of their object, and say where they lie.

@@ -182,5 +182,21 @@ TEST(Seams, AreWhereTheyAreInAnyPlaceAndSize) {
     }
 }
 
+TEST(Seams, OfAnObjectAreWhateverStandsBesideIt) {
+    // The top of a box goes on; at its side stands a box that may move away.
+    std::array<double, 2> lengths{};
+    for (const bool stands_beside : {false, true}) {
+        Mesh mesh;
+        add_box(mesh, {0, 0, 0}, {1, 1, 1});
+        add_rectangle(mesh, {1.0001F, 0, 1}, {1, 0, 0}, {0, 1, 0}); // not welded
+        mesh.triangle_object.assign(mesh.triangles.size(), 0);
+        add_box(mesh, {stands_beside ? 1.0F : 1.5F, 0, 0}, {0.4F, 1, 0.9999F}, "wood");
+        mesh.triangle_object.resize(mesh.triangles.size(), 1);
+        lengths[stands_beside ? 1 : 0] =
+            length_of(extract_lines(mesh, {.separate_objects = true}), LineKind::crease);
+    }
+    EXPECT_NEAR(lengths[0], lengths[1], 1e-4);
+}
+
 } // namespace
 } // namespace lineatlas
