@@ -15,6 +15,7 @@
 #include <glm/common.hpp>
 
 #include "added_vertices.hpp"
+#include "buried_faces.hpp"
 #include "contours.hpp"
 #include "cracks.hpp"
 #include "diagonal.hpp"
@@ -335,6 +336,12 @@ class Extraction {
         }
     }
 
+    void leave_out_buried(double diagonal) {
+        const std::vector<bool> buried = buried_faces(welded_, edges_, normals_, parts_, diagonal);
+        if (std::ranges::find(buried, true) == buried.end()) return;
+        trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_, buried);
+    }
+
     /// Of every object.
     std::vector<std::vector<DrawnLine>> drawn_lines() const {
         const auto& ends = welded_.object_ends;
@@ -351,6 +358,7 @@ class Extraction {
         if (!has_parts_ || !wanted(LineKind::intersection)) return;
         const std::int64_t start = host_nanoseconds();
         const double diagonal = diagonal_of(welded_.vertices);
+        leave_out_buried(diagonal);
         const std::vector<std::vector<DrawnLine>> drawn = drawn_lines();
         std::vector<Intersection> found;
         for (std::size_t object = 0; object < trees_->size(); ++object) {

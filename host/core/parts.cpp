@@ -26,10 +26,6 @@ MeshParts find_parts(const WeldedMesh& mesh) {
     return parts;
 }
 
-namespace {
-
-/// What parts enclose, six times; below 0 where their triangles look inwards, and 0 of such that
-/// are not closed.
 std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                                      const MeshParts& parts) {
     std::vector<double> volume(parts.count, 0);
@@ -51,8 +47,6 @@ std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<M
     }
     return volume;
 }
-
-} // namespace
 
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                               const MeshParts& parts) {

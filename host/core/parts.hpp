@@ -16,6 +16,11 @@ struct MeshParts {
 
 MeshParts find_parts(const WeldedMesh& mesh);
 
+/// What parts enclose, six times; below 0 where their triangles look inwards, and 0 of such that
+/// are not closed: not all edges are of two triangles, which run along it in opposite directions.
+std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                                     const MeshParts& parts);
+
 /// Which parts are solids: all edges are of two triangles, which run along it in opposite
 /// directions, and those look outwards, for what they enclose is above 0.
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,

@@ -238,6 +238,21 @@ TEST(Intersections, StayWhereAnotherObjectHasEdges) {
     EXPECT_EQ(counts[0], counts[1]);
 }
 
+/// Of parts in one place most of what they cut of each other lies deep in others: lines grow with
+/// the surface of all together, not with pairs.
+TEST(Intersections, DoNotGrowWithTheSquareOfParts) {
+    test::Random random{99};
+    Mesh mesh;
+    std::array<std::size_t, 2> counts{};
+    for (int i = 0; i < 160; ++i) {
+        mesh = together(mesh, moved_by(test::sphere(2), random.point(1), glm::vec3{0.9F}));
+        if (i + 1 == 40) counts[0] = Crossings{mesh}.segments.size();
+    }
+    counts[1] = Crossings{mesh}.segments.size();
+    EXPECT_GT(counts[0], 500U);
+    EXPECT_LT(counts[1], 3 * counts[0]);
+}
+
 /// Vertices that were added stand behind those of their object, and say where they lie.
 TEST(Intersections, AddVerticesToTheirObjects) {
     Mesh mesh = together(test::cube(), moved_by(test::cube(), {1, 1, 1}));
