@@ -4,10 +4,13 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -29,6 +32,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec2.hpp>
 #include <gp_Ax1.hxx>
+#include <gp_Pln.hxx>
 
 #include "brep_files.hpp"
 #include "brep_fixture.hpp"
@@ -95,6 +99,50 @@ TEST_F(Brep, ACircleHas24ChordsAtLeast) {
     const LineSet lines = extract_lines(loaded.mesh);
     EXPECT_GE(lines.kind_counts[LA_KIND_CREASE], 48U);
     EXPECT_NEAR(volume(loaded.mesh), 200 * 3.14159265, 10);
+}
+
+// Watson's algorithm takes n² for n holes in a face, in time and in memory: 330 MB for these.
+TEST_F(Brep, ManyHolesTakeLittle) {
+    constexpr int side = 20;
+    const fs::path path = folder_ / "plate.brep";
+    std::ofstream(path) << to_brep(perforated_plate(side));
+    const ReadLimits limits{.memory = std::uint64_t{150} << 20U};
+    const LoadedMesh loaded = load_mesh_isolated(path, limits, {.pixels = 1700});
+    EXPECT_TRUE(loaded.notes.empty());
+    EXPECT_EQ(edges_of(loaded.mesh), (EdgeCounts{2 * side * side + 12, 0, side * side, 0}));
+    constexpr double hole = std::numbers::pi * 0.3 * 0.3;
+    EXPECT_NEAR(volume(loaded.mesh), side * side * (1 - hole), 0.01 * side * side * hole);
+}
+
+/// A star with spikes of many lengths, 10 thick, and its volume.
+std::pair<TopoDS_Shape, double> star() {
+    constexpr int corners = 65;
+    constexpr double turn = 2 * std::numbers::pi / corners;
+    std::vector<double> radii;
+    std::uint32_t random = 1175;
+    for (int i = 0; i < corners; ++i) {
+        random = random * 1664525U + 1013904223U;
+        radii.push_back(20 + 80 * (random >> 8U) * 0x1p-24);
+    }
+    BRepBuilderAPI_MakePolygon outline;
+    double area = 0;
+    for (std::size_t i = 0; i < corners; ++i) {
+        const double angle = turn * static_cast<double>(i);
+        outline.Add({radii[i] * std::cos(angle), radii[i] * std::sin(angle), 0});
+        area += 0.5 * radii[i] * radii[(i + 1) % corners] * std::sin(turn);
+    }
+    outline.Close();
+    const BRepBuilderAPI_MakeFace face(gp_Pln(gp::XOY()), outline.Wire());
+    return {BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, 10)).Shape(), 10 * area};
+}
+
+// Of the two algorithms that Open CASCADE has, the faster one fills a bay of this star.
+TEST_F(Brep, FacesEndWhereTheirEdgesRun) {
+    const auto [shape, wanted] = star();
+    const LoadedMesh loaded = load("star.brep", to_brep(shape));
+    EXPECT_TRUE(loaded.notes.empty());
+    EXPECT_NEAR(volume(loaded.mesh), wanted, 1e-5 * wanted);
+    EXPECT_EQ(extract_lines(loaded.mesh).kind_counts[LA_KIND_BOUNDARY], 0U);
 }
 
 /// How far the chords of a circle about the z axis are off it at most, and how many there are.

@@ -4,6 +4,11 @@
 #include <stdexcept>
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Writer.hxx>
@@ -21,9 +26,12 @@
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 
 namespace lineatlas::test {
 
@@ -91,6 +99,23 @@ std::string to_brep(const TopoDS_Shape& shape) {
     std::ostringstream text;
     BRepTools::Write(shape, text);
     return text.str();
+}
+
+TopoDS_Shape perforated_plate(int side) {
+    const auto corner = [&](int x, int y) { return gp_Pnt(x * side, y * side, 0); };
+    BRepBuilderAPI_MakeFace face(
+        gp_Pln(gp::XOY()),
+        BRepBuilderAPI_MakePolygon(corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1), true)
+            .Wire());
+    for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < side; ++y) {
+            const gp_Ax2 axis(gp_Pnt(x + 0.5, y + 0.5, 0), gp::DZ());
+            const TopoDS_Wire hole =
+                BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(axis, 0.3)).Edge()).Wire();
+            face.Add(TopoDS::Wire(hole.Reversed()));
+        }
+    }
+    return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, 1)).Shape();
 }
 
 } // namespace lineatlas::test

@@ -24,4 +24,8 @@ std::string to_iges(const std::vector<NamedShape>& shapes, bool solids, const ch
 
 std::string to_brep(const TopoDS_Shape& shape);
 
+/// A square plate, 1 thick, through which `side` times `side` round holes of radius 0.3 go, one a
+/// unit of its area.
+TopoDS_Shape perforated_plate(int side);
+
 } // namespace lineatlas::test

@@ -8,7 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Polygon3D.hxx>
@@ -30,6 +29,7 @@
 
 #include "edge_kind.hpp"
 #include "surface_normal.hpp"
+#include "triangulate.hpp"
 
 namespace lineatlas::brep {
 
@@ -241,7 +241,7 @@ ShapeMesh mesh_in_parts(const TopoDS_Shape& shape, const IMeshTools_Parameters& 
     divide.SetSurfaceCriterion(GeomAbs_C1);
     divide.Perform();
     const TopoDS_Shape parts = divide.Result();
-    BRepMesh_IncrementalMesh{parts, parameters};
+    triangulate(parts, parameters);
     ShapeMesh mesh = Stitcher{parts}.stitch();
     TopTools_DataMapOfShapeShape whole;
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -264,7 +264,7 @@ ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness) {
     // By default twice as much within faces, where a fillet then has two strips and its outline
     // teeth.
     parameters.AngleInterior = fineness.angle;
-    BRepMesh_IncrementalMesh{here, parameters};
+    triangulate(here, parameters);
     Stitcher stitcher{here};
     ShapeMesh mesh = stitcher.stitch();
     if (!stitcher.has_kinks()) return mesh;
