@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -183,6 +184,7 @@ class NearPlaces {
         : mesh_(mesh), cell_(same_place * diagonal) {}
 
     void join(std::vector<Intersection>& intersections) {
+        marked_.assign(std::bit_ceil(bits_per_place * (2 * intersections.size() + 1)), false);
         for (Intersection& one : intersections) {
             one.p = first_near(one.p);
             one.q = first_near(one.q);
@@ -215,17 +217,28 @@ class NearPlaces {
                         static_cast<std::int64_t>(scaled.z)};
         for (std::int64_t i = 0; i < 27; ++i) {
             const Cell beside{cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1};
+            if (!may_be_known(beside)) continue;
             const auto known = known_.find(beside);
             if (known != known_.end() && glm::distance(known->second.at, at) < cell_)
                 return known->second.place;
         }
         known_.emplace(cell, Known{place, at});
+        marked_[bit_of(cell)] = true;
         return place;
+    }
+
+    /// Most cells around a place are empty: a bit says so where the map would cost a walk through
+    /// memory.
+    bool may_be_known(const Cell& cell) const { return marked_[bit_of(cell)]; }
+    std::size_t bit_of(const Cell& cell) const {
+        return CellHash{}(cell) >> 8U & (marked_.size() - 1);
     }
 
     const WeldedMesh& mesh_;
     double cell_;
     std::unordered_map<Cell, Known, CellHash> known_;
+    static constexpr std::size_t bits_per_place = 16;
+    std::vector<bool> marked_; ///< by hash, cells that are in `known_`
 };
 
 /// From one place of a line to another, in model units.
