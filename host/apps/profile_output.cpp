@@ -3,6 +3,8 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "io/atomic_file.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
