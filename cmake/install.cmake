@@ -33,7 +33,7 @@ endfunction()
 
 add_shared_library(lineatlas_shared NAME lineatlas FILE lineatlas
     RUNTIME runtime DEVELOPMENT development
-    ROOMS core sources compute visibility gl interop renderer style vector profile polygon section scenes
+    ROOMS base core sources compute visibility gl interop renderer style vector profile polygon section scenes
     PUBLIC glm::glm
     PRIVATE PkgConfig::epoxy fmt::fmt pugixml::pugixml
             tomlplusplus::tomlplusplus TBB::tbb)
@@ -45,7 +45,7 @@ add_shared_library(lineatlas_headless_shared NAME headless FILE lineatlas-headle
     ROOMS headless PUBLIC lineatlas_shared PRIVATE PkgConfig::epoxy)
 add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
     RUNTIME io DEVELOPMENT io-development
-    ROOMS io polygon PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader
+    ROOMS base io polygon PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader
                                          $<TARGET_NAME_IF_EXISTS:PkgConfig::seccomp>)
 
 # The io room looks for it here, seen from the shared library and from the tool.

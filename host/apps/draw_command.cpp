@@ -6,11 +6,11 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include "base/printable.hpp"
 #include "certifier.hpp"
 #include "command_line/session_file.hpp"
 #include "command_line/values.hpp"
 #include "core/line_pens.hpp"
-#include "core/printable.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
 #include "empty_frames.hpp"

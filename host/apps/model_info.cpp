@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 #include "core/up_axis.hpp"
 #include "io/extension.hpp"
 #include "io/part_paths.hpp"

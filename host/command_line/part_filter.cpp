@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.hpp"
 #include "core/name_pattern.hpp"
-#include "core/printable.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/error.hpp"
 

@@ -1,6 +1,6 @@
 #include "lineatlas/error.hpp"
 
-#include "printable.hpp"
+#include "base/printable.hpp"
 
 namespace lineatlas {
 

@@ -2,7 +2,7 @@
 #include <numeric>
 #include <string>
 
-#include "exact_bounds.hpp"
+#include "base/exact_bounds.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/exact_arrays.hpp"
 #include "lineatlas/mesh.hpp"

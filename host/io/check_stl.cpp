@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/exact_bounds.hpp"
 #include "checked.hpp"
-#include "core/exact_bounds.hpp"
 #include "little_endian.hpp"
 #include "text_cursor.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 #include "reader_protocol.hpp"
 #include "sound.hpp"
 

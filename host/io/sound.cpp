@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/exact_bounds.hpp"
+#include "base/exact_bounds.hpp"
 
 namespace lineatlas {
 namespace {

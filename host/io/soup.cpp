@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/exact_bounds.hpp"
+#include "base/exact_bounds.hpp"
 #include "polygon/polygon.hpp"
 #include "source_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {

@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {

@@ -12,8 +12,8 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "base/exact_bounds.hpp"
 #include "bindings.hpp"
-#include "core/exact_bounds.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"

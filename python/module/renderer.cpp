@@ -2,9 +2,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "base/exact_bounds.hpp"
 #include "bindings.hpp"
 #include "core/empty_drawing.hpp"
-#include "core/exact_bounds.hpp"
 #include "drawer.hpp"
 #include "intervals.hpp"
 #include "lineatlas/error.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::test {

@@ -16,7 +16,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "core/printable.hpp"
+#include "base/printable.hpp"
 #include "io/isolated.hpp"
 #include "io/part_paths.hpp"
 #include "io/reader_messages.hpp"
