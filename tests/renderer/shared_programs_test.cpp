@@ -73,7 +73,8 @@ TEST_P(SharedPrograms, ThreadsBuildAProgramOnceTogether) {
     EXPECT_EQ(opencl_faults().builds, builds);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, SharedPrograms, testing::Values("copy", "host-pointer"), mode_name);
+// Programs do not depend on it.
+INSTANTIATE_TEST_SUITE_P(OneMode, SharedPrograms, testing::Values("host-pointer"), mode_name);
 
 } // namespace
 } // namespace lineatlas::test
