@@ -133,6 +133,8 @@ class Overlaps {
     /// Appends to `result` what may be drawn of `path`, which claims its place.
     void claim(VectorPath&& path, std::vector<VectorPath>& result) {
         std::vector<Span> covered;
+        const std::size_t first = lines_.size();
+        middles_.clear();
         double passed = 0;
         for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
             const glm::dvec2 way = path.points[i + 1].at - path.points[i].at;
@@ -140,7 +142,7 @@ class Overlaps {
             if (!(length > 0)) continue;
             const Line line{path.points[i].at, way / length, length};
             const std::vector<Span> own = covered_part(line);
-            for (const Span free : rest_of(own, length)) add(line, free);
+            for (const Span free : rest_of(own, length)) add(line, free, passed);
             for (const Span span : own) covered.push_back({passed + span.from, passed + span.to});
             passed += length;
         }
@@ -148,7 +150,11 @@ class Overlaps {
             result.push_back(std::move(path));
             return;
         }
-        keep_rest(path, covered, passed, result);
+        join_spans(covered, shortest_rest);
+        std::vector<Span> kept = rest_of(covered, passed);
+        std::erase_if(kept, [](Span span) { return span.to - span.from < shortest_rest; });
+        forget_dropped(first, kept);
+        add_parts(path, covered, kept, passed, result);
     }
 
   private:
@@ -164,22 +170,32 @@ class Overlaps {
         return covered;
     }
 
-    void add(const Line& line, Span part) {
+    /// passed: of the path, before the line.
+    void add(const Line& line, Span part, double passed) {
         if (part.to - part.from < shortest_overlap) return;
         const Line free{line.a + line.along * part.from, line.along, part.to - part.from};
         grid_.insert(free.a, free.a + free.along * free.length,
                      static_cast<std::uint32_t>(lines_.size()));
         lines_.push_back(free);
+        middles_.push_back(passed + 0.5 * (part.from + part.to));
     }
 
-    static void keep_rest(const VectorPath& path, std::vector<Span>& covered, double length,
-                          std::vector<VectorPath>& result) {
-        join_spans(covered, shortest_rest);
-        std::vector<VectorPath> parts;
-        for (const Span span : rest_of(covered, length)) {
-            if (span.to - span.from < shortest_rest) continue;
-            parts.push_back(part_of(path, span.from, span.to));
+    /// Empties the lines from `first` on that are in none of the parts that are kept: what is not
+    /// drawn covers nothing, or where many lines meet each would take away from the next.
+    void forget_dropped(std::size_t first, const std::vector<Span>& kept) {
+        auto part = kept.begin();
+        for (std::size_t i = first; i < lines_.size(); ++i) {
+            const double middle = middles_[i - first];
+            while (part != kept.end() && part->to < middle) ++part;
+            if (part == kept.end() || middle < part->from) lines_[i].length = 0;
         }
+    }
+
+    static void add_parts(const VectorPath& path, const std::vector<Span>& covered,
+                          const std::vector<Span>& kept, double length,
+                          std::vector<VectorPath>& result) {
+        std::vector<VectorPath> parts;
+        for (const Span span : kept) parts.push_back(part_of(path, span.from, span.to));
         const bool over_seam = path.closed && parts.size() > 1 && covered.front().from > 0 &&
                                covered.back().to < length;
         if (over_seam && parts.front().points.front().at == path.points.front().at &&
@@ -191,7 +207,8 @@ class Overlaps {
     }
 
     SegmentGrid grid_;
-    std::vector<Line> lines_; ///< what is drawn already
+    std::vector<Line> lines_;     ///< what is drawn already
+    std::vector<double> middles_; ///< of those of the path that claims its place, from its start
 };
 
 } // namespace

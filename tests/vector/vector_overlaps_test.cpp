@@ -38,6 +38,21 @@ TEST(Overlaps, TheCheckerFindsWhatIsPlanted) {
     EXPECT_EQ(overlap({{{10, 10}, {90, 90}}, {{10, 90}, {90, 10}}}), 0);
 }
 
+TEST(Overlaps, WhatIsLeftOutCoversNothing) {
+    // Each line runs along the one before but for 0.3 pixels at its end, which are too short to be
+    // drawn. If they took away from the next line, nothing would be drawn of all the others.
+    std::vector<VectorPath> paths;
+    for (int i = 0; i < 200; ++i) {
+        const double from = 10 + 0.3 * i;
+        paths.push_back(
+            path_through(LineKind::crease, true, {{from, 50}, {from + 20, 50}}, 0.001 * i));
+    }
+    double length = 0;
+    for (const VectorPath& path : without_overlaps(paths))
+        length += glm::distance(path.points.front().at, path.points.back().at);
+    EXPECT_NEAR(length, 20 + 0.3 * 199, 0.5);
+}
+
 TEST(Overlaps, OfTwoEqualLinesTheOneThatMattersMoreStays) {
     const std::vector<glm::dvec2> line{{10, 10}, {90, 10}};
     const auto kept = [&](VectorPath a, VectorPath b) {
