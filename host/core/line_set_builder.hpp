@@ -22,6 +22,8 @@ class LineSetBuilder {
   public:
     explicit LineSetBuilder(std::size_t vertices) : edges_at_vertex_(vertices, 0) {}
 
+    /// Something else ends at a vertex, or goes on from it: lines there are not alone.
+    void touch(std::uint32_t vertex) { ++edges_at_vertex_[vertex]; }
     /// Fixed lines, chained; then silhouette candidates.
     void add(const std::vector<glm::vec3>& vertices, const std::vector<Line>& fixed,
              const std::vector<Line>& candidates, float chain_angle);

@@ -418,6 +418,7 @@ class Extraction {
         const std::size_t flat = flat_face_count(welded_, normals_);
         forget_edges();
         LineSetBuilder builder{welded_.vertices.size()};
+        for (const CutVertex& cut : added_.cuts()) builder.touch(cut.vertex);
         builder.add(welded_.vertices, fixed_, candidates_, options_.chain_angle);
         LineSet result = std::move(builder.result);
         const std::size_t first_contour = result.segments.size() - in_solid_.size();

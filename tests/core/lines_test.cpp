@@ -119,6 +119,7 @@ void expect_sound(const LineSet& lines) {
         }
     }
     EXPECT_EQ(kinds, lines.kind_counts);
+    for (const CutVertex& cut : lines.cut_vertices) ++touching[cut.vertex];
     for (const Segment& s : lines.segments) {
         EXPECT_EQ(is_lone(s), touching[s.p] == 1 && touching[s.q] == 1);
     }
