@@ -194,11 +194,12 @@ TEST(GlStateCompatibility, WhereNothingIsDrawnCallsAreRefused) {
     const LineSet& lines = scene_lines("house");
     renderer.set_lines(lines);
     const gl::Canvas canvas{size};
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer()); // there is none to begin with
     const std::function<void()> calls[] = {
         [&] { renderer.draw(camera(), {}, canvas.framebuffer()); },
         [&] { renderer.set_lines(lines); },
         [&] {
-            renderer.pick({1, 1}, 1);
+            renderer.pick(camera(), {1, 1}, 1);
         },
         [] { Renderer{}; },
     };
