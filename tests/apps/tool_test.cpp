@@ -57,7 +57,8 @@ TEST_F(Tool, TextIsText) {
             ASSERT_TRUE(c == '\n' || c == '\t' || (c >= ' ' && c != 0x7F)) << arguments;
         EXPECT_EQ(output.find("\xc2\x9b"), output.npos) << arguments;
         EXPECT_EQ(output.find('\xff'), output.npos) << arguments;
-        if (!arguments.starts_with("info --json")) EXPECT_LT(output.size(), 20'000U) << arguments;
+        if (arguments.starts_with("info --json")) continue; // names are whole there
+        EXPECT_LT(output.size(), 20'000U) << arguments;
     }
 }
 
