@@ -9,6 +9,7 @@
 
 #include "command_line/program.hpp"
 #include "commands.hpp"
+#include "compute/opencl/devices.hpp"
 #include "lineatlas/error.hpp"
 
 namespace {
@@ -62,5 +63,6 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    lineatlas::compute::mistrust_drivers();
     return lineatlas::run_program(argc, argv, run);
 }

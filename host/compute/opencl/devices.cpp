@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "core/memory_limit.hpp"
 #include "driver_trial.hpp"
+#include "icd_files.hpp"
 #include "lineatlas/error.hpp"
 #include "loader.hpp"
 #include "pocl_cache.hpp"
@@ -41,10 +43,12 @@ OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
             .is_gpu = (type & CL_DEVICE_TYPE_GPU) != 0};
 }
 
+bool mistrusted = false;
+
 /// Found once, before the drivers are loaded.
 struct DriverState {
     std::string no_cache = give_pocl_a_cache();
-    DriverTrial trial = try_drivers();
+    DriverTrial trial = try_drivers(mistrusted);
 };
 
 const DriverState& driver_state() {
@@ -52,11 +56,27 @@ const DriverState& driver_state() {
     return state;
 }
 
-bool works(const cl::Platform& platform) {
-    const std::optional<std::vector<std::string>>& working = driver_state().trial.working;
-    if (!working) return true;
-    const std::string name = platform.getInfo<CL_PLATFORM_NAME>();
-    return std::ranges::find(*working, name) != working->end();
+/// `platform`: its place among all.
+bool works(std::size_t platform) {
+    const std::optional<std::vector<std::size_t>>& working = driver_state().trial.working;
+    return !working || std::ranges::find(*working, platform) != working->end();
+}
+
+/// Numbers those that have one name.
+void tell_apart(std::vector<OpenClDevice>& devices) {
+    std::map<std::string, int> counts;
+    for (const OpenClDevice& device : devices) ++counts[device.name()];
+    std::map<std::string, int> numbers;
+    for (OpenClDevice& device : devices) {
+        const std::string name = device.name();
+        if (counts[name] > 1) device.number = ++numbers[name];
+    }
+}
+
+std::string joined(const std::vector<std::string>& causes) {
+    std::string text;
+    for (const std::string& cause : causes) text += (text.empty() ? "" : "; ") + cause;
+    return text;
 }
 
 } // namespace
@@ -65,12 +85,16 @@ bool contains_ignoring_case(std::string_view text, std::string_view part) {
     return lower(text).find(lower(part)) != std::string::npos;
 }
 
+std::string OpenClDevice::own_name() const {
+    return number == 0 ? device_name : device_name + " #" + std::to_string(number);
+}
+
 std::string OpenClDevice::name() const {
-    return "opencl:" + platform_name + ":" + device_name;
+    return "opencl:" + platform_name + ":" + own_name();
 }
 
 std::string OpenClDevice::description() const {
-    return "opencl: " + device_name + " (" + platform_name + ")";
+    return "opencl: " + own_name() + " (" + platform_name + ")";
 }
 
 bool OpenClDevice::has_extension(std::string_view extension) const {
@@ -92,16 +116,18 @@ std::vector<OpenClDevice> list_opencl_devices() {
     } catch (const cl::Error&) {
         return result; // the loader reports "no platform" as an error
     }
-    for (const cl::Platform& platform : platforms) {
+    for (std::size_t i = 0; i < platforms.size(); ++i) {
+        if (!works(i)) continue;
         try {
-            if (!works(platform)) continue;
             std::vector<cl::Device> devices;
-            platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-            for (const cl::Device& device : devices) result.push_back(describe(platform, device));
+            platforms[i].getDevices(CL_DEVICE_TYPE_ALL, &devices);
+            for (const cl::Device& device : devices)
+                result.push_back(describe(platforms[i], device));
         } catch (const cl::Error&) {
             continue; // a platform without devices is an error too
         }
     }
+    tell_apart(result);
     return result;
 }
 
@@ -123,7 +149,7 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
     std::vector<OpenClDevice> found;
     for (const OpenClDevice& candidate : all) {
         if (contains_ignoring_case(candidate.platform_name, platform) &&
-            contains_ignoring_case(candidate.device_name, device)) {
+            contains_ignoring_case(candidate.own_name(), device)) {
             found.push_back(candidate);
         }
     }
@@ -132,7 +158,9 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
         for (const OpenClDevice& candidate : all) known += " \"" + candidate.name() + "\"";
         const bool disabled =
             contains_ignoring_case(platform, "rusticl") && std::getenv("RUSTICL_ENABLE") == nullptr;
+        const std::string failed = joined(drivers_that_fail());
         throw UsageError("no OpenCL device matches \"" + wanted + "\"; there is" + known +
+                         (failed.empty() ? "" : "; " + failed) +
                          (disabled ? "; rusticl has devices only where RUSTICL_ENABLE names their "
                                      "drivers, as in RUSTICL_ENABLE=llvmpipe"
                                    : ""));
@@ -140,17 +168,38 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
     return found;
 }
 
+void mistrust_drivers() {
+    mistrusted = true;
+}
+
+std::vector<std::string> drivers_that_fail() {
+    std::vector<std::string> causes;
+    const DriverTrial& trial = driver_state().trial;
+    if (!trial.cause.empty()) causes.push_back(trial.cause);
+    if (trial.working && trial.working->empty()) return causes; // none is loaded here
+    for (const IcdFile& icd : icd_files())
+        if (!icd.cause.empty()) causes.push_back(icd.path + ": " + icd.cause);
+    return causes;
+}
+
 std::string why_no_device() {
     const DriverState& state = driver_state();
-    std::string cause = state.trial.cause;
-    if (!state.no_cache.empty()) cause += (cause.empty() ? "" : "; ") + state.no_cache;
-    if (!cause.empty()) return "no OpenCL device can be used (" + cause + ")";
-    const OpenClLibrary& library = opencl_library();
-    const std::string absent = library.works ? "" : library.cause + "; ";
-    const std::optional<std::string> limit = memory_limit();
-    return "no OpenCL device was found (" + absent +
-           "on Debian and Ubuntu: apt install pocl-opencl-icd" +
-           (limit ? "; this process may have only " + *limit + " of memory)" : ")");
+    std::vector<std::string> causes;
+    for (const std::string& cause : {state.trial.cause, state.no_cache})
+        if (!cause.empty()) causes.push_back(cause);
+    if (!causes.empty()) return "no OpenCL device can be used (" + joined(causes) + ")";
+    if (const OpenClLibrary& library = opencl_library(); !library.works)
+        causes.push_back(library.cause);
+    bool has_pocl = false;
+    for (const IcdFile& icd : icd_files()) {
+        const bool loads = icd.cause.empty();
+        causes.push_back(icd.path + ": " + (loads ? icd.library + " has no device" : icd.cause));
+        has_pocl = has_pocl || contains_ignoring_case(icd.library, "pocl");
+    }
+    if (!has_pocl) causes.emplace_back("on Debian and Ubuntu: apt install pocl-opencl-icd");
+    if (const std::optional<std::string> limit = memory_limit())
+        causes.push_back("this process may have only " + *limit + " of memory");
+    return "no OpenCL device was found (" + joined(causes) + ")";
 }
 
 bool drivers_lack_memory() {

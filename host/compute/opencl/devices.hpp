@@ -18,7 +18,10 @@ struct OpenClDevice {
     std::string extensions;
     bool is_cpu = false;
     bool is_gpu = false;
+    int number = 0; ///< from 1 among those that have one name; 0: there is no other
 
+    /// Its name, with its number.
+    std::string own_name() const;
     /// How the user names it: "opencl:<platform>:<device>".
     std::string name() const;
     /// How it is named to the user: "opencl: <device> (<platform>)".
@@ -37,6 +40,14 @@ std::vector<OpenClDevice> list_opencl_devices();
 /// either case. Throws UsageError if the form is wrong, or DeviceError, listing the known devices,
 /// if there is none.
 std::vector<OpenClDevice> find_opencl_devices(std::string_view name);
+
+/// From now on, drivers say what devices they have in a copy of this process before they are
+/// loaded: for programs that may fork when they first ask for a device. Some end the process that
+/// asks.
+void mistrust_drivers();
+
+/// What is wrong with drivers that are installed and do not work, one by one.
+std::vector<std::string> drivers_that_fail();
 
 /// Why list_opencl_devices() is empty: the beginning of a message.
 std::string why_no_device();

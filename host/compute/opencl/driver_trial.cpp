@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -36,6 +37,8 @@ constexpr std::size_t room = std::size_t{192} << 20U;
 /// what counts is how long nothing of it runs or wants to run.
 constexpr std::chrono::seconds most_asleep{3};
 constexpr std::chrono::seconds most_time{60};
+/// ocl-icd asks each platform for its devices before it names any, to sort them; not by "none".
+constexpr const char* sort = "OCL_ICD_PLATFORM_SORT";
 constexpr std::string_view of_pocl = "Portable Computing Language";
 
 bool has_linker() {
@@ -59,9 +62,33 @@ void try_device(const cl::Device& device) {
     queue.finish();
 }
 
+/// How much drivers have to show.
+enum class Trial {
+    devices, ///< what devices they have
+    kernels, ///< a kernel, with memory left for a frame
+};
+
+void take_memory() {
+    void* const taken =
+        ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (taken == MAP_FAILED) ::_exit(1);
+}
+
+void try_platform(const cl::Platform& platform, Trial trial) {
+    std::vector<cl::Device> devices;
+    if (::clGetDeviceIDs(platform(), CL_DEVICE_TYPE_ALL, 0, nullptr, nullptr) !=
+        CL_DEVICE_NOT_FOUND)
+        platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    for (const cl::Device& device : devices) {
+        device.getInfo<CL_DEVICE_NAME>();
+        device.getInfo<CL_DEVICE_EXTENSIONS>();
+        if (trial == Trial::kernels) try_device(device);
+    }
+}
+
 /// In the copy. Says which platform comes next before it is tried, so that the last one named is
 /// the one that failed.
-[[noreturn]] void try_all(int output, const std::vector<std::string>& without, const char* cache) {
+[[noreturn]] void try_all(int output, std::size_t first, Trial trial, const char* cache) {
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
     ::signal(SIGABRT, SIG_DFL);
@@ -74,21 +101,13 @@ void try_device(const cl::Device& device) {
     const auto say = [&](const std::string& line) {
         if (::write(output, line.data(), line.size()) < 0) ::_exit(1);
     };
-    void* const taken =
-        ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (taken == MAP_FAILED) ::_exit(1);
+    if (trial == Trial::kernels) take_memory();
     try {
         std::vector<cl::Platform> platforms;
         cl::Platform::get(&platforms);
-        for (const cl::Platform& platform : platforms) {
-            const std::string name = platform.getInfo<CL_PLATFORM_NAME>();
-            if (std::ranges::find(without, name) != without.end()) continue;
-            say(name + "\n");
-            std::vector<cl::Device> devices;
-            if (::clGetDeviceIDs(platform(), CL_DEVICE_TYPE_ALL, 0, nullptr, nullptr) !=
-                CL_DEVICE_NOT_FOUND)
-                platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
-            for (const cl::Device& device : devices) try_device(device);
+        for (std::size_t i = first; i < platforms.size(); ++i) {
+            say(platforms[i].getInfo<CL_PLATFORM_NAME>() + "\n");
+            try_platform(platforms[i], trial);
         }
     } catch (const cl::Error& error) {
         ::_exit(error.err() == CL_PLATFORM_NOT_FOUND_KHR ? 0 : 1);
@@ -120,14 +139,16 @@ struct Ending {
     bool good = false;
     bool idle = false; ///< ended for doing nothing
     bool late = false; ///< or for taking too long
+    int signal = 0;    ///< what ended it, 0 otherwise
     std::vector<std::string> tried;
 };
 
-Ending run_copy(const std::vector<std::string>& without, const char* cache) {
+/// `first`: the platform to begin with.
+Ending run_copy(std::size_t first, Trial trial, const char* cache) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
     const pid_t copy = ::fork();
-    if (copy == 0) try_all(pipe[1], without, cache);
+    if (copy == 0) try_all(pipe[1], first, trial, cache);
     ::close(pipe[1]);
     Ending ending;
     std::string said;
@@ -152,6 +173,7 @@ Ending run_copy(const std::vector<std::string>& without, const char* cache) {
     int status = 0;
     if (copy < 0 || ::waitpid(copy, &status, 0) != copy) return {};
     ending.good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
     std::istringstream lines{said};
     for (std::string line; std::getline(lines, line);) ending.tried.push_back(line);
     return ending;
@@ -191,31 +213,41 @@ std::string why(const std::string& platform, const Ending& ending, bool linker,
     text += ending.idle   ? " did nothing for " + seconds(most_asleep)
             : ending.late ? " took more than " + seconds(most_time)
                           : std::string{" failed a trial"};
+    if (!ending.idle && !ending.late && ending.signal != 0)
+        text += std::string{" ("} + ::strsignal(ending.signal) + ")";
     if (limit) text += " with the memory that this process may have, " + *limit;
     return text;
 }
 
 } // namespace
 
-DriverTrial try_drivers() {
+DriverTrial try_drivers(bool mistrusted) {
     DriverTrial trial;
     const bool linker = has_linker();
     const std::optional<std::string> limit = memory_limit();
-    if (linker && !limit) return trial;
-    const EmptyCache cache;
-    std::vector<std::string> working, known;
+    const Trial kind = linker && !limit ? Trial::devices : Trial::kernels;
+    if (kind == Trial::devices && !mistrusted) return trial;
+    std::optional<EmptyCache> cache;
+    if (kind == Trial::kernels) cache.emplace();
+    trial.working.emplace();
+    std::size_t next = 0;
     for (bool all = false; !all;) {
-        Ending ending = run_copy(known, cache.path());
-        known.insert(known.end(), ending.tried.begin(), ending.tried.end());
+        const Ending ending = run_copy(next, kind, cache ? cache->path() : nullptr);
         all = ending.good || ending.tried.empty();
-        if (!ending.good) {
-            const std::string failing = ending.tried.empty() ? "" : ending.tried.back();
-            if (!failing.empty()) ending.tried.pop_back();
-            trial.cause += (trial.cause.empty() ? "" : "; ") + why(failing, ending, linker, limit);
+        for (std::size_t i = 0; i < ending.tried.size(); ++i) {
+            const bool failed = !ending.good && i + 1 == ending.tried.size();
+            if (!failed) trial.working->push_back(next + i);
         }
-        working.insert(working.end(), ending.tried.begin(), ending.tried.end());
+        next += ending.tried.size();
+        if (ending.good) continue;
+        if (ending.tried.empty() && ::getenv(sort) == nullptr) {
+            ::setenv(sort, "none", 1);
+            all = false;
+            continue;
+        }
+        const std::string failing = ending.tried.empty() ? "" : ending.tried.back();
+        trial.cause += (trial.cause.empty() ? "" : "; ") + why(failing, ending, linker, limit);
     }
-    trial.working = std::move(working);
     return trial;
 }
 

@@ -44,10 +44,10 @@ constexpr std::array names{LA_OPENCL_FUNCTIONS(LA_NAME) "clGetPlatformIDs"};
 
 OpenClLibrary open_library() {
     OpenClLibrary library;
-    // What stands before the library in a process, as a debugger of kernels does, goes first.
-    const bool is_there = ::dlsym(RTLD_DEFAULT, "clGetPlatformIDs") != nullptr;
-    library.handle = is_there ? RTLD_DEFAULT : ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
-    if (!is_there && library.handle == nullptr) {
+    // What stands before the library in a process goes first.
+    library.in_front = ::dlsym(RTLD_DEFAULT, "clGetPlatformIDs") != nullptr;
+    library.handle = library.in_front ? RTLD_DEFAULT : ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
+    if (!library.in_front && library.handle == nullptr) {
         const char* const error = ::dlerror();
         library.cause = error != nullptr ? error : std::string{file} + " cannot be opened";
         return library;

@@ -8,6 +8,8 @@ namespace lineatlas::compute {
 /// functions, so that programs start, and draw by C++, where there is none.
 struct OpenClLibrary {
     bool works = false;
+    bool in_front =
+        false;           ///< it is one that stands before the loader, as a debugger of kernels does
     std::string cause{}; ///< why not
 
     /// A function of it; there must be one of that name.

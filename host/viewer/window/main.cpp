@@ -12,6 +12,7 @@
 #include "command_line/read_options.hpp"
 #include "command_line/style_options.hpp"
 #include "command_line/values.hpp"
+#include "compute/opencl/devices.hpp"
 #include "lineatlas/error.hpp"
 
 namespace {
@@ -92,5 +93,6 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    lineatlas::compute::mistrust_drivers();
     return lineatlas::run_program(argc, argv, run);
 }
