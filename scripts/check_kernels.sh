@@ -17,8 +17,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 kernels=${LINEATLAS_KERNEL_DIR:-kernels}
 
-# Without optimisation, since it brings intrinsics that Oclgrind does not know.
-if ! oclgrind --check-api --data-races --inst-counts --build-options -cl-opt-disable \
+if ! oclgrind --check-api --data-races --inst-counts \
     --log "$work/reports" "$@" >"$work/output" 2>"$work/errors"; then
     echo "The program failed under Oclgrind:"
     grep -v '^[[:space:]]*[0-9]* - ' "$work/output" "$work/errors" "$work/reports" | tail -40

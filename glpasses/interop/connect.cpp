@@ -8,6 +8,7 @@
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/opencl_backend.hpp"
+#include "compute/opencl/quirks.hpp"
 #include "core/memory_limit.hpp"
 #include "gl_context.hpp"
 #include "lineatlas/error.hpp"
@@ -22,8 +23,24 @@ struct Attempt {
     std::string reason;
 };
 
+constexpr const char* collision =
+    "it crashes beside llvmpipe, since each brings an LLVM of its own";
+
+/// Whether the device and the driver of the current context do not live in one process.
+bool collides(const compute::OpenClDevice& device) {
+    return compute::collides_with_llvmpipe(device) && gl_is_software();
+}
+
+void refuse_collision(const compute::OpenClDevice& device) {
+    if (!collides(device)) return;
+    throw DeviceError(device.description() + ": " + collision +
+                      "; take DeviceOptions::compute cpp, or draw paths by the method exact, which "
+                      "need no GL");
+}
+
 /// What can be said against a mode without building anything. Empty: worth trying.
 std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
+    if (collides(device)) return collision;
     if (mode == SharingMode::gl_sharing) return gl_sharing_obstacle(device);
     if (mode == SharingMode::host_pointer) {
         if (!device.is_cpu) return "the device is not a CPU";
@@ -85,6 +102,7 @@ struct Chosen {
 /// A device for a mode if that mode works, with the reason if not. Making a device compiles
 /// kernels, so the attempt's own is kept.
 Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMode> wanted) {
+    refuse_collision(device);
     std::string reason;
     for (const SharingMode mode : all_modes) {
         if (wanted && *wanted != mode) continue;
@@ -155,6 +173,8 @@ std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
 }
 
 Connection connect(const ConnectOptions& options) {
+    if (options.compare_with.starts_with("opencl"))
+        refuse_collision(compute::find_opencl_devices(options.compare_with).front());
     Chosen chosen = choose(options);
     chosen.device = compute::with_comparison(std::move(chosen.device), options.compare_with,
                                              options.compare_until);

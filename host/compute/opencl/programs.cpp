@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "guarded.hpp"
+#include "quirks.hpp"
 #include "shared_context.hpp"
 #include "sources/sources.hpp"
 
@@ -99,7 +100,8 @@ std::optional<ProgramCache> user_program_cache(bool by_default) {
 Programs::Programs(const OpenClDevice& device, std::shared_ptr<SharedContext> context,
                    const std::string& options, std::optional<ProgramCache> cache)
     : device_(device), context_(std::move(context)), cache_(std::move(cache)),
-      options_(common_options(device.device) + options), kernels_(all_kernels().size()) {}
+      options_(common_options(device.device) + quirk_options(device) + options),
+      kernels_(all_kernels().size()) {}
 
 BuiltKernel& Programs::built(const Kernel& kernel) {
     BuiltKernel& own = kernels_[kernel.index];

@@ -8,6 +8,8 @@ namespace {
 constexpr std::string_view pocl = "Portable Computing Language";
 constexpr std::string_view rusticl = "rusticl";
 
+constexpr std::string_view oclgrind = "Oclgrind";
+
 constexpr Quirk quirks[] = {
     {.platform = rusticl,
      .what = "On llvmpipe a work-item leaves its loops, without an error, after 65,535 rounds in "
@@ -50,6 +52,18 @@ constexpr Quirk quirks[] = {
      .remedy = "program_cache in kernels/tuning.toml, by measurement: docs/devices.md",
      .seen_with = "PoCL 3.1",
      .link = "https://github.com/pocl/pocl/commit/44100cf8cc97c2258aed3bf6a2e412121cdbdc79"},
+    {.platform = oclgrind,
+     .what = "Optimised programs hold intrinsics of LLVM that it does not know, and their kernels "
+             "cannot be made.",
+     .remedy = "quirk_options: nothing is optimised",
+     .seen_with = "Oclgrind 21.10",
+     .link = "https://github.com/jrprice/Oclgrind/issues"},
+    {.platform = oclgrind,
+     .what = "Its LLVM and that of Mesa's llvmpipe take each other's functions: the process "
+             "crashes when either compiles after the other.",
+     .remedy = "collides_with_llvmpipe: glpasses/interop/connect.cpp refuses it beside llvmpipe",
+     .seen_with = "Oclgrind 21.10, Mesa 22.3.6",
+     .link = "https://github.com/jrprice/Oclgrind/issues"},
 };
 
 } // namespace
@@ -68,6 +82,14 @@ Tuning within_quirks(Tuning tuning, const OpenClDevice& device) {
         tuning.depth_workers = ~0U;
     }
     return tuning;
+}
+
+std::string quirk_options(const OpenClDevice& device) {
+    return device.platform_name == oclgrind ? "-cl-opt-disable " : "";
+}
+
+bool collides_with_llvmpipe(const OpenClDevice& device) {
+    return device.platform_name == oclgrind;
 }
 
 bool aborts_on_foreign_binary(const OpenClDevice& device) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "tuning.hpp"
@@ -21,6 +22,12 @@ std::span<const Quirk> known_quirks();
 
 /// `tuning` with no loop so long that the device would leave it early.
 Tuning within_quirks(Tuning tuning, const OpenClDevice& device);
+
+/// Options for its compiler, each with a blank behind it.
+std::string quirk_options(const OpenClDevice& device);
+
+/// Whether a process that draws by Mesa's llvmpipe, too, crashes.
+bool collides_with_llvmpipe(const OpenClDevice& device);
 
 /// Whether a program binary that the driver didn't write ends the process instead of an error.
 /// Such a device must be given only binaries that are known to be whole and its own.
