@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include "compute/choose_device.hpp"
+#include "compute/opencl/build_error.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "compute/opencl/quirks.hpp"
 #include "core/memory_limit.hpp"
@@ -70,6 +71,8 @@ Attempt attempt(const compute::OpenClDevice& device, SharingMode mode) {
         auto made = compute::make_opencl_backend(device, properties);
         if (round_trip(*made, mode)) return {std::move(made), std::string{success(mode)}};
         return {nullptr, "a round trip returned other data"};
+    } catch (const compute::BuildError&) {
+        throw; // no mode works then
     } catch (const DeviceError& error) {
         return {nullptr, error.what()};
     }
@@ -97,6 +100,7 @@ struct Chosen {
     std::unique_ptr<compute::Device> device;
     SharingMode mode;
     std::string note{};
+    std::optional<ConnectOptions> otherwise{};
 };
 
 /// A device for a mode if that mode works, with the reason if not. Making a device compiles
@@ -133,17 +137,46 @@ Chosen choose_other(const std::string& kind, const std::string& device,
             wanted.value_or(shares_memory ? SharingMode::host_pointer : SharingMode::copy)};
 }
 
-Chosen choose(const ConnectOptions& options) {
+/// OpenCL devices that may be taken, but for those that are left out.
+std::vector<compute::OpenClDevice> devices_for(const compute::WantedDevice& wanted,
+                                               const ConnectOptions& options) {
+    std::vector<compute::OpenClDevice> devices = compute::opencl_devices(wanted);
+    std::erase_if(devices, [&](const compute::OpenClDevice& device) {
+        return std::ranges::any_of(options.without, [&](const compute::OpenClDevice& other) {
+            return other.device() == device.device();
+        });
+    });
+    return devices;
+}
+
+Chosen choose(ConnectOptions options) {
     const compute::WantedDevice wanted = compute::wanted_device(options.kind, options.device);
     if (!wanted.may_be_opencl()) return choose_other(wanted.kind, wanted.device, options.mode);
     if (starts_too_late(options, wanted)) return choose_other("cpp", "", options.mode);
-    const std::vector<compute::OpenClDevice> devices = compute::opencl_devices(wanted);
-    if (!devices.empty()) return choose_mode(devices[default_device(devices)], options.mode);
+    const bool is_open = wanted.device.empty() && options.compare_with.empty();
+    std::string& failed = options.why_without;
+    for (;;) {
+        const std::vector<compute::OpenClDevice> devices = devices_for(wanted, options);
+        if (devices.empty()) break;
+        options.without.push_back(devices[default_device(devices)]);
+        const compute::OpenClDevice& best = options.without.back();
+        try {
+            Chosen chosen = choose_mode(best, options.mode);
+            if (!failed.empty()) chosen.note = best.description() + " is used, since " + failed;
+            if (is_open) chosen.otherwise = options;
+            return chosen;
+        } catch (const compute::BuildError& error) {
+            if (!is_open) throw;
+            failed += (failed.empty() ? "" : "; ") + std::string{error.what()};
+        }
+    }
+    if (wanted.kind == "opencl" && !failed.empty()) throw DeviceError(failed);
     // With so little memory GL's drivers end the process too.
-    if (wanted.kind == "opencl" || compute::drivers_lack_memory())
+    if (wanted.kind == "opencl" || (failed.empty() && compute::drivers_lack_memory()))
         throw DeviceError(compute::no_device_message());
     Chosen chosen = choose_other("cpp", "", options.mode);
-    chosen.note = compute::note_of_cpp();
+    chosen.note = failed.empty() ? compute::note_of_cpp()
+                                 : "kernels run as C++ on all cores, since " + failed;
     return chosen;
 }
 
@@ -179,7 +212,14 @@ Connection connect(const ConnectOptions& options) {
     chosen.device = compute::with_comparison(std::move(chosen.device), options.compare_with,
                                              options.compare_until);
     auto stages = std::make_unique<compute::Stages>(*chosen.device);
-    return {std::move(chosen.device), std::move(stages), chosen.mode, std::move(chosen.note)};
+    return {std::move(chosen.device), std::move(stages), chosen.mode, std::move(chosen.note),
+            std::move(chosen.otherwise)};
+}
+
+Connection connect_next(const Connection& failed, const std::string& why) {
+    ConnectOptions options = failed.otherwise.value();
+    options.why_without += (options.why_without.empty() ? "" : "; ") + why;
+    return connect(options);
 }
 
 } // namespace lineatlas::interop

@@ -37,6 +37,9 @@ struct ConnectOptions {
     /// so (compare/comparing_device.hpp); empty: none, and all.
     std::string compare_with{}, compare_until{};
     bool one_picture = false; ///< DeviceOptions::one_picture
+    /// OpenCL devices that are not taken, and why, for a message.
+    std::vector<compute::OpenClDevice> without{};
+    std::string why_without{};
 };
 
 /// The stages on a device, with the way in which it shares buffers with the current GL context.
@@ -45,6 +48,8 @@ struct Connection {
     std::unique_ptr<compute::Stages> stages; ///< on it
     SharingMode mode;
     std::string note{}; ///< one line for the user where the device is not what he may expect
+    /// Where the user did not choose the device: what leaves it out, for connect_next().
+    std::optional<ConnectOptions> otherwise{};
 };
 
 /// Whether the current GL context renders on the CPU.
@@ -57,5 +62,9 @@ std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);
 /// Chooses device and mode and connects. Throws UsageError for an unknown one and
 /// DeviceError when there is no OpenCL or the mode asked for doesn't work.
 Connection connect(const ConnectOptions& options);
+
+/// Connects to the next device, since that of `failed`, which has Connection::otherwise, did not
+/// build a kernel: `why`. Throws as connect().
+Connection connect_next(const Connection& failed, const std::string& why);
 
 } // namespace lineatlas::interop

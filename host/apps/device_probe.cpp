@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "command_line/child_process.hpp"
+#include "compute/opencl/programs.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
@@ -24,34 +25,57 @@ std::string last_line(std::string text) {
     return before == std::string::npos ? text : text.substr(before + 1);
 }
 
-} // namespace
+/// What a process can be asked: modes by their places, and behind them:
+constexpr std::size_t kernels = interop::all_modes.size();
 
-interop::ModeReport probe_in_child(std::size_t index, interop::SharingMode mode,
-                                   std::chrono::seconds limit) {
-    const auto place = std::ranges::find(interop::all_modes, mode) - interop::all_modes.begin();
+Probe probe_in_child(std::size_t index, std::size_t what, std::chrono::seconds limit) {
     const ChildResult child =
         run_child("/proc/self/exe",
-                  {"devices", probe_option, std::to_string(index), std::to_string(place)}, limit);
-    if (child.timed_out) {
-        return {mode, false, fmt::format("no answer within {} seconds", limit.count())};
-    }
-    if (child.signal != 0) {
-        return {mode, false, fmt::format("the driver crashed ({})", strsignal(child.signal))};
-    }
+                  {"devices", probe_option, std::to_string(index), std::to_string(what)}, limit);
+    if (child.timed_out)
+        return {false, fmt::format("no answer within {} seconds", limit.count()), false};
+    if (child.signal != 0)
+        return {false, fmt::format("the driver crashed ({})", strsignal(child.signal))};
     const std::string line = last_line(child.output);
-    if (line.starts_with(yes)) return {mode, true, line.substr(yes.size())};
-    if (line.starts_with(no)) return {mode, false, line.substr(no.size())};
-    return {mode, false, fmt::format("the driver ended the program with {}", child.exit_code)};
+    if (line.starts_with(yes)) return {true, line.substr(yes.size())};
+    if (line.starts_with(no)) return {false, line.substr(no.size())};
+    return {false, fmt::format("the driver ended the program with {}", child.exit_code)};
 }
 
-void answer_probe(std::size_t index, std::size_t mode) {
+Probe compile_kernels(const compute::OpenClDevice& device) {
+    try {
+        compute::compile_all(device);
+    } catch (const DeviceError& error) {
+        return {false, error.what()};
+    }
+    return {true, "all programs compile"};
+}
+
+Probe try_mode(const compute::OpenClDevice& device, interop::SharingMode mode) {
     const gl::HeadlessContext context;
+    const interop::ModeReport report = interop::probe_mode(device, mode);
+    return {report.works, report.reason};
+}
+
+} // namespace
+
+Probe probe_kernels(std::size_t index, std::chrono::seconds limit) {
+    return probe_in_child(index, kernels, limit);
+}
+
+Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit) {
+    const auto place = std::ranges::find(interop::all_modes, mode) - interop::all_modes.begin();
+    return probe_in_child(index, static_cast<std::size_t>(place), limit);
+}
+
+void answer_probe(std::size_t index, std::size_t what) {
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
-    if (index >= devices.size() || mode >= interop::all_modes.size())
+    if (index >= devices.size() || what > kernels)
         throw UsageError("there is no such device or mode to probe");
-    interop::ModeReport report = interop::probe_mode(devices[index], interop::all_modes[mode]);
-    std::ranges::replace(report.reason, '\n', ' '); // build logs have lines
-    print_output(fmt::format("\n{}{}\n", report.works ? yes : no, report.reason));
+    Probe probe = what == kernels ? compile_kernels(devices[index])
+                                  : try_mode(devices[index], interop::all_modes[what]);
+    std::ranges::replace(probe.reason, '\n', ' ');
+    print_output(fmt::format("\n{}{}\n", probe.works ? yes : no, probe.reason));
 }
 
 } // namespace lineatlas::apps

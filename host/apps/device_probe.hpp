@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <string>
 
 #include "glpasses/interop/connect.hpp"
 
@@ -9,12 +11,20 @@ namespace lineatlas::apps {
 /// The option of `lineatlas devices` that runs `answer_probe`.
 inline constexpr const char* probe_option = "--probe";
 
-/// Has a new process of this program try a mode with the device at `index` of
-/// list_opencl_devices(): whatever a driver does, this returns.
-interop::ModeReport probe_in_child(std::size_t index, interop::SharingMode mode,
-                                   std::chrono::seconds limit);
+/// Whether something works with a device, and why or why not.
+struct Probe {
+    bool works = false;
+    std::string reason{};
+    bool is_known = true; ///< it was found out in time
+};
 
-/// The other end, in that process: tries it and prints the answer.
-void answer_probe(std::size_t index, std::size_t mode);
+/// Has a new process of this program compile all kernels for the device at `index` of
+/// list_opencl_devices(): whatever a driver does, this returns.
+Probe probe_kernels(std::size_t index, std::chrono::seconds limit);
+/// The same of a mode.
+Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit);
+
+/// The other end, in that process: tries what the number `what` stands for and prints the answer.
+void answer_probe(std::size_t index, std::size_t what);
 
 } // namespace lineatlas::apps

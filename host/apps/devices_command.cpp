@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,21 +45,47 @@ nlohmann::ordered_json describe(const compute::OpenClDevice& device, bool is_def
             {"extensions", device.extensions}};
 }
 
+/// Prints whether something works, and returns it for a file.
+nlohmann::ordered_json show(std::string_view what, const Probe& probe) {
+    print_output(
+        fmt::format("    {:<13} {:<3}  {}\n", what, probe.works ? "yes" : "no", probe.reason));
+    return {{"works", probe.works}, {"reason", probe.reason}};
+}
+
+/// Whether a device is of no use: one that takes long to build kernels may be.
+bool builds_none(const Probe& kernels) {
+    return kernels.is_known && !kernels.works;
+}
+
 /// Prints a device and its modes while they are tried, and returns them.
 nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& devices,
-                                   std::size_t index, bool is_default, std::chrono::seconds limit) {
+                                   std::size_t index, const Probe& kernels, bool is_default,
+                                   std::chrono::seconds limit) {
     const compute::OpenClDevice& device = devices[index];
     print_output(fmt::format("{} {}\n", is_default ? "*" : " ", device.name()));
     print_output(fmt::format("    driver {}, {}\n", device.driver_version, kind_of(device)));
     nlohmann::ordered_json json = describe(device, is_default);
+    json["kernels"] = show("kernels", kernels);
+    if (builds_none(kernels)) return json; // no mode works, for the same reason
     for (const interop::SharingMode mode : interop::all_modes) {
-        const interop::ModeReport report = probe_in_child(index, mode, limit);
-        print_output(fmt::format("    {:<13} {:<3}  {}\n", interop::name_of(mode),
-                                 report.works ? "yes" : "no", report.reason));
-        json["modes"][std::string{interop::name_of(mode)}] = {{"works", report.works},
-                                                              {"reason", report.reason}};
+        const std::string_view name = interop::name_of(mode);
+        json["modes"][std::string{name}] = show(name, probe_mode(index, mode, limit));
     }
     return json;
+}
+
+/// The place of the device that is used by default: the best that builds kernels.
+std::optional<std::size_t> find_default(const std::vector<compute::OpenClDevice>& devices,
+                                        const std::vector<Probe>& kernels) {
+    std::vector<compute::OpenClDevice> working;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (builds_none(kernels[i])) continue;
+        working.push_back(devices[i]);
+        places.push_back(i);
+    }
+    if (working.empty()) return std::nullopt;
+    return places[interop::default_device(working)];
 }
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
@@ -78,13 +105,18 @@ void list_devices(const DevicesOptions& options) {
     if (devices.empty()) {
         print_output(fmt::format("{}\n", in_words_of_the_tool(compute::no_device_message())));
     } else {
-        const std::size_t chosen = interop::default_device(devices);
-        for (std::size_t i = 0; i < devices.size(); ++i) {
-            json["devices"].push_back(
-                show_device(devices, i, i == chosen, std::chrono::seconds{options.wait}));
-        }
-        print_output("\n* is used by default; choose another with --device or LINEATLAS_DEVICE, by "
-                     "any part of its names:\n  opencl:<platform>[:<device>]\n");
+        const std::chrono::seconds limit{options.wait};
+        std::vector<Probe> kernels;
+        for (std::size_t i = 0; i < devices.size(); ++i) kernels.push_back(probe_kernels(i, limit));
+        const std::optional<std::size_t> chosen = find_default(devices, kernels);
+        for (std::size_t i = 0; i < devices.size(); ++i)
+            json["devices"].push_back(show_device(devices, i, kernels[i], i == chosen, limit));
+        for (const std::string& cause : compute::drivers_that_fail())
+            print_output(fmt::format("  not used: {}\n", cause));
+        print_output(fmt::format(
+            "\n{}choose another with --device or LINEATLAS_DEVICE, by any part of its "
+            "names:\n  opencl:<platform>[:<device>]\n",
+            chosen ? "* is used by default; " : "No device builds kernels, so cpp is used; "));
     }
     print_output("\ncpp: kernels as C++ on all cores (--compute cpp)\n");
     const std::string readers = describe(offered_confinement());

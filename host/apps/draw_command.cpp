@@ -328,13 +328,15 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     DeviceOptions device = arguments.device;
     device.one_picture = !frames && !measured;
     Renderer renderer{device};
-    say(renderer.note());
+    const std::string note = renderer.note();
+    say(note);
     for (const auto& [mark, image] : pen_images) renderer.set_pen_image(mark, image);
     renderer.set_lines(subject.lines);
     if (by_paths)
         draw_paths(drawing, renderer);
     else
         draw_pictures(drawing, renderer, *writer);
+    if (renderer.note() != note) say(renderer.note()); // the device did not build a kernel
     if (!arguments.device.compare_with.empty()) {
         const Renderer::Comparison equal = renderer.comparison();
         print_output(fmt::format("{}: equal in {} kernels, {} elements\n", renderer.description(),

@@ -10,6 +10,7 @@
 #include "check_options.hpp"
 #include "compute/compare/comparing_device.hpp"
 #include "compute/kernels.hpp"
+#include "compute/opencl/build_error.hpp"
 #include "core/assembly_state.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
@@ -110,7 +111,10 @@ class Renderer::State {
           atlas_(std::make_unique<AtlasMethod>(connection_)) {}
 
     void set_device(const DeviceOptions& options) {
-        interop::Connection connection = interop::connect(connect_options(options));
+        use(interop::connect(connect_options(options)));
+    }
+
+    void use(interop::Connection connection) {
         auto atlas = std::make_unique<AtlasMethod>(connection);
         std::optional<SceneBuffers::Tables> tables;
         if (scene_) {
@@ -195,6 +199,20 @@ class Renderer::State {
     SceneBuffers& scene() {
         if (!scene_) throw UsageError("renderer: set_lines() must come before what moves them");
         return *scene_;
+    }
+
+    /// Runs what launches kernels. If the device does not build one, and nobody has chosen it, the
+    /// next device takes over.
+    template <class Action>
+    auto where_kernels_build(Action&& action) -> decltype(action()) {
+        for (;;) {
+            try {
+                return action();
+            } catch (const compute::BuildError& error) {
+                if (!connection_.otherwise) throw;
+                use(interop::connect_next(connection_, error.what()));
+            }
+        }
     }
 
     FrameStats draw(const Camera& camera, const FrameOptions& options, GLuint framebuffer) {
@@ -521,17 +539,18 @@ void Renderer::set_hidden(std::span<const std::uint32_t> objects) {
 }
 std::optional<Pick> Renderer::pick(glm::vec2 position, float radius) {
     const gl::StateGuard guard = state_->enter();
-    return state_->pick(position, radius);
+    return state_->where_kernels_build([&] { return state_->pick(position, radius); });
 }
 std::optional<Pick> Renderer::pick(const Camera& camera, glm::vec2 position, float radius,
                                    LineKindMask lines) {
     const gl::StateGuard guard = state_->enter();
-    return state_->pick(camera, position, radius, lines);
+    return state_->where_kernels_build(
+        [&] { return state_->pick(camera, position, radius, lines); });
 }
 FrameStats Renderer::draw(const Camera& camera, const FrameOptions& options,
                           std::uint32_t framebuffer) {
     const gl::StateGuard guard = state_->enter();
-    return state_->draw(camera, options, framebuffer);
+    return state_->where_kernels_build([&] { return state_->draw(camera, options, framebuffer); });
 }
 std::vector<Interval> Renderer::read_intervals() {
     const gl::StateGuard guard = state_->enter();
@@ -551,7 +570,8 @@ int Renderer::tile_size(glm::ivec2 size, const FrameOptions& options) const {
 }
 void Renderer::prepare(const FrameOptions& options, const Progress& progress) {
     gl::StateGuard guard = state_->enter();
-    state_->prepare(options, outside(guard, progress));
+    const Progress own = outside(guard, progress);
+    state_->where_kernels_build([&] { state_->prepare(options, own); });
 }
 FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
                                 const TileTarget& target) {
@@ -564,12 +584,24 @@ FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& option
             guard.take();
         };
     };
-    return state_->draw_tiles(camera, options,
-                              {.framebuffer = target.framebuffer,
-                               .tile_size = target.tile_size,
-                               .begin = between(target.begin),
-                               .end = between(target.end),
-                               .progress = outside(guard, target.progress)});
+    bool has_tiles = false;
+    const auto end = [&](const PictureTile& tile) {
+        has_tiles = true;
+        target.end(tile);
+    };
+    const TileTarget own{.framebuffer = target.framebuffer,
+                         .tile_size = target.tile_size,
+                         .begin = between(target.begin),
+                         .end = between(end),
+                         .progress = outside(guard, target.progress)};
+    return state_->where_kernels_build([&] {
+        try {
+            return state_->draw_tiles(camera, options, own);
+        } catch (const compute::BuildError& error) {
+            if (has_tiles) throw DeviceError(error.what()); // none is drawn twice
+            throw;
+        }
+    });
 }
 Renderer::Samples Renderer::read_samples() {
     const gl::StateGuard guard = state_->enter();

@@ -97,7 +97,6 @@ Drawer::Pictures& Drawer::make_pictures() {
     else
         pictures->renderer.set_lines(made_->lines);
     place(pictures->renderer, placement_);
-    state_->note = pictures->renderer.note();
     state_->pictures = std::move(pictures);
     return *state_->pictures;
 }
@@ -283,7 +282,10 @@ std::string Drawer::description() {
 
 std::string Drawer::take_note() {
     const InUse use{*this};
-    return std::exchange(state_->note, {});
+    std::string note = state_->pictures ? state_->pictures->renderer.note() : std::string{};
+    if (note == state_->told) return {};
+    state_->told = note;
+    return note;
 }
 
 void Drawer::set_pens(Pictures& pictures, const Style& style) {

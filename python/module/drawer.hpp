@@ -53,7 +53,7 @@ class Drawer {
     void set_subject(ModelLines subject);
     std::shared_ptr<const ModelLines> subject() const;
     std::string description();
-    std::string take_note(); ///< Renderer::note(), once
+    std::string take_note(); ///< Renderer::note(), once, and again if it is another
 
     void prepare(const FrameOptions& options, const Progress& progress); ///< as Renderer has it
     Picture draw(const Camera& camera, const FrameOptions& options, bool transparent);
@@ -91,7 +91,7 @@ class Drawer {
     /// the model need not be on the device twice.
     struct State {
         DeviceOptions device;
-        std::string note{}; ///< Renderer::note()
+        std::string told{}; ///< of Renderer::note()
         std::unique_ptr<LineVisibility> visibility{};
         std::unique_ptr<Pictures> pictures{};
     };

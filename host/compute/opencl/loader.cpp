@@ -28,7 +28,7 @@
     F(5, clGetPlatformInfo) F(5, clGetProgramInfo) F(6, clBuildProgram) F(6, clCreateContext) \
     F(6, clCreateFromGLTexture) F(6, clEnqueueAcquireGLObjects) F(6, clEnqueueReleaseGLObjects) \
     F(6, clEnqueueUnmapMemObject) F(6, clGetKernelWorkGroupInfo) F(6, clGetProgramBuildInfo) \
-    F(7, clCreateProgramWithBinary) F(9, clEnqueueCopyBuffer) F(9, clEnqueueFillBuffer) \
+    F(7, clCreateProgramWithBinary) F(9, clCompileProgram) F(9, clEnqueueCopyBuffer) F(9, clEnqueueFillBuffer) \
     F(9, clEnqueueNDRangeKernel) F(9, clEnqueueReadBuffer) F(9, clEnqueueWriteBuffer) \
     F(10, clEnqueueMapBuffer) F(11, clEnqueueReadImage) F(11, clEnqueueWriteImage)
 // clang-format on

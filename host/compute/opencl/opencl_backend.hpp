@@ -31,7 +31,7 @@ class OpenClBackend : public Device {
 
 /// Kernels on `device`. `context_properties`, if not empty, ties the context to a GL context: pairs
 /// of name and value without the closing 0. Throws DeviceError when the driver refuses. A kernel is
-/// built when first used; if it doesn't build, the message holds the whole build log.
+/// built when first used; if it doesn't build, BuildError (build_error.hpp) is thrown.
 std::unique_ptr<OpenClBackend>
 make_opencl_backend(const OpenClDevice& device,
                     std::span<const cl_context_properties> context_properties = {});

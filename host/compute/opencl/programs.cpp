@@ -1,13 +1,17 @@
 #include "programs.hpp"
 
 #include <cstdlib>
+#include <set>
 #include <string_view>
 #include <vector>
 
+#include "build_error.hpp"
 #include "guarded.hpp"
 #include "quirks.hpp"
 #include "shared_context.hpp"
 #include "sources/sources.hpp"
+#include "status.hpp"
+#include "tuning.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -21,15 +25,38 @@ std::string common_options(const cl::Device& device) {
     return options;
 }
 
+/// `options`: of its own.
+std::string options_for(const OpenClDevice& device, const std::string& options) {
+    return common_options(device.device) + quirk_options(device) + options;
+}
+
+ProgramRecipe recipe_of(const Kernel& kernel, const std::string& options) {
+    return {kernel.file(), source_of(kernel), options + ' ' + std::string{kernel.defines}};
+}
+
+/// Whether it tells of the program, and not of the state of the device.
+bool is_about_the_program(const cl::Error& error) {
+    return !is_shortage(error.err()) && error.err() != CL_DEVICE_NOT_AVAILABLE;
+}
+
+BuildError build_error(const OpenClDevice& device, const ProgramRecipe& recipe,
+                       const cl::Program& program, const cl::Error& error) {
+    const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device);
+    const std::string what = device.description() + ": kernel " + recipe.name + " does not build";
+    std::string cause = first_error(log);
+    if (cause.empty()) cause = std::string{error.what()} + " returned " + name_of(error.err());
+    const std::string rest = keep_build_log(what + " with \"" + recipe.options + "\":", log);
+    return BuildError{what + ": " + cause + "; " + rest};
+}
+
 cl::Program build_program(const OpenClDevice& device, const cl::Context& context,
                           const ProgramRecipe& recipe) {
     cl::Program program{context, recipe.source};
     try {
         program.build({device.device}, recipe.options.c_str());
-    } catch (const cl::Error&) {
-        throw DeviceError(device.description() + ": kernel " + recipe.name +
-                              " did not build with \"" + recipe.options + "\"",
-                          program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device));
+    } catch (const cl::Error& error) {
+        if (!is_about_the_program(error)) throw;
+        throw build_error(device, recipe, program, error);
     }
     return program;
 }
@@ -100,8 +127,7 @@ std::optional<ProgramCache> user_program_cache(bool by_default) {
 Programs::Programs(const OpenClDevice& device, std::shared_ptr<SharedContext> context,
                    const std::string& options, std::optional<ProgramCache> cache)
     : device_(device), context_(std::move(context)), cache_(std::move(cache)),
-      options_(common_options(device.device) + quirk_options(device) + options),
-      kernels_(all_kernels().size()) {}
+      options_(options_for(device, options)), kernels_(all_kernels().size()) {}
 
 BuiltKernel& Programs::built(const Kernel& kernel) {
     BuiltKernel& own = kernels_[kernel.index];
@@ -109,18 +135,44 @@ BuiltKernel& Programs::built(const Kernel& kernel) {
     const std::string key = std::string{kernel.stage} + ' ' + std::string{kernel.defines};
     auto program = programs_.find(key);
     if (program == programs_.end()) {
-        const ProgramRecipe recipe{kernel.file(), source_of(kernel),
-                                   options_ + ' ' + std::string{kernel.defines}};
+        const ProgramRecipe recipe = recipe_of(kernel, options_);
         program =
             programs_.emplace(key, context_->program(device_, recipe, cache_ ? &*cache_ : nullptr))
                 .first;
     }
     guarded(device_, "creating a kernel", [&] {
-        cl::Kernel made{program->second, std::string{kernel.name}.c_str()};
-        own.largest_group = made.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device);
-        own.kernel = made;
+        try {
+            cl::Kernel made{program->second, std::string{kernel.name}.c_str()};
+            own.largest_group = made.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_.device);
+            own.kernel = made;
+        } catch (const cl::Error& error) {
+            if (!is_about_the_program(error)) throw;
+            throw BuildError(device_.description() + ": kernel " + std::string{kernel.name} +
+                             " of " + kernel.file() + " cannot be made: " + error.what() +
+                             " returned " + name_of(error.err()));
+        }
     });
     return own;
+}
+
+void compile_all(const OpenClDevice& device) {
+    guarded(device, "compiling kernels", [&] {
+        const cl::Context context{device.device};
+        const Tuning tuning = within_groups(tuning_for(device), group_limits(device.device));
+        const std::string options = options_for(device, compiler_options(tuning));
+        std::set<std::string_view> known;
+        for (const Kernel& kernel : all_kernels()) {
+            if (!known.insert(kernel.stage).second) continue;
+            const ProgramRecipe recipe = recipe_of(kernel, options);
+            cl::Program program{context, recipe.source};
+            try {
+                program.compile(recipe.options.c_str());
+            } catch (const cl::Error& error) {
+                if (!is_about_the_program(error)) throw;
+                throw build_error(device, recipe, program, error);
+            }
+        }
+    });
 }
 
 } // namespace lineatlas::compute

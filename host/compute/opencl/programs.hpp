@@ -31,14 +31,18 @@ struct ProgramRecipe {
 /// Everything that a built program depends on: what it is cached under.
 std::string cache_key(const OpenClDevice& device, const ProgramRecipe& recipe);
 
-/// A program out of `cache`, else built and stored there; null: always built. Throws DeviceError,
-/// with the whole build log if it doesn't build.
+/// A program out of `cache`, else built and stored there; null: always built. Throws DeviceError;
+/// BuildError (build_error.hpp) if it doesn't build.
 cl::Program make_program(const OpenClDevice& device, const cl::Context& context,
                          const ProgramRecipe& recipe, const ProgramCache* cache);
 
 /// The user's cache, if the environment variable LINEATLAS_CACHE is "on", or unset and
 /// `by_default`. Throws UsageError if it is neither that nor "off".
 std::optional<ProgramCache> user_program_cache(bool by_default);
+
+/// Compiles every program as it is for `device`, without what makes it run there, which takes PoCL
+/// 18 seconds. Throws BuildError for the first that is refused.
+void compile_all(const OpenClDevice& device);
 
 /// The kernels of one user of a context: they keep their arguments, which programs do not.
 class Programs {

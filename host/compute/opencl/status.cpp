@@ -10,13 +10,15 @@ namespace lineatlas::compute {
 namespace {
 
 /// Those that a working program can meet; others are numbers.
-constexpr std::array<std::pair<cl_int, const char*>, 19> names{{
+constexpr std::array<std::pair<cl_int, const char*>, 21> names{{
     {CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
     {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
     {CL_OUT_OF_RESOURCES, "CL_OUT_OF_RESOURCES"},
     {CL_OUT_OF_HOST_MEMORY, "CL_OUT_OF_HOST_MEMORY"},
     {CL_BUILD_PROGRAM_FAILURE, "CL_BUILD_PROGRAM_FAILURE"},
     {CL_MAP_FAILURE, "CL_MAP_FAILURE"},
+    {CL_COMPILE_PROGRAM_FAILURE, "CL_COMPILE_PROGRAM_FAILURE"},
+    {CL_INVALID_KERNEL_NAME, "CL_INVALID_KERNEL_NAME"},
     {CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST, "CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST"},
     {CL_INVALID_VALUE, "CL_INVALID_VALUE"},
     {CL_INVALID_CONTEXT, "CL_INVALID_CONTEXT"},

@@ -187,8 +187,9 @@ class LINEATLAS_API Renderer {
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
 
-    /// One line for people where the device is not what they may expect: no OpenCL driver works, so
-    /// that kernels run as C++. Else empty, and always so where DeviceOptions names one.
+    /// One line for people where the device is not what they may expect: no OpenCL driver works, or
+    /// one did not build a kernel, which may show when a frame first needs that, and the next
+    /// device has taken over. Else empty, and always so where DeviceOptions names one.
     std::string note() const;
 
     /// Changes backend, device and sharing mode between frames. Lines and pens stay, from memory of

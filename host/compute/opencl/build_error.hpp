@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::compute {
+
+/// A driver does not build a kernel. The message is one line: which kernel, and the first error.
+class BuildError : public DeviceError {
+  public:
+    using DeviceError::DeviceError;
+};
+
+/// The first error that a compiler's log names, else its first line; one line, and cut if it is
+/// long. Empty if the log is.
+std::string first_error(std::string_view log);
+
+/// Adds `log` under `title` to the file that the environment variable LINEATLAS_BUILD_LOG names.
+/// Returns, for a message, where the whole log is, or how to get it.
+std::string keep_build_log(std::string_view title, std::string_view log);
+
+} // namespace lineatlas::compute
