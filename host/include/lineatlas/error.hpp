@@ -12,6 +12,7 @@ namespace lineatlas {
 /// UTF-8 of at most 2,000 bytes, in which "?" stands for control characters out of a file's names.
 class LINEATLAS_API Error : public std::runtime_error {
   public:
+    /// With that message, made fit to be shown.
     explicit Error(const std::string& message);
 
   protected:
@@ -37,6 +38,7 @@ class LINEATLAS_API FileError : public Error {
 class LINEATLAS_API DeviceError : public Error {
   public:
     using Error::Error;
+    /// With that message, and the log behind it.
     DeviceError(const std::string& message, const std::string& log) : Error(message, log) {}
 };
 
