@@ -51,7 +51,7 @@ set(base liblineatlas${lineatlas_soversion})
 set(io liblineatlas-io${lineatlas_soversion})
 set(same "(= ${packaged_version})")
 describe_package(runtime ${base} libs "" "line drawings of 3D models - shared libraries")
-describe_package(io ${io} libs "" "line drawings of 3D models - files of models and pictures")
+describe_package(io ${io} libs "${base} ${same}" "line drawings of 3D models - files of models and pictures")
 describe_package(development liblineatlas-dev libdevel "${base} ${same}, libglm-dev"
                  "line drawings of 3D models - to develop with")
 describe_package(io-development liblineatlas-io-dev libdevel

@@ -1,7 +1,10 @@
 #include "lineatlas/visibility.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -19,7 +22,11 @@ namespace {
 
 void check(const VisibilityOptions& options) {
     if (!(options.step >= finest_step && options.step <= longest_step)) {
-        throw UsageError("step must be a number from 0.01 to 10000 pixels");
+        std::array<char, 32> number{}; // the shortest that is this float
+        const char* end =
+            std::to_chars(number.data(), number.data() + number.size(), options.step).ptr;
+        throw UsageError("step must be a number from 0.01 to 10000 pixels, not " +
+                         std::string(static_cast<const char*>(number.data()), end));
     }
     if (!(options.outline_depth >= 0) || !std::isfinite(options.outline_depth))
         throw UsageError("outline depth must be a number of pixels of at least 0");

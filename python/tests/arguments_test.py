@@ -82,7 +82,7 @@ class NamesOfFiles(FolderTest):
             lineatlas.Style(pen="\ud800.png")
 
     def test_bytes_that_are_no_text(self) -> None:
-        with self.assertRaisesRegex(lineatlas.FileError, r'"\\x80\.obj"'):
+        with self.assertRaisesRegex(lineatlas.FileError, r'"\?\.obj"'):
             lineatlas.load("\udc80.obj")
         path = os.fsdecode(os.fsencode(self.folder) + b"/\x80.obj")
         with open(path, "wb") as file:

@@ -1,8 +1,11 @@
 // Kernels and shaders that do not build: what is said, and that a new renderer works afterwards.
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -14,6 +17,7 @@
 #include "lineatlas/renderer.hpp"
 #include "planted_error.hpp"
 #include "scene_cameras.hpp"
+#include "temporary_folder.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -36,14 +40,24 @@ class BrokenSources : public testing::TestWithParam<BrokenSource> {
         const std::string from = GetParam().from;
         return PlantedError{GetParam().file, from, two_errors + from};
     }
-    static void expect_whole_log(const std::string& said) {
+    /// A device that is named is not left for another.
+    static constexpr const char* device = "opencl:portable";
+
+    BrokenSources() { ::setenv("LINEATLAS_BUILD_LOG", log_.c_str(), 1); }
+    ~BrokenSources() override { ::unsetenv("LINEATLAS_BUILD_LOG"); }
+
+    /// Of a kernel one line is said, and its log is kept.
+    void expect_whole_log(std::string said) const {
+        std::ostringstream log;
+        log << std::ifstream{log_}.rdbuf();
+        said += log.str();
         for (const char* word : {GetParam().file, "first_unknown_name", "second_unknown_name"}) {
             EXPECT_NE(said.find(word), std::string::npos) << word << " is not in: " << said;
         }
     }
 
     std::vector<std::uint8_t> draw() {
-        Renderer renderer;
+        Renderer renderer{{.device = device}};
         renderer.set_lines(scene_lines("clevis"));
         return draw_with(renderer);
     }
@@ -55,6 +69,8 @@ class BrokenSources : public testing::TestWithParam<BrokenSource> {
         return canvas_.read();
     }
 
+    TemporaryFolder folder_;
+    std::filesystem::path log_ = folder_.path() / "build.log";
     gl::HeadlessContext context_;
     gl::Canvas canvas_{{200, 150}};
 };
@@ -78,7 +94,8 @@ TEST_P(BrokenSources, LeaveARendererThatDrawsOnceTheyAreMended) {
     std::unique_ptr<Renderer> renderer;
     try {
         const PlantedError broken = break_source();
-        renderer = std::make_unique<Renderer>(); // compiles what it needs in any case
+        renderer = std::make_unique<Renderer>(
+            DeviceOptions{.device = device}); // compiles what it needs in any case
         renderer->set_lines(scene_lines("clevis"));
         EXPECT_THROW(draw_with(*renderer), DeviceError);
     } catch (const DeviceError& error) {
@@ -94,8 +111,9 @@ TEST_P(BrokenSources, EndTheToolWithTheWholeLog) {
         std::filesystem::temp_directory_path() /
         ("lineatlas_broken_" + std::to_string(::getpid()) + ".png");
     const std::string command =
-        LINEATLAS_TOOL " draw --scene clevis --method atlas --strokes raster --size 200x150 -o \"" +
-        picture.string() + "\" 2>&1";
+        LINEATLAS_TOOL
+        " draw --scene clevis --method atlas --strokes raster --size 200x150 --device " +
+        std::string{device} + " -o \"" + picture.string() + "\" 2>&1";
     FILE* tool = popen(command.c_str(), "r");
     ASSERT_NE(tool, nullptr);
     std::string said;

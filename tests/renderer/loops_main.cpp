@@ -140,6 +140,8 @@ void callbacks_that_throw(const Subject& subject, gl::Canvas& canvas, int count)
         const Progress late = [&](float) -> bool { return left-- > 0 ? true : throw planted; };
         expect_thrown([&] { visibility.find(subject.camera(3), {}, late); });
         TileTarget target{.framebuffer = canvas.framebuffer(), .tile_size = 128};
+        const auto none = [](const PictureTile&) {};
+        target.begin = target.end = none;
         const auto tile = [&](const PictureTile&) {
             if (left-- <= 0) throw planted;
         };
