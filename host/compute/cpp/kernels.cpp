@@ -45,7 +45,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #else
 #define DEPTH_LANES 4
 #endif
-#define DEPTH_TILE 256 // as Tuning::depth_tile
+#define DEPTH_TILE 240 // as Tuning::depth_tile
 
 namespace in_transform {
 #include "transform.cl"

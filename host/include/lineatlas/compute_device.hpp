@@ -102,7 +102,7 @@ struct Tuning {
     std::uint32_t atlas_block = 256;    ///< samples per work-item
     bool atlas_vectors = true;          ///< all probes of a sample in one vector
     std::uint32_t depth_lanes = 8;      ///< triangles, and texels, at a time: 1, 4 or 8
-    std::uint32_t depth_tile = 256;     ///< texels a side that a work-item draws; run_on_host: 256
+    std::uint32_t depth_tile = 240;     ///< texels a side that a work-item draws; run_on_host: 240
     std::uint32_t depth_workers = 64;   ///< work-items that take such tiles, one after the other
     std::uint32_t depth_clusters = ~0U; ///< clusters of triangles that one launch draws
     std::uint32_t halo_lanes = 16;      ///< lines tested at a time: 1, 8 or 16
