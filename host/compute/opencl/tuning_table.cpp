@@ -49,7 +49,7 @@ std::span<const TuningField> tuning_fields() {
         {"atlas_block", &Tuning::atlas_block, {}, largest_block},
         {"atlas_vectors", &Tuning::atlas_vectors},
         {"depth_lanes", &Tuning::depth_lanes, {1, 4, 8}},
-        {"depth_tile", &Tuning::depth_tile, {16, 32, 64, 128, 256}},
+        {"depth_tile", &Tuning::depth_tile, {16, 32, 64, 128, 240, 256}},
         {"depth_workers", &Tuning::depth_workers, {}, largest_block},
         {"depth_clusters", &Tuning::depth_clusters, {}, ~0U},
         {"halo_lanes", &Tuning::halo_lanes, {1, 8, 16}},
