@@ -1,6 +1,8 @@
 #include "gl_faults.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <mutex>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -10,8 +12,13 @@ namespace {
 
 GLenum pending_error = GL_NO_ERROR;
 
+/// Several threads may count at the same time.
+void count_live(long by) {
+    std::atomic_ref{gl_faults().live} += by;
+}
+
 bool fails() {
-    ++gl_faults().creations;
+    ++std::atomic_ref{gl_faults().creations};
     int& wanted = gl_faults().fail_creation;
     if (wanted == 0 || --wanted > 0) return false;
     pending_error = GL_OUT_OF_MEMORY;
@@ -48,8 +55,8 @@ long bytes_per_texel(GLenum format) {
 }
 
 /// libepoxy calls GL through variables. Before its first call one holds a function that finds the
-/// real one, if it still holds that very function, and calls whatever it holds then. So during a
-/// call the variable has what it had without a hook.
+/// real one, if it still holds that very function, and calls whatever it holds then. So during the
+/// first call the variable has what it had without a hook.
 template <auto slot>
 struct Hook;
 
@@ -62,15 +69,22 @@ struct Hook<slot> {
         *slot = hook;
     }
     static Result call(Arguments... arguments) {
+        if (is_found) return original(arguments...);
         struct Unhooked {
+            std::scoped_lock<std::mutex> lock{mutex}; // threads begin together
             Function hook = *slot;
             Unhooked() { *slot = original; }
-            ~Unhooked() { install(hook); }
+            ~Unhooked() {
+                install(hook);
+                is_found = true;
+            }
         };
         const Unhooked now;
         return (*slot)(arguments...);
     }
-    static inline Function original = nullptr;
+    static inline std::atomic<Function> original = nullptr;
+    static inline std::atomic<bool> is_found = false;
+    static inline std::mutex mutex;
 };
 
 template <auto slot>
@@ -87,11 +101,11 @@ void may_fail_all() {
 template <auto create, auto destroy>
 void count() {
     Hook<create>::install([](GLsizei n, GLuint* names) {
-        gl_faults().live += n;
+        count_live(n);
         Hook<create>::call(n, names);
     });
     Hook<destroy>::install([](GLsizei n, const GLuint* names) {
-        gl_faults().live -= n;
+        count_live(-n);
         Hook<destroy>::call(n, names);
     });
 }
@@ -182,27 +196,27 @@ void hook_gl() {
     count<&epoxy_glCreateVertexArrays, &epoxy_glDeleteVertexArrays>();
     count<&epoxy_glCreateSamplers, &epoxy_glDeleteSamplers>();
     Hook<&epoxy_glCreateTextures>::install([](GLenum target, GLsizei n, GLuint* names) {
-        gl_faults().live += n;
+        count_live(n);
         Hook<&epoxy_glCreateTextures>::call(target, n, names);
     });
     Hook<&epoxy_glDeleteTextures>::install([](GLsizei n, const GLuint* names) {
-        gl_faults().live -= n;
+        count_live(-n);
         Hook<&epoxy_glDeleteTextures>::call(n, names);
     });
     Hook<&epoxy_glCreateProgram>::install([]() -> GLuint {
-        ++gl_faults().live;
+        count_live(1);
         return Hook<&epoxy_glCreateProgram>::call();
     });
     Hook<&epoxy_glDeleteProgram>::install([](GLuint program) {
-        --gl_faults().live;
+        count_live(-1);
         Hook<&epoxy_glDeleteProgram>::call(program);
     });
     Hook<&epoxy_glCreateShader>::install([](GLenum type) -> GLuint {
-        ++gl_faults().live;
+        count_live(1);
         return Hook<&epoxy_glCreateShader>::call(type);
     });
     Hook<&epoxy_glDeleteShader>::install([](GLuint shader) {
-        --gl_faults().live;
+        count_live(-1);
         Hook<&epoxy_glDeleteShader>::call(shader);
     });
 }
