@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -156,10 +158,10 @@ class PlyFile {
         append_u32(faces_, static_cast<std::uint32_t>(count));
         for (std::size_t i = 0; i < count; ++i) {
             const double index = next(property.type, element, number);
-            if (!(index >= 0.0 && index < static_cast<double>(checked_.vertices)))
+            if (!is_whole_below(index, checked_.vertices))
                 throw read_error(source_.path,
                                  "face " + std::to_string(number) + " refers to vertex " +
-                                     whole(index) + ", the file has " +
+                                     shortest(index) + ", the file has " +
                                      counted(checked_.vertices, "vertex", "vertices") + " from 0");
             append_u32(faces_, static_cast<std::uint32_t>(index));
         }
@@ -169,12 +171,13 @@ class PlyFile {
                            std::size_t number) {
         const double count = next(*property.count_type, element, number);
         const std::size_t room = (values_.bytes_left() + 1) / values_.least_size(property.type);
-        if (!(count >= 0.0 && count <= static_cast<double>(room)))
+        if (!is_whole_below(count, room + 1))
             throw read_error(source_.path,
                              "it is damaged or truncated: " + printable(element.name) + ' ' +
-                                 std::to_string(number) + " claims " + whole(count) +
+                                 std::to_string(number) + " claims " + shortest(count) +
                                  " values of \"" + printable(property.name) +
-                                 "\", the file has room for " + std::to_string(room));
+                                 "\", which must be a whole number from 0 to " +
+                                 std::to_string(room) + ", what the file has room for");
         return static_cast<std::size_t>(count);
     }
 
@@ -199,10 +202,14 @@ class PlyFile {
                                            " of " + std::to_string(element.count) + " needs one");
     }
 
-    static std::string whole(double value) {
-        return std::isfinite(value) && std::abs(value) < 1e18
-                   ? std::to_string(static_cast<long long>(value))
-                   : "out of any range";
+    static bool is_whole_below(double value, std::size_t limit) {
+        return value >= 0 && value < static_cast<double>(limit) && value == std::floor(value);
+    }
+
+    /// With as few digits as tell it from its neighbours.
+    static std::string shortest(double value) {
+        std::array<char, 32> text{};
+        return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
     }
 
     const SourceFile& source_;

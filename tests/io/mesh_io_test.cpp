@@ -84,6 +84,15 @@ TEST_F(MeshIo, PlyErrors) {
     EXPECT_TRUE(
         has(error_of("a.ply", ascii + "element vertex 1\n" + xyz + faces + "2000000000 0 0\n"),
             "claims"));
+    // Where a list is promised and other numbers stand.
+    const std::string number = ascii + "element vertex 1\n" + xyz + faces;
+    EXPECT_TRUE(
+        has(error_of("a.ply", number + "-0.25 0 0 0 0\n"),
+            "face 0 claims -0.25 values of \"vertex_indices\", which must be a whole number "
+            "from 0 to 5"));
+    EXPECT_TRUE(has(error_of("a.ply", number + "2.5 0 0 0 0\n"), "claims 2.5 values"));
+    EXPECT_TRUE(has(error_of("a.ply", number + "3 0 0.5 0\n"), "refers to vertex 0.5"));
+    EXPECT_TRUE(has(error_of("a.ply", number + "3 0 1e300 0\n"), "refers to vertex 1e+300"));
     EXPECT_TRUE(has(error_of("a.ply", "plyish\n"), "does not start with"));
 }
 
