@@ -67,9 +67,9 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
         report["parts"].push_back({{"name", part.name}, {"outcome", "left out"}});
         return false;
     }
-    const fs::path json = scratch / "part.json";
-    fs::remove(json);
-    if (part.name != "draw") part.arguments.push_back(json_option(part.kind, json));
+    const fs::path written = scratch / "part";
+    fs::remove(written);
+    if (part.name != "draw") part.arguments.push_back(output_option(part.kind, written));
     ChildResult result;
     try {
         result = run_child(part.program, part.arguments, part.limit, Captured::output_and_errors);
@@ -77,12 +77,12 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
         result.output = error.what(); // a part that is missing must not end the others
     }
     if (part.kind == PartKind::devices) {
-        std::ifstream input{json};
+        std::ifstream input{written};
         const Json devices = Json::parse(input, nullptr, false);
         if (devices.is_object()) report.update(devices);
         fmt::print("\n{}", result.output);
     }
-    report["parts"].push_back(describe_part(part, result, json));
+    report["parts"].push_back(describe_part(part, result, written));
     fmt::print("{}, {:.1f} s\n", outcome(part, result), result.took.count());
     return outcome(part, result) == "ok";
 }

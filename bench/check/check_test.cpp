@@ -67,6 +67,26 @@ TEST_F(Check, SurvivesPartsThatFailCrashOrAreMissing) {
     EXPECT_EQ(result()["parts"].size(), 14U);
 }
 
+TEST_F(Check, SaysWhatFailedWithItsFirstMessageAndWhatWasSkippedWhy) {
+    script("tests/stages_test", R"(for last; do :; done
+cat > "${last#--gtest_output=xml:}" <<'END'
+<testsuites tests="3" failures="1"><testsuite name="Facing">
+ <testcase name="IsRight"><failure message="a.cpp:3&#x0A;1 is not 2"/><failure message="more"/></testcase>
+ <testcase name="Shares"><skipped message="a.cpp:9&#x0A;the device is not a CPU"/></testcase>
+ <testcase name="Passes"/>
+</testsuite></testsuites>
+END
+exit 1)");
+    EXPECT_EQ(run("--part stages_test"), 1);
+    const Json tests = part("stages_test")["tests"];
+    EXPECT_EQ(tests["tests"], 3);
+    EXPECT_EQ(tests["failures"], 1);
+    EXPECT_EQ(tests["failed"], Json::parse(R"([{"name": "Facing.IsRight",
+                                               "message": "a.cpp:3\n1 is not 2"}])"));
+    EXPECT_EQ(tests["skipped"], Json::parse(R"([{"name": "Facing.Shares",
+                                                "message": "a.cpp:9\nthe device is not a CPU"}])"));
+}
+
 TEST_F(Check, PassesWhereAllPartsDo) {
     script("bin/lineatlas", write_figures);
     script("bin/lineatlas-bench-interop", write_figures);

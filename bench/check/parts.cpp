@@ -4,9 +4,9 @@ namespace lineatlas::bench {
 
 using std::chrono::seconds;
 
-std::string json_option(PartKind kind, const std::filesystem::path& file) {
+std::string output_option(PartKind kind, const std::filesystem::path& file) {
     const std::string name = file.string();
-    return kind == PartKind::tests ? "--gtest_output=json:" + name : "--json=" + name;
+    return kind == PartKind::tests ? "--gtest_output=xml:" + name : "--json=" + name;
 }
 
 std::vector<Part> all_parts(const std::filesystem::path& scratch) {

@@ -18,8 +18,9 @@ struct Part {
     std::chrono::seconds limit;
 };
 
-/// The option that makes the part write its figures or results as JSON.
-std::string json_option(PartKind kind, const std::filesystem::path& file);
+/// The option that makes the part write its figures as JSON, or its tests' results as XML: the JSON
+/// of Google Test does not say why a test was skipped.
+std::string output_option(PartKind kind, const std::filesystem::path& file);
 
 /// All parts, what is needed most first: the last ones are left out if time runs out.
 std::vector<Part> all_parts(const std::filesystem::path& scratch);

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <fmt/core.h>
+#include <pugixml.hpp>
 
 #include "io/atomic_file.hpp"
 
@@ -19,18 +20,27 @@ Json read_json(const std::filesystem::path& path) {
     return json.is_discarded() ? Json(nullptr) : json;
 }
 
-/// Google Test writes pages about tests that passed: counts, and what failed or was skipped.
-Json summary_of_tests(const Json& results) {
-    if (!results.is_object()) return nullptr;
-    Json summary{{"tests", results.value("tests", 0)},
-                 {"failures", results.value("failures", 0)},
+/// Google Test writes pages about tests that passed: counts, what failed with its first message,
+/// and what was skipped and why. Null if the file is missing or broken, as after a crash.
+Json summary_of_tests(const std::filesystem::path& path) {
+    pugi::xml_document document;
+    if (!document.load_file(path.c_str())) return nullptr;
+    const pugi::xml_node results = document.child("testsuites");
+    Json summary{{"tests", results.attribute("tests").as_int()},
+                 {"failures", results.attribute("failures").as_int()},
                  {"failed", Json::array()},
                  {"skipped", Json::array()}};
-    for (const Json& suite : results.value("testsuites", Json::array())) {
-        for (const Json& test : suite.value("testsuite", Json::array())) {
-            const std::string name = suite.value("name", "") + "." + test.value("name", "");
-            if (test.contains("failures")) summary["failed"].push_back(name);
-            if (test.value("result", "") == "SKIPPED") summary["skipped"].push_back(name);
+    for (const pugi::xml_node suite : results.children("testsuite")) {
+        for (const pugi::xml_node test : suite.children("testcase")) {
+            const std::string name =
+                std::string{suite.attribute("name").value()} + "." + test.attribute("name").value();
+            const auto add = [&](const char* list, const pugi::xml_node& what) {
+                if (what)
+                    summary[list].push_back(
+                        {{"name", name}, {"message", what.attribute("message").value()}});
+            };
+            add("failed", test.child("failure"));
+            add("skipped", test.child("skipped"));
         }
     }
     return summary;
@@ -50,15 +60,13 @@ std::string outcome(const Part& part, const ChildResult& result) {
     return "ok";
 }
 
-Json describe_part(const Part& part, const ChildResult& result,
-                   const std::filesystem::path& json_file) {
+Json describe_part(const Part& part, const ChildResult& result, const std::filesystem::path& file) {
     Json json{{"name", part.name},
               {"outcome", outcome(part, result)},
               {"exit_code", result.exit_code},
               {"seconds", result.took.count()}};
-    const Json written = read_json(json_file);
-    if (part.kind == PartKind::tests) json["tests"] = summary_of_tests(written);
-    if (part.kind == PartKind::figures) json["figures"] = written;
+    if (part.kind == PartKind::tests) json["tests"] = summary_of_tests(file);
+    if (part.kind == PartKind::figures) json["figures"] = read_json(file);
     if (outcome(part, result) != "ok") json["output"] = end_of(result.output);
     return json;
 }

@@ -9,9 +9,9 @@
 
 namespace lineatlas::bench {
 
-/// How a part ended, and what it has written to `json_file`.
+/// How a part ended, and what it has written to `file`.
 nlohmann::ordered_json describe_part(const Part& part, const ChildResult& result,
-                                     const std::filesystem::path& json_file);
+                                     const std::filesystem::path& file);
 
 /// In a word or a few: "ok", "failed with 1", "crashed (...)", "not done in 60 s".
 std::string outcome(const Part& part, const ChildResult& result);
