@@ -1,12 +1,12 @@
 // The table of tuning values: which row a device gets, and what a wrong table says.
 
-#include <cstdlib>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "compute/opencl/quirks.hpp"
 #include "compute/opencl/tuning_table.hpp"
+#include "environment_variable.hpp"
 #include "lineatlas/error.hpp"
 #include "temporary_folder.hpp"
 
@@ -111,12 +111,11 @@ TEST(TuningTable, SaysWhatIsWrongAndWhere) {
 TEST(Tuning, OfTheKernelFolderIfThatHasATable) {
     const std::uint32_t built_in = compute::tuning_for(a_gpu).local_size;
     const TemporaryFolder folder;
-    ::setenv("LINEATLAS_KERNEL_DIR", folder.path().c_str(), 1);
+    const EnvironmentVariable kernels{"LINEATLAS_KERNEL_DIR", folder.path().string()};
     EXPECT_EQ(compute::tuning_for(a_gpu).local_size, built_in);
     std::ofstream{folder.path() / "tuning.toml"} << whole_row
                                                  << "[[row]]\nmatch = {}\nlocal_size = 7\n";
     EXPECT_EQ(compute::tuning_for(a_gpu).local_size, 7U);
-    ::unsetenv("LINEATLAS_KERNEL_DIR");
 }
 
 TEST(Tuning, FormsOfTheBuiltInTable) {

@@ -9,12 +9,14 @@
 #include <fstream>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include <glm/geometric.hpp>
 #include <unistd.h>
 
 #include "compare.hpp"
+#include "environment_variable.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
 #include "known_visibility.hpp"
@@ -239,8 +241,7 @@ class Planted {
     Planted(const std::string& folder, const char* variable, const std::string& from,
             const std::string& to)
         : folder_(fs::path{testing::TempDir()} /
-                  ("lineatlas-planted-" + folder + "-" + std::to_string(getpid()))),
-          variable_(variable) {
+                  ("lineatlas-planted-" + folder + "-" + std::to_string(getpid()))) {
         fs::create_directories(folder_);
         int planted = 0;
         for (const auto& entry : fs::directory_iterator{fs::path{LINEATLAS_SOURCE_DIR} / folder}) {
@@ -254,18 +255,15 @@ class Planted {
             std::ofstream{folder_ / entry.path().filename()} << text;
         }
         EXPECT_EQ(planted, 1) << from;
-        ::setenv(variable, folder_.c_str(), 1);
+        variable_.emplace(variable, folder_.string());
     }
-    ~Planted() {
-        ::unsetenv(variable_);
-        fs::remove_all(folder_);
-    }
+    ~Planted() { fs::remove_all(folder_); }
     Planted(const Planted&) = delete;
     Planted& operator=(const Planted&) = delete;
 
   private:
     fs::path folder_;
-    const char* variable_;
+    std::optional<EnvironmentVariable> variable_;
 };
 
 TEST_F(Visibility, ABiasOfTwentyPixelsIsFound) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "environment_variable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace fs = std::filesystem;
@@ -31,16 +33,10 @@ std::size_t occurrences(std::string_view text, std::string_view part) {
 class Sources : public testing::Test {
   protected:
     void SetUp() override {
-        ::unsetenv("LINEATLAS_KERNEL_DIR");
-        ::unsetenv("LINEATLAS_SHADER_DIR");
         folder_ = fs::temp_directory_path() / ("lineatlas_sources_" + std::to_string(::getpid()));
         fs::create_directories(folder_);
     }
-    void TearDown() override {
-        ::unsetenv("LINEATLAS_KERNEL_DIR");
-        ::unsetenv("LINEATLAS_SHADER_DIR");
-        fs::remove_all(folder_);
-    }
+    void TearDown() override { fs::remove_all(folder_); }
 
     void use_folder() const { ::setenv("LINEATLAS_KERNEL_DIR", folder_.c_str(), 1); }
     void file(const std::string& name, std::string_view text) const {
@@ -48,6 +44,8 @@ class Sources : public testing::Test {
     }
 
     fs::path folder_;
+    test::EnvironmentVariable kernels_{"LINEATLAS_KERNEL_DIR", std::nullopt};
+    test::EnvironmentVariable shaders_{"LINEATLAS_SHADER_DIR", std::nullopt};
 };
 
 TEST_F(Sources, EveryEmbeddedFileResolves) {
@@ -146,6 +144,21 @@ TEST_F(Sources, AnEmptyFileIsEmptyAndAFolderIsNoFile) {
     use_folder();
     EXPECT_EQ(kernel_source("empty.cl"), "");
     EXPECT_THROW(kernel_source("folder.cl"), FileError);
+}
+
+TEST_F(Sources, AVariableIsGivenBackAsItWasFound) {
+    const char* name = "LINEATLAS_KERNEL_DIR";
+    use_folder();
+    {
+        const test::EnvironmentVariable other{name, "/elsewhere"};
+        EXPECT_STREQ(std::getenv(name), "/elsewhere");
+        const test::EnvironmentVariable none{name, std::nullopt};
+        EXPECT_EQ(std::getenv(name), nullptr);
+    }
+    EXPECT_EQ(std::getenv(name), folder_.string());
+    ::unsetenv(name);
+    { const test::EnvironmentVariable other{name, "/elsewhere"}; }
+    EXPECT_EQ(std::getenv(name), nullptr);
 }
 
 } // namespace

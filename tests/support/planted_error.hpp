@@ -1,13 +1,14 @@
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 
 #include <unistd.h>
 
+#include "environment_variable.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::test {
@@ -30,19 +31,16 @@ class PlantedError {
         const std::size_t place = text.find(from);
         if (place == std::string::npos) throw Error(file + " does not hold: " + from);
         std::ofstream{folder_ / file} << text.replace(place, from.size(), to);
-        ::setenv("LINEATLAS_KERNEL_DIR", folder_.c_str(), 1);
-        ::setenv("LINEATLAS_SHADER_DIR", folder_.c_str(), 1);
+        kernels_.emplace("LINEATLAS_KERNEL_DIR", folder_.string());
+        shaders_.emplace("LINEATLAS_SHADER_DIR", folder_.string());
     }
-    ~PlantedError() {
-        ::unsetenv("LINEATLAS_KERNEL_DIR");
-        ::unsetenv("LINEATLAS_SHADER_DIR");
-        std::filesystem::remove_all(folder_);
-    }
+    ~PlantedError() { std::filesystem::remove_all(folder_); }
     PlantedError(const PlantedError&) = delete;
     PlantedError& operator=(const PlantedError&) = delete;
 
   private:
     std::filesystem::path folder_;
+    std::optional<EnvironmentVariable> kernels_, shaders_; ///< set once the copy is whole
 };
 
 } // namespace lineatlas::test
