@@ -40,16 +40,19 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                        front = to_device(device, std::vector<std::uint8_t>(n, 1)),
                        crossed = to_device(device, std::vector<std::uint32_t>(n)),
                        crossings = to_device(device, std::vector<compute::ContourCrossing>(n));
-    const compute::ContourTables tables{.corners = corner_table.get(),
-                                        .edges = edge_table.get(),
-                                        .face_corners = corners_of.get(),
-                                        .faces = face_table.get(),
-                                        .edge_count = n,
-                                        .face_count = n,
-                                        .replaced = 0,
-                                        .vertex_count = n};
+    // Made of what a job owns: the tables themselves own nothing.
+    const auto tables = [=] {
+        return compute::ContourTables{.corners = corner_table.get(),
+                                      .edges = edge_table.get(),
+                                      .face_corners = corners_of.get(),
+                                      .faces = face_table.get(),
+                                      .edge_count = n,
+                                      .face_count = n,
+                                      .replaced = 0,
+                                      .vertex_count = n};
+    };
     const auto cross = [=, &stages] {
-        stages.contour({.contours = tables,
+        stages.contour({.contours = tables(),
                         .vertices = *places,
                         .eye = {0, 0, 1, 0},
                         .first_number = 0,
@@ -68,7 +71,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
     const auto run = [=, &stages] {
         cross();
         stages.contour_places(
-            {.table = {*places, *corners_of, *places, n, n, {.count = n, .contours = tables}},
+            {.table = {*places, *corners_of, *places, n, n, {.count = n, .contours = tables()}},
              .eye = {0, 0, 1, 0},
              .front = *front,
              .numbers = *numbers,

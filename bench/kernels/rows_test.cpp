@@ -1,4 +1,6 @@
-// Every kernel is measured: by the rows' own launches, and as `bench kernels --list` tells.
+// Every kernel is measured: by the rows' own launches, and as `bench kernels --list` tells. Every
+// row runs, as it does when it is timed: with sanitizers they see what a job uses that it does not
+// own.
 
 #include <array>
 #include <cstdio>
@@ -14,28 +16,39 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// The kernels that a device runs while rows of these names are prepared, which checks their
-/// results.
-void add_kernels(const Rows& rows, const std::string& way, compute::Device& device, Names& names) {
-    const auto log = device.begin_log();
-    for (const Row& row : rows) {
-        if (row.name.ends_with(way)) row.prepare(1U << 14U);
-    }
-    for (const compute::CommandTime& command : log->read()) names.insert(std::string{command.name});
-    device.end_log();
+void add_kernels(compute::CommandLog& log, Names& names) {
+    for (const compute::CommandTime& command : log.read()) names.insert(std::string{command.name});
 }
 
-TEST(Rows, EveryKernelIsInOne) {
+Devices devices_here() {
     compute::OpenClDevice device = compute::find_opencl_devices("opencl").front();
     compute::Tuning tuning = compute::tuning_for(device);
     tuning.scan_tiles = true; // C++ runs the chunks
-    const Devices devices = make_devices(compute::make_opencl_backend(device, {}, tuning));
-    const Rows rows = all_rows(devices);
+    return make_devices(compute::make_opencl_backend(device, {}, tuning));
+}
+
+TEST(Rows, EveryRowRunsAndEveryKernelIsInOne) {
+    const Devices devices = devices_here();
+    const auto opencl_log = devices.opencl->begin_log(), cpp_log = devices.cpp->begin_log();
+    for (const Row& row : all_rows(devices)) {
+        SCOPED_TRACE(row.name);
+        EXPECT_NO_THROW(seconds_of(row.prepare(1U << 14U)));
+    }
     Names seen;
-    add_kernels(rows, "/ours", *devices.opencl, seen);
-    add_kernels(rows, "/cpp", *devices.cpp, seen);
+    add_kernels(*opencl_log, seen);
+    add_kernels(*cpp_log, seen);
+    devices.opencl->end_log();
+    devices.cpp->end_log();
     for (const compute::Kernel& kernel : compute::all_kernels()) {
         EXPECT_TRUE(seen.contains(std::string{kernel.name})) << kernel.name;
+    }
+}
+
+TEST(Rows, StrokesOfSoManySegmentsThatTheyCoverOneAnother) {
+    const Devices devices = devices_here();
+    for (const Row& row : strokes_rows(devices)) {
+        if (!row.name.ends_with("/cpp")) continue;
+        EXPECT_NO_THROW(row.prepare(1U << 20U));
     }
 }
 
