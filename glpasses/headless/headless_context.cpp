@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include <dlfcn.h>
 #include <epoxy/egl.h>
@@ -49,6 +50,39 @@ EGLDisplay open_display() {
     throw DeviceError("EGL offers no headless display" + advice());
 }
 
+/// A core context of a version or, without one, what the driver gives unasked. EGL_NO_CONTEXT if it
+/// has none.
+EGLContext create_context(EGLDisplay display, int major, int minor) {
+    const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
+                                     major,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     minor,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+    // No config: nothing is drawn to an EGL surface.
+    return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                            major > 0 ? core.data() : nullptr);
+}
+
+/// What a driver without 4.5 offers in its place, for a message.
+std::string best_version(EGLDisplay display) {
+    for (const auto& [major, minor] :
+         {std::pair{4, 4}, {4, 3}, {4, 2}, {4, 1}, {4, 0}, {3, 3}, {3, 2}, {0, 0}}) {
+        EGLContext context = create_context(display, major, minor);
+        if (context == EGL_NO_CONTEXT) continue;
+        std::string version;
+        if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {
+            const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+            version = text != nullptr ? text : "";
+            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        }
+        eglDestroyContext(display, context);
+        if (!version.empty()) return "its best is OpenGL " + version;
+    }
+    return "it offers no OpenGL at all";
+}
+
 } // namespace
 
 struct HeadlessContext::State {
@@ -64,18 +98,11 @@ HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
     check_libraries();
     state_->display = open_display();
     eglBindAPI(EGL_OPENGL_API);
-    // No config: nothing is drawn to an EGL surface.
-    const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                           4,
-                                           EGL_CONTEXT_MINOR_VERSION,
-                                           5,
-                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                           EGL_NONE};
-    state_->context =
-        eglCreateContext(state_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    state_->context = create_context(state_->display, 4, 5);
     if (state_->context == EGL_NO_CONTEXT) {
-        throw DeviceError("the driver offers no OpenGL 4.5 core context" + advice());
+        throw DeviceError(
+            "the driver offers no OpenGL 4.5 core context: " + best_version(state_->display) +
+            "; a newer driver is needed" + memory_limit_remark());
     }
     make_current();
 }
