@@ -25,10 +25,6 @@ constexpr std::string_view part_prefix = ".lineatlas-";
 constexpr std::string_view part_extension = ".part";
 constexpr mode_t read_write_all = 0666; // narrowed by the umask
 
-std::string cause(int error) {
-    return std::generic_category().message(error);
-}
-
 void check_place(const fs::path& target) {
     std::error_code error;
     if (fs::is_symlink(target, error)) throw write_error(target, "its links lead nowhere");
@@ -97,7 +93,7 @@ void keep_owner_and_mode(const fs::path& target, int descriptor) {
         ::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) != 0) {
         mode &= ~of_group;
     }
-    if (::fchmod(descriptor, mode) != 0) throw write_error(target, cause(errno));
+    if (::fchmod(descriptor, mode) != 0) throw write_error(target, write_cause(errno));
 }
 
 } // namespace
@@ -124,7 +120,8 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(behind_links(target)) {
         descriptor_ =
             ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, read_write_all);
         if (descriptor_ < 0 && errno != EEXIST)
-            throw write_error(target_, "its folder cannot be written to (" + cause(errno) + ")");
+            throw write_error(target_,
+                              "its folder cannot be written to (" + write_cause(errno) + ")");
     }
 }
 
@@ -142,7 +139,7 @@ void AtomicFile::name() {
                      AT_SYMLINK_FOLLOW) == 0) {
             temporary_ = name;
         } else if (errno != EEXIST) {
-            throw write_error(target_, cause(errno));
+            throw write_error(target_, write_cause(errno));
         }
     }
 }
@@ -151,12 +148,12 @@ void AtomicFile::commit(std::span<const unsigned char> content) {
     while (!content.empty()) {
         const ssize_t written = ::write(descriptor_, content.data(), content.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) throw write_error(target_, cause(errno));
+        if (written < 0) throw write_error(target_, write_cause(errno));
         content = content.subspan(static_cast<std::size_t>(written));
     }
     keep_owner_and_mode(target_, descriptor_);
     // Without this a crash of the machine may leave the new name with no data behind it.
-    if (::fsync(descriptor_) != 0) throw write_error(target_, cause(errno));
+    if (::fsync(descriptor_) != 0) throw write_error(target_, write_cause(errno));
 
     name();
     std::error_code error;

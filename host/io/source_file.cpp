@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <fstream>
 #include <system_error>
+
+#include <sys/resource.h>
 
 namespace lineatlas {
 
@@ -72,6 +75,14 @@ FileError read_error(const std::filesystem::path& path, std::string_view cause) 
 
 FileError write_error(const std::filesystem::path& path, std::string_view cause) {
     return FileError("cannot write " + quoted(path) + ": " + std::string(cause));
+}
+
+std::string write_cause(int error) {
+    rlimit size{};
+    if (error == EFBIG && ::getrlimit(RLIMIT_FSIZE, &size) == 0 && size.rlim_cur != RLIM_INFINITY)
+        return "a file may have at most " + counted(size.rlim_cur, "byte", "bytes") +
+               " here; raise that limit (ulimit -f)";
+    return std::generic_category().message(error);
 }
 
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {

@@ -39,6 +39,8 @@ FileError read_error(const std::filesystem::path& path, std::string_view cause);
 
 /// `cannot write "path": cause`
 FileError write_error(const std::filesystem::path& path, std::string_view cause);
+/// What a failed write() says; of a limit of files' sizes that limit and the way out.
+std::string write_cause(int error);
 
 /// "1 face", "12 faces"
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural);

@@ -11,6 +11,7 @@
 
 #include "base/printable.hpp"
 #include "lineatlas/error.hpp"
+#include "source_file.hpp"
 
 namespace lineatlas {
 
@@ -23,8 +24,7 @@ bool pipes_end_the_program = false; ///< as they did before open_standard_stream
         std::signal(SIGPIPE, SIG_DFL);
         std::raise(SIGPIPE);
     }
-    const std::string cause =
-        error != 0 ? std::generic_category().message(error) : "not all of it was taken";
+    const std::string cause = error != 0 ? write_cause(error) : "not all of it was taken";
     throw FileError("cannot write to standard output: " + cause);
 }
 
@@ -40,6 +40,9 @@ void open_standard_streams() {
     const auto before = std::signal(SIGPIPE, [](int) {});
     pipes_end_the_program = before == SIG_DFL;
     if (before == SIG_IGN) std::signal(SIGPIPE, SIG_IGN);
+    // A limit of files' sizes (ulimit -f) is an error of write() then, which says what was written.
+    // Handlers, unlike SIG_IGN, are not inherited by other programs either.
+    if (std::signal(SIGXFSZ, [](int) {}) == SIG_IGN) std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void print_output(std::string_view text) {

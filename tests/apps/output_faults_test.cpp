@@ -53,6 +53,25 @@ class OutputFaults : public Tool {
 
 const std::vector<std::string> endings{".png", ".bmp", ".svg", ".json", ".dxf", ".pdf"};
 
+TEST_F(OutputFaults, ALimitOfFileSizesIsNamed) {
+    for (const std::string& ending : endings) {
+        const Result result = shell("ulimit -f 1; " LINEATLAS_TOOL " draw --scene clevis -o " +
+                                    path("limited" + ending) + " 2>&1");
+        EXPECT_EQ(result.exit_code, 1) << ending;
+        EXPECT_NE(result.output.find("a file may have at most "), std::string::npos)
+            << ending << result.output;
+        EXPECT_NE(result.output.find("raise that limit (ulimit -f)"), std::string::npos)
+            << ending << result.output;
+        EXPECT_FALSE(fs::exists(path("limited" + ending)));
+    }
+    const Result printed =
+        shell("ulimit -f 1; " LINEATLAS_TOOL " styles --keys 2>&1 >" + path("printed"));
+    EXPECT_EQ(printed.exit_code, 1);
+    EXPECT_NE(printed.output.find("cannot write to standard output: a file may have at most "),
+              std::string::npos)
+        << printed.output;
+}
+
 TEST_F(OutputFaults, AKillAtAnyTimeLeavesOldOrWholeFiles) {
     constexpr int kills = 32;
     std::mt19937 random{7};
