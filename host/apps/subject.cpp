@@ -73,12 +73,13 @@ std::string framing_note(const FarPart& far, glm::dvec3 origin) {
 
 /// Pixels that the model's diagonal takes, about. In perspective what is nearest is drawn larger
 /// than what fills the picture from corner to corner; compact parts that fill it took 1.8 to 2.2
-/// times its shorter side. A guess that is too small costs a second reading.
+/// times its shorter side. A guess that is too small costs a second reading, so there is room for a
+/// model that is drawn a tenth larger, which costs a twentieth more chords.
 double pixels_of_diagonal(const ViewOptions& view, glm::ivec2 size) {
-    constexpr double nearest = 2.25;
+    constexpr double nearest = 2.25, room = 1.1;
     const double whole = glm::length(glm::dvec2{size});
-    if (view.projection() == Projection::orthographic) return whole;
-    return std::max(whole, nearest * std::min(size.x, size.y));
+    if (view.projection() == Projection::orthographic) return room * whole;
+    return room * std::max(whole, nearest * std::min(size.x, size.y));
 }
 
 /// `deflection`: of exact surfaces; 0: as the size of the picture alone says.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -81,7 +82,24 @@ TEST_F(CurveFineness, UsualViewsAreReadOnce) {
     const std::size_t at = svg.find(option);
     ASSERT_NE(at, svg.npos);
     const double deflection = std::atof(svg.c_str() + at + option.size());
-    EXPECT_NEAR(0.25 / deflection, 2.25 * 768 / std::sqrt(12.0), 0.1);
+    EXPECT_NEAR(0.25 / deflection, 1.1 * 2.25 * 768 / std::sqrt(12.0), 0.1);
+}
+
+TEST_F(CurveFineness, AViewALittleLargerThanGuessedIsReadOnce) {
+    // The guess: the pin's diagonal from corner to corner of the picture.
+    constexpr double guessed = 500 * std::numbers::sqrt2 / 3.4641016;
+    const auto read_for = [&](double scale) {
+        const double distance = 500 / (2 * 0.36397 * scale); // see AQuarterPixelFromNear
+        const std::string description =
+            drawn("--size 500x500 --target 0,0,0 --up y --eye 0,0," + std::to_string(distance))
+                .at("description");
+        const std::string option = "--deflection=";
+        const std::size_t at = description.find(option);
+        return at == description.npos ? 0
+                                      : 0.25 / std::atof(description.c_str() + at + option.size());
+    };
+    EXPECT_NEAR(read_for(1.05 * guessed), 1.1 * guessed, 0.1);
+    EXPECT_NEAR(read_for(1.3 * guessed), 1.3 * guessed, 1);
 }
 
 TEST_F(CurveFineness, ALineSaysWhereItEnds) {
