@@ -1,5 +1,6 @@
 #include "describe_camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,7 +33,10 @@ std::string describe_camera(const Camera& camera, glm::dvec3 origin) {
         const double distance = half_height / std::tan(0.5F * View{}.fov_y);
         return options(place, distance, 40) + " --projection orthographic";
     }
-    return options(camera.eye(), 1, 2 * std::atan(half_height) * 180 / std::numbers::pi_v<float>);
+    const glm::dvec3 eye{camera.eye()};
+    // So far away that the digits of both places tell where the camera looks.
+    const double distance = std::max({1.0, std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
+    return options(eye, distance, 2 * std::atan(half_height) * 180 / std::numbers::pi_v<float>);
 }
 
 } // namespace lineatlas

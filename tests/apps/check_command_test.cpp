@@ -177,6 +177,18 @@ TEST_F(CheckCommand, AModelFarFromZeroIsCheckedWhereItIs) {
     }
 }
 
+TEST_F(CheckCommand, AVertexAMillionTimesAsFarIsCheckedToo) {
+    // The camera goes where the vertex is, and a place one unit before it is the same float there.
+    write("model.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1e12 1e12 1e12\n"
+                       "f 1 2 3\nf 1 3 4\nf 1 5 2\n");
+    ASSERT_EQ(run("draw " + path("model.obj") + " --size 400x300 -o " + path("a.svg")).exit_code,
+              0);
+    const std::string table = check("a.svg");
+    EXPECT_GT(figure(table, "truly visible"), 100);
+    EXPECT_LT(figure(table, "missed within 1.5 px"), 0.5);
+    EXPECT_LT(figure(table, "false within 1.5 px"), 0.5);
+}
+
 TEST_F(CheckCommand, JsonIsHeldToItsOwnEdges) {
     write_model();
     ASSERT_EQ(run("draw " + path("model.obj") + " --size 400x300 -o " + path("a.json")).exit_code,
