@@ -11,7 +11,7 @@ void check_index(std::size_t index, std::size_t count, const char* of, std::size
     if (index < count) return;
     throw UsageError("mesh: " + std::string{of} + " " + std::to_string(place) + " has the index " +
                      std::to_string(index) + ", but there are " + std::to_string(count) +
-                     " positions");
+                     " positions, counted from 0");
 }
 
 } // namespace
@@ -46,7 +46,7 @@ void check_groups(const Mesh& mesh) {
         if (mesh.triangle_group[i] < mesh.groups.size()) continue;
         throw UsageError("mesh: triangle " + std::to_string(i) + " is of group " +
                          std::to_string(mesh.triangle_group[i]) + ", but there are " +
-                         std::to_string(mesh.groups.size()));
+                         std::to_string(mesh.groups.size()) + ", counted from 0");
     }
 }
 

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> vertices_of_positions(const Mesh& mesh, const WeldedM
 void check_index(std::uint32_t index, std::size_t count) {
     if (index < count) return;
     throw UsageError("mesh: a known edge has the index " + std::to_string(index) +
-                     ", but there are " + std::to_string(count) + " positions");
+                     ", but there are " + std::to_string(count) + " positions, counted from 0");
 }
 
 } // namespace

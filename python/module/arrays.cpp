@@ -43,7 +43,9 @@ std::uint32_t checked_index(std::int64_t index, std::size_t limit, std::size_t p
     if (index >= 0 && static_cast<std::uint64_t>(index) < limit)
         return static_cast<std::uint32_t>(index);
     throw UsageError(std::string{name} + ": entry " + std::to_string(place) + " is " +
-                     std::to_string(index) + ", but there are " + std::to_string(limit));
+                     std::to_string(index) +
+                     (limit == 0 ? ", but there is none to refer to"
+                                 : ", not one of 0 to " + std::to_string(limit - 1)));
 }
 
 template <class Real, class Point>

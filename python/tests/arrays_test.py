@@ -108,11 +108,11 @@ class In(unittest.TestCase):
         for index in (8, -1, 1 << 40, -(1 << 40), np.uint64(2**64 - 1)):
             triangles = CUBE_TRIANGLES.astype(np.uint64 if index > 8 else np.int64)
             triangles[3, 2] = index
-            with self.assertRaisesRegex(lineatlas.UsageError, "triangles: entry 3"):
+            with self.assertRaisesRegex(lineatlas.UsageError, r"^triangles: entry 3 is -?\d+, not one of 0 to 7$"):
                 lineatlas.Mesh(CUBE_POSITIONS, triangles)
-        with self.assertRaisesRegex(lineatlas.UsageError, "polylines: entry 1"):
+        with self.assertRaisesRegex(lineatlas.UsageError, "^polylines: entry 1 is 8, not one of 0 to 7$"):
             lineatlas.Mesh(CUBE_POSITIONS, polylines=[[0, 8]])
-        with self.assertRaisesRegex(lineatlas.UsageError, "triangle_group: entry 2"):
+        with self.assertRaisesRegex(lineatlas.UsageError, "^triangle_group: entry 2 is 1, not one of 0 to 0$"):
             cube(triangle_group=[0, 0, 1] + [0] * 9, groups=["a"])
 
 

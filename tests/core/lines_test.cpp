@@ -347,7 +347,8 @@ TEST(ExtractLines, GroupsThatAreNotThereAreRefused) {
             extract_lines(mesh, {.separate_objects = separate});
             ADD_FAILURE() << "no error";
         } catch (const UsageError& error) {
-            EXPECT_STREQ(error.what(), "mesh: triangle 7 is of group 2, but there are 2");
+            EXPECT_STREQ(error.what(),
+                         "mesh: triangle 7 is of group 2, but there are 2, counted from 0");
         }
     }
     mesh.triangle_group.resize(7);
