@@ -13,4 +13,8 @@ void bind_style(pybind11::module_& module);
 void bind_renderer(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 
+/// Makes all functions of the module, once they are bound, say in one line which named argument
+/// they don't have, in place of pybind11's list of signatures.
+void name_unknown_arguments(pybind11::module_& module);
+
 } // namespace lineatlas::python

@@ -13,4 +13,5 @@ PYBIND11_MODULE(_lineatlas, module) {
     bind_style(module);
     bind_renderer(module);
     bind_files(module);
+    name_unknown_arguments(module);
 }

@@ -40,6 +40,18 @@ class Refused(unittest.TestCase):
                     renderer.to_svg(**{name: wrong})
                 self.assertNotIn("\n", str(caught.exception))
 
+    def test_unknown_names(self) -> None:
+        self.check('draw() has no argument "sizee"; did you mean "size"?',
+                   lineatlas.draw, cube(), sizee=(64, 48))
+        self.check('to_svg() has no argument "crese"; did you mean "crease" of Renderer()?',
+                   lineatlas.to_svg, cube(), crese=20)
+        self.check('Mesh() has no argument "triangle_groups"; did you mean "triangle_group"?',
+                   lineatlas.Mesh, CUBE_POSITIONS, triangle_groups=[])
+        self.check('frame() has no argument "sise"; did you mean "size"?',
+                   lineatlas.frame, cube(), sise=(64, 48))
+        self.check('Group() has no argument "xyz"; it has object, material, color',
+                   lineatlas.Group, xyz=1)
+
     def test_of_styles(self) -> None:
         wanted = "width must be a number above 0 and at most 1000 pixels, not "
         self.check(wanted + "None", lineatlas.Style, width=None)

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+namespace py = pybind11;
+
+/// What pybind11 calls every function by.
+PyCFunctionWithKeywords call = nullptr;
+
+const py::detail::function_record* record_in(PyObject* self) {
+    if (self == nullptr || !PyCapsule_CheckExact(self)) return nullptr;
+    return static_cast<const py::detail::function_record*>(
+        PyCapsule_GetPointer(self, PyCapsule_GetName(self)));
+}
+
+std::vector<std::string> names_of(const py::detail::function_record& function) {
+    std::vector<std::string> names;
+    for (const py::detail::argument_record& argument : function.args) {
+        const std::string_view name = argument.name != nullptr ? argument.name : "";
+        if (!name.empty() && name != "self") names.emplace_back(name);
+    }
+    return names;
+}
+
+/// The function behind an attribute of the module or of a class; null if it is none of pybind11's.
+PyCFunctionObject* function_behind(py::handle attribute) {
+    PyObject* object = attribute.ptr();
+    if (PyInstanceMethod_Check(object)) object = PyInstanceMethod_GET_FUNCTION(object);
+    return PyCFunction_Check(object) ? reinterpret_cast<PyCFunctionObject*>(object) : nullptr;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list.empty() ? "none" : list;
+}
+
+/// What may have been meant by a name; empty if nothing is like it.
+std::string nearest(const std::string& name, const std::vector<std::string>& names) {
+    py::list known;
+    for (const std::string& each : names) known.append(each);
+    const py::list like = py::module_::import("difflib").attr("get_close_matches")(name, known, 1);
+    return like.empty() ? "" : like[0].cast<std::string>();
+}
+
+/// `function` has no such argument: the nearest that it has, else the nearest that its class is
+/// made with, else all that it has.
+std::string message(const py::detail::function_record& function, const std::string& unknown) {
+    const bool makes = std::string_view{function.name} == "__init__";
+    const auto name =
+        makes ? function.scope.attr("__name__").cast<std::string>() : std::string{function.name};
+    const std::string start = name + "() has no argument \"" + unknown + "\"; ";
+    const std::vector<std::string> names = names_of(function);
+    if (const std::string near = nearest(unknown, names); !near.empty())
+        return start + "did you mean \"" + near + "\"?";
+    if (!makes && py::isinstance<py::type>(function.scope)) {
+        const PyCFunctionObject* maker = function_behind(py::getattr(function.scope, "__init__"));
+        const auto* made_by = maker != nullptr ? record_in(maker->m_self) : nullptr;
+        const std::string near = made_by != nullptr ? nearest(unknown, names_of(*made_by)) : "";
+        if (!near.empty())
+            return start + "did you mean \"" + near + "\" of " +
+                   function.scope.attr("__name__").cast<std::string>() + "()?";
+    }
+    return start + "it has " + list_of(names);
+}
+
+/// The first name in `named` that no argument has; empty if all are known.
+std::string unknown_in(const py::detail::function_record& function, PyObject* named) {
+    if (named == nullptr || function.has_kwargs || function.next != nullptr) return {};
+    const std::vector<std::string> names = names_of(function);
+    for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(named)) {
+        const auto name = key.cast<std::string>();
+        if (std::find(names.begin(), names.end(), name) == names.end()) return name;
+    }
+    return {};
+}
+
+PyObject* call_in_words(PyObject* self, PyObject* arguments, PyObject* named) {
+    PyObject* result = call(self, arguments, named);
+    const auto* function = record_in(self);
+    if (result != nullptr || function == nullptr || PyErr_ExceptionMatches(PyExc_TypeError) == 0)
+        return result;
+    PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
+    PyErr_Fetch(&type, &value, &trace);
+    std::string in_words;
+    try {
+        const std::string unknown = unknown_in(*function, named);
+        if (!unknown.empty()) in_words = message(*function, unknown);
+    } catch (const std::exception&) {
+        in_words.clear(); // then pybind11's own words are good enough
+    }
+    if (in_words.empty()) {
+        PyErr_Restore(type, value, trace);
+        return nullptr;
+    }
+    for (PyObject* each : {type, value, trace}) Py_XDECREF(each);
+    PyErr_SetString(PyExc_TypeError, in_words.c_str());
+    return nullptr;
+}
+
+void name_in(const py::dict& attributes) {
+    for (const auto& [name, attribute] : attributes) {
+        PyCFunctionObject* function = function_behind(attribute);
+        if (function == nullptr || record_in(function->m_self) == nullptr) continue;
+        const auto own = reinterpret_cast<PyCFunction>(
+            reinterpret_cast<void (*)()>(PyCFunctionWithKeywords{call_in_words}));
+        if (function->m_ml->ml_meth == own) continue;
+        call = reinterpret_cast<PyCFunctionWithKeywords>(
+            reinterpret_cast<void (*)()>(function->m_ml->ml_meth));
+        function->m_ml->ml_meth = own;
+    }
+}
+
+} // namespace
+
+void name_unknown_arguments(py::module_& module) {
+    const py::dict attributes = module.attr("__dict__");
+    name_in(attributes);
+    for (const auto& [name, attribute] : attributes)
+        if (py::isinstance<py::type>(attribute))
+            name_in(py::dict(py::getattr(attribute, "__dict__")));
+}
+
+} // namespace lineatlas::python
