@@ -1,10 +1,17 @@
 #!/usr/bin/env bash
 # Packs build/bundle with every library it needs into a folder: scripts/bundle.sh DIR
+# What must be built for it: scripts/bundle.sh --targets
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$root/build/bundle
 most_megabytes=60
+programs=(lineatlas lineatlas-check lineatlas-bench-{frames,kernels,interop})
+tests=({sharing_modes,stages,compute,pictures}_test) # what bench/check/parts.cpp runs
 
+if [ "${1:-}" = --targets ]; then
+    echo "${programs[@]}" "${tests[@]}"
+    exit
+fi
 if [ $# -ne 1 ]; then
     echo "usage: ./run bundle DIR" >&2
     exit 2
@@ -59,13 +66,12 @@ add_libraries_of() { # PROGRAM
     done < <(ldd "$1" | awk '$2 == "=>" { print $1, $3 }')
 }
 
-cp "$build"/lineatlas "$build"/lineatlas-check "$build"/lineatlas-bench-{frames,kernels,interop} \
-    "$target/bin"
+for program in "${programs[@]}"; do cp "$build/$program" "$target/bin"; done
+for test in "${tests[@]}"; do cp "$build/tests/$test" "$target/tests"; done
 cp "$build/lib/lineatlas/lineatlas-png.so" "$target/lib/lineatlas"
-cp "$build"/tests/*_test "$build/tests/support/gl_sharing_layer/libgl_sharing_layer.so" "$target/tests"
-rm "$target"/tests/{io_test,shared_meshes_test} # of files that are not in a bundle
-programs=("$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-png.so")
-for program in "${programs[@]}"; do add_libraries_of "$program"; done
+for file in "$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-png.so"; do
+    add_libraries_of "$file"
+done
 
 # The dispatchers in front of drivers of GL, which come alone where a machine is made for computing,
 # and of OpenCL. Programs open them at run time.

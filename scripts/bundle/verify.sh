@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # That a bundle is closed: verify.sh DIR. Every library that a program or library in it needs is in it
-# or one that the machine brings, and is looked for beside it. Prints the glibc that is needed.
+# or one that the machine brings, and is looked for beside it; none is of those that are too large.
+# Prints the glibc that is needed.
 set -euo pipefail
 target=$1
 failed=0
@@ -32,6 +33,10 @@ for file in "${files[@]}"; do
     # shellcheck disable=SC2016 # $ORIGIN is the loader's
     readelf -d "$file" | grep -q 'RUNPATH.*\[$ORIGIN' ||
         complain "${file#"$target"/} does not look for libraries beside itself"
+done
+
+for library in "$target"/lib/lib{TK,OpenEXR,OpenImageIO,embree}*; do
+    if [ -e "$library" ]; then complain "$(basename "$library") does not belong in it"; fi
 done
 
 glibc=$(readelf -V "${files[@]}" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n 1)
