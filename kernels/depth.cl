@@ -82,8 +82,8 @@ KERNEL(depth_order, DepthParameters) {
 }
 
 /* Which of LANES clusters touch the tile, bit by bit. */
-static uint touching(const Tile* tile, __global const int* boxes, const uint stride,
-                     const int2 origin) {
+INLINED uint touching(const Tile* tile, __global const int* boxes, const uint stride,
+                      const int2 origin) {
     const lanes_int left = tile->low.x - origin.x, right = left + (tile->size.x - 1);
     const lanes_int below = tile->low.y - origin.y, above = below + (tile->size.y - 1);
     return LANE_BITS((LOAD_INTS(boxes) <= right) & (LOAD_INTS(boxes + stride) <= above) &
@@ -92,12 +92,12 @@ static uint touching(const Tile* tile, __global const int* boxes, const uint str
 }
 
 /* Draws all that touches the tile into it; false if there was nothing. */
-static bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
-                      __global const int* boxes, __global const float* nearest,
-                      __global const uint* order, const uint total,
-                      __global const Cluster* clusters, __global const Meshlet* meshlets,
-                      __global const uint* vertex_list, __global const uchar* corners,
-                      __global const float* vertices, __global uint* seen) {
+INLINED bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
+                       __global const int* boxes, __global const float* nearest,
+                       __global const uint* order, const uint total,
+                       __global const Cluster* clusters, __global const Meshlet* meshlets,
+                       __global const uint* vertex_list, __global const uchar* corners,
+                       __global const float* vertices, __global uint* seen) {
     const int2 origin = to_int2(args->origin);
     const int2 corner = tile->low - origin; /* in `depth` */
     bool any = false;

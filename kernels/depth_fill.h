@@ -24,8 +24,8 @@ typedef struct DepthPlane {
 
 /* LANES texels from the one at `at` on: the nearer of what is there and the triangle, where its
  * edges let it. */
-static void fill_lanes(const Tile* tile, const int at, const int number, const lanes_int outside,
-                       const lanes_float z) {
+INLINED void fill_lanes(const Tile* tile, const int at, const int number, const lanes_int outside,
+                        const lanes_float z) {
     __local float* texels = tile->texels + at;
     const lanes_float before = LOAD_LANES(texels);
     const lanes_int none = 0;
@@ -39,8 +39,8 @@ static void fill_lanes(const Tile* tile, const int at, const int number, const l
 }
 
 /* A triangle of at most `vectors` times LANES columns, from the texel at `at` on. */
-static void fill_narrow(const Tile* tile, const int at, const int number, const int rows,
-                        const Edges* edges, const DepthPlane plane, const int vectors) {
+INLINED void fill_narrow(const Tile* tile, const int at, const int number, const int rows,
+                         const Edges* edges, const DepthPlane plane, const int vectors) {
     for (int v = 0; v < vectors; ++v) {
         const lanes_int column = LANE_INDEX + v * LANES;
         lanes_int e0 = column * edges->a[0] + edges->c[0];
@@ -60,8 +60,8 @@ static void fill_narrow(const Tile* tile, const int at, const int number, const 
 
 /* A wider one: `texels` begin a vector. Where each row begins and ends is found for LANES rows at
  * once, in floats and a little too wide; the edges decide. */
-static void fill_wide(const Tile* tile, const int at, const int number, const int columns,
-                      const int rows, const Edges* edges, const DepthPlane plane) {
+INLINED void fill_wide(const Tile* tile, const int at, const int number, const int columns,
+                       const int rows, const Edges* edges, const DepthPlane plane) {
     const float none = 0.0f, far = 1e6f;
     float left_slope[3], left[3], right_slope[3], right[3];
     for (int k = 0; k < 3; ++k) {
@@ -146,8 +146,8 @@ static float cross_of(const float* a, const float* b) {
 }
 
 /* A triangle of any size, of corners in texels of the whole picture and window depth. */
-static void fill_large(Tile* tile, const int number, const float3 a, const float3 b,
-                       const float3 c) {
+INLINED void fill_large(Tile* tile, const int number, const float3 a, const float3 b,
+                        const float3 c) {
     const float3 given[3] = {a, b, c};
     const long low_x = (long)tile->low.x * GRID, low_y = (long)tile->low.y * GRID;
     long grid_x[3], grid_y[3];

@@ -34,7 +34,7 @@ typedef struct Tile {
     uchar state[TILE_BLOCKS * TILE_BLOCKS];
 } Tile;
 
-static void begin_tile(Tile* tile) {
+INLINED void begin_tile(Tile* tile) {
     for (int i = 0; i < TILE_BLOCKS * TILE_BLOCKS; ++i) {
         tile->farthest[i] = 1.0f;
         tile->state[i] = BLOCK_UNTOUCHED;
@@ -46,7 +46,7 @@ static void begin_tile(Tile* tile) {
     }
 }
 
-static void clear_row(const Tile* tile, const int at) {
+INLINED void clear_row(const Tile* tile, const int at) {
     const lanes_float far = 1.0f;
     for (int i = 0; i < LA_TILE; i += LANES) STORE_LANES(far, tile->texels + at + i);
 #ifdef NUMBERED
@@ -55,7 +55,7 @@ static void clear_row(const Tile* tile, const int at) {
 #endif
 }
 
-static void load_row(const Tile* tile, const int at, const size_t from, const int count) {
+INLINED void load_row(const Tile* tile, const int at, const size_t from, const int count) {
     for (int i = 0; i < count; ++i) {
         tile->texels[at + i] = tile->depth[from + (size_t)i];
 #ifdef NUMBERED
@@ -64,7 +64,7 @@ static void load_row(const Tile* tile, const int at, const size_t from, const in
     }
 }
 
-static void store_row(const Tile* tile, const int at, const size_t to, const int count) {
+INLINED void store_row(const Tile* tile, const int at, const size_t to, const int count) {
     const int whole = count < LA_TILE ? 0 : LA_TILE;
     if (tile->keeps_depth) {
         __global float* out = tile->depth + to;
@@ -80,7 +80,7 @@ static void store_row(const Tile* tile, const int at, const size_t to, const int
 }
 
 /* Fetches what the block shows, before it is drawn to. */
-static void touch_block(const Tile* tile, const int x, const int y) {
+INLINED void touch_block(const Tile* tile, const int x, const int y) {
     const int columns = min(tile->size.x - x * LA_TILE, LA_TILE);
     const int rows = min(tile->size.y - y * LA_TILE, LA_TILE);
     for (int k = 0; k < LA_TILE; ++k) {
@@ -96,7 +96,7 @@ static void touch_block(const Tile* tile, const int x, const int y) {
     }
 }
 
-static float farthest_of_block(const Tile* tile, const int x, const int y) {
+INLINED float farthest_of_block(const Tile* tile, const int x, const int y) {
     __local const float* row = tile->texels + y * LA_TILE * TILE_STRIDE + x * LA_TILE;
     /* Two, since each waits for its last; max, since fmax would look for what is no number. */
     lanes_float even = 0.0f, odd = 0.0f;
@@ -111,7 +111,7 @@ static float farthest_of_block(const Tile* tile, const int x, const int y) {
 }
 
 /* Whether a block that is all the picture's, or as good as all, shows nothing. */
-static bool shows_nothing(const Tile* tile, const int x, const int y) {
+INLINED bool shows_nothing(const Tile* tile, const int x, const int y) {
     __local const float* row = tile->texels + y * LA_TILE * TILE_STRIDE + x * LA_TILE;
     const lanes_float far = 1.0f;
     for (int k = 0; k < LA_TILE; ++k) {
@@ -124,7 +124,7 @@ static bool shows_nothing(const Tile* tile, const int x, const int y) {
 }
 
 /* Whether the block must be written to the images; says in the tables of blocks what it shows. */
-static bool differs(Tile* tile, const int x, const int y) {
+INLINED bool differs(Tile* tile, const int x, const int y) {
     const int block = y * TILE_BLOCKS + x, there = y * tile->blocks_a_row + x;
     const bool untouched = tile->state[block] == BLOCK_UNTOUCHED;
     if (untouched && !tile->begins) return false;
@@ -141,7 +141,7 @@ static bool differs(Tile* tile, const int x, const int y) {
 
 /* Writes what is new. Most of a frame's time is memory's where a model is small: what was blank and
  * stays so is left alone. */
-static void store_tile(Tile* tile) {
+INLINED void store_tile(Tile* tile) {
     for (int y = 0; y * LA_TILE < tile->size.y; ++y) {
         bool written[TILE_BLOCKS], any = false;
         for (int x = 0; x * LA_TILE < tile->size.x; ++x) {
@@ -163,7 +163,7 @@ static void store_tile(Tile* tile) {
 
 /* Whether anything as near as `nearest` can be seen in a box of texels, corners included. If so the
  * box will be drawn to. */
-static bool cluster_shows(Tile* tile, const int4 box, const float nearest) {
+INLINED bool cluster_shows(Tile* tile, const int4 box, const float nearest) {
     const int left = box.x / LA_TILE, right = box.z / LA_TILE;
     const int below = box.y / LA_TILE, above = box.w / LA_TILE;
     bool shows = false;
@@ -190,7 +190,7 @@ static bool cluster_shows(Tile* tile, const int4 box, const float nearest) {
 }
 
 /* The same of a triangle, by what is known already. */
-static bool triangle_shows(const Tile* tile, const int4 box, const float nearest) {
+INLINED bool triangle_shows(const Tile* tile, const int4 box, const float nearest) {
     for (int y = box.y / LA_TILE; y <= box.w / LA_TILE; ++y) {
         for (int x = box.x / LA_TILE; x <= box.z / LA_TILE; ++x) {
             if (tile->farthest[y * TILE_BLOCKS + x] >= nearest) return true;

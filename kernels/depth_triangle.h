@@ -76,8 +76,8 @@ static void set_edge(TriangleLanes* lanes, const int k, const lanes_int ax, cons
 }
 
 /* x, y, z: of the three corners; in_use: how many triangles there are. */
-static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
-                   const lanes_float* z, const int in_use, TriangleLanes* lanes) {
+INLINED void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
+                    const lanes_float* z, const int in_use, TriangleLanes* lanes) {
     const lanes_float grid = (float)GRID;
     const lanes_int low_x = tile->low.x * GRID, low_y = tile->low.y * GRID;
     const lanes_int none = 0, most = MOST_UNITS, up = GRID - 1;
@@ -149,7 +149,7 @@ static void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y,
     STORE_LANES(last_y - first_y, lanes->rows);
 }
 
-static void fill(Tile* tile, const int number, const TriangleLanes* lanes, const uint i) {
+INLINED void fill(Tile* tile, const int number, const TriangleLanes* lanes, const uint i) {
     const int x = lanes->x[i], y = lanes->y[i];
     const int columns = lanes->columns[i], rows = lanes->rows[i];
     if (!triangle_shows(tile, int4(x, y, x + columns, y + rows), lanes->nearest[i])) return;
@@ -169,8 +169,8 @@ static void fill(Tile* tile, const int number, const TriangleLanes* lanes, const
         fill_wide(tile, at, number, columns, rows, &edges, plane);
 }
 
-static void draw_clipped(const View* view, Tile* tile, const int number, const float3 a,
-                         const float3 b, const float3 c) {
+INLINED void draw_clipped(const View* view, Tile* tile, const int number, const float3 a,
+                          const float3 b, const float3 c) {
     const Matrix m = view->m;
     float4 corner[MOST_CORNERS];
     corner[0] = (m.x * a.x + m.y * a.y) + (m.z * a.z + m.w);
@@ -187,9 +187,9 @@ static void draw_clipped(const View* view, Tile* tile, const int number, const f
 }
 
 /* number: of its first triangle. */
-static void draw_meshlet(const View* view, Tile* tile, const uint number, const Meshlet meshlet,
-                         __global const uint* vertex_list, __global const uchar* corners,
-                         __global const float* vertices) {
+INLINED void draw_meshlet(const View* view, Tile* tile, const uint number, const Meshlet meshlet,
+                          __global const uint* vertex_list, __global const uchar* corners,
+                          __global const float* vertices) {
     Places places;
     __global const uint* list = vertex_list + meshlet.vertices;
     place_vertices(view, list, meshlet.vertex_count, vertices, &places);

@@ -40,6 +40,10 @@ typedef struct la_mat4 {
 #define int4(x, y, z, w) ((int4)(x, y, z, w))
 #define uint2(x, y) ((uint2)(x, y))
 #define FUNCTION static
+/* Inlined always: what is given local memory, in a struct too, since PoCL may lose what other
+ * functions write there (host/compute/opencl/quirks.cpp); and what pays where it is compiled for
+ * the constants that it is called with, which compilers don't see. */
+#define INLINED static inline __attribute__((always_inline))
 #define LA_TYPEDEF(name) typedef struct name name;
 #define float_of(v) ((float)(v))
 #define int_of(v) ((int)(v))

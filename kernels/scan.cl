@@ -84,7 +84,7 @@ KERNEL(scan_chunks_apply, ScanParameters) {
 
 /* Exclusive scan over the work-group of one value per work-item (Hillis and Steele 1986).
  * Returns the sum of the values of the work-items before this one; *total: the sum of all. */
-static uint scan_group(const uint value, __local uint* scratch, uint* total) {
+INLINED uint scan_group(const uint value, __local uint* scratch, uint* total) {
     const uint lane = (uint)get_local_id(0);
     scratch[lane] = value;
     barrier(CLK_LOCAL_MEM_FENCE);

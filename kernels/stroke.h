@@ -6,8 +6,6 @@
 #define FAR_AWAY 1e9f
 
 /* Compiled for each set of constants that it is called with: compilers don't see that it pays. */
-#define SPECIALISED static inline __attribute__((always_inline))
-
 typedef struct Stroke {
     float2 start, end; /* window positions */
     float2 along;      /* direction */
@@ -212,10 +210,10 @@ static lanes_float density_at(const StrokesParameters* args, const Stroke* s,
 /* How much of pixels in a row the stroke covers, 0 to 1. x, y: their middles; each of `rounds`,
  * `rest` false: the caller knows that the stroke has no round ends, and is even, not cut, not
  * marked and not thinned. */
-SPECIALISED lanes_float coverage_at(const StrokesParameters* args, const Stroke* s,
-                                    const lanes_float x, const float y, const bool rounds,
-                                    const bool rest, __global const uchar* own,
-                                    __global const float* mark, __global const float* weights) {
+INLINED lanes_float coverage_at(const StrokesParameters* args, const Stroke* s, const lanes_float x,
+                                const float y, const bool rounds, const bool rest,
+                                __global const uchar* own, __global const float* mark,
+                                __global const float* weights) {
     const lanes_float dx = x - s->start.x, ex = x - s->end.x;
     const float dy = y - s->start.y, ey = y - s->end.y;
     /* Of two runs that meet on a line each pixel belongs to one: both compute its side alike. */

@@ -115,10 +115,10 @@ static int4 box_of(const Stroke* s, const int2 corner, const int4 within) {
 }
 
 /* Draws a stroke into a tile. `rounds`, `rest`: as in coverage_at. */
-SPECIALISED void draw_rows(const StrokesParameters* args, const Stroke* s, __local float* pixels,
-                           const int2 corner, const int4 box, const bool rounds, const bool rest,
-                           __global const uchar* own, __global const float* mark,
-                           __global const float* weights) {
+INLINED void draw_rows(const StrokesParameters* args, const Stroke* s, __local float* pixels,
+                       const int2 corner, const int4 box, const bool rounds, const bool rest,
+                       __global const uchar* own, __global const float* mark,
+                       __global const float* weights) {
     /* What a row has of the strip around the spine, where that is steep enough to tell. */
     const bool is_steep = fabs(s->along.y) > 0.0625f && box.z - box.x >= LANES;
     const float slope = is_steep ? s->along.x / s->along.y : 0.0f;
@@ -143,10 +143,10 @@ SPECIALISED void draw_rows(const StrokesParameters* args, const Stroke* s, __loc
     }
 }
 
-static void draw_stroke(const StrokesParameters* args, __global const Run* run,
-                        __local float* pixels, const int2 corner, const int4 within,
-                        __global const uchar* alpha, __global const float* mark,
-                        __global const float* weights) {
+INLINED void draw_stroke(const StrokesParameters* args, __global const Run* run,
+                         __local float* pixels, const int2 corner, const int4 within,
+                         __global const uchar* alpha, __global const float* mark,
+                         __global const float* weights) {
     const Stroke s = make_stroke(args, run, alpha, weights);
     __global const uchar* own = alpha + run->address;
     const int4 box = box_of(&s, corner, within);

@@ -1,6 +1,7 @@
 // Every program, in every form that the tuning table gives a device, is OpenCL C 1.2 without
 // extensions to compilers of three kinds, and no work-group needs more local memory than each
-// device has. clang stands for compilers of drivers that are not here.
+// device has. clang stands for compilers of drivers that are not here. Of their quirks one can be
+// seen in the sources: functions that are given local memory must be inlined.
 
 #include <algorithm>
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -154,6 +156,38 @@ std::map<std::string, std::size_t> local_memory(std::string_view stage = {}) {
         if (kernel.empty()) throw Error(program + " was not laid out: " + output.text);
     }
     return result;
+}
+
+/// Functions that are given local memory, be it in a struct, and are not INLINED.
+std::set<std::string> not_inlined() {
+    static const std::regex structs{R"(typedef struct (\w+) \{[^{}]*__local[^{}]*\})"};
+    static const std::regex functions{R"(\n(\w+) [\w ]*?\b(\w+)\(([^()]*)\) \{)"};
+    std::set<std::string> result;
+    for (const compute::Kernel& kernel : compute::all_kernels()) {
+        const std::string code = without_comments(compute::source_of(kernel));
+        std::string given = "__local";
+        for (std::sregex_iterator it{code.begin(), code.end(), structs}, end; it != end; ++it)
+            given += "|\\b" + it->str(1) + "\\*";
+        const std::regex local{given};
+        for (std::sregex_iterator it{code.begin(), code.end(), functions}, end; it != end; ++it) {
+            if (std::regex_search(it->str(3), local) && it->str(1) != "INLINED")
+                result.insert(it->str(2));
+        }
+    }
+    return result;
+}
+
+TEST(KernelSources, FunctionsWithLocalMemoryAreInlined) {
+    EXPECT_EQ(not_inlined(), std::set<std::string>{});
+}
+
+TEST(KernelSources, FunctionsThatAreNotInlinedAreFound) {
+    for (const auto& [file, name] : {std::pair{"depth_tile.h", "begin_tile"}, // in a struct
+                                     std::pair{"strokes.cl", "draw_stroke"}}) {
+        const std::string start = std::string{" void "} + name + '(';
+        const PlantedError error{file, "INLINED" + start, "static" + start};
+        EXPECT_EQ(not_inlined(), std::set<std::string>{name});
+    }
 }
 
 class KernelCompilers : public testing::Test {

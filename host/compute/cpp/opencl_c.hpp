@@ -21,6 +21,7 @@ struct WorkItem {
 #define __local
 #define LOCAL_TABLE(type, name, count) alignas(64) type name[count]
 #define FUNCTION static
+#define INLINED static inline __attribute__((always_inline))
 #define LA_TYPEDEF(name)
 #define float_of(v) static_cast<float>(v)
 #define int_of(v) static_cast<int>(v)
