@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "chart.hpp"
 #include "command_line/device_options.hpp"

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "command_line/program.hpp"
 #include "common/methods.hpp"

@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "base/printable.hpp"
 #include "certifier.hpp"

@@ -9,6 +9,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 namespace lineatlas::apps {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 

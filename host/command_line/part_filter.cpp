@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "base/printable.hpp"
 #include "core/name_pattern.hpp"

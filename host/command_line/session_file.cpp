@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 #include <glm/geometric.hpp>
 
 #include "io/source_file.hpp"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "core/limits.hpp"
 #include "lineatlas/error.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "core/line_pens.hpp"
 #include "lineatlas/error.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "colors.hpp"
 #include "core/pens.hpp"

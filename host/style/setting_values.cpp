@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "setting.hpp"
 

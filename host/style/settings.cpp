@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "lineatlas/lines.hpp"
 #include "pen_rules.hpp"

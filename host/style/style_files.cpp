@@ -9,6 +9,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "core/pens.hpp"
 #include "lineatlas/error.hpp"

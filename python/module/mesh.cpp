@@ -7,6 +7,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 #include <pybind11/stl.h>
 
 #include "lineatlas/error.hpp"
