@@ -9,6 +9,7 @@
 
 #include "command_line/program.hpp"
 #include "commands.hpp"
+#include "version.hpp"
 #include "compute/opencl/devices.hpp"
 #include "lineatlas/error.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 int run(int argc, char** argv) {
     CLI::App app{"lineatlas: high-quality line drawings of 3D models"};
     app.require_subcommand(1);
+    app.set_version_flag("--version", lineatlas::apps::version);
     app.footer("Examples:\n"
                "  lineatlas draw model.obj -o picture.png\n"
                "  lineatlas draw part.stl -o part.png --up z --lines crease,silhouette --width 3\n"

@@ -5,6 +5,9 @@
 
 namespace lineatlas {
 
+/// Whether there is a program of that name in the folder of the running one.
+bool has_sibling(const std::string& name);
+
 /// Replaces this process by the program `name` in the folder of the running one. Throws Error,
 /// with `advice` at the end of its message, if there is none that can be run.
 [[noreturn]] void run_sibling(const std::string& name, const std::vector<std::string>& arguments,

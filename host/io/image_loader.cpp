@@ -1,27 +1,17 @@
 #include "image_loader.hpp"
 
 #include "extension.hpp"
-#include "module_file.hpp"
+#include "module_files.hpp"
 
 namespace lineatlas {
 
 namespace {
 
-constexpr ModuleFile all_types{.name = "lineatlas-images",
-                               .purpose = "which reads and writes pictures",
-                               .library = "OpenImageIO",
-                               .package = "libopenimageio-dev",
-                               .own_package = "lineatlas-images"};
-constexpr ModuleFile png_alone{.name = "lineatlas-png",
-                               .purpose = "which reads and writes pictures",
-                               .library = "libpng",
-                               .package = "libpng-dev"};
-
 /// The one for all types where it is installed: then it has to load.
 const ModuleFile& installed(PictureType type) {
-    if (type == PictureType::any && has_module(all_types)) return all_types;
-    find_module(png_alone);
-    return png_alone;
+    if (type == PictureType::any && has_module(module_files::images)) return module_files::images;
+    find_module(module_files::png);
+    return module_files::png;
 }
 
 const images::Module& load(PictureType type) {

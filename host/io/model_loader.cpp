@@ -7,35 +7,21 @@
 #include <string>
 #include <system_error>
 
-#include "module_file.hpp"
+#include "module_files.hpp"
 
 namespace lineatlas {
 
 namespace {
 
 struct Family {
-    ModuleFile file;
+    const ModuleFile& file;
     const char* symbol;
     bool crashes = false; ///< on damaged files, whatever is done about it here
 };
 
-constexpr Family gltf{.file = {.name = "lineatlas-gltf",
-                               .purpose = "which reads glTF models",
-                               .library = "Draco or meshoptimizer",
-                               .package = "libdraco-dev libmeshoptimizer-dev"},
-                      .symbol = models::gltf_symbol};
-constexpr Family brep{.file = {.name = "lineatlas-brep",
-                               .purpose = "which reads STEP, IGES and BREP models",
-                               .library = "Open CASCADE",
-                               .package = "libocct-data-exchange-dev",
-                               .own_package = "lineatlas-brep"},
-                      .symbol = models::brep_symbol,
-                      .crashes = true};
-constexpr Family threemf{.file = {.name = "lineatlas-3mf",
-                                  .purpose = "which reads 3MF models",
-                                  .library = "lib3mf",
-                                  .package = "lib3mf1 libzip4"},
-                         .symbol = models::threemf_symbol};
+constexpr Family gltf{.file = module_files::gltf, .symbol = models::gltf_symbol};
+constexpr Family brep{.file = module_files::brep, .symbol = models::brep_symbol, .crashes = true};
+constexpr Family threemf{.file = module_files::threemf, .symbol = models::threemf_symbol};
 
 /// Loaded once: when a file is believed, nothing can be opened any more.
 template <const Family& family>

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -55,6 +56,11 @@ bool is_there(const fs::path& path) {
 
 } // namespace
 
+bool was_built(const ModuleFile& module) {
+    constexpr std::string_view built = LINEATLAS_MODULES; // each followed by a space
+    return built.find(std::string{module.name} + ' ') != built.npos;
+}
+
 bool has_module(const ModuleFile& module) {
     return std::ranges::any_of(places_of(module), is_there);
 }
@@ -66,6 +72,11 @@ fs::path find_module(const ModuleFile& module) {
     if (std::getenv("LINEATLAS_MODULE_DIR") != nullptr)
         throw load_error(module, places.back(),
                          "no such file; LINEATLAS_MODULE_DIR names its folder");
+    if (!was_built(module))
+        throw load_error(module, places.back(),
+                         "this lineatlas was built without it; build it anew with " +
+                             std::string{module.library} + " (on Debian: apt install " +
+                             module.package + ")");
     std::string cause{"no such file; "};
     if (module.own_package != nullptr)
         cause += std::string{"install the package "} + module.own_package + ", ";

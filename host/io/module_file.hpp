@@ -18,6 +18,9 @@ struct ModuleFile {
 /// Loads nothing. Throws FileError.
 std::filesystem::path find_module(const ModuleFile& module);
 
+/// Whether this lineatlas was built with it, be it installed or not.
+bool was_built(const ModuleFile& module);
+
 /// Whether it is anywhere there.
 bool has_module(const ModuleFile& module);
 

@@ -1,6 +1,6 @@
 #include "pdf.hpp"
 
-#include "io/module_file.hpp"
+#include "io/module_files.hpp"
 #include "lineatlas/error.hpp"
 #include "pdf_module.hpp"
 #include "vector/check_drawing.hpp"
@@ -12,15 +12,9 @@
 namespace lineatlas {
 namespace {
 
-constexpr ModuleFile module_file{.name = "lineatlas-pdf",
-                                 .purpose = "which writes PDF",
-                                 .library = "cairo",
-                                 .package = "libcairo2",
-                                 .own_package = "lineatlas-pdf"};
-
 const pdf::Module& pdf_module() {
     static const auto& module =
-        *static_cast<const pdf::Module*>(load_module(module_file, pdf::module_symbol));
+        *static_cast<const pdf::Module*>(load_module(module_files::pdf, pdf::module_symbol));
     return module;
 }
 
@@ -85,7 +79,7 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, bool fit_arc
 } // namespace
 
 void check_pdf_module() {
-    find_module(module_file);
+    find_module(module_files::pdf);
 }
 
 std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options) {

@@ -5,21 +5,15 @@
 #include <glm/geometric.hpp>
 
 #include "core/patches.hpp"
-#include "io/module_file.hpp"
+#include "io/module_files.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
 
-constexpr ModuleFile module_file{.name = "lineatlas-rays",
-                                 .purpose = "which checks drawings by rays",
-                                 .library = "Embree 3",
-                                 .package = "libembree3-3",
-                                 .own_package = "lineatlas-rays"};
-
 const rays::Module& ray_module() {
     static const auto& module =
-        *static_cast<const rays::Module*>(load_module(module_file, rays::module_symbol));
+        *static_cast<const rays::Module*>(load_module(module_files::rays, rays::module_symbol));
     return module;
 }
 
@@ -35,7 +29,7 @@ rays::Scene* build(const LineSet& lines) {
 } // namespace
 
 void check_ray_module() {
-    find_module(module_file);
+    find_module(module_files::rays);
 }
 
 void RayScene::Release::operator()(rays::Scene* scene) const {

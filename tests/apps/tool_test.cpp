@@ -114,6 +114,24 @@ TEST_F(Tool, ListsDevicesAndHelps) {
     EXPECT_NE(help.output.find("Examples:"), std::string::npos);
 }
 
+TEST_F(Tool, SaysItsVersionAndWhatIsHere) {
+    const auto state_of = [&](const std::string& part) {
+        const Result version = run("--version");
+        EXPECT_EQ(version.exit_code, 0);
+        EXPECT_TRUE(version.output.starts_with("lineatlas 0.")) << version.output;
+        const std::size_t line = version.output.find("  " + part + ' ');
+        if (line == std::string::npos) return "no line of " + part;
+        const std::size_t state = version.output.find_first_not_of(' ', line + 2 + part.size());
+        return version.output.substr(state, version.output.find('\n', state) - state);
+    };
+    EXPECT_EQ(state_of("lineatlas-png"), "here");
+    EXPECT_EQ(state_of("lineatlas-images"), "here");
+    ::setenv("LINEATLAS_MODULE_DIR", path("nowhere").c_str(), 1);
+    EXPECT_EQ(state_of("lineatlas-png"), "not installed");
+    EXPECT_EQ(state_of("lineatlas-images"), "not installed: package lineatlas-images");
+    ::unsetenv("LINEATLAS_MODULE_DIR");
+}
+
 TEST_F(Tool, DrawsWithoutAnyOpenClDriver) {
     ::setenv("OCL_ICD_VENDORS", "/nonexistent", 1);
     const std::string draw = "draw --scene clevis --size 200x150 -o ";

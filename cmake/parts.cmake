@@ -1,0 +1,47 @@
+# Parts that need libraries which not everybody has. Configuring ends with a table of all of them:
+# built, or left out and why. -DLINEATLAS_<PART>=OFF leaves one out on purpose.
+option(LINEATLAS_ALL_PARTS "What cannot be built is an error, not left out" OFF)
+
+function(say_part what state)
+    string(LENGTH "${what}" length)
+    math(EXPR spaces "34 - ${length}")
+    string(REPEAT " " ${spaces} gap)
+    set_property(GLOBAL APPEND_STRING PROPERTY lineatlas_parts "\n  ${what}${gap}${state}")
+endfunction()
+
+# Sets HAS_<PART>, whether to build it. NEEDS, for each library: the variable that says whether it is
+# here, its name and version, and its package on Debian.
+function(find_part part what)
+    cmake_parse_arguments(arg "" "" "NEEDS" ${ARGN})
+    option(LINEATLAS_${part} "Build ${what}" ON)
+    set(missing)
+    while(arg_NEEDS)
+        list(POP_FRONT arg_NEEDS found library package)
+        if(NOT ${found})
+            list(APPEND missing "${library} (on Debian: apt install ${package})")
+        endif()
+    endwhile()
+    set(HAS_${part} OFF PARENT_SCOPE)
+    if(NOT LINEATLAS_${part})
+        say_part("${what}" "left out, as LINEATLAS_${part} says")
+    elseif(missing)
+        list(JOIN missing " and " missing)
+        say_part("${what}" "LEFT OUT: there is no ${missing}")
+        set_property(GLOBAL APPEND PROPERTY lineatlas_missing_parts ${part})
+    else()
+        say_part("${what}" "built")
+        set(HAS_${part} ON PARENT_SCOPE)
+    endif()
+endfunction()
+
+# At the end: the table, and an error if all parts were wanted and one cannot be built.
+function(print_parts)
+    get_property(table GLOBAL PROPERTY lineatlas_parts)
+    message(STATUS "Parts of lineatlas ${PROJECT_VERSION}:${table}")
+    get_property(missing GLOBAL PROPERTY lineatlas_missing_parts)
+    if(missing AND LINEATLAS_ALL_PARTS)
+        list(TRANSFORM missing REPLACE "(.+)" "-DLINEATLAS_\\1=OFF")
+        list(JOIN missing " " options)
+        message(FATAL_ERROR "Not all parts can be built, see above. What you do without is left out by ${options}")
+    endif()
+endfunction()
