@@ -4,7 +4,11 @@
 #include <stdexcept>
 #include <string>
 
+#if LINEATLAS_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #include "rays_module.hpp"
 
@@ -39,9 +43,30 @@ constexpr std::size_t packet = 8;
 /// judge knows better where it is.
 constexpr float beyond = 1e-5F;
 
+#if LINEATLAS_EMBREE == 3
+using Context = RTCIntersectContext;
+
+void find_occluded(const int* valid, RTCScene scene, Context* context, RTCRay8* rays) {
+    rtcInitIntersectContext(context);
+    context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded8(valid, scene, context, rays);
+}
+#else
+using Context = RTCRayQueryContext;
+
+void find_occluded(const int* valid, RTCScene scene, Context* context, RTCRay8* rays) {
+    rtcInitRayQueryContext(context);
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.context = context;
+    rtcOccluded8(valid, scene, rays, &arguments);
+}
+#endif
+
 /// What the filter of a packet has to know.
 struct PacketContext {
-    RTCIntersectContext base{};
+    Context base{};
     const Judge* judge;
     std::uint32_t first; ///< ray of the packet
 };
@@ -90,8 +115,6 @@ void cast(const Scene& scene, std::span<const Ray> rays, const Judge& judge,
           std::span<std::uint8_t> stopped) {
     for (std::size_t first = 0; first < rays.size(); first += packet) {
         PacketContext context;
-        rtcInitIntersectContext(&context.base);
-        context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
         context.judge = &judge;
         context.first = static_cast<std::uint32_t>(first);
         const std::size_t count = std::min(packet, rays.size() - first);
@@ -110,7 +133,7 @@ void cast(const Scene& scene, std::span<const Ray> rays, const Judge& judge,
             packed.mask[i] = ~0U;
             packed.id[i] = static_cast<unsigned>(i);
         }
-        rtcOccluded8(valid.data(), scene.scene, &context.base, &packed);
+        find_occluded(valid.data(), scene.scene, &context.base, &packed);
         for (std::size_t i = 0; i < count; ++i) stopped[first + i] = packed.tfar[i] < 0 ? 1 : 0;
     }
 }
