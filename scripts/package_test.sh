@@ -1,14 +1,22 @@
 #!/usr/bin/env bash
-# ./run package-test [--blender]: a clean Debian 12 (mmdebstrap's smallest) gets the wheel and, in
-# another root, the packages; each is used as a new user would and taken off again, and nothing of
-# it is left. Needs root, a mirror of Debian, and what `./run package` and `./run wheel` have built.
+# ./run package-test [--system SUITE] [--blender]: a clean Debian of this system's name, or of SUITE,
+# gets the wheel and, in another root, the packages; each is used as a new user would and taken off
+# again, and nothing of it is left. Needs what `./run package` and `./run wheel` have built there.
 # Prints how long each step takes. With --blender, Blender's 300 packages are tried, too.
 set -euo pipefail
 
-suite=bookworm
-mirror=${LINEATLAS_DEBIAN_MIRROR:-http://deb.debian.org/debian}
 source=$PWD
-[ "$(id -u)" = 0 ] || { echo "package-test: needs root, to make a root folder and enter it" >&2; exit 1; }
+. scripts/debian_root.sh
+# shellcheck disable=SC1091
+suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
+blender=
+while (($#)); do
+    case $1 in
+    --system) suite=$2 && shift 2 ;;
+    --blender) blender=yes && shift ;;
+    *) echo "usage: ./run package-test [--system SUITE] [--blender]" >&2 && exit 2 ;;
+    esac
+done
 compgen -G "build/package/*.deb" >/dev/null || { echo "package-test: run ./run package first" >&2; exit 1; }
 compgen -G "build/wheel/*.whl" >/dev/null || { echo "package-test: run ./run wheel first" >&2; exit 1; }
 
@@ -26,18 +34,8 @@ step() { # WHAT COMMAND...
     "$@" >"$log" 2>&1 || fail "$what"
     echo "$((SECONDS - start)) s: $what"
 }
-# /proc for processes that start themselves anew, /sys for PoCL. Mounts go with the last process.
-enter() { # COMMAND...
-    # shellcheck disable=SC2016 # the inner shell's
-    unshare --mount --pid --fork sh -ec 'root=$0
-mount -t proc proc "$root/proc"
-mount --rbind /sys "$root/sys"
-for device in null zero random urandom; do touch "$root/dev/$device"; mount --bind "/dev/$device" "$root/dev/$device"; done
-exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"' \
-        "$root" "$@"
-}
 install() { # PACKAGE...
-    enter apt-get install -y -qq "$@"
+    enter "$root" apt-get install -y -qq "$@"
 }
 make_root() { # NAME
     root=$folder/$1
@@ -45,7 +43,7 @@ make_root() { # NAME
     tar -C "$root" -xf "$folder/clean.tar"
     cp /etc/resolv.conf "$root/etc/resolv.conf"
     cp "$source/tests/package/cube.obj" "$root/root"
-    enter apt-get update -qq
+    enter "$root" apt-get update -qq
 }
 is_png() { # FILE
     [ "$(head -c 4 "$root/root/$1" | tail -c 3)" = PNG ] || fail "$1 is no picture"
@@ -60,7 +58,7 @@ nothing_left() {
     [ -z "$left" ] || fail "left behind: $left"
 }
 
-step "a clean Debian 12" mmdebstrap --variant=minbase --mode=root "$suite" "$folder/clean.tar" "$mirror"
+step "a clean $suite" make_debian "$suite" "$folder/clean.tar"
 
 # The wheel, where there is neither OpenGL nor OpenCL, and the machine's Python only.
 step "the root for the wheel" make_root wheel
@@ -82,12 +80,12 @@ except lineatlas.DeviceError as error:
 else:
     raise SystemExit("draws without OpenGL?")
 PYTHON
-step "a fresh virtual environment" enter python3 -m venv --system-site-packages /root/venv
-step "pip install of the wheel" enter sh -c '/root/venv/bin/pip install --no-index --no-deps /root/*.whl'
-enter sh -c '! ls /usr/lib/*/libEGL* /usr/lib/*/libOpenCL* /usr/lib/*/libepoxy* 2>/dev/null' || fail "the root is not bare"
-step "the wheel without OpenGL and OpenCL" enter /root/venv/bin/python /root/use.py
+step "a fresh virtual environment" enter "$root" python3 -m venv --system-site-packages /root/venv
+step "pip install of the wheel" enter "$root" sh -c '/root/venv/bin/pip install --no-index --no-deps /root/*.whl'
+enter "$root" sh -c '! ls /usr/lib/*/libEGL* /usr/lib/*/libOpenCL* /usr/lib/*/libepoxy* 2>/dev/null' || fail "the root is not bare"
+step "the wheel without OpenGL and OpenCL" enter "$root" /root/venv/bin/python /root/use.py
 is_png empty.png
-step "pip uninstall" enter /root/venv/bin/pip uninstall -y lineatlas
+step "pip uninstall" enter "$root" /root/venv/bin/pip uninstall -y lineatlas
 rm "$root"/root/*.whl
 [ -z "$(find "$root/root/venv" -name '*lineatlas*')" ] || fail "the wheel leaves files behind"
 rm -rf "$root"
@@ -102,20 +100,20 @@ own() { # NAME...: their files, without the version
 }
 mapfile -t files < <(own lineatlas lineatlas-viewer lineatlas-bench liblineatlas0.1 liblineatlas-io0.1)
 step "apt install of the tool with viewer, bench and drivers" install "${files[@]}"
-step "lineatlas draw to PNG" enter lineatlas draw --scene clevis -o /root/clevis.png --size 400x300
+step "lineatlas draw to PNG" enter "$root" lineatlas draw --scene clevis -o /root/clevis.png --size 400x300
 is_png clevis.png
-step "lineatlas draw to SVG" enter lineatlas draw /root/cube.obj -o /root/cube.svg
+step "lineatlas draw to SVG" enter "$root" lineatlas draw /root/cube.obj -o /root/cube.svg
 has_paths cube.svg
-step "lineatlas devices" enter lineatlas devices
+step "lineatlas devices" enter "$root" lineatlas devices
 grep -q opencl "$log" || fail "no OpenCL device"
-step "lineatlas bench" enter lineatlas bench kernels --help
-step "lineatlas view" enter lineatlas view --help
-if enter lineatlas view >"$log" 2>&1; then fail "a viewer without a display"; fi
+step "lineatlas bench" enter "$root" lineatlas bench kernels --help
+step "lineatlas view" enter "$root" lineatlas view --help
+if enter "$root" lineatlas view >"$log" 2>&1; then fail "a viewer without a display"; fi
 (($(wc -l <"$log") <= 2)) || fail "the viewer does not say in one line that there is no display"
 step "a display that nobody sees" install --no-install-recommends xvfb
 # What the display shows lies in a file: white paper with black lines once the window is there.
 # shellcheck disable=SC2016
-step "the viewer in a window" enter sh -ec 'cd /root
+step "the viewer in a window" enter "$root" sh -ec 'cd /root
 mkdir screen
 Xvfb :7 -screen 0 900x600x24 -fbdir screen &
 until [ -e /tmp/.X11-unix/X7 ]; do sleep 0.1; done
@@ -134,43 +132,43 @@ done
 step "shared-mime-info and desktop-file-utils" install --no-install-recommends shared-mime-info desktop-file-utils
 grep -q 'model/step=lineatlas.desktop' "$root/usr/share/applications/mimeinfo.cache" || fail "no program for model/step"
 grep -q 'model/x-ply:\*.ply' "$root/usr/share/mime/globs" || fail "no type for *.ply"
-enter desktop-file-validate /usr/share/applications/lineatlas.desktop || fail "the desktop entry"
+enter "$root" desktop-file-validate /usr/share/applications/lineatlas.desktop || fail "the desktop entry"
 # shellcheck disable=SC2016
-enter bash -c '. /usr/share/bash-completion/completions/lineatlas
+enter "$root" bash -c '. /usr/share/bash-completion/completions/lineatlas
 COMP_WORDS=(lineatlas dr); COMP_CWORD=1; _lineatlas; [ "${COMPREPLY[*]}" = draw ]' || fail "no completion"
 
 mapfile -t files < <(own liblineatlas-dev liblineatlas-io-dev)
 step "apt install to develop" install --no-install-recommends "${files[@]}" g++ pkg-config
 sed -n '/^\/\/ first.cpp/,/^```/p' README.md | sed '$d' >"$root/root/first.cpp"
 # shellcheck disable=SC2016
-step "the README's program, compiled and run" enter sh -ec 'cd /root
+step "the README's program, compiled and run" enter "$root" sh -ec 'cd /root
 g++ -std=c++20 first.cpp -o first $(pkg-config --cflags --libs lineatlas)
 ./first'
 has_paths first.svg
 
 mapfile -t files < <(own python3-lineatlas)
 step "apt install for Python" install --no-install-recommends "${files[@]}"
-step "a picture from Python" enter /usr/bin/python3 -c '
+step "a picture from Python" enter "$root" /usr/bin/python3 -c '
 import lineatlas
 lineatlas.save("/root/python.png", lineatlas.draw("/root/cube.obj", size=(300, 200)))'
 is_png python.png
 
 mapfile -t files < <(own lineatlas-brep lineatlas-pdf lineatlas-rays)
 step "apt install for STEP, PDF and checks" install --no-install-recommends "${files[@]}"
-step "PDF, and a check by rays" enter sh -ec 'cd /root
+step "PDF, and a check by rays" enter "$root" sh -ec 'cd /root
 lineatlas draw cube.obj -o cube.pdf
 lineatlas draw cube.obj -o cube.svg --eye 4,5,8 --target 0,0,0
 lineatlas check cube.svg cube.obj'
 
-if [ "${1:-}" = --blender ]; then
+if [ "$blender" ]; then
     mapfile -t files < <(own lineatlas-blender)
     step "apt install for Blender" install --no-install-recommends "${files[@]}"
     cp "$source"/integrations/blender/tests/package.py "$root/root"
-    step "lines in Blender" enter sh -ec 'cd /root
+    step "lines in Blender" enter "$root" sh -ec 'cd /root
 blender -b --factory-startup --python-exit-code 1 --python package.py -- /root'
     is_png blender_0001_lines.png
 fi
 
-step "apt purge" enter sh -ec "apt-get purge -y -qq '~nlineatlas' && apt-get autoremove --purge -y -qq"
+step "apt purge" enter "$root" sh -ec "apt-get purge -y -qq '~nlineatlas' && apt-get autoremove --purge -y -qq"
 nothing_left
-echo "Packages and wheel install, work and go in a clean Debian 12"
+echo "Packages and wheel install, work and go in a clean $suite"
