@@ -1,4 +1,4 @@
-# The first program in README.md, as it stands there: cmake -DREADME=... -DFOLDER=... -DPREFIX=... -P readme.cmake
+# The first program in README.md, as it stands there: cmake -DREADME=... -DFOLDER=... -DGENERATOR=... -DPREFIX=... -P readme.cmake
 file(READ ${README} text)
 function(paste language start file)
     string(FIND "${text}" "```${language}\n${start}" begin)
@@ -17,7 +17,7 @@ file(REMOVE_RECURSE ${FOLDER})
 paste(cpp "// first.cpp" first.cpp)
 paste(cmake "cmake_minimum_required" CMakeLists.txt)
 
-execute_process(COMMAND ${CMAKE_COMMAND} -S . -B build -DCMAKE_PREFIX_PATH=${PREFIX}
+execute_process(COMMAND ${CMAKE_COMMAND} -S . -B build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${PREFIX}
                 WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build build
                 WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)
