@@ -1,5 +1,8 @@
 #include "window.hpp"
 
+#include <cstdlib>
+#include <filesystem>
+
 #include <GLFW/glfw3.h>
 
 #include "lineatlas/error.hpp"
@@ -11,6 +14,24 @@ std::string last_error() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text == nullptr ? "" : std::string{": "} + text;
+}
+
+/// Whether a program can ask for a window at all. Asking without a display lets libraries print
+/// what they miss, each in its own words.
+bool has_display() {
+    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"}) {
+        const char* value = std::getenv(variable);
+        if (value != nullptr && *value != '\0') return true;
+    }
+    const char* folder = std::getenv("XDG_RUNTIME_DIR");
+    std::error_code error;
+    return folder != nullptr &&
+           std::filesystem::exists(std::filesystem::path(folder) / "wayland-0", error);
+}
+
+DeviceError no_window(const std::string& cause) {
+    return DeviceError("the viewer cannot open a window" + cause +
+                       "; it needs X11 or Wayland, `lineatlas draw` does not");
 }
 
 InputListener* listener_of(GLFWwindow* window) {
@@ -55,10 +76,8 @@ void set_callbacks(GLFWwindow* window) {
 } // namespace
 
 Window::Window(glm::ivec2 size, const std::string& title) {
-    if (glfwInit() != GLFW_TRUE) {
-        throw DeviceError("the viewer cannot open a window" + last_error() +
-                          "; it needs X11 or Wayland, `lineatlas draw` does not");
-    }
+    if (!has_display()) throw no_window(": neither DISPLAY nor WAYLAND_DISPLAY names a display");
+    if (glfwInit() != GLFW_TRUE) throw no_window(last_error());
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
