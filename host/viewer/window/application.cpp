@@ -147,8 +147,10 @@ void Application::fit_scale() {
     scale_ = ui_.scale = scale;
     pixels_per_point_ = ratio;
     ui_.bold = apply_theme(ui_.theme, scale, ratio);
+#ifndef IMGUI_HAS_TEXTURES // since 1.92 it renews the texture itself
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
 }
 
 Area Application::canvas_area() const {
@@ -161,8 +163,13 @@ void Application::make_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {static_cast<float>(mouse_place_.x), static_cast<float>(mouse_place_.y)};
+    const ImVec2 mouse{static_cast<float>(mouse_place_.x), static_cast<float>(mouse_place_.y)};
+#if IMGUI_VERSION_NUM >= 18700 // it has a queue of all input
+    io.AddMousePosEvent(mouse.x, mouse.y);
+#else
+    io.MousePos = mouse;
     if (options_.scripted) std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+#endif
     ImGui::NewFrame();
     ui_.spots.begin_frame();
     const glm::vec2 size{window_.points()};

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include <CLI/App.hpp>
+#include <CLI/CLI.hpp>
 
 #include "application.hpp"
 #include "command_line/device_options.hpp"
