@@ -38,7 +38,7 @@ TEST(Printable, LongTextIsCutBetweenLetters) {
     EXPECT_EQ(printable("abcdef", 6), "abcdef");
     EXPECT_EQ(printable("abcdefg", 6), "abcdef...");
     EXPECT_EQ(printable("ab\u6a5f", 4), "ab...");
-    EXPECT_EQ(printable(std::string(41, 'x')), std::string(40, 'x') + "...");
+    EXPECT_EQ(printable(std::string(41, 'x')), std::string(40, 'x').append("..."));
 }
 
 TEST(Printable, LinesStayWhereTheyAreMeant) {

@@ -134,7 +134,7 @@ TEST_F(HostileExact, Iges) {
             {"     186", "     186186", Fate::either},
             {"     514", "     186", Fate::either},
             {"     510", "     510510", Fate::either},
-            {"\n", std::string(1'000'000, '1') + "\n", Fate::either}});
+            {"\n", std::string(1'000'000, '1').append("\n"), Fate::either}});
 }
 
 } // namespace

@@ -206,7 +206,7 @@ TEST_F(ImageIo, WritesThroughALink) {
 TEST_F(ImageIo, WritesIntoTheCurrentFolderAndLongNames) {
     const fs::path before = fs::current_path();
     fs::current_path(folder_);
-    const std::string long_name = std::string(240, 'n') + ".png";
+    const std::string long_name = std::string(240, 'n').append(".png");
     write_image("plain.png", gradient(1));
     write_image(long_name, gradient(1));
     fs::current_path(before);

@@ -33,7 +33,7 @@ class Tool : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     static Result run(const std::string& arguments) {
-        return shell(std::string{LINEATLAS_TOOL} + " " + arguments + " 2>&1");
+        return shell(LINEATLAS_TOOL " " + arguments + " 2>&1");
     }
 
     /// What a command of the shell prints and ends with.
