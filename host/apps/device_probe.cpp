@@ -7,16 +7,21 @@
 #include <fmt/core.h>
 
 #include "command_line/child_process.hpp"
+#include "compute/opencl/device_trial.hpp"
+#include "compute/opencl/opencl_backend.hpp"
 #include "compute/opencl/programs.hpp"
+#include "compute/opencl/quirks.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
+#include "renderer/trial_frames.hpp"
 
 namespace lineatlas::apps {
 namespace {
 
 constexpr std::string_view yes = "yes ";
 constexpr std::string_view no = "no ";
+constexpr std::string_view open = "open ";
 
 /// Drivers may print what they like: the answer is the last line.
 std::string last_line(std::string text) {
@@ -26,7 +31,7 @@ std::string last_line(std::string text) {
 }
 
 /// What a process can be asked: modes by their places, and behind them:
-constexpr std::size_t kernels = interop::all_modes.size();
+constexpr std::size_t kernels = interop::all_modes.size(), frames = kernels + 1;
 
 Probe probe_in_child(std::size_t index, std::size_t what, std::chrono::seconds limit) {
     const ChildResult child =
@@ -39,16 +44,34 @@ Probe probe_in_child(std::size_t index, std::size_t what, std::chrono::seconds l
     const std::string line = last_line(child.output);
     if (line.starts_with(yes)) return {true, line.substr(yes.size())};
     if (line.starts_with(no)) return {false, line.substr(no.size())};
+    if (line.starts_with(open)) return {false, line.substr(open.size()), false};
     return {false, fmt::format("the driver ended the program with {}", child.exit_code)};
 }
 
 Probe compile_kernels(const compute::OpenClDevice& device) {
     try {
-        compute::compile_all(device);
+        const auto compile = [&](const DeviceOptions&) { compute::compile_all(device); };
+        if (!compute::try_device(*compute::make_opencl_backend(device), "programs", compile))
+            compile({}); // where no answer is kept
     } catch (const DeviceError& error) {
         return {false, error.what()};
     }
     return {true, "all programs compile"};
+}
+
+Probe compare_frames(const compute::OpenClDevice& device) {
+    if (compute::collides_with_llvmpipe(device))
+        return {false, "not tried: GL's driver may not be one that it lives with", false};
+    try {
+        const gl::HeadlessContext context;
+        const auto backend = compute::make_opencl_backend(device);
+        if (compute::try_device(*backend, "frames", draw_trial_frames))
+            return {true, "a small frame is what C++ computes"};
+    } catch (const DeviceError& error) {
+        return {false, error.what()};
+    }
+    return {false, "not tried: there is no cache to keep the answer in, or no frame could be drawn",
+            false};
 }
 
 Probe try_mode(const compute::OpenClDevice& device, interop::SharingMode mode) {
@@ -63,6 +86,10 @@ Probe probe_kernels(std::size_t index, std::chrono::seconds limit) {
     return probe_in_child(index, kernels, limit);
 }
 
+Probe probe_frames(std::size_t index, std::chrono::seconds limit) {
+    return probe_in_child(index, frames, limit);
+}
+
 Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit) {
     const auto place = std::ranges::find(interop::all_modes, mode) - interop::all_modes.begin();
     return probe_in_child(index, static_cast<std::size_t>(place), limit);
@@ -70,12 +97,17 @@ Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seco
 
 void answer_probe(std::size_t index, std::size_t what) {
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
-    if (index >= devices.size() || what > kernels)
+    if (index >= devices.size() || what > frames)
         throw UsageError("there is no such device or mode to probe");
-    Probe probe = what == kernels ? compile_kernels(devices[index])
-                                  : try_mode(devices[index], interop::all_modes[what]);
+    Probe probe = what == kernels  ? compile_kernels(devices[index])
+                  : what == frames ? compare_frames(devices[index])
+                                   : try_mode(devices[index], interop::all_modes[what]);
     std::ranges::replace(probe.reason, '\n', ' ');
-    print_output(fmt::format("\n{}{}\n", probe.works ? yes : no, probe.reason));
+    print_output(fmt::format("\n{}{}\n",
+                             probe.works      ? yes
+                             : probe.is_known ? no
+                                              : open,
+                             probe.reason));
 }
 
 } // namespace lineatlas::apps

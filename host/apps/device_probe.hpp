@@ -15,12 +15,14 @@ inline constexpr const char* probe_option = "--probe";
 struct Probe {
     bool works = false;
     std::string reason{};
-    bool is_known = true; ///< it was found out in time
+    bool is_known = true; ///< it was found out, and in time
 };
 
 /// Has a new process of this program compile all kernels for the device at `index` of
 /// list_opencl_devices(): whatever a driver does, this returns.
 Probe probe_kernels(std::size_t index, std::chrono::seconds limit);
+/// The same of a frame that is compared to that of C++ (compute/opencl/device_trial.hpp).
+Probe probe_frames(std::size_t index, std::chrono::seconds limit);
 /// The same of a mode.
 Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit);
 

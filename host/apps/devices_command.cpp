@@ -52,21 +52,37 @@ nlohmann::ordered_json show(std::string_view what, const Probe& probe) {
     return {{"works", probe.works}, {"reason", probe.reason}};
 }
 
-/// Whether a device is of no use: one that takes long to build kernels may be.
-bool builds_none(const Probe& kernels) {
-    return kernels.is_known && !kernels.works;
+/// Of a device, whatever the mode.
+struct Trials {
+    Probe kernels, frames;
+
+    /// Whether it is of no use: one that takes long to build kernels may be.
+    bool failed() const { return failed(kernels) || failed(frames); }
+
+  private:
+    static bool failed(const Probe& probe) { return probe.is_known && !probe.works; }
+};
+
+Trials try_device(std::size_t index, std::chrono::seconds limit) {
+    Trials trials{.kernels = probe_kernels(index, limit), .frames = {}};
+    if (trials.failed() || !trials.kernels.works)
+        trials.frames = {false, "not tried: not all kernels were built", false};
+    else
+        trials.frames = probe_frames(index, limit);
+    return trials;
 }
 
 /// Prints a device and its modes while they are tried, and returns them.
 nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& devices,
-                                   std::size_t index, const Probe& kernels, bool is_default,
+                                   std::size_t index, const Trials& trials, bool is_default,
                                    std::chrono::seconds limit) {
     const compute::OpenClDevice& device = devices[index];
     print_output(fmt::format("{} {}\n", is_default ? "*" : " ", device.name()));
     print_output(fmt::format("    driver {}, {}\n", device.driver_version, kind_of(device)));
     nlohmann::ordered_json json = describe(device, is_default);
-    json["kernels"] = show("kernels", kernels);
-    if (builds_none(kernels)) return json; // no mode works, for the same reason
+    json["kernels"] = show("kernels", trials.kernels);
+    json["frames"] = show("frames", trials.frames);
+    if (trials.failed()) return json; // no mode works, for the same reason
     for (const interop::SharingMode mode : interop::all_modes) {
         const std::string_view name = interop::name_of(mode);
         json["modes"][std::string{name}] = show(name, probe_mode(index, mode, limit));
@@ -74,13 +90,13 @@ nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& dev
     return json;
 }
 
-/// The place of the device that is used by default: the best that builds kernels.
+/// The place of the device that is used by default: the best that passes its trials.
 std::optional<std::size_t> find_default(const std::vector<compute::OpenClDevice>& devices,
-                                        const std::vector<Probe>& kernels) {
+                                        const std::vector<Trials>& trials) {
     std::vector<compute::OpenClDevice> working;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        if (builds_none(kernels[i])) continue;
+        if (trials[i].failed()) continue;
         working.push_back(devices[i]);
         places.push_back(i);
     }
@@ -106,17 +122,17 @@ void list_devices(const DevicesOptions& options) {
         print_output(fmt::format("{}\n", in_words_of_the_tool(compute::no_device_message())));
     } else {
         const std::chrono::seconds limit{options.wait};
-        std::vector<Probe> kernels;
-        for (std::size_t i = 0; i < devices.size(); ++i) kernels.push_back(probe_kernels(i, limit));
-        const std::optional<std::size_t> chosen = find_default(devices, kernels);
+        std::vector<Trials> trials;
+        for (std::size_t i = 0; i < devices.size(); ++i) trials.push_back(try_device(i, limit));
+        const std::optional<std::size_t> chosen = find_default(devices, trials);
         for (std::size_t i = 0; i < devices.size(); ++i)
-            json["devices"].push_back(show_device(devices, i, kernels[i], i == chosen, limit));
+            json["devices"].push_back(show_device(devices, i, trials[i], i == chosen, limit));
         for (const std::string& cause : compute::drivers_that_fail())
             print_output(fmt::format("  not used: {}\n", cause));
-        print_output(fmt::format(
-            "\n{}choose another with --device or LINEATLAS_DEVICE, by any part of its "
-            "names:\n  opencl:<platform>[:<device>]\n",
-            chosen ? "* is used by default; " : "No device builds kernels, so cpp is used; "));
+        print_output(
+            fmt::format("\n{}choose another with --device or LINEATLAS_DEVICE, by any part of its "
+                        "names:\n  opencl:<platform>[:<device>]\n",
+                        chosen ? "* is used by default; " : "No device passes, so cpp is used; "));
     }
     print_output("\ncpp: kernels as C++ on all cores (--compute cpp)\n");
     const std::string readers = describe(offered_confinement());

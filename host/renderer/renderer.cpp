@@ -11,6 +11,7 @@
 #include "compute/compare/comparing_device.hpp"
 #include "compute/kernels.hpp"
 #include "compute/opencl/build_error.hpp"
+#include "compute/opencl/device_trial.hpp"
 #include "core/assembly_state.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
@@ -30,6 +31,7 @@
 #include "pen_textures.hpp"
 #include "picture_limits.hpp"
 #include "spine_method.hpp"
+#include "trial_frames.hpp"
 #include "visibility/picking.hpp"
 
 namespace lineatlas {
@@ -201,12 +203,13 @@ class Renderer::State {
         return *scene_;
     }
 
-    /// Runs what launches kernels. If the device does not build one, and nobody has chosen it, the
-    /// next device takes over.
+    /// Runs what launches kernels, on a device that has been tried. If it does not build one, and
+    /// nobody has chosen it, the next device takes over.
     template <class Action>
     auto where_kernels_build(Action&& action) -> decltype(action()) {
         for (;;) {
             try {
+                compute::try_device(connection_.stages->device(), "frames", draw_trial_frames);
                 return action();
             } catch (const compute::BuildError& error) {
                 if (!connection_.otherwise) throw;

@@ -10,12 +10,14 @@
 #include <glm/geometric.hpp>
 
 #include "compute/choose_device.hpp"
+#include "compute/opencl/device_trial.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
 #include "core/contact.hpp"
 #include "core/standard_camera.hpp"
 #include "lineatlas/error.hpp"
 #include "picking.hpp"
+#include "trial_lines.hpp"
 
 namespace lineatlas {
 namespace {
@@ -30,6 +32,12 @@ void check(const VisibilityOptions& options) {
     }
     if (!(options.outline_depth >= 0) || !std::isfinite(options.outline_depth))
         throw UsageError("outline depth must be a number of pixels of at least 0");
+}
+
+/// What a device is tried by.
+void find_trial_lines(const DeviceOptions& options) {
+    const LineSet lines = trial_lines();
+    LineVisibility{lines, options}.find(trial_camera(lines), {.outlines = true});
 }
 
 } // namespace
@@ -111,7 +119,9 @@ class LineVisibility::State {
   private:
     State(const compute::FoundDevice& found, const DeviceOptions& options)
         : device_(compute::make_device(found, options)), stages_(*device_),
-          one_picture_(options.one_picture) {}
+          one_picture_(options.one_picture) {
+        compute::try_device(*device_, "visibility", find_trial_lines);
+    }
 
     std::unique_ptr<compute::Device> device_;
     compute::Stages stages_;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "environment_variable.hpp"
 #include "lineatlas/io.hpp"
 #include "planted_error.hpp"
 #include "tool.hpp"
@@ -80,7 +81,7 @@ TEST_P(BrokenKernel, IsToldInALineOfDevices) {
     EXPECT_GE(lines_with(devices.output, "unknown_type_0"), 1U) << "its first error";
     EXPECT_EQ(devices.output.find("unknown_type_1"), std::string::npos) << devices.output;
     EXPECT_LT(longest_line(devices.output), 500U) << devices.output;
-    EXPECT_NE(devices.output.find("No device builds kernels, so cpp is used"), std::string::npos)
+    EXPECT_NE(devices.output.find("No device passes, so cpp is used"), std::string::npos)
         << devices.output;
 }
 
@@ -167,6 +168,39 @@ TEST_F(Drivers, ThatRefuseOrAreMissingAreNamed) {
                        "or directory); --compute cpp");
     if (!add_pocl()) GTEST_SKIP() << "PoCL is not installed";
     expect_refused(draw("--device opencl:gone"), 2, fake + ": libpocl_that_is_gone.so.2: cannot");
+}
+
+/// Where strokes are taken out of a tile again, whatever was drawn there is lost.
+TEST_F(Drivers, ThatComputeSomethingElseAreNotUsed) {
+    if (!add_pocl()) GTEST_SKIP() << "PoCL is not installed";
+    fs::remove(path("vendors/a_fake.icd"));
+    ::setenv("OCL_ICD_VENDORS", path("vendors").c_str(), 1);
+    const EnvironmentVariable cache{"XDG_CACHE_HOME", path("cache")};
+    const auto draw_here = [&] { return run(draw("--interop copy --method atlas")); };
+    const std::string word = "something else than C++: stage strokes differs: kernel strokes_tiles";
+    {
+        const EnvironmentVariable layer{"OPENCL_LAYERS", LINEATLAS_FAULT_LAYER};
+        const EnvironmentVariable fault{"LINEATLAS_TEST_MISCOMPILE",
+                                        "(uchar)pixels[y * STROKE_STRIDE + x]=>(uchar)0"};
+        const Result devices = run("devices --wait 120");
+        EXPECT_EQ(devices.exit_code, 0) << devices.output;
+        EXPECT_EQ(lines_with(devices.output, "    kernels       yes"), 1U) << devices.output;
+        EXPECT_EQ(lines_with(devices.output, "    frames        no"), 1U) << devices.output;
+        EXPECT_NE(devices.output.find(word), std::string::npos) << devices.output;
+        EXPECT_NE(devices.output.find("No device passes"), std::string::npos) << devices.output;
+        expect_refused(draw("--device opencl:portable --method atlas"), 1, word);
+        const Result drawn = draw_here();
+        EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
+        EXPECT_EQ(lines_with(drawn.output, "lineatlas: kernels run as C++ on all cores, since "),
+                  1U)
+            << drawn.output;
+    }
+    const Image by_cpp = read_image(path("x.png"));
+    fs::remove_all(path("cache")); // else the verdict stands
+    const Result drawn = draw_here();
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
+    EXPECT_EQ(lines_with(drawn.output, "lineatlas: "), 0U) << drawn.output;
+    EXPECT_TRUE(read_image(path("x.png")).pixels == by_cpp.pixels);
 }
 
 TEST_F(Drivers, WithoutABuildLogAreQuoted) {

@@ -228,5 +228,6 @@ int main(int argc, char** argv) {
     }
     keep_no_free_memory();
     setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1);
+    setenv("LINEATLAS_CACHE", "off", 1); // no trial of the device comes first
     return run(least_frames, LINEATLAS_FAULT_LAYER);
 }

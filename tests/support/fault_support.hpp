@@ -29,6 +29,7 @@ constexpr glm::ivec2 fault_size{160, 120};
 inline OpenClFaults& opencl_faults() {
     static OpenClFaults* faults = [] {
         setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1);
+        setenv("LINEATLAS_CACHE", "off", 1); // else a trial of the device may come first
         void* layer = dlopen(LINEATLAS_FAULT_LAYER, RTLD_NOW);
         if (layer == nullptr) throw std::runtime_error(dlerror());
         return reinterpret_cast<GetOpenClFaults*>(dlsym(layer, opencl_faults_symbol))();

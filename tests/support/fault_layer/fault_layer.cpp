@@ -156,6 +156,25 @@ cl_mem CL_API_CALL create_buffer(cl_context context, cl_mem_flags flags, size_t 
     return buffer;
 }
 
+/// A compiler's fault: in place of the first text that LINEATLAS_TEST_MISCOMPILE names, what stands
+/// behind its =>.
+cl_program CL_API_CALL create_program(cl_context context, cl_uint count, const char** texts,
+                                      const size_t* lengths, cl_int* status) {
+    using Created = Hook<&cl_icd_dispatch::clCreateProgramWithSource, cl_programs>;
+    const char* variable = std::getenv("LINEATLAS_TEST_MISCOMPILE");
+    if (variable == nullptr) return Created::create(context, count, texts, lengths, status);
+    const std::string fault = variable;
+    const std::size_t arrow = fault.find("=>");
+    std::string source;
+    for (cl_uint i = 0; i < count; ++i)
+        source += lengths == nullptr || lengths[i] == 0 ? std::string{texts[i]}
+                                                        : std::string{texts[i], lengths[i]};
+    const std::size_t place = source.find(fault.substr(0, arrow));
+    if (place != std::string::npos) source.replace(place, arrow, fault.substr(arrow + 2));
+    const char* text = source.c_str();
+    return Created::create(context, 1, &text, nullptr, status);
+}
+
 /// What a program asked for and got, changed to `limit`, if there is one.
 template <class Value>
 void pretend(Value limit, void* value) {
@@ -248,7 +267,7 @@ void begin_layer(const cl_icd_dispatch& below, cl_icd_dispatch& table) {
     table.clCreateImage = Hook<&D::clCreateImage, cl_memory>::create;
     table.clRetainMemObject = Hook<&D::clRetainMemObject, cl_memory>::retain;
     table.clReleaseMemObject = Hook<&D::clReleaseMemObject, cl_memory>::release;
-    table.clCreateProgramWithSource = Hook<&D::clCreateProgramWithSource, cl_programs>::create;
+    table.clCreateProgramWithSource = create_program;
     table.clCreateProgramWithBinary = Hook<&D::clCreateProgramWithBinary, cl_programs>::create;
     table.clRetainProgram = Hook<&D::clRetainProgram, cl_programs>::retain;
     table.clReleaseProgram = Hook<&D::clReleaseProgram, cl_programs>::release;

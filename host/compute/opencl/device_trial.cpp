@@ -1,0 +1,94 @@
+#include "device_trial.hpp"
+
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "build_error.hpp"
+#include "compute/kernels.hpp"
+#include "opencl_backend.hpp"
+#include "programs.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+constexpr std::string_view passed = "passed", begun = "begun";
+
+/// All that a verdict depends on.
+std::string key_of(const OpenClBackend& device, std::string_view what) {
+    ProgramRecipe recipe{
+        .name = "trial", .source = {}, .options = compiler_options(device.tuning())};
+    for (const Kernel& kernel : all_kernels()) recipe.source += source_of(kernel);
+    return "trial of " + std::string{what} + '\n' + cache_key(device.device(), recipe);
+}
+
+/// Nothing: something else went wrong, and says nothing about kernels.
+std::optional<std::string> verdict_of(const OpenClDevice& device,
+                                      const std::function<void(const DeviceOptions&)>& run) {
+    try {
+        run({.compute = "opencl", .device = device.name(), .compare_with = "cpp"});
+        return std::string{passed};
+    } catch (const MismatchError& error) {
+        return error.what();
+    } catch (const BuildError&) {
+        throw;
+    } catch (const DeviceError&) {
+        return std::nullopt;
+    }
+}
+
+std::string kept_verdict(const ProgramCache& cache, const std::string& key) {
+    const std::optional<std::vector<unsigned char>> kept = cache.find(key);
+    return kept ? std::string{kept->begin(), kept->end()} : std::string{};
+}
+
+void keep(const ProgramCache& cache, const std::string& key, const std::string& verdict) {
+    cache.store(key, {reinterpret_cast<const unsigned char*>(verdict.data()), verdict.size()});
+}
+
+/// Of this process, so that sources are looked at once in it.
+struct Verdicts {
+    std::mutex mutex;
+    std::map<std::pair<cl_device_id, std::string>, std::string> known;
+};
+
+Verdicts& verdicts() {
+    static Verdicts result;
+    return result;
+}
+
+} // namespace
+
+bool try_device(const Device& device, std::string_view what,
+                const std::function<void(const DeviceOptions&)>& run) {
+    const auto* opencl = dynamic_cast<const OpenClBackend*>(&device);
+    if (opencl == nullptr || std::getenv("LINEATLAS_KERNEL_DIR") != nullptr) return false;
+    const std::optional<ProgramCache> cache = user_program_cache(true);
+    if (!cache) return false;
+    const std::scoped_lock lock{verdicts().mutex}; // a second thread waits for the same answer
+    std::string& verdict = verdicts().known[{opencl->device().device(), std::string{what}}];
+    if (verdict.empty()) {
+        const std::string key = key_of(*opencl, what);
+        verdict = kept_verdict(*cache, key);
+        if (verdict.empty() || verdict == begun) { // or ended with its process
+            verdict.clear();
+            keep(*cache, key, std::string{begun});
+            if (kept_verdict(*cache, key) != begun) return false; // a folder that is not writable
+            const auto found = verdict_of(opencl->device(), run);
+            if (!found) return false;
+            verdict = *found;
+            keep(*cache, key, verdict);
+        }
+    }
+    if (verdict != passed)
+        throw BuildError(opencl->device().description() + ": its driver, " +
+                         opencl->device().driver_version +
+                         ", builds a kernel that computes something else than C++: " + verdict);
+    return true;
+}
+
+} // namespace lineatlas::compute

@@ -1,0 +1,28 @@
+#include "trial_frames.hpp"
+
+#include "glpasses/objects.hpp"
+#include "lineatlas/renderer.hpp"
+#include "visibility/trial_lines.hpp"
+
+namespace lineatlas {
+
+void draw_trial_frames(const DeviceOptions& options) {
+    const LineSet lines = trial_lines();
+    const Camera camera = trial_camera(lines);
+    Renderer renderer{options};
+    renderer.set_lines(lines);
+    const auto pixels = gl::Renderbuffer::create();
+    const auto framebuffer = gl::Framebuffer::create();
+    glNamedRenderbufferStorage(pixels.id(), GL_RGBA8, camera.size.x, camera.size.y);
+    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                   pixels.id());
+    FrameOptions frame{.atlas = AtlasForm::compute,
+                       .depth_form = DepthForm::compute,
+                       .stroke_form = StrokeForm::compute};
+    for (const Method method : {Method::exact, Method::atlas}) {
+        frame.method = method;
+        renderer.draw(camera, frame, framebuffer.id());
+    }
+}
+
+} // namespace lineatlas
