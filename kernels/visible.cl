@@ -138,6 +138,11 @@ static void find_behind(const ExactParameters* args, const Lists* lists, const L
     const float behind_p =
         holds_p ? 0.0f : dot_product(normal, line->at_p - vload3(i0, lists->vertices));
     const float behind_q = holds_q ? 0.0f : behind_p + dot_product(normal, line->at_q - line->at_p);
+    if (behind_p < args->contact && behind_q < args->contact) {
+        *low = 1.0f;
+        *high = 0.0f;
+        return;
+    }
     keep_above_in_space(args, line, piece, behind_p - args->contact, behind_q - args->contact, low,
                         high);
     keep_beyond_near(args, lists, piece, t, low, high);
@@ -161,10 +166,16 @@ static uint cutting_lanes(const Lists* lists, const Line* line, __global const f
     return cutting;
 }
 
-/* Takes what LANES faces hide away from the piece. */
+/* Takes what LANES faces hide away from the piece, of whose parts there are any. */
 static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const Line* line,
                          const Piece* piece, __global const float* entries, const float4 box,
                          const float farthest, const float doubt, const float least, Parts* parts) {
+    /* What is hidden beside these is not worth a look: it is not visible, or it is so near an end
+     * of the segment that it is taken for that end, if there is more of the piece than that. */
+    const float nothing = least < 0.5f ? NOTHING_AT_AN_END * least : 0.0f;
+    const float2 ends = float2(fmax(parts->part[0].x, piece->s_a == 0.0f ? nothing : 0.0f),
+                               fmin(parts->part[parts->count - 1].y,
+                                    piece->s_b == 1.0f ? 1.0f - nothing : 1.0f));
     lanes_int may = LOAD_LANES(entries + LA_ENTRY_LOW_X * LA_GROUP) <= box.z &&
                     LOAD_LANES(entries + LA_ENTRY_LOW_Y * LA_GROUP) <= box.w &&
                     LOAD_LANES(entries + LA_ENTRY_HIGH_X * LA_GROUP) >= box.x &&
@@ -189,7 +200,7 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
         low = select(low, fmax(low, root), at_a[k] < 0.0f && !along[k]);
         high = select(high, fmin(high, root), at_b[k] < 0.0f && !along[k]);
     }
-    may = may && low < high;
+    may = may && low < high && low < ends.y && high > ends.x;
     const lanes_float margin = LOAD_LANES(entries + LA_ENTRY_DOUBT * LA_GROUP) + doubt;
     __global const float* plane = entries + LA_ENTRY_PLANE * LA_GROUP;
     const lanes_float before_a = value_at(plane, piece->a) - piece->nearness_a;
@@ -209,15 +220,17 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
         LANE_BITS(low <= 0.0f && high >= 1.0f) & may_hide & hides_surely & ~is_close;
     if (hides_whole != 0) {
         parts->count = 0;
+        parts->end = 1.0f;
         return;
     }
     for (; may_hide != 0; may_hide &= may_hide - 1u) {
         const uint lane = lowest_bit(may_hide);
         const uint t = as_uint(entries[LA_ENTRY_FACE * LA_GROUP + lane]);
         float from = lows[lane], to = highs[lane];
-        if (args->beside != 0)
-            keep_beyond_near(args, lists, piece, t, &from, &to);
-        else if ((hides_surely >> lane & 1u) == 0)
+        if (args->beside != 0) {
+            const bool may_cross = entries[LA_ENTRY_DOUBT * LA_GROUP + lane] == INFINITY;
+            if (may_cross) keep_beyond_near(args, lists, piece, t, &from, &to);
+        } else if ((hides_surely >> lane & 1u) == 0)
             find_behind(args, lists, line, piece, t, &from, &to);
         if ((is_close >> lane & 1u) != 0 && from < to) {
             const uint which =
@@ -230,13 +243,13 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
     }
 }
 
-/* Takes what is hidden of a piece in a tile away from its visible parts. */
+/* Takes what is hidden of a piece in a tile away from its visible parts, of which there are. */
 static void cut_piece(const ExactParameters* args, const Lists* lists, const Line* line,
                       const Piece* piece, const uint tile, Parts* parts) {
     const float margin = 2.0f * args->slack;
-    const float4 box =
-        float4(fmin(piece->a.x, piece->b.x) - margin, fmin(piece->a.y, piece->b.y) - margin,
-               fmax(piece->a.x, piece->b.x) + margin, fmax(piece->a.y, piece->b.y) + margin);
+    const float2 from = piece->a + (piece->b - piece->a) * parts->part[0].x;
+    const float4 box = float4(fmin(from.x, piece->b.x) - margin, fmin(from.y, piece->b.y) - margin,
+                              fmax(from.x, piece->b.x) + margin, fmax(from.y, piece->b.y) + margin);
     const float nearest = fmax(piece->nearness_a, piece->nearness_b);
     const float doubt = line->doubt + nearest * NEARNESS_DOUBT + projection_doubt(args, nearest);
     const float farthest = fmin(piece->nearness_a, piece->nearness_b) - doubt;
@@ -260,7 +273,7 @@ static void cut_piece(const ExactParameters* args, const Lists* lists, const Lin
             for (uint lane = 0; lane < LA_GROUP; lane += LANES) {
                 cut_by_lanes(args, lists, line, piece, entries + lane, box, farthest, doubt, least,
                              parts);
-                if (parts->count == 0 || parts->full) return;
+                if (parts->count == 0) return;
             }
         }
     }
@@ -285,33 +298,23 @@ static void find_in_tile(const ExactParameters* args, const Lists* lists, const 
                          Found* found) {
     const uint index = (uint)(tile.y * args->tiles.v[0] + tile.x);
     const float2 origin = float2((float)tile.x, (float)tile.y) * args->tile_size;
-    float from = s_a, to = s_b;
-    while (from < s_b) {
-        const Piece piece = piece_of(line, from, to, origin);
-        const float nearest = fmax(piece.nearness_a, piece.nearness_b);
-        /* A contour may lie a little behind a large face of its own. */
-        if (lifted == 0 && nearest < as_float(lists->occluders[index])) return;
-        Parts parts;
-        parts.part[0] = float2(0.0f, 1.0f);
-        parts.count = 1;
-        parts.full = false;
+    const Piece piece = piece_of(line, s_a, s_b, origin);
+    const float nearest = fmax(piece.nearness_a, piece.nearness_b);
+    /* A contour may lie a little behind a large face of its own. */
+    if (lifted == 0 && nearest < as_float(lists->occluders[index])) return;
+    Parts parts;
+    for (float from = 0.0f; from < 1.0f; from = parts.end) {
+        begin_parts(&parts, from);
         cut_piece(args, lists, line, &piece, index, &parts);
-        if (lifted != 0 && parts.count > 0 && !parts.full) {
-            const Piece above = piece_of(lifted, from, to, origin);
+        if (lifted != 0 && parts.count > 0) {
+            const Piece above = piece_of(lifted, s_a, s_b, origin);
             cut_piece(args, lists, lifted, &above, index, &parts);
-        }
-        const float middle = 0.5f * (from + to);
-        if (parts.full && middle > from && middle < to) {
-            to = middle;
-            continue;
         }
         for (int k = 0; k < parts.count; ++k) {
             const float2 part = parts.part[k];
-            add_part(found, float2(from + (to - from) * part.x,
-                                   part.y == 1.0f ? to : from + (to - from) * part.y));
+            add_part(found, float2(s_a + (s_b - s_a) * part.x,
+                                   part.y == 1.0f ? s_b : s_a + (s_b - s_a) * part.y));
         }
-        from = to;
-        to = s_b;
     }
 }
 

@@ -5,34 +5,61 @@
 
 #include "language.h"
 
-/* Parts of a piece that are held at once. A piece with more is halved, and each half done alone. */
-#define MOST_PARTS 8
+/* Parts of a piece that are held at once. Of a piece with more the first ones are found, then those
+ * beyond them, as often as it takes. */
+#if FACE_LANES > 1
+#define MOST_PARTS 64
+#else
+#define MOST_PARTS 16 /* GPUs have little memory for each work-item */
+#endif
 /* Visible parts shorter than this, in pixels, are left out, and gaps of that length closed. */
 #define SHORTEST_PART 0.02f
+/* Of that length, what is hidden at an end of a segment and no more: faces at the segment's vertex
+ * that rounding takes for faces before it. */
+#define NOTHING_AT_AN_END 0.1f
 
 /* Visible parts of a piece: from x to y each, ascending. */
 typedef struct Parts {
     float2 part[MOST_PARTS];
     int count;
-    bool full; /* there were more: `part` is not all */
+    float end; /* what is visible beyond this is not known; 1: all is */
 } Parts;
+
+/* All of a piece from u on, before anything is taken away. */
+static void begin_parts(Parts* parts, const float u) {
+    parts->part[0] = float2(u, 1.0f);
+    parts->count = 1;
+    parts->end = 1.0f;
+}
+
+/* Splits part k by what hides it from `low` to `high`. If there is no room for both, the last part
+ * is given up: it belongs to what lies beyond the end. */
+static void split_part(Parts* parts, const int k, const float low, const float high) {
+    const float2 part = parts->part[k];
+    parts->part[k].y = low;
+    if (k == MOST_PARTS - 1) {
+        parts->end = high;
+        return;
+    }
+    if (parts->count == MOST_PARTS) {
+        parts->count -= 1;
+        parts->end = parts->part[parts->count].x;
+    }
+    for (int j = parts->count; j > k + 1; --j) parts->part[j] = parts->part[j - 1];
+    parts->part[k + 1] = float2(high, part.y);
+    parts->count += 1;
+}
 
 /* Takes u from `low` to `high` away from what is visible. least: shorter parts are left out. */
 static void hide(Parts* parts, const float low, const float high, const float least) {
     int k = 0;
+    while (k + 8 < parts->count && parts->part[k + 8].y <= low) k += 8;
     while (k < parts->count && parts->part[k].y <= low) ++k;
     while (k < parts->count && parts->part[k].x < high) {
         const float2 part = parts->part[k];
         const bool before = low - part.x > least, after = part.y - high > least;
         if (before && after) {
-            if (parts->count == MOST_PARTS) {
-                parts->full = true;
-                return;
-            }
-            for (int j = parts->count; j > k; --j) parts->part[j] = parts->part[j - 1];
-            ++parts->count;
-            parts->part[k].y = low;
-            parts->part[k + 1].x = high;
+            split_part(parts, k, low, high);
             return;
         }
         if (before) {

@@ -264,17 +264,22 @@ TEST_P(ExactTest, ALineSeenEndOn) {
 }
 
 TEST_P(ExactTest, MoreGapsThanAPieceHolds) {
-    // A fence: 60 slats of a pixel, a pixel apart.
-    Mesh mesh;
-    for (int k = 0; k < 60; ++k) {
-        const float x = 40 + 2 * static_cast<float>(k);
-        add_panel(mesh, {x, 20}, {x + 1, 180}, 0);
+    // A fence over 120 pixels, half of it slats. The order of the slats is not that of their
+    // places.
+    for (const int slats : {60, 240}) {
+        const float step = 120 / static_cast<float>(slats);
+        Mesh mesh;
+        for (int k = 0; k < slats; ++k) {
+            const float x = 40 + step * static_cast<float>(k * 7 % slats);
+            add_panel(mesh, {x, 20}, {x + step / 2, 180}, 0);
+        }
+        add_polyline(mesh, std::array{glm::vec3{30, 100, -5}, glm::vec3{170, 100, -5}});
+        const LineSet lines = extract_lines(mesh);
+        const ExactResult result = find(lines, square_camera(side), mask_of(LineKind::file));
+        EXPECT_EQ(result.span_offsets.back(), static_cast<std::uint32_t>(slats) + 1);
+        EXPECT_NEAR(visible_length(lines, result, {30, 100, -5}, {170, 100, -5}), 80,
+                    static_cast<float>(slats) * 1e-3F);
     }
-    add_polyline(mesh, std::array{glm::vec3{30, 100, -5}, glm::vec3{170, 100, -5}});
-    const LineSet lines = extract_lines(mesh);
-    const ExactResult result = find(lines, square_camera(side), mask_of(LineKind::file));
-    EXPECT_EQ(result.span_offsets.back(), 61U);
-    EXPECT_NEAR(visible_length(lines, result, {30, 100, -5}, {170, 100, -5}), 80, 61 * 1e-3F);
 }
 
 TEST_P(ExactTest, EndsMeetAndSayWhatTheyAre) {
@@ -497,9 +502,9 @@ double pixels_wrong(compute::Device& device) {
     add_quad(slanted, {0, -500, 195}, {200, -500, -5}, {200, 700, -5}, {0, 700, 195});
     look(slanted, {20, 50, -40}, {180, 50, -40}, perspective, 80 / 1.4F);
     Mesh fence;
-    for (int k = 0; k < 20; ++k) {
-        const float x = 40 + 4 * static_cast<float>(k);
-        add_panel(fence, {x, 20}, {x + 2, 180}, 0);
+    for (int k = 0; k < 160; ++k) {
+        const float x = 40 + 0.5F * static_cast<float>(k * 7 % 160);
+        add_panel(fence, {x, 20}, {x + 0.25F, 180}, 0);
     }
     look(fence, {30, 100, -5}, {130, 100, -5}, flat, 60);
     // Outlines of round bars, which run along the sides of the faces beside them.
@@ -547,7 +552,7 @@ INSTANTIATE_TEST_SUITE_P(
               "#define CLOSE_TO_SIDE 0.0f"},
         Plant{"NoNearPlane", "visible.cl", "lists->faces[t].kind != FACE_CROSSES || !(*low",
               "true || !(*low"},
-        Plant{"PartsBeyondThoseHeldAreLost", "visible_parts.h", "parts->full = true;", ""}),
+        Plant{"PartsBeyondThoseHeldAreLost", "visible.cl", "from = parts.end", "from = 1.0f"}),
     [](const auto& test) { return std::string{test.param.name}; });
 
 } // namespace
