@@ -64,12 +64,11 @@ struct Trials {
 };
 
 Trials try_device(std::size_t index, std::chrono::seconds limit) {
-    Trials trials{.kernels = probe_kernels(index, limit), .frames = {}};
-    if (trials.failed() || !trials.kernels.works)
-        trials.frames = {false, "not tried: not all kernels were built", false};
-    else
-        trials.frames = probe_frames(index, limit);
-    return trials;
+    Probe kernels = probe_kernels(index, limit);
+    Probe frames = kernels.works
+                       ? probe_frames(index, limit)
+                       : Probe{false, "not tried: not all kernels are known to compile", false};
+    return {std::move(kernels), std::move(frames)};
 }
 
 /// Prints a device and its modes while they are tried, and returns them.

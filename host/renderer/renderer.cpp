@@ -131,7 +131,7 @@ class Renderer::State {
         picking_.reset();
         if (scene_) scene_->use(*connection.stages, connection.mode, std::move(*tables));
         std::swap(connection_, connection); // an assignment would end the device before the stages
-        samples_drawn_ = broken_ = false;
+        samples_drawn_ = broken_ = tried_ = false;
     }
 
     Comparison comparison() const {
@@ -209,7 +209,9 @@ class Renderer::State {
     auto where_kernels_build(Action&& action) -> decltype(action()) {
         for (;;) {
             try {
-                compute::try_device(connection_.stages->device(), "frames", draw_trial_frames);
+                if (!tried_)
+                    compute::try_device(connection_.stages->device(), "frames", draw_trial_frames);
+                tried_ = true;
                 return action();
             } catch (const compute::BuildError& error) {
                 if (!connection_.otherwise) throw;
@@ -471,6 +473,7 @@ class Renderer::State {
     PenTextures pens_;
     Backdrop backdrop_;
     std::unique_ptr<AtlasMethod> atlas_;
+    bool tried_ = false;               ///< the device, by compute::try_device()
     bool broken_ = false;              ///< a frame was begun and not ended
     bool has_frame_ = false;           ///< the last frame is of the lines
     bool samples_drawn_ = false;       ///< the last frame left samples to read

@@ -16,9 +16,7 @@ void draw_trial_frames(const DeviceOptions& options) {
     glNamedRenderbufferStorage(pixels.id(), GL_RGBA8, camera.size.x, camera.size.y);
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                    pixels.id());
-    FrameOptions frame{.atlas = AtlasForm::compute,
-                       .depth_form = DepthForm::compute,
-                       .stroke_form = StrokeForm::compute};
+    FrameOptions frame;
     for (const Method method : {Method::exact, Method::atlas}) {
         frame.method = method;
         renderer.draw(camera, frame, framebuffer.id());

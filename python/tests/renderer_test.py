@@ -248,7 +248,7 @@ class Life(unittest.TestCase):
         done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True,
                               cwd=pathlib.Path(__file__).parent, env=os.environ | old)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"^the driver offers no OpenGL 4.5 core context; [^\n]*\n9\n$")
+        self.assertRegex(done.stdout, r"^the driver offers no OpenGL 4.5 core context: [^\n]*\n9\n$")
 
 
 if __name__ == "__main__":
