@@ -65,8 +65,8 @@ Probe compare_frames(const compute::OpenClDevice& device) {
     try {
         const gl::HeadlessContext context;
         const auto backend = compute::make_opencl_backend(device);
-        if (compute::try_device(*backend, "frames", draw_trial_frames))
-            return {true, "a small frame is what C++ computes"};
+        for (const auto mode : {interop::SharingMode::host_pointer, interop::SharingMode::copy})
+            if (try_frames(*backend, mode)) return {true, "small frames are what C++ computes"};
     } catch (const DeviceError& error) {
         return {false, error.what()};
     }

@@ -11,7 +11,6 @@
 #include "compute/compare/comparing_device.hpp"
 #include "compute/kernels.hpp"
 #include "compute/opencl/build_error.hpp"
-#include "compute/opencl/device_trial.hpp"
 #include "core/assembly_state.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
@@ -209,8 +208,7 @@ class Renderer::State {
     auto where_kernels_build(Action&& action) -> decltype(action()) {
         for (;;) {
             try {
-                if (!tried_)
-                    compute::try_device(connection_.stages->device(), "frames", draw_trial_frames);
+                if (!tried_) try_frames(connection_.stages->device(), connection_.mode);
                 tried_ = true;
                 return action();
             } catch (const compute::BuildError& error) {

@@ -1,12 +1,16 @@
 #include "trial_frames.hpp"
 
+#include <string>
+
+#include "compute/opencl/device_trial.hpp"
 #include "glpasses/objects.hpp"
 #include "lineatlas/renderer.hpp"
 #include "visibility/trial_lines.hpp"
 
 namespace lineatlas {
+namespace {
 
-void draw_trial_frames(const DeviceOptions& options) {
+void draw(const DeviceOptions& options) {
     const LineSet lines = trial_lines();
     const Camera camera = trial_camera(lines);
     Renderer renderer{options};
@@ -21,6 +25,18 @@ void draw_trial_frames(const DeviceOptions& options) {
         frame.method = method;
         renderer.draw(camera, frame, framebuffer.id());
     }
+}
+
+} // namespace
+
+bool try_frames(const compute::Device& device, interop::SharingMode mode) {
+    // Two devices cannot open one GL buffer.
+    if (mode == interop::SharingMode::gl_sharing) mode = interop::SharingMode::copy;
+    const std::string sharing{interop::name_of(mode)};
+    return compute::try_device(device, "frames by " + sharing, [&](DeviceOptions options) {
+        options.interop = sharing;
+        draw(options);
+    });
 }
 
 } // namespace lineatlas

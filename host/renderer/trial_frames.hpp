@@ -1,11 +1,13 @@
 #pragma once
 
-#include "lineatlas/device_options.hpp"
+#include "glpasses/interop/shared_buffer.hpp"
+#include "lineatlas/compute_device.hpp"
 
 namespace lineatlas {
 
-/// Draws frames of a few pixels with whatever kernels frames have, on a device by these options. In
-/// the current GL context, of which they leave nothing behind.
-void draw_trial_frames(const DeviceOptions& options);
+/// Has a device prove by small frames that its kernels compute what C++ does, as
+/// compute::try_device(), in the current GL context, of which nothing is left behind. `mode`: how
+/// the device will share with it, since frames have other kernels where it shares memory.
+bool try_frames(const compute::Device& device, interop::SharingMode mode);
 
 } // namespace lineatlas

@@ -34,8 +34,11 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high) {
 LineSet trial_lines() {
     Mesh mesh;
     add_box(mesh, {0, 0, 0}, {4, 1, 3});
-    add_box(mesh, {0.5F, 1, 0.5F}, {1.5F, 3, 1.5F});
-    add_box(mesh, {1, 0.5F, 1.2F}, {3, 1.7F, 2});
+    for (int i = 0; i < 8; ++i) { // so many that strokes are drawn by kernels, too
+        const glm::vec3 place{0.3F + static_cast<float>(i % 4), 0.5F,
+                              0.3F + 1.4F * static_cast<float>(i / 4)};
+        add_box(mesh, place, place + glm::vec3{0.9F, 1 + 0.3F * static_cast<float>(i % 3), 0.6F});
+    }
     return extract_lines(mesh);
 }
 
