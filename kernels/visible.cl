@@ -173,23 +173,28 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
     /* What is hidden beside these is not worth a look: it is not visible, or it is so near an end
      * of the segment that it is taken for that end, if there is more of the piece than that. */
     const float nothing = least < 0.5f ? NOTHING_AT_AN_END * least : 0.0f;
-    const float2 ends = float2(fmax(parts->part[0].x, piece->s_a == 0.0f ? nothing : 0.0f),
-                               fmin(parts->part[parts->count - 1].y,
-                                    piece->s_b == 1.0f ? 1.0f - nothing : 1.0f));
+    const float2 ends =
+        float2(fmax(parts->part[0].x, piece->s_a == 0.0f ? nothing : 0.0f),
+               fmin(parts->part[parts->count - 1].y, piece->s_b == 1.0f ? 1.0f - nothing : 1.0f));
     lanes_int may = LOAD_LANES(entries + LA_ENTRY_LOW_X * LA_GROUP) <= box.z &&
                     LOAD_LANES(entries + LA_ENTRY_LOW_Y * LA_GROUP) <= box.w &&
                     LOAD_LANES(entries + LA_ENTRY_HIGH_X * LA_GROUP) >= box.x &&
                     LOAD_LANES(entries + LA_ENTRY_HIGH_Y * LA_GROUP) >= box.y &&
                     LOAD_LANES(entries + LA_ENTRY_NEAREST * LA_GROUP) >= farthest;
     if (!ANY(may)) return;
+    /* What lies beside a line need not be closed against rounding: slivers without a width of their
+     * own hide nothing of it. */
+    const bool beside = args->beside != 0;
+    const float slack = beside ? 0.0f : args->slack;
+    const float narrowest = beside ? args->slack * (least / SHORTEST_PART) : 0.0f;
     lanes_float at_a[3], at_b[3];
     lanes_int along[3];
     /* What lies beside a line is in space where nobody knows. */
-    const float close = args->beside != 0 ? -1.0f : CLOSE_TO_SIDE;
+    const float close = beside ? -1.0f : CLOSE_TO_SIDE;
     for (int k = 0; k < 3; ++k) {
         __global const float* side = entries + (LA_ENTRY_SIDES + 3 * k) * LA_GROUP;
-        at_a[k] = value_at(side, piece->a) + args->slack;
-        at_b[k] = value_at(side, piece->b) + args->slack;
+        at_a[k] = value_at(side, piece->a) + slack;
+        at_b[k] = value_at(side, piece->b) + slack;
         along[k] = fmax(fabs(at_a[k]), fabs(at_b[k])) < close;
         may = may && (at_a[k] >= 0.0f || at_b[k] >= 0.0f || along[k]);
     }
@@ -200,7 +205,7 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
         low = select(low, fmax(low, root), at_a[k] < 0.0f && !along[k]);
         high = select(high, fmin(high, root), at_b[k] < 0.0f && !along[k]);
     }
-    may = may && low < high && low < ends.y && high > ends.x;
+    may = may && low + narrowest < high && low < ends.y && high > ends.x;
     const lanes_float margin = LOAD_LANES(entries + LA_ENTRY_DOUBT * LA_GROUP) + doubt;
     __global const float* plane = entries + LA_ENTRY_PLANE * LA_GROUP;
     const lanes_float before_a = value_at(plane, piece->a) - piece->nearness_a;
@@ -227,7 +232,7 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
         const uint lane = lowest_bit(may_hide);
         const uint t = as_uint(entries[LA_ENTRY_FACE * LA_GROUP + lane]);
         float from = lows[lane], to = highs[lane];
-        if (args->beside != 0) {
+        if (beside) {
             const bool may_cross = entries[LA_ENTRY_DOUBT * LA_GROUP + lane] == INFINITY;
             if (may_cross) keep_beyond_near(args, lists, piece, t, &from, &to);
         } else if ((hides_surely >> lane & 1u) == 0)
