@@ -9,9 +9,9 @@
 
 #include "command_line/program.hpp"
 #include "commands.hpp"
-#include "version.hpp"
 #include "compute/opencl/devices.hpp"
 #include "lineatlas/error.hpp"
+#include "version.hpp"
 
 namespace {
 

@@ -38,8 +38,9 @@ class PoorSurroundings : public Tool {
                    const std::string& options) const {
         // Without a cache the device draws no frames for a trial first.
         return shell("bash -c '" + before +
-                     " LINEATLAS_CACHE=off " LINEATLAS_TOOL " draw --scene clevis --size 64x48 -o " + path(name) + " " +
-                     options + "' 2>&1");
+                     " LINEATLAS_CACHE=off " LINEATLAS_TOOL
+                     " draw --scene clevis --size 64x48 -o " +
+                     path(name) + " " + options + "' 2>&1");
     }
     /// What is there to draw with.
     Result devices(const std::string& before, const std::string& options = "") const {

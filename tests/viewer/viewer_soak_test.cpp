@@ -66,7 +66,7 @@ void switch_everything(viewer::Session& session, int number) {
 
 TEST(ViewerSoak, LeavesNothingBehind) {
     ::setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1); // before the first OpenCL call
-    ::setenv("LINEATLAS_CACHE", "off", 1); // no trial of the device comes first
+    ::setenv("LINEATLAS_CACHE", "off", 1);               // no trial of the device comes first
     ImageWriter writer;
     viewer::Application app{{.size = {800, 500}, .scripted = true}, writer};
     ViewerDriver hand{app};
