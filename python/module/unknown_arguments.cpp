@@ -15,9 +15,14 @@ namespace py = pybind11;
 PyCFunctionWithKeywords call = nullptr;
 
 const py::detail::function_record* record_in(PyObject* self) {
-    if (self == nullptr || !PyCapsule_CheckExact(self)) return nullptr;
+    if (self == nullptr) return nullptr;
+#if PYBIND11_VERSION_MAJOR >= 3 // of a type of its own
+    return py::detail::function_record_ptr_from_PyObject(self);
+#else
+    if (!PyCapsule_CheckExact(self)) return nullptr;
     return static_cast<const py::detail::function_record*>(
         PyCapsule_GetPointer(self, PyCapsule_GetName(self)));
+#endif
 }
 
 std::vector<std::string> names_of(const py::detail::function_record& function) {
