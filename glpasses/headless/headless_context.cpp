@@ -1,12 +1,24 @@
 #include "glpasses/headless_context.hpp"
 
 #include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/memory_limit.hpp"
 #include "lineatlas/error.hpp"
@@ -83,6 +95,64 @@ std::string best_version(EGLDisplay display) {
     return "it offers no OpenGL at all";
 }
 
+/// In a copy of the process: a context is made and shows a few pixels, with memory left for a
+/// frame.
+[[noreturn]] void try_driver() {
+    constexpr std::size_t room = std::size_t{64} << 20U;
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    ::signal(SIGABRT, SIG_DFL);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+        ::dup2(nowhere, STDOUT_FILENO);
+        ::dup2(nowhere, STDERR_FILENO);
+    }
+    if (::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) ==
+        MAP_FAILED)
+        ::_exit(1);
+    try {
+        EGLDisplay display = open_display();
+        eglBindAPI(EGL_OPENGL_API);
+        EGLContext context = create_context(display, 4, 5);
+        if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {
+            GLuint pixels = 0, framebuffer = 0;
+            glCreateRenderbuffers(1, &pixels);
+            glNamedRenderbufferStorage(pixels, GL_RGBA8, 16, 16);
+            glCreateFramebuffers(1, &framebuffer);
+            glNamedFramebufferRenderbuffer(framebuffer, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                           pixels);
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+            glClear(GL_COLOR_BUFFER_BIT);
+            std::uint32_t pixel = 0;
+            glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+        }
+    } catch (const DeviceError&) {
+        ::_exit(0); // this process will say so
+    }
+    ::_exit(0);
+}
+
+/// Where memory is limited a driver may end the process that asks it for a context: Mesa 25 does,
+/// by SIGSEGV. So a copy asks first.
+void mistrust_driver() {
+    if (!memory_limit()) return;
+    const pid_t copy = ::fork();
+    if (copy < 0) return; // no room for a copy: what follows will say so
+    if (copy == 0) try_driver();
+    constexpr std::chrono::milliseconds step{5};
+    constexpr std::chrono::seconds most{60};
+    int status = 0;
+    for (auto waited = step; ::waitpid(copy, &status, WNOHANG) == 0; waited += step) {
+        if (waited > most) ::kill(copy, SIGKILL);
+        std::this_thread::sleep_for(step);
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+    const std::string how =
+        WIFSIGNALED(status) ? std::string{" ("} + strsignal(WTERMSIG(status)) + ")" : "";
+    throw DeviceError("the driver of OpenGL failed a trial" + how + ": it needs more memory" +
+                      memory_limit_remark());
+}
+
 } // namespace
 
 struct HeadlessContext::State {
@@ -96,6 +166,7 @@ struct HeadlessContext::State {
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
     check_libraries();
+    mistrust_driver();
     state_->display = open_display();
     eglBindAPI(EGL_OPENGL_API);
     state_->context = create_context(state_->display, 4, 5);
