@@ -10,16 +10,29 @@
 namespace lineatlas {
 namespace {
 
-/// Whether each material of a file says anything of its colour: tinyobjloader takes one that
-/// doesn't for black.
-std::vector<bool> have_color(const std::string& file) {
-    std::vector<bool> result;
+/// A material as the file has it. tinyobjloader takes one that says nothing of its colour for
+/// black, and since its version 2rc13 cuts names at the first space.
+struct Named {
+    std::string name;
+    bool has_color = false;
+};
+
+std::vector<Named> named_in(const std::string& file) {
+    constexpr const char* spaces = " \t\r";
+    std::vector<Named> result;
     std::istringstream lines(file);
     for (std::string line; std::getline(lines, line);) {
         std::string keyword;
-        std::istringstream{line} >> keyword;
-        if (keyword == "newmtl") result.push_back(false);
-        if (!result.empty() && (keyword == "Kd" || keyword == "map_Kd")) result.back() = true;
+        std::istringstream words{line};
+        words >> keyword;
+        if (keyword == "newmtl") {
+            std::string name;
+            std::getline(words >> std::ws, name);
+            name.erase(name.find_last_not_of(spaces) + 1);
+            result.push_back({name});
+        }
+        if (!result.empty() && (keyword == "Kd" || keyword == "map_Kd"))
+            result.back().has_color = true;
     }
     return result;
 }
@@ -37,15 +50,15 @@ void ObjMaterials::add(const std::string& file) {
     std::string warnings;
     std::string errors;
     tinyobj::LoadMtl(&places, &materials, &stream, &warnings, &errors);
-    const std::vector<bool> colored = have_color(file);
-    for (const auto& [name, place] : places) {
-        const auto index = static_cast<std::size_t>(place);
-        if (colored.size() == materials.size() && !colored[index]) continue;
+    const std::vector<Named> named = named_in(file);
+    const bool known = named.size() == materials.size();
+    for (std::size_t index = 0; index < materials.size(); ++index) {
+        if (known && !named[index].has_color) continue;
         const auto& diffuse = materials[index].diffuse;
         glm::vec3 color;
         for (int i = 0; i < 3; ++i)
             color[i] = std::isfinite(diffuse[i]) ? std::clamp(diffuse[i], 0.0F, 1.0F) : 0.0F;
-        colors_.try_emplace(name, color);
+        colors_.try_emplace(known ? named[index].name : materials[index].name, color);
     }
 }
 
