@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -404,10 +405,15 @@ TEST_F(Brep, ChangedNumbersAreReadOrRefused) {
     changed(",#1", ",#2");
     changed(",#", ",#9999999999");
     changed("= NEXT_ASSEMBLY_USAGE_OCCURRENCE", "= PRODUCT_DEFINITION");
-    // A part that is part of itself.
-    // A part that is part of itself, and one that holds what holds it.
-    changed("'','',#5,#27,$", "'','',#27,#27,$");
-    changed("'','',#5,#27,$", "'','',#27,#5,$");
+    // A part that is part of itself, and one that holds what holds it. Numbers are the writer's.
+    std::smatch use;
+    ASSERT_TRUE(std::regex_search(
+        step, use, std::regex{R"((NEXT_ASSEMBLY_USAGE_OCCURRENCE\([^#]*)#(\d+)(,\s*)#(\d+))"}));
+    const auto used = [&](const std::string& whole, const std::string& part) {
+        changed(use.str(), use.str(1) + '#' + whole + use.str(3) + '#' + part);
+    };
+    used(use.str(4), use.str(4));
+    used(use.str(4), use.str(2));
 }
 
 } // namespace

@@ -43,6 +43,8 @@ void name(const TDF_Label& label, const std::string& text) {
 
 Handle(TDocStd_Document) document_of(const std::vector<NamedShape>& shapes) {
     const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+    XCAFDoc_DocumentTool::SetLengthUnit(document,
+                                        0.001); // metres; Open CASCADE 7.8 takes what is set
     const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
     const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
     const TDF_Label assembly = tool->NewShape();
