@@ -1,7 +1,6 @@
 #include "glpasses/headless_context.hpp"
 
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -13,13 +12,10 @@
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/driver_copy.hpp"
 #include "core/memory_limit.hpp"
 #include "lineatlas/error.hpp"
 
@@ -99,17 +95,8 @@ std::string best_version(EGLDisplay display) {
 /// frame.
 [[noreturn]] void try_driver() {
     constexpr std::size_t room = std::size_t{64} << 20U;
-    const rlimit no_core{0, 0};
-    ::setrlimit(RLIMIT_CORE, &no_core);
-    ::signal(SIGABRT, SIG_DFL);
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-        ::dup2(nowhere, STDOUT_FILENO);
-        ::dup2(nowhere, STDERR_FILENO);
-    }
-    if (::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) ==
-        MAP_FAILED)
-        ::_exit(1);
+    begin_driver_copy();
+    take_memory(room);
     try {
         EGLDisplay display = open_display();
         eglBindAPI(EGL_OPENGL_API);

@@ -17,12 +17,10 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/driver_copy.hpp"
 #include "core/memory_limit.hpp"
 #include "opencl.hpp"
 
@@ -68,12 +66,6 @@ enum class Trial {
     kernels, ///< a kernel, with memory left for a frame
 };
 
-void take_memory() {
-    void* const taken =
-        ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (taken == MAP_FAILED) ::_exit(1);
-}
-
 void try_platform(const cl::Platform& platform, Trial trial) {
     std::vector<cl::Device> devices;
     if (::clGetDeviceIDs(platform(), CL_DEVICE_TYPE_ALL, 0, nullptr, nullptr) !=
@@ -89,19 +81,12 @@ void try_platform(const cl::Platform& platform, Trial trial) {
 /// In the copy. Says which platform comes next before it is tried, so that the last one named is
 /// the one that failed.
 [[noreturn]] void try_all(int output, std::size_t first, Trial trial, const char* cache) {
-    const rlimit no_core{0, 0};
-    ::setrlimit(RLIMIT_CORE, &no_core);
-    ::signal(SIGABRT, SIG_DFL);
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-        ::dup2(nowhere, STDOUT_FILENO);
-        ::dup2(nowhere, STDERR_FILENO);
-    }
+    begin_driver_copy();
     if (cache != nullptr) ::setenv("POCL_CACHE_DIR", cache, 1); // what is built already needs no ld
     const auto say = [&](const std::string& line) {
         if (::write(output, line.data(), line.size()) < 0) ::_exit(1);
     };
-    if (trial == Trial::kernels) take_memory();
+    if (trial == Trial::kernels) take_memory(room);
     try {
         std::vector<cl::Platform> platforms;
         cl::Platform::get(&platforms);
