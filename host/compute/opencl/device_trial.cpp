@@ -4,14 +4,16 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "build_error.hpp"
-#include "compute/kernels.hpp"
+#include "content_hash.hpp"
 #include "opencl_backend.hpp"
 #include "programs.hpp"
+#include "sources/sources.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -20,10 +22,13 @@ constexpr std::string_view passed = "passed", begun = "begun";
 
 /// All that a verdict depends on.
 std::string key_of(const OpenClBackend& device, std::string_view what) {
-    ProgramRecipe recipe{
-        .name = "trial", .source = {}, .options = compiler_options(device.tuning())};
-    for (const Kernel& kernel : all_kernels()) recipe.source += source_of(kernel);
-    return "trial of " + std::string{what} + '\n' + cache_key(device.device(), recipe);
+    ContentHash kernels;
+    for (const EmbeddedSource& source : embedded_kernels())
+        kernels = kernels.with(std::as_bytes(std::span{source.text}));
+    return "trial of " + std::string{what} + '\n' +
+           cache_key(device.device(), {.name = "trial",
+                                       .source = kernels.text(),
+                                       .options = compiler_options(device.tuning())});
 }
 
 /// Nothing: something else went wrong, and says nothing about kernels.
@@ -50,7 +55,7 @@ void keep(const ProgramCache& cache, const std::string& key, const std::string& 
     cache.store(key, {reinterpret_cast<const unsigned char*>(verdict.data()), verdict.size()});
 }
 
-/// Of this process, so that sources are looked at once in it.
+/// Of this process, so that files are looked at once in it.
 struct Verdicts {
     std::mutex mutex;
     std::map<std::pair<cl_device_id, std::string>, std::string> known;
