@@ -47,7 +47,7 @@ struct Found {
         do {
             visibility.tile_lists(clipped());
             visibility.visible(clipped());
-        } while (visibility.grow());
+        } while (visibility.grow(clipped()));
         runs = stages.device().allocate(2 * n * sizeof(Run));
         record = stages.device().allocate(sizeof(FrameRecord));
         intervals = stages.device().allocate(2 * n * sizeof(Interval));

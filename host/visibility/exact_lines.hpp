@@ -72,7 +72,7 @@ class ExactLines {
                 if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(clipped()); });
                 clock("visible", [&] {
                     visibility_.visible(clipped());
-                    again = visibility_.grow();
+                    again = visibility_.grow(clipped());
                 });
             }
             use(chunk, segments, visibility_.spans());

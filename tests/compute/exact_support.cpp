@@ -61,12 +61,13 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                          .out = {*clipped, exact.counts(), *arcs}});
     stages.scan(*arcs, n, compute::ScanKind::wrap);
     exact.surfaces(no_samples);
+    ExactResult result;
     do {
+        ++result.looks;
         exact.tile_lists(no_samples);
         exact.visible(no_samples);
-    } while (exact.grow());
+    } while (exact.grow(no_samples));
 
-    ExactResult result;
     const compute::SpanTable spans = exact.spans();
     result.clipped = to_host<ClippedSegment>(*device, *clipped, n);
     result.arcs = to_host<std::uint32_t>(*device, *arcs, n + std::size_t{1});

@@ -18,6 +18,7 @@ struct ExactResult {
     std::vector<std::uint32_t> arcs;         ///< scanned
     std::vector<std::uint32_t> span_offsets; ///< scanned
     std::vector<float> spans;                ///< two per span
+    int looks = 0;                           ///< how often all segments were looked at
 };
 
 /// `camera`: a standard one.

@@ -113,6 +113,22 @@ TEST_P(ExactTest, ALineThroughAFaceIsSeenBeforeIt) {
     EXPECT_NEAR(seen(mesh, {40, 100, 30}, {160, 100, -60}), 40, exactly);
 }
 
+TEST_P(ExactTest, SegmentsAreNotLookedAtAgainForTheirSpans) {
+    // More than there is room for in a first frame: what is seen of each is counted by then.
+    Mesh mesh;
+    add_panel(mesh, {80, 0}, {120, 200}, 0);
+    for (int i = 1; i <= 5000; ++i) {
+        const float y = 0.039F * static_cast<float>(i);
+        add_polyline(mesh, std::array{glm::vec3{10, y, -1}, glm::vec3{190, y, -1}});
+    }
+    const LineSet lines = extract_lines(mesh);
+    const ExactResult result = find(lines, square_camera(side));
+    EXPECT_EQ(result.looks, 1);
+    ASSERT_GE(result.span_offsets.back(), 10000U);
+    for (const float y : {0.039F, 0.039F * 5000})
+        EXPECT_NEAR(visible_length(lines, result, {10, y, -1}, {190, y, -1}), 140, exactly) << y;
+}
+
 TEST_P(ExactTest, WhatTouchesAFaceIsSeen) {
     Mesh mesh;
     add_panel(mesh, {0, 0}, {200, 200}, 0); // a diagonal of 283: 5.7e-4 touch

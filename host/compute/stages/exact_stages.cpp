@@ -141,7 +141,12 @@ void Stages::visible(const ExactArgs& args) {
                                     .counts = args.span_offsets,
                                     .kept = args.kept});
     scan(args.span_offsets, n, ScanKind::saturate);
-    launch<kernels::visible_write>(n, tuning_.local_size, parameters,
+    visible_write(args);
+}
+
+void Stages::visible_write(const ExactArgs& args) {
+    const ExactParameters parameters = in_chunks(args, tuning_);
+    launch<kernels::visible_write>(parameters.count, tuning_.local_size, parameters,
                                    {.segments = args.table.segments,
                                     .seen = seen_of(args),
                                     .clipped = args.clipped.clipped,

@@ -215,15 +215,17 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t see
     ExactParameters parameters = parameters_;
     parameters.count = static_cast<std::uint32_t>(count);
     parameters.beside = ways;
-    for (bool again = true; again;) {
+    const auto arguments = [&] {
         tables_.fit(beside.spans, std::uint64_t{beside.capacity} * 2 * sizeof(float));
         parameters.span_capacity = beside.capacity;
-        stages_.visible(args({tables_[Table::pushed], clipped.offsets, clipped.arcs}, parameters,
-                             tables_[beside.kept], tables_[beside.offsets], tables_[beside.spans]));
-        const std::uint32_t found = read(tables_[beside.offsets], count);
-        again = found > beside.capacity;
-        if (again) beside.capacity = grown(found, 2 * sizeof(float));
-    }
+        return args({tables_[Table::pushed], clipped.offsets, clipped.arcs}, parameters,
+                    tables_[beside.kept], tables_[beside.offsets], tables_[beside.spans]);
+    };
+    stages_.visible(arguments());
+    const std::uint32_t found = read(tables_[beside.offsets], count);
+    if (found <= beside.capacity) return;
+    beside.capacity = grown(found, 2 * sizeof(float));
+    stages_.visible_write(arguments());
 }
 
 OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
@@ -277,7 +279,7 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
     return {tables_[Table::part_offsets], tables_[Table::parts]};
 }
 
-bool ExactVisibility::grow() {
+bool ExactVisibility::grow(const ClippedTable& clipped) {
     const std::uint32_t entries =
         read(tables_[Table::ends], std::size_t{tiles()} * device_.tuning().face_chunks);
     const std::uint32_t groups = read(tables_[Table::groups], tiles());
@@ -291,11 +293,12 @@ bool ExactVisibility::grow() {
         parameters_.group_capacity = grown(groups, LA_GROUP_FLOATS * sizeof(float));
         again = true;
     }
-    if (again) make_lists();
-    if (spans > parameters_.span_capacity) {
+    if (again) {
+        make_lists();
+    } else if (spans > parameters_.span_capacity) {
         parameters_.span_capacity = grown(spans, 2 * sizeof(float));
         tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
-        again = true;
+        stages_.visible_write(args(clipped));
     }
     return again;
 }

@@ -38,8 +38,8 @@ class ExactVisibility {
     /// on the other one a body that is `depth` pixels deep. Waits.
     OutlineTable outline(const ClippedTable& clipped, float depth);
     /// Enlarges the tables that were too small, and waits for that; true if tile_lists() and
-    /// visible() must be done again.
-    bool grow();
+    /// visible() must be done again. Where only spans found no room they are written now.
+    bool grow(const ClippedTable& clipped);
 
     /// Of the last visible().
     SpanTable spans() const;

@@ -65,6 +65,8 @@ class Stages {
     void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
     void tile_lists(const ExactArgs& args);
     void visible(const ExactArgs& args);
+    /// The last step of visible(), alone: where the table of spans was too small for it.
+    void visible_write(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
     void outline_seen(const OutlineSeenArgs& args);
