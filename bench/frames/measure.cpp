@@ -9,6 +9,7 @@
 
 #include <epoxy/gl.h>
 
+#include "core/median.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
@@ -101,14 +102,6 @@ void add_stages(const Contestant& contestant, const Camera& camera, Plan& plan) 
 }
 
 } // namespace
-
-double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 std::size_t Measured::frames() const {
     return static_cast<std::size_t>(

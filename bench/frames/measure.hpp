@@ -43,8 +43,6 @@ struct Measured {
     double fps() const { return 1000 / ms(); }
 };
 
-double median(std::vector<double> values);
-
 /// The median time of `a` over that of `b`, both over the viewpoints that both were measured at.
 double time_ratio(const Measured& a, const Measured& b);
 

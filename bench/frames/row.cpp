@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "core/median.hpp"
+
 namespace lineatlas::bench {
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/median.hpp"
 #include "core/standard_camera.hpp"
 #include "glpasses/current_context.hpp"
 #include "glpasses/import_depth_pass.hpp"
@@ -25,12 +26,6 @@ double milliseconds_of(const auto& work) {
     const auto start = Clock::now();
     work();
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 /// A device and a mode that works.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "compute/cpp/cpp_device.hpp"
+#include "core/median.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::bench {
@@ -49,12 +50,6 @@ double seconds_of(const Job& job) {
     const auto start = std::chrono::steady_clock::now();
     job.run();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 std::vector<double> race(const std::vector<Job>& jobs, int rounds) {

@@ -86,8 +86,6 @@ Row copy_row(const Devices& devices, const std::string& stage,
 /// Wall-clock time of one run, after a reset.
 double seconds_of(const Job& job);
 
-double median(std::vector<double> values);
-
 /// Runs the jobs in turns, so that what else happens on the machine meets all of them alike: the
 /// median seconds of each.
 std::vector<double> race(const std::vector<Job>& jobs, int rounds);

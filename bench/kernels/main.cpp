@@ -11,6 +11,7 @@
 #include <benchmark/benchmark.h>
 
 #include "command_line/program.hpp"
+#include "core/median.hpp"
 #include "goals.hpp"
 #include "lineatlas/error.hpp"
 

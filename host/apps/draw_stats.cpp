@@ -1,7 +1,6 @@
 #include "draw_stats.hpp"
 #include "io/standard_streams.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <map>
 #include <string>
@@ -11,14 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
+#include "core/median.hpp"
+
 namespace lineatlas::apps {
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 void print_lines(const LineSet& lines) {
     std::vector<std::string> kinds;

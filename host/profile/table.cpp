@@ -3,17 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "core/median.hpp"
 #include "lineatlas/profile.hpp"
 
 namespace lineatlas {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 /// What a kernel, a transfer or a GL pass took within one stage.
 struct Work {

@@ -112,11 +112,13 @@ void Pace::note(Economy economy, double seconds) {
     guessed_ = is_first;
     last_ = economy;
     recent_.at(count_++ % recent_.size()) = seconds;
-    // The median: that something else has held up one of them is no reason to draw less.
-    std::array<double, 3> sorted = recent_;
-    const std::size_t known = std::min(count_, sorted.size());
-    std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(known));
-    seconds_ = sorted.at((known - 1) / 2);
+    // The median, and the shorter of two: that something else has held up one of them is no reason
+    // to draw less.
+    std::vector<double> known{recent_.begin(), recent_.end()};
+    known.resize(std::min(count_, known.size()));
+    const auto middle = known.begin() + static_cast<std::ptrdiff_t>((known.size() - 1) / 2);
+    std::ranges::nth_element(known, middle);
+    seconds_ = *middle;
 }
 
 Economy Pace::choose(const FrameOptions& options, bool details_may_go) {

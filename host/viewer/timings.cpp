@@ -1,6 +1,9 @@
 #include "timings.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/median.hpp"
 
 namespace lineatlas::viewer {
 namespace {
@@ -9,15 +12,13 @@ constexpr double milliseconds_per_nanosecond = 1e-6;
 constexpr std::size_t frames_of_median = 15;
 
 template <class Value>
-double median(const std::deque<Timings::Frame>& frames, const Value& value) {
+double recent_median(const std::deque<Timings::Frame>& frames, const Value& value) {
     std::vector<double> values;
     const std::size_t count = std::min(frames.size(), frames_of_median);
     for (std::size_t i = frames.size() - count; i < frames.size(); ++i) {
         values.push_back(value(frames[i]));
     }
-    if (values.empty()) return 0;
-    std::ranges::sort(values);
-    return values[values.size() / 2];
+    return values.empty() ? 0 : median(std::move(values));
 }
 
 } // namespace
@@ -62,11 +63,11 @@ std::vector<Timings::Kernel> Timings::kernels() const {
 }
 
 double Timings::median_total() const {
-    return median(frames_, [](const Frame& frame) { return frame.total; });
+    return recent_median(frames_, [](const Frame& frame) { return frame.total; });
 }
 
 double Timings::median_of(std::size_t stage) const {
-    return median(frames_, [stage](const Frame& frame) { return frame.of(stage); });
+    return recent_median(frames_, [stage](const Frame& frame) { return frame.of(stage); });
 }
 
 } // namespace lineatlas::viewer
