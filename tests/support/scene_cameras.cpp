@@ -1,6 +1,8 @@
 #include "scene_cameras.hpp"
 
+#include <functional>
 #include <map>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -8,12 +10,11 @@
 
 namespace lineatlas::test {
 
-const LineSet& scene_lines(const std::string& name) {
-    static std::map<std::string, LineSet> cache;
+const LineSet& scene_lines(std::string_view name) {
+    static std::map<std::string, LineSet, std::less<>> cache;
     auto found = cache.find(name);
-    if (found == cache.end()) {
-        found = cache.emplace(name, extract_lines(make_scene(name).mesh)).first;
-    }
+    if (found == cache.end())
+        found = cache.emplace(name, extract_lines(make_scene(std::string{name}).mesh)).first;
     return found->second;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lineatlas/camera.hpp"
@@ -9,7 +10,7 @@
 namespace lineatlas::test {
 
 /// A built-in scene's lines, extracted once per process.
-const LineSet& scene_lines(const std::string& name);
+const LineSet& scene_lines(std::string_view name);
 
 struct NamedCamera {
     std::string name;
