@@ -44,6 +44,8 @@ std::uint32_t BoxTree::build(std::span<Item> items, std::uint32_t first) {
     const auto count = static_cast<std::uint32_t>(items.size());
     if (count <= most_in_leaf) {
         node.count = count;
+        // nth_element leaves them in an order that differs between standard libraries.
+        std::ranges::sort(items, {}, &Item::index);
     } else {
         const glm::vec3 extent = middles.max - middles.min;
         const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0

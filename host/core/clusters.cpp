@@ -18,7 +18,11 @@ struct Item {
 /// calls `add` with each piece, neighbours one after the other.
 template <class Add>
 void split(std::span<Item> items, std::uint32_t cluster_size, const Add& add) {
-    if (items.size() <= cluster_size) return add(items);
+    if (items.size() <= cluster_size) {
+        // nth_element leaves them in an order that differs between standard libraries.
+        std::ranges::sort(items, {}, &Item::triangle);
+        return add(items);
+    }
     glm::vec3 low = items.front().center;
     glm::vec3 high = low;
     for (const Item& item : items) {
