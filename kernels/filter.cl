@@ -448,6 +448,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
                 }
             }
         }
+        if (r == r_end) break;
         current = next;
         has_current = true;
     }
