@@ -57,14 +57,14 @@ std::vector<std::uint32_t> two_rings(const RayScene& scene, const Segment& segme
         for (const std::uint32_t corner : corners)
             std::ranges::copy(scene.triangles_at(corner), std::back_inserter(triangles));
         std::ranges::sort(triangles);
-        triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
         corners.clear();
         for (const std::uint32_t triangle : triangles) {
             const glm::uvec3 t = scene.lines().triangles[triangle];
             corners.insert(corners.end(), {t.x, t.y, t.z});
         }
         std::ranges::sort(corners);
-        corners.erase(std::ranges::unique(corners).begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     }
     return triangles;
 }

@@ -56,8 +56,7 @@ Sides edges_of(const TopoDS_Face& face, const Handle(Poly_Triangulation) & trian
                 pieces.push_back(side(polygon->Node(i), polygon->Node(i + 1)));
     }
     std::ranges::sort(pieces);
-    const auto doubled = std::ranges::unique(pieces);
-    pieces.erase(doubled.begin(), doubled.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
     return pieces;
 }
 

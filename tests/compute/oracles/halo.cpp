@@ -154,7 +154,7 @@ void halo(const HaloInput& in, std::span<RunCuts> cuts) {
             });
         }
         std::ranges::sort(found);
-        found.erase(std::ranges::unique(found).begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
         found.resize(LA_MOST_CUTS, {0, 0});
         for (std::size_t k = 0; k < LA_MOST_CUTS; ++k) {
             cuts[r].from[k] = found[k].first;
