@@ -11,7 +11,7 @@
 #include "core/standard_camera.hpp"
 #include "glpasses/current_context.hpp"
 #include "glpasses/import_depth_pass.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "glpasses/objects.hpp"
 #include "glpasses/state_guard.hpp"
 #include "lineatlas/error.hpp"
@@ -38,28 +38,26 @@ struct Path {
 class Subject {
   public:
     Subject(const Path& path, std::size_t bytes)
-        : path_(path), handover_(*path.connection.device),
-          buffer_(
-              interop::make_shared_buffer(*path.connection.device, path.connection.mode, bytes)),
-          from_(bytes), to_(bytes) {}
+        : path_(path), table_(*path.connection.sharing, purpose::scratch), from_(bytes),
+          to_(bytes) {
+        table_.fit(bytes);
+    }
 
     void run_round() {
         write_by_gl();
         to_compute_.push_back(milliseconds_of([&] {
-            buffer_->wrote(buffer_->size());
-            handover_.to_compute({buffer_.get()});
+            table_.compute();
             path_.connection.device->finish();
         }));
         write_by_compute();
         to_gl_.push_back(milliseconds_of([&] {
-            buffer_->wrote(buffer_->size());
-            handover_.to_gl({buffer_.get()});
+            table_.gl();
             glFinish();
         }));
         right_ = right_ && last_seen_by_gl() == count() - 1;
         order_only_.push_back(milliseconds_of([&] {
-            handover_.to_compute({buffer_.get()});
-            handover_.to_gl({buffer_.get()});
+            table_.compute();
+            table_.gl();
         }));
         memcpy_.push_back(
             milliseconds_of([&] { std::memcpy(to_.data(), from_.data(), from_.size()); }));
@@ -67,8 +65,8 @@ class Subject {
 
     HandoverCost cost() const {
         return {.device = path_.device,
-                .mode = std::string{name_of(path_.connection.mode)},
-                .bytes = buffer_->size(),
+                .mode = std::string{name_of(path_.connection.sharing->mode())},
+                .bytes = table_.room(),
                 .to_compute = median(to_compute_),
                 .to_gl = median(to_gl_),
                 .order_only = median(order_only_),
@@ -78,29 +76,28 @@ class Subject {
 
   private:
     std::uint32_t count() const {
-        return static_cast<std::uint32_t>(buffer_->size() / sizeof(std::uint32_t));
+        return static_cast<std::uint32_t>(table_.room() / sizeof(std::uint32_t));
     }
     void write_by_gl() {
         const std::uint32_t one = 1;
-        glClearNamedBufferData(buffer_->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+        glClearNamedBufferData(table_.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                               &one);
         glFinish();
     }
     /// Ones become 0, 1, 2, ...
     void write_by_compute() {
-        path_.connection.stages->scan(buffer_->compute(), count() - 1, compute::ScanKind::saturate);
+        path_.connection.stages->scan(table_.compute(), count() - 1, compute::ScanKind::saturate);
         path_.connection.device->finish();
     }
-    std::uint32_t last_seen_by_gl() const {
+    std::uint32_t last_seen_by_gl() {
         std::uint32_t last = 0;
-        glGetNamedBufferSubData(buffer_->gl(),
-                                static_cast<GLintptr>(buffer_->size() - sizeof(last)), sizeof(last),
-                                &last);
+        glGetNamedBufferSubData(table_.gl(), static_cast<GLintptr>(table_.room() - sizeof(last)),
+                                sizeof(last), &last);
         return last;
     }
 
     const Path& path_;
-    interop::Handover handover_;
-    std::unique_ptr<interop::SharedBuffer> buffer_;
+    interop::SharedTable table_;
     std::vector<std::byte> from_, to_;
     std::vector<double> to_compute_, to_gl_, order_only_, memcpy_;
     bool right_ = true;

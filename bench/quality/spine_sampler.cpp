@@ -31,7 +31,7 @@ AtlasLayout layout_for(const ClippedLines& lines) {
 
 SpineSampler::SpineSampler(const LineSet& lines)
     : lines_(lines), connection_(interop::connect({.kind = "cpp"})),
-      scene_(*connection_.stages, connection_.mode, lines), numbers_(lines.triangles.size()),
+      scene_(*connection_.stages, *connection_.sharing, lines), numbers_(lines.triangles.size()),
       depth_(connection_) {
     depth_.set_scene(scene_);
     connection_.device->download(scene_.surfaces().numbers,
@@ -64,10 +64,9 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
                 .framebuffer = 0,
                 .pens = pens_,
                 .backdrop = backdrop_,
-                .clock = {*connection_.device, false}};
+                .clock = {*connection_.sharing, false}};
     check_depth_size(camera.size * options.depth_scale);
     depth_.draw_texture(frame);
-    depth_.surfaces().to_gl();
 
     const std::uint32_t samples = lines.offsets.back();
     const AtlasLayout layout = layout_for(lines);

@@ -212,7 +212,8 @@ Connection connect(const ConnectOptions& options) {
     chosen.device = compute::with_comparison(std::move(chosen.device), options.compare_with,
                                              options.compare_until);
     auto stages = std::make_unique<compute::Stages>(*chosen.device);
-    return {std::move(chosen.device), std::move(stages), chosen.mode, std::move(chosen.note),
+    auto sharing = std::make_unique<Sharing>(*chosen.device, chosen.mode);
+    return {std::move(chosen.device), std::move(stages), std::move(sharing), std::move(chosen.note),
             std::move(chosen.otherwise)};
 }
 

@@ -8,7 +8,7 @@
 
 #include "compute/opencl/devices.hpp"
 #include "compute/stages/stages.hpp"
-#include "shared_buffer.hpp"
+#include "sharing.hpp"
 
 namespace lineatlas::interop {
 
@@ -42,11 +42,11 @@ struct ConnectOptions {
     std::string why_without{};
 };
 
-/// The stages on a device, with the way in which it shares buffers with the current GL context.
+/// The stages on a device, and how it shares tables with the current GL context.
 struct Connection {
     std::unique_ptr<compute::Device> device;
     std::unique_ptr<compute::Stages> stages; ///< on it
-    SharingMode mode;
+    std::unique_ptr<Sharing> sharing;        ///< of it
     std::string note{}; ///< one line for the user where the device is not what he may expect
     /// Where the user did not choose the device: what leaves it out, for connect_next().
     std::optional<ConnectOptions> otherwise{};

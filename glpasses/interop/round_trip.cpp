@@ -6,32 +6,28 @@
 #include <vector>
 
 #include "glpasses/objects.hpp"
-#include "handover.hpp"
 #include "lineatlas/error.hpp"
+#include "shared_table.hpp"
 #include "shared_texture.hpp"
 
 namespace lineatlas::interop {
 
 bool round_trip(compute::Device& device, SharingMode mode) {
     constexpr std::uint32_t n = 1023;
-    const std::unique_ptr<SharedBuffer> buffer =
-        make_shared_buffer(device, mode, (n + 1) * sizeof(std::uint32_t));
+    constexpr std::size_t bytes = (n + 1) * sizeof(std::uint32_t);
+    Sharing sharing{device, mode};
+    SharedTable table{sharing, purpose::scratch};
+    table.fit(bytes);
     const std::uint32_t one = 1;
-    glClearNamedBufferData(buffer->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+    glClearNamedBufferData(table.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
     compute::Stages stages{device};
-    Handover handover{device};
-    buffer->wrote(buffer->size());
-    handover.to_compute({buffer.get()});
-    stages.scan(buffer->compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
-    buffer->wrote(buffer->size());
-    handover.to_gl({buffer.get()});
+    stages.scan(table.compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
     // Copied on the GL side first, so that GL itself has read it.
     const gl::Buffer copy = gl::Buffer::create();
-    glNamedBufferStorage(copy.id(), static_cast<GLsizeiptr>(buffer->size()), nullptr, 0);
-    glCopyNamedBufferSubData(buffer->gl(), copy.id(), 0, 0,
-                             static_cast<GLsizeiptr>(buffer->size()));
+    glNamedBufferStorage(copy.id(), bytes, nullptr, 0);
+    glCopyNamedBufferSubData(table.gl(), copy.id(), 0, 0, bytes);
     std::vector<std::uint32_t> seen(n + 1);
-    glGetNamedBufferSubData(copy.id(), 0, static_cast<GLsizeiptr>(buffer->size()), seen.data());
+    glGetNamedBufferSubData(copy.id(), 0, bytes, seen.data());
     std::vector<std::uint32_t> expected(n + 1);
     std::iota(expected.begin(), expected.end(), 0U);
     return seen == expected;
@@ -47,9 +43,9 @@ bool texture_round_trip(compute::OpenClBackend& device) {
     glClearTexImage(texture.id(), 0, GL_RED, GL_FLOAT, &from_gl);
 
     SharedTexture shared{device, texture.id()};
-    Handover handover{device};
+    Sharing sharing{device, SharingMode::gl_sharing};
     std::vector<float> seen(side * side);
-    handover.to_compute({&shared});
+    sharing.to_compute(shared);
     std::vector<float> from_compute(side * side);
     std::iota(from_compute.begin(), from_compute.end(), 0.0F);
     try {
@@ -59,7 +55,7 @@ bool texture_round_trip(compute::OpenClBackend& device) {
     } catch (const cl::Error& error) {
         throw DeviceError(std::string{error.what()} + " returned " + std::to_string(error.err()));
     }
-    handover.to_gl({&shared});
+    sharing.to_gl(shared);
     if (std::ranges::count(seen, from_gl) != static_cast<std::ptrdiff_t>(seen.size())) return false;
     glGetTextureImage(texture.id(), 0, GL_RED, GL_FLOAT,
                       static_cast<GLsizei>(seen.size() * sizeof(float)), seen.data());

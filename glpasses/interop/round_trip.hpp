@@ -1,7 +1,7 @@
 #pragma once
 
 #include "compute/opencl/opencl_backend.hpp"
-#include "shared_buffer.hpp"
+#include "sharing.hpp"
 
 namespace lineatlas::interop {
 

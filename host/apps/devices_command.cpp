@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 

@@ -39,10 +39,12 @@ std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
 } // namespace
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), prefers_raster_(!interop::gl_is_software()), depth_(connection),
-      fill_(connection), chains_(stages_, compute::SilhouetteChains::Contours::lifted),
-      carried_(stages_), batches_(stages_), strokes_(connection), intervals_(stages_) {
+    : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
+      prefers_raster_(!interop::gl_is_software()), depth_(connection), fill_(connection),
+      chains_(stages_, compute::SilhouetteChains::Contours::lifted), carried_(stages_),
+      batches_(stages_), clipped_(sharing_, purpose::segments),
+      offsets_(sharing_, purpose::segments), alpha_(sharing_, purpose::atlas), strokes_(connection),
+      intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -54,8 +56,8 @@ void AtlasMethod::release_scene() {
     front_.reset();
     arcs_.reset();
     past_ = {};
-    clipped_.reset();
-    offsets_.reset();
+    clipped_.release();
+    offsets_.release();
 }
 
 void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Tables& tables) {
@@ -70,11 +72,11 @@ void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Table
 
 void AtlasMethod::make_segment_tables(std::size_t segments) {
     arcs_.reset(); // they may not fit beside others
-    clipped_.reset();
-    offsets_.reset();
+    clipped_.release();
+    offsets_.release();
     const std::size_t sums = (segments + 1) * sizeof(std::uint32_t);
-    clipped_ = shared(segments * sizeof(ClippedSegment), purpose::segments);
-    offsets_ = shared(sums, purpose::segments);
+    clipped_.fit(segments * sizeof(ClippedSegment));
+    offsets_.fit(sums);
     arcs_ = compute::allocate(device_, sums, purpose::segments);
 }
 
@@ -93,8 +95,8 @@ void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
 }
 
 void AtlasMethod::make_atlas() {
-    alpha_.reset();
-    alpha_ = shared(layout_.texels(sample_capacity_), purpose::atlas);
+    alpha_.release(); // there may be no room for another beside it
+    alpha_.fit(layout_.texels(sample_capacity_));
 }
 
 std::uint64_t AtlasMethod::most_texels() const {
@@ -130,7 +132,7 @@ void AtlasMethod::begin_chunk(Frame& frame, std::size_t chunk) {
 
 void AtlasMethod::keep_chunk(Frame& frame) {
     if (frame.scene.chunk_count() == 1) return;
-    strokes_.keep(frame, alpha_.get(), layout_.texels(strokes_.sample_total()));
+    strokes_.keep(frame, alpha_, layout_.texels(strokes_.sample_total()));
     intervals_.keep(frame, order(), read_offsets());
 }
 
@@ -155,13 +157,12 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
                             ? compute::room_to_grow(device_, segment_count_, sizeof(ClippedSegment))
                             : segment_count_);
     silhouettes_grew_ = true; // by the first frame they were found, by the next ones they change
-    handover_.to_compute({clipped_.get(), offsets_.get()});
 }
 
 std::vector<std::uint32_t> AtlasMethod::read_offsets() {
     if (!chains_.has_order()) return {};
     std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
-    device_.download(offsets_->compute(), std::as_writable_bytes(std::span{offsets}));
+    device_.download(offsets_.compute(), std::as_writable_bytes(std::span{offsets}));
     return offsets;
 }
 
@@ -197,7 +198,7 @@ void AtlasMethod::project(Frame& frame) {
         stages_.project_clip(args);
     });
     frame.clock("scan", [&] {
-        stages_.scan(offsets_->compute(), segment_count_, compute::ScanKind::saturate);
+        stages_.scan(offsets_.compute(), segment_count_, compute::ScanKind::saturate);
         stages_.scan(*arcs_, segment_count_, compute::ScanKind::wrap);
     });
     carry(frame);
@@ -272,29 +273,19 @@ compute::AtlasArgs AtlasMethod::atlas_args(Frame& frame) {
 
 void AtlasMethod::sample_raster(Frame& frame) {
     if (reads_depth()) depth_.fill_texture(frame);
-    frame.clock.handover([&] {
-        clipped_->wrote(clipped_->size());
-        offsets_->wrote(offsets_->size());
-        handover_.to_gl({clipped_.get(), offsets_.get(), alpha_.get()});
-        depth_.surfaces().to_gl();
-    });
+    sharing_.to_gl({&clipped_, &offsets_, &alpha_});
     // The total decides how many rows are drawn and read, so the host needs it here.
     std::uint32_t total = 0;
     frame.clock.gl("atlas", [&] {
-        glGetNamedBufferSubData(offsets_->gl(),
+        glGetNamedBufferSubData(offsets_.gl(),
                                 static_cast<GLintptr>(segment_count_ * sizeof(total)),
                                 sizeof(total), &total);
         if (total > sample_capacity_) return; // grow() sees to it
         if (leaves_raster(frame, total)) return;
+        alpha_.set_size(layout_.texels(total));
         atlas_pass_.draw(
-            {.clipped = clipped_->gl(), .offsets = offsets_->gl(), .segment_count = segment_count_},
-            depth_.probed_by_gl(frame), layout_, total, alpha_->gl());
-    });
-    frame.clock.handover([&] {
-        const bool drawn = total <= sample_capacity_ && !leaves_raster(frame, total);
-        alpha_->wrote(drawn ? layout_.texels(total) : 0);
-        handover_.to_compute({clipped_.get(), offsets_.get(), alpha_.get()});
-        depth_.surfaces().to_compute();
+            {.clipped = clipped_.gl(), .offsets = offsets_.gl(), .segment_count = segment_count_},
+            depth_.probed_by_gl(frame), layout_, total, alpha_.gl_to_write());
     });
     if (total > sample_capacity_ || !leaves_raster(frame, total)) return;
     if (!reads_depth()) depth_.draw_for_compute(frame);
@@ -306,10 +297,10 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
     frame.clock("item_buffer", [&] {
         if (!item_buffer_) item_buffer_.emplace();
         const ItemBufferSampler::Tables tables = item_buffer_->tables(segment_count_);
-        device_.download(offsets_->compute(), std::as_writable_bytes(tables.offsets));
+        device_.download(offsets_.compute(), std::as_writable_bytes(tables.offsets));
         if (tables.offsets.back() > sample_capacity_) return; // grow() sees to it
-        device_.download(clipped_->compute(), std::as_writable_bytes(tables.clipped));
-        device_.upload(alpha_->compute(), std::as_bytes(item_buffer_->sample(frame, layout_)));
+        device_.download(clipped_.compute(), std::as_writable_bytes(tables.clipped));
+        alpha_.upload(std::as_bytes(item_buffer_->sample(frame, layout_)));
     });
 }
 
@@ -353,9 +344,9 @@ void AtlasMethod::steady(Frame& frame) {
     frame.clock("temporal", [&] {
         const compute::SegmentTable table = frame.scene.candidate_table();
         if (!past_.offsets) make_past(table);
-        if (!past_.alpha || past_.alpha->size() != alpha_->size()) {
+        if (!past_.alpha || past_.alpha->size() != alpha_.room()) {
             past_.alpha.reset(); // it may not fit beside another
-            past_.alpha = compute::allocate(device_, alpha_->size(), purpose::atlas);
+            past_.alpha = compute::allocate(device_, alpha_.room(), purpose::atlas);
             past_.camera.reset();
         }
         const bool follows = motion_ && past_.camera;
@@ -391,11 +382,9 @@ bool AtlasMethod::grow_atlas(std::uint64_t needed) {
             purpose::atlas, (uncountable ? "over 4 billion" : std::to_string(needed)) + " samples",
             "this device's atlas holds " + std::to_string(most)));
     }
-    alpha_.reset(); // it may not fit beside another
     sample_capacity_ =
         static_cast<std::uint32_t>(std::min(compute::room_to_grow(device_, needed), most));
     make_atlas();
-    handover_.to_compute({alpha_.get()});
     return true;
 }
 
@@ -405,30 +394,15 @@ bool AtlasMethod::grow() {
     return strokes_.grow() || intervals_grown || atlas_grown;
 }
 
-void AtlasMethod::draw_strokes(Frame& frame) {
-    const bool own_depth = frame.options.method == Method::atlas;
-    const bool by_kernels = FillStage::draws(frame, depth_);
-    if (by_kernels)
+void AtlasMethod::draw_fill(Frame& frame) {
+    if (FillStage::draws(frame, depth_)) {
         fill_.color(frame, depth_);
-    else if (own_depth)
+        fill_.lay(frame);
+    } else if (frame.options.method == Method::atlas) {
         frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
-    else
+    } else {
         frame.backdrop.draw_fill(frame, frame.options.style.fill);
-    pass_to_strokes(frame);
-    if (by_kernels) fill_.lay(frame);
-    strokes_.draw(frame, *alpha_);
-}
-
-void AtlasMethod::pass_to_strokes(Frame& frame) {
-    frame.clock.handover([&] {
-        alpha_->wrote(layout_.texels(strokes_.sample_total()));
-        strokes_.pass_to_gl(*alpha_);
-        fill_.to_gl();
-    });
-}
-
-void AtlasMethod::take_tables() {
-    handover_.to_compute(strokes_.tables({clipped_.get(), offsets_.get(), alpha_.get()}));
+    }
 }
 
 void AtlasMethod::find(Frame& frame) {
@@ -440,6 +414,7 @@ void AtlasMethod::find(Frame& frame) {
         intervals_.find(frame, segment_atlas(), depth_);
         strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
+    alpha_.set_size(layout_.texels(strokes_.sample_total()));
     if (finds_outlines_ && keeps_intervals_)
         intervals_.add_outlines(frame, {*outline_offsets_, *outline_parts_}, order());
     keep_chunk(frame);
@@ -449,7 +424,6 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     begin_chunk(frame, 0);
     carries_ = is_steady(frame) && strokes_.has_textures(frame);
-    frame.clock.handover([&] { take_tables(); });
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
         project(frame);
@@ -466,11 +440,10 @@ FrameStats AtlasMethod::draw(Frame& frame) {
         project(frame);
         find(frame);
     }
-    if (frame.options.draw)
-        draw_strokes(frame);
-    else
-        pass_to_strokes(frame);
-    if (reads_depth()) frame.clock.handover([&] { depth_.end_frame(); });
+    if (frame.options.draw) {
+        draw_fill(frame);
+        strokes_.draw(frame, alpha_);
+    }
     return stats(frame);
 }
 
@@ -481,11 +454,11 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .samples = strokes_.samples_of_frame(),
             .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
-            .segment_bytes = frame.scene.segment_bytes() + clipped_->size() + offsets_->size() +
+            .segment_bytes = frame.scene.segment_bytes() + clipped_.room() + offsets_.room() +
                              arcs_->size() + chains_.bytes() + carried_.bytes() + batches_.bytes() +
                              size_of(past_.offsets) + size_of(past_.ranges) +
                              size_of(past_.positions),
-            .sample_bytes = alpha_->size() + size_of(past_.alpha),
+            .sample_bytes = alpha_.room() + size_of(past_.alpha),
             .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
 }
@@ -496,10 +469,8 @@ Renderer::Samples AtlasMethod::read_samples() {
     result.runs = strokes_.read_runs();
     result.density = strokes_.read_density();
     std::vector<std::uint8_t> texels(layout_.texels(strokes_.sample_total()));
-    handover_.to_compute({alpha_.get()});
-    device_.download(offsets_->compute(), std::as_writable_bytes(std::span{result.offsets}));
-    device_.download(alpha_->compute(), std::as_writable_bytes(std::span{texels}));
-    handover_.to_gl({alpha_.get()});
+    device_.download(offsets_.compute(), std::as_writable_bytes(std::span{result.offsets}));
+    device_.download(alpha_.compute(), std::as_writable_bytes(std::span{texels}));
     result.alpha.reserve(strokes_.sample_total());
     for (std::size_t i = 0; i < segment_count_; ++i) {
         const std::uint32_t l = result.offsets[i + 1] - result.offsets[i];

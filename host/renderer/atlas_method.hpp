@@ -12,7 +12,7 @@
 #include "frame.hpp"
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "interval_stage.hpp"
 #include "item_buffer_sampler.hpp"
 #include "stroke_stage.hpp"
@@ -44,8 +44,6 @@ class AtlasMethod {
     std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
 
   private:
-    using SharedBuffer = interop::SharedBuffer;
-
     void prepare(const Frame& frame);
     /// `longest_row`: of the atlas, in texels.
     void prepare_layout(const Frame& frame, GLint longest_row);
@@ -70,7 +68,7 @@ class AtlasMethod {
     void fill_tile(Frame& frame);
     compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
-        return {clipped_table(), alpha_->compute(), layout_, sample_capacity_};
+        return {clipped_table(), alpha_.compute(), layout_, sample_capacity_};
     }
     void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
@@ -87,16 +85,9 @@ class AtlasMethod {
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
-    /// Takes what GL has of the tables, which kernels only write to.
-    void take_tables();
-    /// Hands what strokes are drawn from to GL.
-    void pass_to_strokes(Frame& frame);
-    void draw_strokes(Frame& frame);
+    void draw_fill(Frame& frame);
     FrameStats stats(Frame& frame);
 
-    std::unique_ptr<SharedBuffer> shared(std::size_t bytes, const Purpose& purpose) const {
-        return interop::make_shared_buffer(device_, mode_, bytes, purpose);
-    }
     /// Makes the atlas anew, for `sample_capacity_`.
     void make_atlas();
     /// What an atlas can hold at most; of the current layout, in samples.
@@ -111,13 +102,12 @@ class AtlasMethod {
     /// Which parts of the current chunk's segments have the background on one side; waits.
     compute::OutlineTable outline(Frame& frame);
     compute::ClippedTable clipped_table() {
-        return {clipped_->compute(), offsets_->compute(), *arcs_};
+        return {clipped_.compute(), offsets_.compute(), *arcs_};
     }
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
-    interop::SharingMode mode_;
-    interop::Handover handover_;
+    interop::Sharing& sharing_;
     bool prefers_raster_;
     /// The longest row of an atlas that is a plain buffer, which GL doesn't draw to.
     static constexpr GLint no_texture = 1 << 24;
@@ -133,7 +123,7 @@ class AtlasMethod {
     std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
     std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
     std::unique_ptr<compute::Buffer> front_, arcs_;
-    std::unique_ptr<SharedBuffer> clipped_, offsets_, alpha_;
+    interop::SharedTable clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
     AtlasLayout layout_{0, 0};
     bool keeps_intervals_ = false;                                     ///< the current frame

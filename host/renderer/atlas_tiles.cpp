@@ -35,7 +35,6 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target,
             args.tile = &depth;
             stages_.atlas(args);
         });
-        frame.clock.handover([&] { depth_.take_tile_back(); });
     }
 }
 
@@ -49,13 +48,11 @@ void AtlasMethod::fill_tile(Frame& frame) {
     // what tiles are to save.
     const compute::DepthTile depth = depth_.draw_tile(frame, frame.tile);
     fill_.color(frame, depth_, frame.tile, depth.origin);
-    frame.clock.handover([&] { fill_.to_gl(); });
     fill_.lay(frame);
 }
 
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame, target);
-    frame.clock.handover([&] { take_tables(); });
     // Samples take about as long as strokes.
     const ProgressPart progress{target.progress, "drawing tiles"};
     const ProgressPart sampling = progress.part(0, 0.5F), drawing = progress.part(0.5F, 1);
@@ -67,7 +64,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         project(frame);
         // Counted first: drawing all depth again because the atlas was too small would take long.
         std::uint32_t samples = 0;
-        device_.download(offsets_->compute(), std::as_writable_bytes(std::span{&samples, 1}),
+        device_.download(offsets_.compute(), std::as_writable_bytes(std::span{&samples, 1}),
                          segment_count_ * sizeof(samples));
         grow_atlas(samples);
         bool sampled = false;
@@ -77,9 +74,9 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
             strokes_.make_runs(frame, segment_atlas(), nullptr, nullptr);
             sampled = !strokes_.changes_samples();
         } while (grow());
+        alpha_.set_size(layout_.texels(strokes_.sample_total()));
         keep_chunk(frame);
     }
-    pass_to_strokes(frame);
     const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
     float done = 0;
     for (const PictureTile& tile : tiles) {
@@ -87,7 +84,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         frame.tile = tile;
         target.begin(tile);
         fill_tile(frame);
-        strokes_.draw(frame, *alpha_);
+        strokes_.draw(frame, alpha_);
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });
     }

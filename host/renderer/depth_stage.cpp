@@ -37,8 +37,9 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 }
 
 DepthStage::DepthStage(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), surfaces_(connection), kernels_are_faster_(kernels_are_faster(device_)) {}
+    : stages_(*connection.stages), device_(stages_.device()), surfaces_(connection),
+      kernels_are_faster_(kernels_are_faster(device_)), depth_(*connection.sharing, purpose::depth),
+      tiles_(*connection.sharing, purpose::depth) {}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     surfaces_.set_scene();
@@ -58,24 +59,9 @@ void DepthStage::choose_form(const Frame& frame) {
 
 void DepthStage::prepare(const Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
-    if (!by_kernels_) prepare_depth(texels);
-    prepare_tiles(texels);
-}
-
-void DepthStage::prepare_tiles(glm::ivec2 size) {
-    const std::size_t tile_bytes = area(compute::tiles_for(size)) * sizeof(float);
-    if (!tiles_ || tiles_->size() < tile_bytes) {
-        tiles_.reset(); // it may not fit beside another
-        tiles_ = interop::make_shared_buffer(device_, mode_, tile_bytes, purpose::depth);
-    }
-}
-
-void DepthStage::prepare_depth(glm::ivec2 size) {
-    const std::size_t bytes = area(size) * sizeof(float);
-    if (!depth_ || depth_->size() < bytes) {
-        depth_.reset();
-        depth_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::depth);
-    }
+    // Kernels number their texels, and nobody reads more.
+    if (!by_kernels_) depth_.fit(area(texels) * sizeof(float));
+    tiles_.fit(area(compute::tiles_for(texels)) * sizeof(float));
 }
 
 compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) {
@@ -104,23 +90,18 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
 
 void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part) {
     const auto [low, size] = std::pair{part.low, part.size()};
-    prepare_depth(size);
+    depth_.fit(area(size) * sizeof(float));
     surfaces_.begin(frame, size);
-    handover_.to_gl({depth_.get()});
     frame.clock.gl("depth", [&] {
         const glm::mat4 clip = frame.camera.clip_from_world();
         ranges_ = pieces_in_view(frame.scene, tile_projection(clip, {low, size}, whole));
         pass_.begin(size, 1, surfaces_.known());
         pass_.draw_ranges(frame.scene.gl_triangles(), clip, ranges_,
                           tile_transform({low, size}, whole));
-        pass_.copy_to(depth_->gl(), {{0, 0}, size});
+        pass_.copy_to(depth_.gl_to_write(), {{0, 0}, size});
     });
     for (const gl::TriangleRange& range : ranges_) triangles_drawn_ += range.count;
-    frame.clock.handover([&] {
-        depth_->wrote(area(size) * sizeof(float));
-        handover_.to_compute({depth_.get()});
-    });
-    hand_over_surfaces(frame, {{0, 0}, size});
+    copy_surfaces(frame, {{0, 0}, size});
 }
 
 bool DepthStage::wants_kernels(const Frame& frame) const {
@@ -146,12 +127,8 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
                                  const TexelRectangle& covered) {
     size_ = part.size();
     drawn_texels_ = covered;
-    prepare_tiles(size_);
+    tiles_.fit(area(compute::tiles_for(size_)) * sizeof(float));
     surfaces_.begin(frame, size_);
-    frame.clock.handover([&] {
-        handover_.to_compute({tiles_.get()});
-        surfaces_.to_compute();
-    });
     frame.clock("depth", [&] {
         stages_.depth({.model = frame.scene.meshlets(),
                        .vertices = frame.scene.candidate_table().vertices,
@@ -160,7 +137,7 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
                        .origin = part.low,
                        .size = size_,
                        .covered = covered,
-                       .tiles = tiles_->compute(),
+                       .tiles = tiles_.compute(),
                        .seen = *visible_,
                        .numbers = &surfaces_.numbers()->compute(),
                        .blank = &blank_tiles()});
@@ -185,13 +162,8 @@ void DepthStage::find_drawn() {
 
 void DepthStage::fill_texture(Frame& frame) {
     if (!by_kernels_) return;
-    frame.clock.handover([&] {
-        take_back();
-        surfaces_.to_gl();
-    });
     frame.clock.gl("depth",
                    [&] { pass_.load_numbers(surfaces_.numbers()->gl(), size_, covered(frame)); });
-    frame.clock.handover([&] { handover_.to_compute({depth_.get(), tiles_.get()}); });
 }
 
 TexelRectangle DepthStage::covered(const Frame& frame) const {
@@ -240,11 +212,10 @@ void DepthStage::draw_for_compute(Frame& frame) {
     prepare(frame);
     if (by_kernels_) return draw_by_kernels(frame);
     drawn_is_known_ = true;
-    frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
     if (imported_ || !frame.culls_hidden() || seen_.empty()) {
         draw_raster(frame);
         build_pyramid(frame);
-        return hand_over_surfaces(frame, covered(frame));
+        return copy_surfaces(frame, covered(frame));
     }
     surfaces_.begin(frame, frame.camera.size * frame.depth_scale());
     triangles_drawn_ = 0;
@@ -263,23 +234,21 @@ void DepthStage::draw_for_compute(Frame& frame) {
         appeared_[i] = appears ? 1 : 0;
     }
     if (any) {
-        frame.clock.handover([&] { handover_.to_gl({depth_.get(), tiles_.get()}); });
         draw_clusters(frame, appeared_);
         build_pyramid(frame);
     }
-    hand_over_surfaces(frame, covered(frame));
+    copy_surfaces(frame, covered(frame));
 }
 
-void DepthStage::hand_over_surfaces(Frame& frame, const TexelRectangle& part) {
+void DepthStage::copy_surfaces(Frame& frame, const TexelRectangle& part) {
     if (!surfaces_.known()) return;
-    frame.clock.handover([&] { surfaces_.numbers_to_gl(); });
-    frame.clock.gl("depth", [&] { pass_.copy_numbers_to(surfaces_.numbers()->gl(), part); });
-    frame.clock.handover([&] { surfaces_.numbers_to_compute(); });
+    frame.clock.gl("depth",
+                   [&] { pass_.copy_numbers_to(surfaces_.numbers()->gl_to_write(), part); });
     surfaces_.find_planes(frame, nullptr);
 }
 
-compute::DepthBuffer DepthStage::probed(Frame& frame) const {
-    return {.texels = by_kernels_ ? surfaces_.numbers()->compute() : depth_->compute(),
+compute::DepthBuffer DepthStage::probed(Frame& frame) {
+    return {.texels = by_kernels_ ? surfaces_.numbers()->compute() : depth_.compute(),
             .size = size(),
             .scale = static_cast<float>(frame.depth_scale()),
             .tolerance = frame.depth_tolerance(),
@@ -292,26 +261,17 @@ gl::ProbeParams DepthStage::probed_by_gl(Frame& frame) {
     return params;
 }
 
-void DepthStage::take_back() {
-    tiles_->wrote(area(compute::tiles_for(size())) * sizeof(float));
-    handover_.to_gl({depth_.get(), tiles_.get()});
-}
-
 void DepthStage::build_pyramid(Frame& frame) {
     frame.clock.gl("depth", [&] {
         if (imported_)
-            import_->copy_to(depth_->gl(), covered(frame));
+            import_->copy_to(depth_.gl_to_write(), covered(frame));
         else
-            pass_.copy_to(depth_->gl(), covered(frame));
-    });
-    frame.clock.handover([&] {
-        depth_->wrote(area(size()) * sizeof(float));
-        handover_.to_compute({depth_.get(), tiles_.get()});
+            pass_.copy_to(depth_.gl_to_write(), covered(frame));
     });
     if (!frame.culls_hidden()) return;
     frame.clock("pyramid", [&] {
         stages_.pyramid(
-            {.depth = depth_->compute(), .depth_size = size(), .tiles = tiles_->compute()});
+            {.depth = depth_.compute(), .depth_size = size(), .tiles = tiles_.compute()});
     });
 }
 
@@ -344,7 +304,7 @@ void DepthStage::cull(Frame& frame, std::vector<std::uint32_t>& visible) {
                       .count = static_cast<std::uint32_t>(visible.size()),
                       .clip_from_world = frame.camera.clip_from_world(),
                       .depth_size = size(),
-                      .tiles = tiles_->compute(),
+                      .tiles = tiles_.compute(),
                       .visible = *visible_});
         device_.download(*visible_, std::as_writable_bytes(std::span{visible}));
     });

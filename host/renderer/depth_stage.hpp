@@ -9,7 +9,7 @@
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/import_depth_pass.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "surface_stage.hpp"
 
 namespace lineatlas {
@@ -33,24 +33,19 @@ class DepthStage {
 
     /// Draws the depth for GL passes only: into the texture.
     void draw_texture(Frame& frame);
-    /// Draws what kernels look at, depth or the numbers of triangles, and hands it to compute, with
-    /// the pyramid. GL's textures have it after fill_texture().
+    /// Draws what kernels look at, depth or the numbers of triangles, with the pyramid. GL's
+    /// textures have it after fill_texture().
     void draw_for_compute(Frame& frame);
     /// Before GL passes look at textures: the numbers that kernels drew go there.
     void fill_texture(Frame& frame);
     /// Before the tiles of a frame.
     void begin_tiles() { triangles_drawn_ = 0; }
-    /// Draws a part of a depth buffer that is too large to be held whole, and hands it to compute:
-    /// what is within reach of the samples of a tile of the picture. Of the pyramid nothing is
-    /// made.
+    /// Draws a part of a depth buffer that is too large to be held whole: what is within reach of
+    /// the samples of a tile of the picture. Of the pyramid nothing is made.
     compute::DepthTile draw_tile(Frame& frame, const PictureTile& tile);
-    /// Before the next tile, and after the last: takes the depth back from compute.
-    void take_tile_back() {
-        if (!by_kernels_) handover_.to_gl({depth_.get()});
-    }
     /// What probes look at, by kernels.
-    compute::DepthBuffer probed(Frame& frame) const;
-    /// The same by GL's passes, after surfaces().to_gl().
+    compute::DepthBuffer probed(Frame& frame);
+    /// The same by GL's passes.
     gl::ProbeParams probed_by_gl(Frame& frame);
     SurfaceStage& surfaces() { return surfaces_; }
 
@@ -60,13 +55,6 @@ class DepthStage {
     /// it may be seen.
     const TexelRectangle& drawn_texels() const { return drawn_texels_; }
     compute::Buffer& seen() const { return *visible_; }
-
-    /// At the end of the frame: takes back from compute what GL will draw to.
-    void end_frame() {
-        if (!by_kernels_) take_back();
-    }
-    /// Takes depth and pyramid back from compute, before GL reads the pyramid.
-    void take_back();
 
     /// Triangles that the last frame drew.
     std::uint32_t triangles_drawn() {
@@ -83,18 +71,16 @@ class DepthStage {
     glm::ivec2 size() const {
         return imported_ ? import_->size() : by_kernels_ ? size_ : pass_.size();
     }
-    interop::SharedBuffer& tiles() const { return *tiles_; }
+    interop::SharedTable& tiles() { return tiles_; }
 
   private:
     /// Of the current frame.
     void choose_form(const Frame& frame);
     void prepare(const Frame& frame);
-    /// Where GL draws: kernels number their texels, and nobody reads more.
-    void prepare_depth(glm::ivec2 size);
     /// Draws the texture by GL.
     void draw_raster(Frame& frame);
-    /// Of depth that GL has drawn, all of `part`: hands on what it shows.
-    void hand_over_surfaces(Frame& frame, const TexelRectangle& part);
+    /// Of depth that GL has drawn, all of `part`: which triangles it shows, for kernels.
+    void copy_surfaces(Frame& frame, const TexelRectangle& part);
     /// The raster form of draw_tile().
     void draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part);
     /// Draws a part of a depth buffer of `whole` texels, of which `covered` is wanted.
@@ -108,13 +94,11 @@ class DepthStage {
     void find_drawn();
     /// Adds the clusters that `selected` names to those that were drawn.
     void add_drawn(std::span<const Cluster> clusters, const std::vector<std::uint32_t>& selected);
-    void prepare_tiles(glm::ivec2 size);
     /// The texels that probes may reach, as whole tiles: what lies beside them is never read.
     TexelRectangle covered(const Frame& frame) const;
     /// Converts the program's own depth in place of drawing.
     void import_depth(Frame& frame);
-    /// Copies what the model covers of the texture to the buffer, passes it on and builds the
-    /// pyramid.
+    /// Copies what the model covers of the texture to the buffer, and builds the pyramid.
     void build_pyramid(Frame& frame);
     /// Draws the clusters that `selected` names.
     void draw_clusters(Frame& frame, const std::vector<std::uint32_t>& selected);
@@ -123,8 +107,6 @@ class DepthStage {
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
-    interop::SharingMode mode_;
-    interop::Handover handover_;
     gl::DepthPass pass_;
     SurfaceStage surfaces_;
     std::optional<gl::ImportDepthPass> import_; ///< made when first used
@@ -135,7 +117,7 @@ class DepthStage {
     glm::ivec2 size_{0, 0};             ///< of what kernels drew
     TexelRectangle drawn_texels_;       ///< of that
     std::span<const Cluster> clusters_; ///< of the model
-    std::unique_ptr<interop::SharedBuffer> depth_, tiles_;
+    interop::SharedTable depth_, tiles_;
     std::unique_ptr<compute::Buffer> visible_; ///< a word per cluster
     std::optional<glm::ivec2> blank_of_;       ///< numbers of that size; none: GL has drawn since
     std::unique_ptr<compute::Buffer> blank_;

@@ -10,9 +10,11 @@
 namespace lineatlas {
 
 ExactMethod::ExactMethod(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), handover_(device_), lines_(stages_),
-      alpha_(interop::make_shared_buffer(device_, connection.mode, 16, purpose::exact)),
-      depth_(connection), fill_(connection), strokes_(connection), intervals_(stages_) {}
+    : stages_(*connection.stages), device_(stages_.device()), lines_(stages_),
+      alpha_(*connection.sharing, purpose::exact), depth_(connection), fill_(connection),
+      strokes_(connection), intervals_(stages_) {
+    alpha_.fit(16);
+}
 
 void ExactMethod::set_scene(const SceneBuffers& scene) {
     strokes_.forget_lines();
@@ -62,7 +64,7 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
             } while (grow());
             if (of_intervals) intervals_.add_outlines(frame, *outline, lines_.order());
             if (chunks == 1) return;
-            strokes_.keep(frame, alpha_.get(), 0);
+            strokes_.keep(frame, alpha_, 0);
             intervals_.keep(frame, lines_.order(), {});
         });
 }
@@ -70,14 +72,6 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
 bool ExactMethod::grow() {
     const bool intervals_grown = intervals_.grow();
     return strokes_.grow() || intervals_grown;
-}
-
-void ExactMethod::take_tables() {
-    handover_.to_compute(strokes_.tables({alpha_.get()}));
-}
-
-void ExactMethod::pass_to_strokes(Frame& frame) {
-    frame.clock.handover([&] { strokes_.pass_to_gl(*alpha_); });
 }
 
 void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {
@@ -89,18 +83,15 @@ void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> see
         const PictureTile tile{frame.tile.low + part.low, part.size};
         const compute::DepthTile depth = depth_.draw_tile(frame, tile);
         fill_.color(frame, depth_, tile, depth.origin);
-        frame.clock.handover([&] { fill_.to_gl(); });
         fill_.lay(frame, part.low);
     }
 }
 
 FrameStats ExactMethod::draw(Frame& frame) {
-    frame.clock.handover([&] { take_tables(); });
     find(frame, ProgressPart::none());
     const gl::TriangleRange all{0, frame.scene.triangle_count()};
     if (frame.options.draw) draw_fill(frame, {&all, 1});
-    pass_to_strokes(frame);
-    if (frame.options.draw) strokes_.draw(frame, *alpha_);
+    if (frame.options.draw) strokes_.draw(frame, alpha_);
     return stats(frame);
 }
 
@@ -109,15 +100,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     const ProgressPart progress{target.progress, "drawing tiles"};
     const ProgressPart drawing = progress.part(0.5F, 1);
     progress(0);
-    frame.clock.handover([&] { take_tables(); });
-    try {
-        find(frame, progress.part(0, 0.5F));
-    } catch (const Cancelled&) {
-        // What the next frame takes from GL must be GL's, whatever has been written.
-        handover_.to_gl(strokes_.tables({alpha_.get()}));
-        throw;
-    }
-    pass_to_strokes(frame);
+    find(frame, progress.part(0, 0.5F));
     const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
     float done = 0;
     for (const PictureTile& tile : tiles) {
@@ -125,7 +108,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         frame.tile = tile;
         target.begin(tile);
         draw_fill(frame, pieces_in_view(frame.scene, frame.clip_of_tile()));
-        strokes_.draw(frame, *alpha_);
+        strokes_.draw(frame, alpha_);
         frame.backdrop.draw_paper(frame, frame.options.style.paper);
         frame.clock("output", [&] { target.end(tile); });
     }
@@ -141,7 +124,7 @@ FrameStats ExactMethod::stats(Frame& frame) {
             .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes() + lines_.mesh_bytes(),
             .segment_bytes = frame.scene.segment_bytes() + lines_.segment_bytes(),
-            .sample_bytes = alpha_->size(),
+            .sample_bytes = alpha_.room(),
             .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
 }

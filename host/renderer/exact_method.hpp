@@ -1,13 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/tiles.hpp"
 #include "fill_stage.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "interval_stage.hpp"
 #include "stroke_stage.hpp"
 #include "visibility/exact_lines.hpp"
@@ -39,22 +38,17 @@ class ExactMethod {
     /// Finds what is visible, and makes intervals and runs of it. Throws Cancelled.
     void find(Frame& frame, const ProgressPart& progress);
     bool grow();
-    /// Takes its tables from GL.
-    void take_tables();
-    /// Hands what strokes are drawn from to GL.
-    void pass_to_strokes(Frame& frame);
     /// An atlas without samples.
-    compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_->compute(), {1, 1}, 0}; }
+    compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), {1, 1}, 0}; }
     /// The fill of what goes to the framebuffer; `seen`: as of Backdrop::draw_fill().
     void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
     FrameStats stats(Frame& frame);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
-    interop::Handover handover_;
     ExactLines lines_;
-    std::unique_ptr<interop::SharedBuffer> alpha_; ///< of no samples
-    DepthStage depth_;                             ///< for fills, which need what lines don't
+    interop::SharedTable alpha_; ///< of no samples
+    DepthStage depth_;           ///< for fills, which need what lines don't
     FillStage fill_;
     StrokeStage strokes_;
     IntervalStage intervals_;

@@ -9,19 +9,16 @@
 namespace lineatlas {
 
 FillStage::FillStage(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_) {}
+    : stages_(*connection.stages), device_(stages_.device()),
+      pixels_(*connection.sharing, purpose::picture) {}
 
 void FillStage::prepare(const Frame& frame) {
     if (!shaded_) {
         const std::size_t triangles = std::max(frame.scene.triangle_count(), 1U);
         shaded_ = compute::allocate(device_, triangles * sizeof(la_uint), purpose::fill);
     }
-    const std::size_t bytes =
-        static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * sizeof(la_uint);
-    if (pixels_ && pixels_->size() >= bytes) return;
-    pixels_.reset(); // it may not fit beside another
-    pixels_ = interop::make_shared_buffer(device_, mode_, bytes, purpose::picture);
+    pixels_.fit(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                sizeof(la_uint));
 }
 
 void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low) {
@@ -34,10 +31,6 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
     const TexelRectangle drawn = depth.drawn_texels();
     part_.low = (glm::max(drawn.low - origin, 0) + (scale - 1)) / scale;
     part_.high = glm::min(glm::max(drawn.high - origin, 0) / scale, size_);
-    frame.clock.handover([&] {
-        depth.surfaces().to_compute();
-        handover_.to_compute({pixels_.get()});
-    });
     frame.clock("fill", [&] {
         stages_.fill({.model = frame.scene.meshlets(),
                       .vertices = frame.scene.candidate_table().vertices,
@@ -53,17 +46,15 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
                       .scale = scale,
                       .size = size_,
                       .part = part_,
-                      .pixels = pixels_->compute()});
+                      .pixels = pixels_.compute()});
         device_.flush();
     });
-    pixels_->wrote(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                   sizeof(la_uint));
 }
 
 void FillStage::lay(Frame& frame, glm::ivec2 at) {
     if (!layer_) layer_.emplace();
     frame.clock.gl("fill", [&] {
-        layer_->draw(pixels_->gl(), size_, part_, frame.framebuffer, frame.camera.origin + at);
+        layer_->draw(pixels_.gl(), size_, part_, frame.framebuffer, frame.camera.origin + at);
     });
 }
 

@@ -7,7 +7,7 @@
 #include "depth_stage.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "glpasses/layer_pass.hpp"
 
 namespace lineatlas {
@@ -27,15 +27,13 @@ class FillStage {
     }
 
     /// Colours the pixels of a tile by what `depth` has drawn; `low`: the first texel of its
-    /// buffer in the whole picture. Takes the numbers of surfaces to compute, and leaves the pixels
-    /// there. Throws as Backdrop::check_fill() does.
+    /// buffer in the whole picture. Throws as Backdrop::check_fill() does.
     void color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low);
     /// The same with the whole picture.
     void color(Frame& frame, DepthStage& depth) {
         color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
     }
-    void to_gl() { handover_.to_gl({pixels_.get()}); }
-    /// Lays them over the picture, once GL has them; `at`: where the tile lies in the part of the
+    /// Lays them over the picture; `at`: where the tile lies in the part of the
     /// picture that goes to the framebuffer.
     void lay(Frame& frame, glm::ivec2 at = {0, 0});
 
@@ -43,14 +41,12 @@ class FillStage {
     void prepare(const Frame& frame);
 
     compute::Stages& stages_;
-    compute::Device& device_; ///< of stages_
-    interop::SharingMode mode_;
-    interop::Handover handover_;
-    std::unique_ptr<compute::Buffer> shaded_;       ///< per triangle
-    std::unique_ptr<interop::SharedBuffer> pixels_; ///< of a tile
-    glm::ivec2 size_{0, 0};                         ///< of the tile that was coloured last
-    TexelRectangle part_;                           ///< of it, where the model may be
-    std::optional<gl::LayerPass> layer_;            ///< made when first used
+    compute::Device& device_;                 ///< of stages_
+    std::unique_ptr<compute::Buffer> shaded_; ///< per triangle
+    interop::SharedTable pixels_;             ///< of a tile
+    glm::ivec2 size_{0, 0};                   ///< of the tile that was coloured last
+    TexelRectangle part_;                     ///< of it, where the model may be
+    std::optional<gl::LayerPass> layer_;      ///< made when first used
 };
 
 } // namespace lineatlas

@@ -5,8 +5,7 @@
 
 namespace lineatlas {
 
-void IntervalStage::find(Frame& frame, const compute::SegmentAtlas& input,
-                         const DepthStage& depth) {
+void IntervalStage::find(Frame& frame, const compute::SegmentAtlas& input, DepthStage& depth) {
     if (!table_.kept()) return;
     const IntervalTable::Room room = table_.room();
     frame.clock("intervals", [&] {

@@ -33,7 +33,7 @@ class IntervalStage {
     }
     /// Finds the frame's intervals, if it keeps any, and waits for their number. `input`: before a
     /// style changes it.
-    void find(Frame& frame, const compute::SegmentAtlas& input, const DepthStage& depth);
+    void find(Frame& frame, const compute::SegmentAtlas& input, DepthStage& depth);
     /// The same of the exact method.
     void find(Frame& frame, const compute::ClippedTable& clipped, const compute::SpanTable& spans);
     /// What of the current chunk's intervals, whose segments stand in that order, is outline.

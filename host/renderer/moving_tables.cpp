@@ -39,9 +39,8 @@ std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) 
 
 } // namespace
 
-MovingTables::MovingTables(compute::Stages& stages, interop::SharingMode mode, const Shape& shape)
-    : stages_(stages), device_(stages.device()), handover_(device_),
-      vertex_count_(shape.vertex_count),
+MovingTables::MovingTables(compute::Stages& stages, interop::Sharing& sharing, const Shape& shape)
+    : stages_(stages), device_(stages.device()), vertex_count_(shape.vertex_count),
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
       corner_count_(shape.corner_count),
       objects_(upload<std::uint32_t>(device_, object_of_vertices(shape))),
@@ -51,8 +50,8 @@ MovingTables::MovingTables(compute::Stages& stages, interop::SharingMode mode, c
       jumped_(compute::allocate(device_, shape.object_room, purpose::motion)),
       vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
       clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)),
-      drawn_(interop::make_shared_buffer(device_, mode, vertex_count_ * sizeof(glm::vec3),
-                                         purpose::motion)) {
+      drawn_(sharing, purpose::motion) {
+    drawn_.fit(vertex_count_ * sizeof(glm::vec3));
     if (corner_count_ == 0) return;
     turns_ = compute::allocate(device_, shape.object_room * turn_floats * sizeof(float),
                                purpose::motion);
@@ -80,13 +79,12 @@ void MovingTables::place(std::span<const glm::mat4> world_from_object) {
 }
 
 void MovingTables::transform(const Rest& rest) {
-    handover_.to_compute({drawn_.get()});
     stages_.transform({.rest = rest.vertices,
                        .objects = *objects_,
                        .matrices = *matrices_,
                        .vertex_count = vertex_count_,
                        .vertices = *vertices_,
-                       .drawn = drawn_->compute(),
+                       .drawn = drawn_.compute(),
                        .rest_clusters = rest.clusters,
                        .cluster_objects = *cluster_objects_,
                        .cluster_count = cluster_count_,
@@ -98,8 +96,6 @@ void MovingTables::transform(const Rest& rest) {
                               .count = corner_count_,
                               .corners = *corners_});
     }
-    drawn_->wrote(vertex_count_ * sizeof(glm::vec3));
-    handover_.to_gl({drawn_.get()});
 }
 
 void MovingTables::forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
@@ -113,7 +109,7 @@ void MovingTables::forget(const compute::SegmentTable& table, std::span<const st
 }
 
 std::uint64_t MovingTables::bytes() const {
-    std::uint64_t sum = drawn_->size();
+    std::uint64_t sum = drawn_.room();
     for (const auto* buffer :
          {&objects_, &cluster_objects_, &matrices_, &jumped_, &vertices_, &clusters_}) {
         sum += (*buffer)->size();

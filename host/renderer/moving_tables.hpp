@@ -8,8 +8,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "compute/stages/stages.hpp"
-#include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas {
@@ -26,7 +25,7 @@ class MovingTables {
         std::uint32_t corner_count = 0;                 ///< of contours
     };
     /// Throws DeviceError when memory runs out.
-    MovingTables(compute::Stages& stages, interop::SharingMode mode, const Shape& shape);
+    MovingTables(compute::Stages& stages, interop::Sharing& sharing, const Shape& shape);
 
     /// Vertices and clusters from these on are of that object.
     void set_object(std::uint32_t object, std::uint32_t first_vertex, std::uint32_t vertices,
@@ -47,7 +46,7 @@ class MovingTables {
                 compute::Buffer& ranges);
 
     compute::Buffer& vertices() const { return *vertices_; }
-    GLuint gl_vertices() const { return drawn_->gl(); }
+    GLuint gl_vertices() { return drawn_.gl(); }
     compute::Buffer& clusters() const { return *clusters_; }
     compute::Buffer* corners() const { return corners_.get(); } ///< null if there are none
     std::uint64_t bytes() const;
@@ -55,12 +54,11 @@ class MovingTables {
   private:
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
-    interop::Handover handover_;
     std::uint32_t vertex_count_, cluster_count_, corner_count_;
     std::unique_ptr<compute::Buffer> objects_, cluster_objects_, matrices_, jumped_;
     std::unique_ptr<compute::Buffer> vertices_, clusters_;
     std::unique_ptr<compute::Buffer> turns_, corners_; ///< where there are contours
-    std::unique_ptr<interop::SharedBuffer> drawn_;
+    interop::SharedTable drawn_;
     std::vector<float> rows_; ///< of matrices, kept for its memory
 };
 

@@ -119,7 +119,7 @@ class Renderer::State {
         auto atlas = std::make_unique<AtlasMethod>(connection);
         std::optional<SceneBuffers::Tables> tables;
         if (scene_) {
-            tables = scene_->copy_tables(*connection.stages, connection.mode);
+            tables = scene_->copy_tables(*connection.stages, *connection.sharing);
             atlas->set_scene(*scene_, *tables);
         }
         // Nothing throws from here on. Buffers go before the device that made them.
@@ -128,7 +128,7 @@ class Renderer::State {
         spine_.reset();
         exact_.reset();
         picking_.reset();
-        if (scene_) scene_->use(*connection.stages, connection.mode, std::move(*tables));
+        if (scene_) scene_->use(*connection.stages, *connection.sharing, std::move(*tables));
         std::swap(connection_, connection); // an assignment would end the device before the stages
         samples_drawn_ = broken_ = tried_ = false;
     }
@@ -155,7 +155,7 @@ class Renderer::State {
 
     std::string description() const {
         return connection_.stages->device().description() + ", sharing by " +
-               std::string{interop::name_of(connection_.mode)};
+               std::string{interop::name_of(connection_.sharing->mode())};
     }
 
     const std::string& note() const { return connection_.note; }
@@ -185,7 +185,7 @@ class Renderer::State {
         has_frame_ = false;
         atlas_->release_scene();
         if (exact_) exact_->release_scene();
-        scene_.emplace(*connection_.stages, connection_.mode, lines, parts);
+        scene_.emplace(*connection_.stages, *connection_.sharing, lines, parts);
         try {
             atlas_->set_scene(*scene_, scene_->tables());
             if (spine_) spine_->set_scene(*scene_);
@@ -208,7 +208,7 @@ class Renderer::State {
     auto where_kernels_build(Action&& action) -> decltype(action()) {
         for (;;) {
             try {
-                if (!tried_) try_frames(connection_.stages->device(), connection_.mode);
+                if (!tried_) try_frames(connection_.stages->device(), connection_.sharing->mode());
                 tried_ = true;
                 return action();
             } catch (const compute::BuildError& error) {
@@ -224,6 +224,7 @@ class Renderer::State {
         if (options.draw) check_framebuffer(framebuffer, options);
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, framebuffer);
+        move(frame);
         samples_drawn_ = false;
         FrameStats stats = unbroken([&] { return draw_method(frame); });
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
@@ -266,6 +267,7 @@ class Renderer::State {
         const GLuint framebuffer = framebuffer_name(target.framebuffer);
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
         Frame frame = begin(camera, options, framebuffer);
+        move(frame);
         samples_drawn_ = false;
         const bool by_cuts = options.method == Method::exact;
         FrameStats stats = unbroken([&] {
@@ -425,18 +427,20 @@ class Renderer::State {
         options_ = options;
         scale_lengths(options_.style, camera.size);
         camera_ = standard_camera(camera, options);
-        Frame frame{.camera = camera_.camera,
-                    .depth_mapping = camera_.depth,
-                    .options = options_,
-                    .scene = *scene_,
-                    .framebuffer = framebuffer,
-                    .pens = pens_,
-                    .backdrop = backdrop_,
-                    .clock = {connection_.stages->device(), options.measure_stages,
-                              options.profile ? &*recorder_ : nullptr}};
+        return {.camera = camera_.camera,
+                .depth_mapping = camera_.depth,
+                .options = options_,
+                .scene = *scene_,
+                .framebuffer = framebuffer,
+                .pens = pens_,
+                .backdrop = backdrop_,
+                .clock = {*connection_.sharing, options.measure_stages,
+                          options.profile ? &*recorder_ : nullptr}};
+    }
+
+    void move(Frame& frame) {
         frame.stroke_params(options_.style.pen); // refuses a pen that has no texture here
         if (scene_->has_moved()) frame.clock("transform", [&] { scene_->move(); });
-        return frame;
     }
 
     /// Made when first used, for the current scene.

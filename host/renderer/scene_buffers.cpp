@@ -40,9 +40,9 @@ gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose,
 
 } // namespace
 
-SceneBuffers::SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines,
+SceneBuffers::SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, const LineSet& lines,
                            const AssemblyState* parts)
-    : stages_(&stages), mode_(mode), tables_{upload_lines(stages.device(), lines), nullptr},
+    : stages_(&stages), sharing_(&sharing), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), classes_(line_classes(lines)),
       diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)), contact_(contact_of(lines)),
       triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
@@ -194,7 +194,7 @@ void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
 }
 
 std::unique_ptr<MovingTables> SceneBuffers::make_moving_once() const {
-    return tables_.moving ? nullptr : make_moving(*stages_, mode_);
+    return tables_.moving ? nullptr : make_moving(*stages_, *sharing_);
 }
 
 void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
@@ -206,9 +206,9 @@ void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
 }
 
 std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
-                                                        interop::SharingMode mode) const {
+                                                        interop::Sharing& sharing) const {
     return std::make_unique<MovingTables>(
-        stages, mode,
+        stages, sharing,
         MovingTables::Shape{.vertex_count = motion_.vertex_count(),
                             .objects = motion_.objects(),
                             .object_room =
@@ -304,7 +304,7 @@ std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count
     return values;
 }
 
-SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::SharingMode mode) {
+SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::Sharing& sharing) {
     const auto copy = [&](compute::Buffer& buffer) {
         return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
                       purpose::model);
@@ -322,7 +322,7 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
              .chunks = std::move(chunks)},
             copy(*tables_.clusters),
             tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
-            tables_.moving ? make_moving(stages, mode) : nullptr};
+            tables_.moving ? make_moving(stages, sharing) : nullptr};
 }
 
 /// A line set that has nothing but these, and as many vertices and triangles as there are.

@@ -35,7 +35,7 @@ class SceneBuffers {
   public:
     /// Throws DeviceError when memory runs out, or where there is more than GL can count.
     /// `parts`: whose lines these are, if they come and go.
-    SceneBuffers(compute::Stages& stages, interop::SharingMode mode, const LineSet& lines,
+    SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, const LineSet& lines,
                  const AssemblyState* parts = nullptr);
 
     /// Takes over what has changed in the assembly, once move() is called. False where that needs
@@ -70,11 +70,11 @@ class SceneBuffers {
     };
     const Tables& tables() const { return tables_; }
     /// The same on another device, from the memory of this one.
-    Tables copy_tables(compute::Stages& stages, interop::SharingMode mode);
+    Tables copy_tables(compute::Stages& stages, interop::Sharing& sharing);
     /// From now on these.
-    void use(compute::Stages& stages, interop::SharingMode mode, Tables tables) noexcept {
+    void use(compute::Stages& stages, interop::Sharing& sharing, Tables tables) noexcept {
         stages_ = &stages;
-        mode_ = mode;
+        sharing_ = &sharing;
         tables_ = std::move(tables);
         select(0);
         moved_ = tables_.moving != nullptr;
@@ -170,7 +170,7 @@ class SceneBuffers {
     std::unique_ptr<MovingTables> make_moving_once() const;
     void start_moving(std::unique_ptr<MovingTables> made);
     std::unique_ptr<MovingTables> make_moving(compute::Stages& stages,
-                                              interop::SharingMode mode) const;
+                                              interop::Sharing& sharing) const;
     GLuint gl_vertices();
 
     compute::Device& device() const { return stages_->device(); }
@@ -179,7 +179,7 @@ class SceneBuffers {
     const LineTables::Chunk& contour_chunk() const { return tables_.chunks.back(); }
 
     compute::Stages* stages_;
-    interop::SharingMode mode_;
+    interop::Sharing* sharing_;
     Tables tables_;
     std::size_t chunk_ = 0; ///< the current one
     std::optional<compute::SegmentTable> ordered_;

@@ -65,7 +65,8 @@ void SceneBuffers::follow(const AssemblyState& parts) {
     LineTables::Chunk& chunk = tables_.chunks.front();
     chunk.end_offsets = upload(device(), std::as_bytes(std::span{offsets}), purpose::segments);
     chunk.ends = upload(device(), std::as_bytes(std::span{ends}), purpose::segments);
-    start_moving(make_moving(*stages_, mode_)); // in GL, too, a part is where the device puts it
+    start_moving(
+        make_moving(*stages_, *sharing_)); // in GL, too, a part is where the device puts it
 }
 
 bool SceneBuffers::update_parts(const AssemblyState& parts) {

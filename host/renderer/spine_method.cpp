@@ -14,20 +14,16 @@ FrameStats SpineMethod::draw(Frame& frame) {
     if (cull_hidden) {
         depth_.draw_for_compute(frame);
         depth_.fill_texture(frame);
-        frame.clock.handover([&] { depth_.take_back(); });
     } else {
         depth_.draw_texture(frame);
     }
     const bool fills_by_kernels = FillStage::draws(frame, depth_);
-    if (fills_by_kernels) fill_.color(frame, depth_);
-    frame.clock.handover([&] {
-        depth_.surfaces().to_gl();
-        fill_.to_gl();
-    });
-    if (fills_by_kernels)
+    if (fills_by_kernels) {
+        fill_.color(frame, depth_);
         fill_.lay(frame);
-    else
+    } else {
         frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
+    }
     frame.clock.gl("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,

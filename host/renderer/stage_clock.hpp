@@ -5,59 +5,83 @@
 #include <vector>
 
 #include "core/host_clock.hpp"
+#include "glpasses/interop/sharing.hpp"
 #include "profile_recorder.hpp"
 
 namespace lineatlas {
 
 /// Runs the stages of a frame, and says when it does: to a profile, or to itself with a wait after
-/// each, so that none hides behind another.
-class StageClock {
+/// each, so that none hides behind another. What tables take to cross between GL and compute is a
+/// stage of its own, which interrupts the one that asked for them.
+class StageClock final : private interop::Sharing::Timer {
   public:
-    /// `recorder`: of a profiled frame, else null.
-    StageClock(compute::Device& device, bool measure, ProfileRecorder* recorder = nullptr)
-        : device_(device), measure_(measure), recorder_(recorder) {
+    /// `recorder`: of a profiled frame, else null. One at a time for each `sharing`.
+    StageClock(interop::Sharing& sharing, bool measure, ProfileRecorder* recorder = nullptr)
+        : sharing_(sharing), measure_(measure), recorder_(recorder) {
+        sharing_.gl_works(); // for the program, since the last frame
+        sharing_.time_by(this);
         if (measure_) wait(); // else the first stage gets what was there before
     }
+    ~StageClock() { sharing_.time_by(nullptr); }
+    StageClock(const StageClock&) = delete;
+    StageClock& operator=(const StageClock&) = delete;
 
     /// Runs `action` as (a part of) the stage `name` of the host or the compute device.
     template <class Action>
     void operator()(const char* name, Action&& action) {
-        run(ProfileTrack::host, name, std::forward<Action>(action));
+        run({ProfileTrack::host, name}, std::forward<Action>(action));
     }
     /// A stage of GL's.
     template <class Action>
     void gl(const char* name, Action&& action) {
-        run(ProfileTrack::gl, name, std::forward<Action>(action));
-    }
-    template <class Action>
-    void handover(Action&& action) {
-        run(ProfileTrack::handover, "handover", std::forward<Action>(action));
+        sharing_.gl_works();
+        run({ProfileTrack::gl, name}, std::forward<Action>(action));
     }
 
     std::vector<StageTime> take() { return std::move(stages_); }
 
   private:
-    template <class Action>
-    void run(ProfileTrack track, const char* name, Action&& action) {
-        if (recorder_ != nullptr) recorder_->begin_stage(track, name);
-        if (measure_)
-            measure(name, action);
-        else
-            action();
-        if (recorder_ != nullptr) recorder_->end_stage();
-    }
+    struct Part {
+        ProfileTrack track = ProfileTrack::host;
+        const char* name = nullptr; ///< null: none
+    };
 
     template <class Action>
-    void measure(const char* name, Action& action) {
-        const std::int64_t start = host_nanoseconds();
+    void run(const Part& part, Action&& action) {
+        begin(part);
         action();
-        wait();
-        add(name, static_cast<double>(host_nanoseconds() - start) * 1e-6);
+        end();
+    }
+
+    void begin(const Part& part) {
+        current_ = part;
+        if (recorder_ != nullptr) recorder_->begin_stage(part.track, part.name);
+        if (measure_) start_ = host_nanoseconds();
+    }
+
+    void end() {
+        if (measure_) {
+            wait();
+            add(current_.name, static_cast<double>(host_nanoseconds() - start_) * 1e-6);
+        }
+        if (recorder_ != nullptr) recorder_->end_stage();
+        current_ = {};
+    }
+
+    void begin_handover() override {
+        interrupted_ = current_;
+        if (interrupted_.name != nullptr) end();
+        begin({ProfileTrack::handover, "handover"});
+    }
+
+    void end_handover() override {
+        end();
+        if (interrupted_.name != nullptr) begin(interrupted_);
     }
 
     void wait() {
         glFinish();
-        device_.finish();
+        sharing_.device().finish();
     }
 
     void add(const char* name, double milliseconds) {
@@ -68,9 +92,11 @@ class StageClock {
             known->milliseconds += milliseconds;
     }
 
-    compute::Device& device_;
+    interop::Sharing& sharing_;
     bool measure_;
     ProfileRecorder* recorder_;
+    Part current_, interrupted_;
+    std::int64_t start_ = 0; ///< of the current part
     std::vector<StageTime> stages_;
 };
 

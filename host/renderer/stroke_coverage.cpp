@@ -44,8 +44,9 @@ std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
 } // namespace
 
 StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), kernels_are_faster_(kernels_are_faster(device_)) {}
+    : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
+      kernels_are_faster_(kernels_are_faster(device_)), coverage_(sharing_, purpose::strokes),
+      shown_(sharing_, purpose::strokes) {}
 
 bool StrokeCoverage::wants(const Frame& frame) const {
     if (!wants_stroke_kernels(frame.options, kernels_are_faster_)) return false;
@@ -66,8 +67,8 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
                         static_cast<std::uint64_t>(frame.camera.size.y);
     fewest_runs_ = frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
     if (!draws_ || !coverage_) return;
-    // While GL has nothing to do.
-    frame.clock.handover([&] { handover_.to_compute({coverage_.get(), shown_.get()}); });
+    for (interop::SharedTable* table : {&coverage_, &shown_})
+        table->compute(); // while GL has nothing to do
 }
 
 void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs,
@@ -107,13 +108,6 @@ std::uint32_t StrokeCoverage::hidden_layers() const {
     return has_hidden_ ? static_cast<std::uint32_t>(pens_->pens(true).size()) : 0;
 }
 
-void StrokeCoverage::make_shared(std::unique_ptr<interop::SharedBuffer>& buffer,
-                                 std::size_t bytes) {
-    if (buffer && buffer->size() >= bytes) return;
-    buffer.reset(); // it may not fit beside another
-    buffer = interop::make_shared_buffer(device_, mode_, bytes, purpose::strokes);
-}
-
 void StrokeCoverage::begin_drawing(Frame& frame) {
     const PictureTile& part = frame.tile;
     const auto pixels =
@@ -122,17 +116,14 @@ void StrokeCoverage::begin_drawing(Frame& frame) {
     const compute::TileRange tiles = compute::part_tiles(part);
     const auto tile_count = static_cast<std::size_t>(tiles.count.x * tiles.count.y);
     gl::check_buffer_texture(layers * pixels, purpose::strokes);
-    make_shared(coverage_, layers * pixels);
-    make_shared(shown_, layers * tile_count * sizeof(la_uint));
-    frame.clock.handover([&] { handover_.to_compute({coverage_.get(), shown_.get()}); });
+    coverage_.fit(layers * pixels);
+    shown_.fit(layers * tile_count * sizeof(la_uint));
     layers_ = {.coverage = 0,
                .shown = 0,
                .pitch = pixels,
                .part = part,
                .first_tile = tiles.first,
                .tile_count = tiles.count};
-    coverage_->wrote(layers * pixels);
-    shown_->wrote(layers * tile_count * sizeof(la_uint));
 }
 
 const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
@@ -179,8 +170,8 @@ void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs, std:
                                   .repeat_length = own.repeat_length,
                                   .weights = weights,
                                   .again = again,
-                                  .coverage = coverage_->compute(),
-                                  .shown = shown_->compute(),
+                                  .coverage = coverage_.compute(),
+                                  .shown = shown_.compute(),
                                   .layer = i + (hidden ? 0 : hidden_layers()),
                                   .pitch = static_cast<std::uint32_t>(layers_.pitch)});
         }
@@ -188,9 +179,9 @@ void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs, std:
 }
 
 void StrokeCoverage::show(Frame& frame) {
-    frame.clock.handover([&] { handover_.to_gl({coverage_.get(), shown_.get()}); });
-    layers_.coverage = coverage_->gl();
-    layers_.shown = shown_->gl();
+    sharing_.to_gl({&coverage_, &shown_});
+    layers_.coverage = coverage_.gl();
+    layers_.shown = shown_.gl();
     std::array<glm::vec4, gl::CoveragePass::most_layers> colors{};
     std::size_t count = 0;
     for (const bool hidden : {true, false}) { // all hidden ones lie below all others
@@ -204,11 +195,9 @@ void StrokeCoverage::show(Frame& frame) {
 }
 
 std::uint64_t StrokeCoverage::bytes() const {
-    const auto size_of = [](const auto& buffer) -> std::uint64_t {
-        return buffer ? buffer->size() : 0;
-    };
-    std::uint64_t sum = size_of(coverage_) + size_of(shown_);
-    for (const Lists& own : lists_) sum += size_of(own.ends) + size_of(own.entries);
+    std::uint64_t sum = coverage_.room() + shown_.room();
+    for (const Lists& own : lists_)
+        for (const auto* buffer : {&own.ends, &own.entries}) sum += *buffer ? (*buffer)->size() : 0;
     return sum;
 }
 

@@ -11,7 +11,7 @@
 #include "frame.hpp"
 #include "glpasses/coverage_pass.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "run_pens.hpp"
 
 namespace lineatlas {
@@ -67,17 +67,15 @@ class StrokeCoverage {
     }
     /// Layers before those of visible lines are hidden ones'.
     std::uint32_t hidden_layers() const;
-    void make_shared(std::unique_ptr<interop::SharedBuffer>& buffer, std::size_t bytes);
     const Mark& mark(const Pen& pen);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
-    interop::SharingMode mode_;
-    interop::Handover handover_;
+    interop::Sharing& sharing_;
     const bool kernels_are_faster_;
     std::array<Lists, 2> lists_; ///< of visible lines, and of hidden ones
     std::map<std::pair<std::string, float>, Mark, std::less<>> marks_; ///< by name and width
-    std::unique_ptr<interop::SharedBuffer> coverage_, shown_;
+    interop::SharedTable coverage_, shown_;
     gl::CoveragePass pass_;
     // Of the current frame.
     const RunPens* pens_ = nullptr;

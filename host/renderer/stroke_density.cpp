@@ -28,13 +28,9 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 
 void StrokeStage::make_room(Thinning& thinning) {
     const std::size_t values = density_values();
-    const std::size_t bytes = values * sizeof(float);
     make_room(thinning.grid, values * sizeof(std::uint32_t), purpose::density);
-    if (thinning.weights && thinning.weights->size() >= bytes) return;
     gl::check_buffer_texture(values, purpose::density);
-    thinning.weights.reset(); // it may not fit beside another
-    thinning.weights = interop::make_shared_buffer(device_, mode_, bytes, purpose::density);
-    handover_.to_compute({thinning.weights.get()});
+    thinning.weights.fit(values * sizeof(float));
 }
 
 void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool hidden) {
@@ -46,8 +42,8 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
         Thinning& own = thinning(hidden);
         stages_.density({.table = frame.scene.table(),
                          .atlas = input,
-                         .runs = table.runs->compute(),
-                         .record = table.record->compute(),
+                         .runs = table.runs.compute(),
+                         .record = table.record.compute(),
                          .run_capacity = table.capacity,
                          .viewport = frame.viewport(),
                          .density = limit,
@@ -56,17 +52,14 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
                          .hidden = hidden,
                          .drawn_before = own.drawn_before,
                          .grid = *own.grid,
-                         .weights = own.weights->compute()});
+                         .weights = own.weights.compute()});
     });
 }
 
 std::vector<float> StrokeStage::read_density() {
     if (!thinning(false).on) return {};
-    interop::SharedBuffer& own = *thinning(false).weights;
     std::vector<float> weights(density_values());
-    handover_.to_compute({&own});
-    device_.download(own.compute(), std::as_writable_bytes(std::span{weights}));
-    handover_.to_gl({&own});
+    device_.download(thinning(false).weights.compute(), std::as_writable_bytes(std::span{weights}));
     return weights;
 }
 

@@ -19,19 +19,23 @@ std::span<std::byte> bytes_of(FrameRecord& record) {
 } // namespace
 
 StrokeStage::StrokeStage(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), mode_(connection.mode),
-      handover_(device_), pens_(device_),
+    : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
+      visible_(sharing_), hidden_(sharing_), penned_(sharing_), penned_hidden_(sharing_),
+      pens_(device_),
       raw_record_(compute::allocate(device_, sizeof(FrameRecord), purpose::strokes)),
-      coverage_(connection) {
+      thinning_{Thinning{sharing_}, Thinning{sharing_}}, coverage_(connection) {
     make_table(visible_);
 }
 
 void StrokeStage::make_table(RunTable& table) {
     table.capacity = compute::first_capacity<Run>(device_, first_run_capacity);
-    table.runs = interop::make_shared_buffer(
-        device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
-    table.record =
-        interop::make_shared_buffer(device_, mode_, sizeof(FrameRecord), purpose::strokes);
+    table.runs.fit(std::size_t{table.capacity} * sizeof(Run));
+    table.record.fit(sizeof(FrameRecord));
+}
+
+void StrokeStage::read_totals(RunTable& table) {
+    device_.download(table.record.compute(), bytes_of(table.totals));
+    table.runs.set_size(std::size_t{table.totals.points[0]} * sizeof(Run));
 }
 
 void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
@@ -45,10 +49,7 @@ void StrokeStage::prepare(const Frame& frame) {
     const Style& style = frame.options.style;
     has_hidden_ = draws_hidden(frame);
     filters_ = needs_filter(frame.options, pens_.pens(false));
-    if (has_hidden_ && !hidden_.runs) {
-        make_table(hidden_);
-        handover_.to_compute({hidden_.runs.get(), hidden_.record.get()});
-    }
+    if (has_hidden_ && !hidden_.runs) make_table(hidden_);
     if (filters_) {
         raw_capacity_ =
             std::max(raw_capacity_, compute::first_capacity<Run>(device_, first_run_capacity));
@@ -58,10 +59,7 @@ void StrokeStage::prepare(const Frame& frame) {
         if (style.filter.halo > 0) make_room(cuts_, cut_bytes, purpose::halos);
     }
     for (const bool hidden : {false, true}) {
-        RunTable& table = penned(hidden);
-        if (!tells_pens(hidden) || table.runs) continue;
-        make_table(table);
-        handover_.to_compute({table.runs.get(), table.record.get()});
+        if (tells_pens(hidden) && !penned(hidden).runs) make_table(penned(hidden));
     }
     cells_ = compute::density_cells(frame.viewport());
     thinning(false).on = frame.options.draw && style.density.limit > 0;
@@ -104,14 +102,14 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
         if (filters_)
             compact(frame, input, spans, false, *raw_runs_, raw_capacity_, *raw_record_);
         else
-            compact(frame, input, spans, false, visible_.runs->compute(), visible_.capacity,
-                    visible_.record->compute());
+            compact(frame, input, spans, false, visible_.runs.compute(), visible_.capacity,
+                    visible_.record.compute());
     });
     if (has_hidden_) {
         frame.clock(stage, [&] {
-            compact(frame, input, spans, true, hidden_.runs->compute(), hidden_.capacity,
-                    hidden_.record->compute());
-            device_.download(hidden_.record->compute(), bytes_of(hidden_.totals));
+            compact(frame, input, spans, true, hidden_.runs.compute(), hidden_.capacity,
+                    hidden_.record.compute());
+            read_totals(hidden_);
         });
         if (thinning(true).on) density(frame, input, true);
         carry(frame, hidden_);
@@ -124,8 +122,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     if (thinning(false).on) density(frame, input, false);
     carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
-    frame.clock(stage,
-                [&] { device_.download(visible_.record->compute(), bytes_of(visible_.totals)); });
+    frame.clock(stage, [&] { read_totals(visible_); });
     // Of chunks it is not known yet how many runs they have in all.
     if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
     if (has_hidden_) list(frame, true);
@@ -135,7 +132,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
 void StrokeStage::carry(Frame& frame, RunTable& table) {
     if (carried_ == nullptr) return;
     frame.clock("carry", [&] {
-        carried_->apply(table.runs->compute(), table.record->compute(), table.capacity);
+        carried_->apply(table.runs.compute(), table.record.compute(), table.capacity);
     });
 }
 
@@ -167,9 +164,9 @@ void StrokeStage::filter(Frame& frame, const compute::SegmentAtlas& input) {
                         .record = *raw_record_,
                         .cuts = lengths.halo > 0 ? cuts_.get() : nullptr,
                         .run_capacity = raw_capacity_,
-                        .filtered = visible_.runs->compute(),
+                        .filtered = visible_.runs.compute(),
                         .filtered_capacity = visible_.capacity,
-                        .filtered_record = visible_.record->compute()});
+                        .filtered_record = visible_.record.compute()});
     });
 }
 
@@ -179,13 +176,13 @@ void StrokeStage::tell_pens(Frame& frame, bool hidden, const compute::OutlineTab
         stages_.pens({.table = frame.scene.table(),
                       .segment_pens = pens_.of_segments(frame, hidden),
                       .outline = outline,
-                      .runs = runs.runs->compute(),
-                      .record = runs.record->compute(),
+                      .runs = runs.runs.compute(),
+                      .record = runs.record.compute(),
                       .run_capacity = runs.capacity,
-                      .drawn = told.runs->compute(),
+                      .drawn = told.runs.compute(),
                       .drawn_capacity = told.capacity,
-                      .drawn_record = told.record->compute()});
-        device_.download(told.record->compute(), bytes_of(told.totals));
+                      .drawn_record = told.record.compute()});
+        read_totals(told);
     });
 }
 
@@ -193,7 +190,7 @@ void StrokeStage::list(Frame& frame, bool hidden) {
     if (!coverage_.draws()) return;
     frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
         RunTable& table = drawn(hidden);
-        coverage_.list(frame, hidden, table.runs->compute(), table.record->compute(),
+        coverage_.list(frame, hidden, table.runs.compute(), table.record.compute(),
                        0.5F * pens_.widest(hidden));
     });
 }
@@ -206,11 +203,9 @@ std::uint32_t StrokeStage::grown_capacity(std::uint32_t needed) const {
 
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
-    table.runs.reset(); // it may not fit beside another
+    table.runs.release(); // there may be no room for more beside it
     table.capacity = grown_capacity(table.totals.run_total);
-    table.runs = interop::make_shared_buffer(
-        device_, mode_, std::size_t{table.capacity} * sizeof(Run), purpose::strokes);
-    handover_.to_compute({table.runs.get()});
+    table.runs.fit(std::size_t{table.capacity} * sizeof(Run));
     return true;
 }
 
@@ -227,43 +222,12 @@ bool StrokeStage::grow() {
     return coverage_.grow() || grown;
 }
 
-StrokeStage::Tables StrokeStage::tables(std::initializer_list<interop::Shared*> others) const {
-    Tables shared{};
-    auto* next = std::ranges::copy(others, shared.begin()).out;
-    for (const RunTable* table : {&visible_, &hidden_, &penned_, &penned_hidden_}) {
-        *next++ = table->runs.get();
-        *next++ = table->record.get();
-    }
-    for (const Thinning& thinning : thinning_) *next++ = thinning.weights.get();
-    return shared;
-}
-
 std::uint64_t StrokeStage::runs_to_draw() {
     std::uint64_t sum = 0;
     for (const Kept& kept : kept_) sum += kept.visible.size() + kept.hidden.size();
     if (chunks_kept_) return sum;
     return std::uint64_t{drawn(false).totals.run_total} +
            (has_hidden_ ? drawn(true).totals.run_total : 0);
-}
-
-void StrokeStage::pass_to_gl(interop::SharedBuffer& alpha) {
-    coverage_.settle(runs_to_draw());
-    if (coverage_.draws()) return; // kernels go on with them
-    note_written();
-    handover_.to_gl(tables({&alpha}));
-}
-
-void StrokeStage::note_written() {
-    const auto note = [](RunTable& table) {
-        table.record->wrote(sizeof(FrameRecord));
-        table.runs->wrote(std::size_t{table.totals.points[0]} * sizeof(Run));
-    };
-    note(visible_);
-    if (has_hidden_) note(hidden_);
-    for (const bool hidden : {false, true})
-        if (tells_pens(hidden)) note(penned(hidden));
-    for (const Thinning& thinning : thinning_)
-        if (thinning.on) thinning.weights->wrote(thinning.weights->size());
 }
 
 gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hidden) const {
@@ -320,7 +284,7 @@ void StrokeStage::begin_frame(Frame& frame) {
     kept_samples_ = kept_runs_ = 0;
 }
 
-void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::size_t alpha_bytes) {
+void StrokeStage::keep(const Frame& frame, interop::SharedTable& alpha, std::size_t alpha_bytes) {
     kept_samples_ += sample_total();
     kept_runs_ += visible_.totals.run_total;
     chunks_kept_ = true;
@@ -332,7 +296,7 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
     }
     const auto read_back = [&](RunTable& table) {
         std::vector<Run> runs(table.totals.points[0]);
-        device_.download(table.runs->compute(), std::as_writable_bytes(std::span{runs}));
+        device_.download(table.runs.compute(), std::as_writable_bytes(std::span{runs}));
         return runs;
     };
     Kept& kept = kept_.emplace_back();
@@ -343,36 +307,31 @@ void StrokeStage::keep(const Frame& frame, interop::SharedBuffer* alpha, std::si
         kept.hidden_record = drawn(true).totals;
     }
     kept.alpha.resize(alpha_bytes);
-    if (alpha_bytes > 0) device_.download(alpha->compute(), kept.alpha);
+    if (alpha_bytes > 0) device_.download(alpha.compute(), kept.alpha);
 }
 
-void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha) {
+void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha) {
     RunTable& table = drawn(hidden);
-    const std::span<const Run> runs{hidden ? kept.hidden : kept.visible};
-    handover_.to_compute({table.runs.get(), table.record.get(), &alpha});
     table.totals = hidden ? kept.hidden_record : kept.visible_record;
-    if (!runs.empty()) device_.upload(table.runs->compute(), std::as_bytes(runs));
-    device_.upload(table.record->compute(), bytes_of(table.totals));
-    if (!kept.alpha.empty()) device_.upload(alpha.compute(), kept.alpha);
-    table.runs->wrote(runs.size_bytes());
-    table.record->wrote(sizeof(FrameRecord));
-    alpha.wrote(kept.alpha.size());
+    table.runs.upload(std::as_bytes(std::span{hidden ? kept.hidden : kept.visible}));
+    table.record.upload(bytes_of(table.totals));
+    alpha.upload(kept.alpha);
 }
 
-void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha) {
+void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedTable& alpha) {
     coverage_.begin_drawing(frame);
     for (const bool hidden : {true, false}) {
         if (hidden && !has_hidden_) continue;
-        const Thinning& own = thinning(hidden);
+        Thinning& own = thinning(hidden);
         const auto draw = [&](bool again) {
-            const RunTable& table = drawn(hidden);
-            coverage_.draw(frame, hidden, table.runs->compute(), table.totals.points[0],
-                           alpha.compute(), own.on ? &own.weights->compute() : nullptr,
+            RunTable& table = drawn(hidden);
+            coverage_.draw(frame, hidden, table.runs.compute(), table.totals.points[0],
+                           alpha.compute(), own.on ? &own.weights.compute() : nullptr,
                            has_exact_ends(hidden), again);
         };
         if (!chunks_kept_) draw(false);
         for (const Kept& kept : kept_) {
-            frame.clock.handover([&] { put_back(kept, hidden, alpha); });
+            put_back(kept, hidden, alpha);
             list(frame, hidden);
             draw(&kept != kept_.data());
         }
@@ -380,36 +339,34 @@ void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha) {
     coverage_.show(frame);
 }
 
-void StrokeStage::draw(Frame& frame, interop::SharedBuffer& alpha) {
+void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha) {
+    coverage_.settle(runs_to_draw());
     if (coverage_.draws()) return draw_by_kernels(frame, alpha);
     for (const bool hidden : {true, false}) { // all hidden ones lie below all others
         if (hidden && !has_hidden_) continue;
         const auto pens = static_cast<std::uint32_t>(pens_.pens(hidden).size());
         for (std::uint32_t pen = 0; pen < pens; ++pen) { // each of all chunks before the next
-            if (!chunks_kept_) draw(frame, alpha.gl(), hidden, pen);
+            if (!chunks_kept_) draw(frame, alpha, hidden, pen);
             for (const Kept& kept : kept_) {
-                frame.clock.handover([&] {
-                    put_back(kept, hidden, alpha);
-                    RunTable& table = drawn(hidden);
-                    handover_.to_gl({table.runs.get(), table.record.get(), &alpha});
-                });
-                draw(frame, alpha.gl(), hidden, pen);
+                put_back(kept, hidden, alpha);
+                draw(frame, alpha, hidden, pen);
             }
         }
     }
 }
 
-void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen) {
+void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha, bool hidden, std::uint32_t pen) {
+    RunTable& table = drawn(hidden);
+    Thinning& own = thinning(hidden);
+    sharing_.to_gl({&table.runs, &table.record, &alpha, &own.weights});
     frame.clock.gl(hidden ? "strokes hidden" : "strokes", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-        const Thinning& own = thinning(hidden);
         const gl::DensityWeights density =
-            own.on ? gl::DensityWeights{own.weights->gl(), cells_,
+            own.on ? gl::DensityWeights{own.weights.gl(), cells_,
                                         static_cast<float>(compute::density_cell(frame.viewport()))}
                    : gl::DensityWeights{};
-        const RunTable& table = drawn(hidden);
         const gl::RunBuffers runs{
-            .runs = table.runs->gl(), .record = table.record->gl(), .alpha = alpha};
+            .runs = table.runs.gl(), .record = table.record.gl(), .alpha = alpha.gl()};
         const std::vector<Pen>& pens = pens_.pens(hidden);
         gl::StrokeStyle of_pen = stroke_style(frame, pens[pen], hidden);
         if (pens.size() > 1) of_pen.only_pen = pen;
@@ -418,21 +375,18 @@ void StrokeStage::draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pe
 }
 
 std::uint64_t StrokeStage::bytes() const {
-    const auto size_of = [](const auto& buffer) -> std::uint64_t {
-        return buffer ? buffer->size() : 0;
-    };
-    std::uint64_t sum = 0;
+    std::uint64_t sum = coverage_.bytes();
     for (const Thinning& thinning : thinning_)
-        sum += size_of(thinning.weights) + size_of(thinning.grid);
-    return sum + size_of(visible_.runs) + size_of(hidden_.runs) + size_of(penned_.runs) +
-           size_of(penned_hidden_.runs) + size_of(raw_runs_) + size_of(cuts_) + coverage_.bytes();
+        sum += thinning.weights.room() + (thinning.grid ? thinning.grid->size() : 0);
+    for (const RunTable* table : {&visible_, &hidden_, &penned_, &penned_hidden_})
+        sum += table->runs.room();
+    for (const auto* buffer : {&raw_runs_, &cuts_}) sum += *buffer ? (*buffer)->size() : 0;
+    return sum;
 }
 
 std::vector<Run> StrokeStage::read_runs() {
     std::vector<Run> runs(visible_.totals.points[0]);
-    handover_.to_compute({visible_.runs.get()});
-    device_.download(visible_.runs->compute(), std::as_writable_bytes(std::span{runs}));
-    handover_.to_gl({visible_.runs.get()});
+    device_.download(visible_.runs.compute(), std::as_writable_bytes(std::span{runs}));
     return runs;
 }
 

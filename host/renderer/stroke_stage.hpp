@@ -1,14 +1,13 @@
 #pragma once
 
 #include <array>
-#include <initializer_list>
 #include <memory>
 #include <vector>
 
 #include "compute/stages/carried_coordinates.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "glpasses/stroke_pass.hpp"
 #include "run_pens.hpp"
 #include "stroke_coverage.hpp"
@@ -26,10 +25,6 @@ class StrokeStage {
         return frame.options.draw && frame.options.style.hidden;
     }
 
-    /// What it shares with GL, after `others`, of which there are at most three; null where there
-    /// is none yet.
-    using Tables = std::array<interop::Shared*, 13>;
-    Tables tables(std::initializer_list<interop::Shared*> others) const;
     /// Other lines have come.
     void forget_lines() { pens_.forget(); }
     /// Before the first make_runs() of a frame.
@@ -54,13 +49,11 @@ class StrokeStage {
     bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
     bool grow();
-    /// Says what kernels wrote of them, and passes them to GL with `alpha`, where GL draws them.
-    void pass_to_gl(interop::SharedBuffer& alpha);
     /// Where segments come in chunks: what was made of the current one, and the first `alpha_bytes`
     /// of its samples, are kept on the host until they are drawn.
-    void keep(const Frame& frame, interop::SharedBuffer* alpha, std::size_t alpha_bytes);
-    /// Draws the runs, or those of all chunks that were kept, after pass_to_gl().
-    void draw(Frame& frame, interop::SharedBuffer& alpha);
+    void keep(const Frame& frame, interop::SharedTable& alpha, std::size_t alpha_bytes);
+    /// Draws the runs, or those of all chunks that were kept.
+    void draw(Frame& frame, interop::SharedTable& alpha);
 
     /// Of the last make_runs().
     std::uint32_t sample_total() const { return visible_.totals.sample_total; }
@@ -75,7 +68,10 @@ class StrokeStage {
   private:
     /// Runs on both sides, and how many there are.
     struct RunTable {
-        std::unique_ptr<interop::SharedBuffer> runs, record;
+        explicit RunTable(interop::Sharing& sharing)
+            : runs(sharing, purpose::strokes), record(sharing, purpose::strokes) {}
+
+        interop::SharedTable runs, record;
         std::uint32_t capacity = 0;
         FrameRecord totals{};
     };
@@ -89,10 +85,12 @@ class StrokeStage {
 
     /// What `density` leaves of lines.
     struct Thinning {
-        bool on = false;                                ///< in the current frame
-        std::unique_ptr<interop::SharedBuffer> weights; ///< 0 to 1, per bin and cell
-        std::unique_ptr<compute::Buffer> grid;          ///< drawn length, likewise
-        std::vector<std::uint32_t> drawn_before;        ///< `grid` of the chunks that are kept
+        explicit Thinning(interop::Sharing& sharing) : weights(sharing, purpose::density) {}
+
+        bool on = false;                         ///< in the current frame
+        interop::SharedTable weights;            ///< 0 to 1, per bin and cell
+        std::unique_ptr<compute::Buffer> grid;   ///< drawn length, likewise
+        std::vector<std::uint32_t> drawn_before; ///< `grid` of the chunks that are kept
     };
     Thinning& thinning(bool hidden) { return thinning_[hidden ? 1 : 0]; }
     /// In each table of `density`.
@@ -101,17 +99,18 @@ class StrokeStage {
     }
 
     std::uint32_t unkept(std::uint32_t total) const { return chunks_kept_ ? 0 : total; }
-    void draw(Frame& frame, GLuint alpha, bool hidden, std::uint32_t pen);
+    void draw(Frame& frame, interop::SharedTable& alpha, bool hidden, std::uint32_t pen);
     /// The compute form of draw().
-    void draw_by_kernels(Frame& frame, interop::SharedBuffer& alpha);
+    void draw_by_kernels(Frame& frame, interop::SharedTable& alpha);
     /// Where the runs lie in the picture, for that.
     void list(Frame& frame, bool hidden);
     /// Of all pens, hidden ones too, once they are made.
     std::uint64_t runs_to_draw();
-    void note_written();
     /// Puts runs and samples back where they were.
-    void put_back(const Kept& kept, bool hidden, interop::SharedBuffer& alpha);
+    void put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha);
     void prepare(const Frame& frame);
+    /// Whose totals are known.
+    void read_totals(RunTable& table);
     void make_table(RunTable& table);
     void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
                    const Purpose& purpose);
@@ -140,8 +139,7 @@ class StrokeStage {
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
-    interop::SharingMode mode_;
-    interop::Handover handover_;
+    interop::Sharing& sharing_;
     RunTable visible_, hidden_;
     RunTable penned_, penned_hidden_;
     RunPens pens_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include <glm/vec2.hpp>
@@ -8,7 +7,7 @@
 #include "core/surface_view.hpp"
 #include "frame.hpp"
 #include "glpasses/interop/connect.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 
 namespace lineatlas {
 
@@ -19,37 +18,26 @@ class SurfaceStage {
     explicit SurfaceStage(const interop::Connection& connection);
 
     /// For another line set.
-    void set_scene() { planes_.reset(); }
+    void set_scene() { planes_.release(); }
     /// Before the depth of a frame, or of a tile of it, is drawn; size: texels of the depth buffer.
     void begin(Frame& frame, glm::ivec2 size);
     bool known() const { return known_; }
     /// What `depth` writes to by kernels, and GL's passes by a copy; null if nobody asks.
-    interop::SharedBuffer* numbers() const { return numbered_ ? numbers_.get() : nullptr; }
+    interop::SharedTable* numbers() { return numbered_ ? &numbers_ : nullptr; }
     /// Computes the planes; seen: DepthArgs::seen, null for all clusters.
     void find_planes(Frame& frame, compute::Buffer* seen);
 
-    /// Hands all that kernels wrote to GL, or takes it back.
-    void to_gl();
-    void to_compute();
-    /// Where GL writes the numbers: takes them, and hands on what is new.
-    void numbers_to_gl();
-    void numbers_to_compute();
-
-    /// While compute has it.
-    std::optional<compute::SurfaceTables> tables(Frame& frame) const;
-    /// While GL has it; numbers: a texture of them.
+    /// For kernels.
+    std::optional<compute::SurfaceTables> tables(Frame& frame);
+    /// For GL; numbers: a texture of them.
     gl::SurfaceTextures textures(Frame& frame, GLuint numbers);
 
   private:
     compute::Stages& stages_;
-    compute::Device& device_; ///< of stages_
-    interop::SharingMode mode_;
-    interop::Handover handover_;
     bool numbered_ = false; ///< the current frame's texels
     bool known_ = false;    ///< of the current frame, for probes
     SurfaceView view_{};
-    std::size_t texels_ = 0; ///< of the current depth buffer
-    std::unique_ptr<interop::SharedBuffer> numbers_, planes_;
+    interop::SharedTable numbers_, planes_;
     gl::TextureBuffer plane_texture_, patch_texture_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "glpasses/interop/shared_buffer.hpp"
+#include "glpasses/interop/sharing.hpp"
 #include "lineatlas/compute_device.hpp"
 
 namespace lineatlas {

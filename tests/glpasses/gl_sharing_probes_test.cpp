@@ -23,7 +23,7 @@ class GlSharingProbes : public GlSharing {
         EXPECT_FALSE(found.works) << behaviour;
         EXPECT_NE(found.reason.find(reason), std::string::npos) << found.reason;
         // By default the next best mode is taken, and the mode itself can't be forced.
-        EXPECT_EQ(interop::connect({}).mode, SharingMode::host_pointer) << behaviour;
+        EXPECT_EQ(interop::connect({}).sharing->mode(), SharingMode::host_pointer) << behaviour;
         EXPECT_THROW(interop::connect({.mode = SharingMode::gl_sharing}), DeviceError);
     }
 };
@@ -34,7 +34,7 @@ TEST_F(GlSharingProbes, SharesBuffersAndTextures) {
     EXPECT_TRUE(found.works) << found.reason;
     EXPECT_NE(found.reason.find("textures too"), std::string::npos) << found.reason;
     EXPECT_EQ(take_counts().violations, 0U);
-    EXPECT_EQ(interop::connect({}).mode, SharingMode::gl_sharing);
+    EXPECT_EQ(interop::connect({}).sharing->mode(), SharingMode::gl_sharing);
 }
 
 TEST_F(GlSharingProbes, SharesWithEvents) {

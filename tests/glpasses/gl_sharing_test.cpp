@@ -10,7 +10,7 @@
 #include "gl_sharing_support.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/interop/gl_context.hpp"
-#include "glpasses/interop/handover.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
 #include "support/gl_sharing_layer/layer.hpp"
@@ -33,15 +33,17 @@ struct Counted {
 
     explicit Counted(const compute::OpenClDevice& device)
         : opencl(compute::make_opencl_backend(device, interop::current_gl_properties())),
-          stages(*opencl), buffer(interop::make_shared_buffer(*opencl, SharingMode::gl_sharing,
-                                                              (n + 1) * sizeof(std::uint32_t))) {
+          stages(*opencl), sharing(*opencl, SharingMode::gl_sharing),
+          table(sharing, purpose::scratch) {
+        table.fit((n + 1) * sizeof(std::uint32_t));
         const std::uint32_t one = 1;
-        glClearNamedBufferData(buffer->gl(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
+        glClearNamedBufferData(table.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                               &one);
     }
-    void count() { stages.scan(buffer->compute(), n, compute::ScanKind::saturate); }
-    std::vector<std::uint32_t> seen() const {
+    void count() { stages.scan(table.compute(), n, compute::ScanKind::saturate); }
+    std::vector<std::uint32_t> seen() {
         std::vector<std::uint32_t> result(n + 1);
-        glGetNamedBufferSubData(buffer->gl(), 0, static_cast<GLsizeiptr>(buffer->size()),
+        glGetNamedBufferSubData(table.gl(), 0, static_cast<GLsizeiptr>(table.room()),
                                 result.data());
         return result;
     }
@@ -53,16 +55,15 @@ struct Counted {
 
     std::unique_ptr<compute::OpenClBackend> opencl;
     compute::Stages stages;
-    std::unique_ptr<interop::SharedBuffer> buffer;
+    interop::Sharing sharing;
+    interop::SharedTable table;
 };
 
 TEST_F(GlSharing, BothSidesAreWaitedForWithoutEvents) {
     Counted counted{device()};
-    interop::Handover handover{*counted.opencl};
     take_counts();
-    handover.to_compute({counted.buffer.get()});
     counted.count();
-    handover.to_gl({counted.buffer.get()});
+    counted.table.gl();
     const LayerCounts counts = take_counts();
     EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
     EXPECT_EQ(counts.gl_waits, 1U);
@@ -75,11 +76,9 @@ TEST_F(GlSharing, BothSidesAreWaitedForWithoutEvents) {
 TEST_F(GlSharing, NeitherSideIsWaitedForWithEvents) {
     behave("events");
     Counted counted{device()};
-    interop::Handover handover{*counted.opencl};
     take_counts();
-    handover.to_compute({counted.buffer.get()});
     counted.count();
-    handover.to_gl({counted.buffer.get()});
+    counted.table.gl();
     const LayerCounts counts = take_counts();
     EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
     EXPECT_EQ(counts.gl_waits, 0U);
@@ -88,26 +87,96 @@ TEST_F(GlSharing, NeitherSideIsWaitedForWithEvents) {
     EXPECT_EQ(counts.violations, 0U);
 }
 
+TEST_F(GlSharing, SeveralTablesWaitOnce) {
+    Counted counted{device()};
+    interop::SharedTable other{counted.sharing, purpose::scratch};
+    other.fit(64);
+    counted.sharing.to_gl({&counted.table, &other}); // there already
+    take_counts();
+    counted.table.compute();
+    other.compute();
+    counted.count();
+    counted.sharing.to_gl({&counted.table, &other});
+    other.gl();
+    LayerCounts counts = take_counts();
+    EXPECT_EQ(counts.gl_waits, 1U);
+    EXPECT_EQ(counts.cl_waits, 1U);
+    EXPECT_EQ(counts.acquired, 2U);
+    EXPECT_EQ(counts.released, 2U);
+    EXPECT_EQ(counts.violations, 0U);
+    EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
+    counted.table.compute();
+    counted.sharing.gl_works(); // a pass that has nothing to do with either
+    other.compute();
+    counts = take_counts();
+    EXPECT_EQ(counts.gl_waits, 2U);
+    EXPECT_EQ(counts.violations, 0U);
+}
+
+TEST_F(GlSharing, ATableThatHasGrownIsNew) {
+    Counted counted{device()};
+    interop::SharedTable& table = counted.table;
+    counted.count();
+    EXPECT_FALSE(table.fit(table.room()));
+    EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
+    EXPECT_TRUE(table.fit(table.room() + 1)) << "what stood in it is gone";
+    table.release();
+    EXPECT_FALSE(table);
+    EXPECT_EQ(table.room(), 0U);
+}
+
+TEST_F(GlSharing, CopiesBringWhatWasWrittenAndNoMore) {
+    const auto cpp = compute::make_device("cpp");
+    compute::Stages stages{*cpp};
+    interop::Sharing sharing{*cpp, SharingMode::copy};
+    interop::SharedTable table{sharing, purpose::scratch};
+    constexpr std::size_t count = 16;
+    table.fit(count * sizeof(std::uint32_t));
+    const auto clear_by_gl = [](GLuint buffer, std::uint32_t value) {
+        glClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
+    };
+    const auto seen_by_gl = [&] {
+        std::vector<std::uint32_t> result(count);
+        glGetNamedBufferSubData(table.gl(), 0, count * sizeof(std::uint32_t), result.data());
+        return result;
+    };
+    clear_by_gl(table.gl_to_write(), 1);
+    stages.scan(table.compute(), 3, compute::ScanKind::wrap); // of 4 values
+    std::vector<std::uint32_t> expected(count, 1);
+    std::iota(expected.begin(), expected.begin() + 4, 0U);
+    EXPECT_TRUE(equal(seen_by_gl(), expected));
+    // A kernel that only reads: nothing comes back.
+    const auto list = cpp->allocate(64);
+    stages.list(table.compute(), 3, *list);
+    clear_by_gl(table.gl(), 7); // behind its back
+    EXPECT_TRUE(equal(seen_by_gl(), std::vector<std::uint32_t>(count, 7)));
+    // Nor does what lies behind the part that means something.
+    table.set_size(2 * sizeof(std::uint32_t));
+    stages.scan(table.compute(), 3, compute::ScanKind::wrap);
+    EXPECT_EQ(seen_by_gl()[3], 7U);
+    EXPECT_EQ(seen_by_gl()[1], 0U);
+}
+
 // What the other tests rely on: the layer notices every mistake, and data shows some of them.
 
 TEST_F(GlSharing, TheLayerNoticesUseWithoutAcquire) {
     Counted counted{device()};
+    const auto memory = interop::make_shared_memory(
+        counted.sharing, (Counted::n + 1) * sizeof(std::uint32_t), purpose::scratch);
     take_counts();
     glFinish();
-    counted.count();
+    counted.stages.scan(memory->compute(), Counted::n, compute::ScanKind::saturate);
     counted.opencl->finish();
     EXPECT_GT(take_counts().violations, 0U);
-    EXPECT_FALSE(equal(counted.seen(), Counted::expected()));
 }
 
 TEST_F(GlSharing, TheLayerNoticesUseAfterRelease) {
     Counted counted{device()};
-    interop::Handover handover{*counted.opencl};
-    handover.to_compute({counted.buffer.get()});
-    handover.to_gl({counted.buffer.get()});
+    compute::Buffer& buffer = counted.table.compute();
+    counted.table.gl();
     take_counts();
     std::vector<std::uint32_t> seen(Counted::n + 1);
-    counted.opencl->download(counted.buffer->compute(), std::as_writable_bytes(std::span{seen}));
+    counted.opencl->download(buffer, std::as_writable_bytes(std::span{seen}));
     EXPECT_EQ(take_counts().violations, 1U);
 }
 

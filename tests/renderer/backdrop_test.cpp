@@ -68,7 +68,7 @@ class BackdropTest : public testing::Test {
                 .framebuffer = canvas_.framebuffer(),
                 .pens = pens_,
                 .backdrop = backdrop_,
-                .clock = {*connection_.device, false}};
+                .clock = {*connection_.sharing, false}};
     }
 
     /// Looks along -z at the middle of the cube's face +z, with x to the right.
@@ -108,7 +108,7 @@ TEST_F(BackdropTest, FlatIsTheColorOfEachFaceAndNothingElse) {
     const LineSet lines =
         extract_lines(colored_cube({left, right, std::nullopt, top, std::nullopt, facing}));
     ASSERT_EQ(lines.colors.size(), 4U);
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Fill flat{.mode = FillMode::flat, .color = {1, 1, 0}};
     const std::set<Color> seen = colors_in(fill(scene, front(lines, {4, 3, 5}), flat));
     EXPECT_EQ(seen,
@@ -123,7 +123,7 @@ TEST_F(BackdropTest, AModelWithoutColorsHasTheFills) {
     mesh.triangle_group.clear();
     const LineSet lines = extract_lines(mesh);
     EXPECT_TRUE(lines.triangle_color.empty());
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Fill flat{.mode = FillMode::flat, .color = {0, 1, 0}};
     EXPECT_EQ(middle(fill(scene, front(lines), flat)), (Color{0, 255, 0}));
 }
@@ -143,14 +143,14 @@ TEST_F(BackdropTest, MoreColorsThanAByteCounts) {
     for (std::uint32_t& group : mesh.triangle_group) group = (group + count - 6) % count;
     const LineSet lines = extract_lines(mesh);
     ASSERT_GT(lines.colors.size(), 256U);
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Fill flat{.mode = FillMode::flat};
     EXPECT_EQ(middle(fill(scene, front(lines), flat)), bytes_of(facing));
 }
 
 TEST_F(BackdropTest, LambertShadesByTheFacesNormal) {
     const LineSet lines = extract_lines(colored_cube({left, right, top, top, left, facing}));
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     for (const glm::vec3 light : {glm::vec3{0, 0, 1}, {1, 0, 1}, {0.3F, 2, 0.5F}, {0, 0.5F, -1}}) {
         const Fill lambert{.mode = FillMode::lambert, .light = light, .ambient = 0.3F};
         const float lit = std::max(0.0F, glm::normalize(light).z);
@@ -168,7 +168,7 @@ TEST_F(BackdropTest, ToonHasNoMoreShadesThanSteps) {
     const LineSet& sphere = scene_lines("clevis");
     LineSet lines = sphere;
     lines.triangle_color.clear();
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Camera camera = scene_cameras("clevis", canvas_.size()).front().camera;
     for (const int steps : {2, 3, 8}) {
         const std::set<Color> seen =
@@ -210,7 +210,7 @@ std::vector<std::uint8_t> expected_fill(const LineSet& lines, const Camera& came
 
 TEST_F(BackdropTest, ClustersDoNotShow) {
     const LineSet& lines = scene_lines("ship");
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     ASSERT_FALSE(scene.clusters().empty());
     DepthStage stage{connection_};
     stage.set_scene(scene);
@@ -228,7 +228,6 @@ TEST_F(BackdropTest, ClustersDoNotShow) {
         for (int step = 0; step < 3; ++step) { // all clusters, then those seen before
             Frame frame = frame_of(scene, view.camera);
             stage.draw_for_compute(frame);
-            stage.take_back();
             const std::span<const gl::TriangleRange> drawn = stage.drawn();
             const auto count = std::accumulate(
                 drawn.begin(), drawn.end(), 0U,
@@ -248,14 +247,14 @@ TEST_F(BackdropTest, ClustersDoNotShow) {
 
 TEST_F(BackdropTest, NoFillDrawsNothing) {
     const LineSet& lines = scene_lines("clevis");
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Camera camera = scene_cameras("clevis", canvas_.size()).front().camera;
     EXPECT_EQ(colors_in(fill(scene, camera, {})), (std::set<Color>{{255, 255, 255}}));
 }
 
 TEST_F(BackdropTest, AFillNeedsADepthAttachment) {
     const LineSet& lines = scene_lines("clevis");
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Camera camera = scene_cameras("clevis", canvas_.size()).front().camera;
     Frame frame = frame_of(scene, camera);
     const gl::Texture2D texture = gl::Texture2D::create();
@@ -270,7 +269,7 @@ TEST_F(BackdropTest, AFillNeedsADepthAttachment) {
 
 TEST_F(BackdropTest, PaperGrainDarkensALittleAndLeavesAlpha) {
     const LineSet& lines = scene_lines("clevis");
-    SceneBuffers scene{*connection_.stages, connection_.mode, lines};
+    SceneBuffers scene{*connection_.stages, *connection_.sharing, lines};
     const Camera camera = scene_cameras("clevis", canvas_.size()).front().camera;
     const auto on_paper = [&](float grain) {
         canvas_.clear({0.8F, 0.8F, 0.8F, 0.8F});

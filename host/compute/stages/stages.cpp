@@ -130,7 +130,11 @@ void Stages::project_clip(const ProjectClipArgs& args) {
 }
 
 void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
-    if (n == 0) return device_.clear(values, sizeof(la_uint));
+    if (n == 0) {
+        device_.clear(values, sizeof(la_uint));
+        ++values.writes_;
+        return;
+    }
     const std::uint32_t variant = kind == ScanKind::saturate ? 1 : 0;
     if (!tuning_.scan_tiles) {
         const std::uint32_t chunks =

@@ -91,6 +91,8 @@ class Stages {
                 const typename K::Tables& tables, const Kernel& kernel = kernel_of<K>()) {
         if (items == 0) return;
         const auto list = K::list(tables);
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (kernel.tables[i].access != Access::in) ++list[i]->writes_;
         device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
     }
 

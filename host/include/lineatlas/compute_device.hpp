@@ -27,9 +27,13 @@ class LINEATLAS_API Buffer {
     Buffer& operator=(const Buffer&) = delete;
 
     std::size_t size() const { return size_; } ///< in bytes
+    /// Launches by the library's stages, so far, of kernels that write to it.
+    std::uint64_t writes() const { return writes_; }
 
   private:
+    friend class Stages; // counts them
     std::size_t size_;
+    std::uint64_t writes_ = 0;
 };
 
 /// What a kernel does with one of its tables.

@@ -1,4 +1,4 @@
-#include "shared_buffer.hpp"
+#include "shared_memory.hpp"
 
 #include <algorithm>
 #include <string>
@@ -12,10 +12,10 @@ namespace lineatlas::interop {
 namespace {
 
 /// One GL buffer opened by OpenCL.
-class GlSharingBuffer final : public SharedBuffer {
+class GlSharingMemory final : public SharedMemory {
   public:
-    GlSharingBuffer(const compute::OpenClBackend& device, std::size_t bytes, const Purpose& purpose)
-        : SharedBuffer(bytes), gl_(gl::Buffer::create()) {
+    GlSharingMemory(const compute::OpenClBackend& device, std::size_t bytes, const Purpose& purpose)
+        : SharedMemory(bytes), gl_(gl::Buffer::create()) {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
         try {
             cl::BufferGL opened{device.context(), CL_MEM_READ_WRITE, gl_.id()};
@@ -48,10 +48,10 @@ void quietly(Action&& action) {
 }
 
 /// Host memory that GL keeps mapped and compute wraps.
-class HostPointerBuffer final : public SharedBuffer {
+class HostPointerMemory final : public SharedMemory {
   public:
-    HostPointerBuffer(compute::Device& device, std::size_t bytes, const Purpose& purpose)
-        : SharedBuffer(bytes), device_(device), gl_(gl::Buffer::create()) {
+    HostPointerMemory(compute::Device& device, std::size_t bytes, const Purpose& purpose)
+        : SharedMemory(bytes), device_(device), gl_(gl::Buffer::create()) {
         constexpr GLbitfield access =
             GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
         gl::allocate(gl_, bytes, nullptr, access | GL_DYNAMIC_STORAGE_BIT, purpose);
@@ -59,11 +59,11 @@ class HostPointerBuffer final : public SharedBuffer {
         compute_ = device.wrap({static_cast<std::byte*>(memory), bytes});
         device.begin_host_access(*compute_);
     }
-    ~HostPointerBuffer() override {
+    ~HostPointerMemory() override {
         // The wrapper must be gone before GL takes its memory away, and so must what works on it:
         // an error may have ended a frame with kernels on their way. PoCL 3.1 keeps for ever what
         // is released while it is mapped.
-        quietly([&] { device_.end_host_access(*compute_); });
+        if (is_with_gl()) quietly([&] { device_.end_host_access(*compute_); });
         quietly([&] { device_.finish(); });
         compute_.reset();
         if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
@@ -73,8 +73,8 @@ class HostPointerBuffer final : public SharedBuffer {
     compute::Buffer& compute() override { return *compute_; }
 
   private:
-    void enter_compute(std::size_t) override { device_.end_host_access(*compute_); }
-    void leave_compute(std::size_t) override { device_.begin_host_access(*compute_); }
+    void enter_compute() override { device_.end_host_access(*compute_); }
+    void leave_compute() override { device_.begin_host_access(*compute_); }
 
     compute::Device& device_;
     gl::Buffer gl_;
@@ -82,10 +82,10 @@ class HostPointerBuffer final : public SharedBuffer {
 };
 
 /// A buffer on each side and a staging area on the host between them.
-class CopyBuffer final : public SharedBuffer {
+class CopiedMemory final : public SharedMemory {
   public:
-    CopyBuffer(compute::Device& device, std::size_t bytes, const Purpose& purpose)
-        : SharedBuffer(bytes), device_(device), gl_(gl::Buffer::create()),
+    CopiedMemory(compute::Device& device, std::size_t bytes, const Purpose& purpose)
+        : SharedMemory(bytes), device_(device), gl_(gl::Buffer::create()),
           compute_(device.allocate(bytes)) {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
     }
@@ -98,13 +98,15 @@ class CopyBuffer final : public SharedBuffer {
         if (staging_.size() < bytes) staging_.resize(bytes);
         return std::span{staging_}.first(bytes);
     }
-    void enter_compute(std::size_t bytes) override {
+    void enter_compute() override {
+        const std::size_t bytes = written_by_gl();
         if (bytes == 0) return;
         const std::span<std::byte> area = staging(bytes);
         glGetNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
         device_.upload(*compute_, area);
     }
-    void enter_gl(std::size_t bytes) override {
+    void enter_gl() override {
+        const std::size_t bytes = written_by_compute();
         if (bytes == 0) return;
         const std::span<std::byte> area = staging(bytes);
         device_.download(*compute_, area);
@@ -119,37 +121,26 @@ class CopyBuffer final : public SharedBuffer {
 
 } // namespace
 
-std::string_view name_of(SharingMode mode) {
-    switch (mode) {
-    case SharingMode::gl_sharing:
-        return "gl-sharing";
-    case SharingMode::host_pointer:
-        return "host-pointer";
-    case SharingMode::copy:
-        return "copy";
-    }
-    return "unknown";
-}
-
-std::unique_ptr<SharedBuffer> make_shared_buffer(compute::Device& device, SharingMode mode,
-                                                 std::size_t bytes, const Purpose& purpose) {
+std::unique_ptr<SharedMemory> make_shared_memory(const Sharing& sharing, std::size_t bytes,
+                                                 const Purpose& purpose) {
+    compute::Device& device = sharing.device();
     bytes = std::max<std::size_t>(bytes, 64);
-    return for_purpose(purpose, [&]() -> std::unique_ptr<SharedBuffer> {
-        switch (mode) {
+    return for_purpose(purpose, [&]() -> std::unique_ptr<SharedMemory> {
+        switch (sharing.mode()) {
         case SharingMode::gl_sharing: {
             auto* opencl = dynamic_cast<compute::OpenClBackend*>(&device);
             if (opencl == nullptr) {
                 throw DeviceError(device.description() +
                                   " has no gl-sharing; use DeviceOptions::interop copy");
             }
-            return std::make_unique<GlSharingBuffer>(*opencl, bytes, purpose);
+            return std::make_unique<GlSharingMemory>(*opencl, bytes, purpose);
         }
         case SharingMode::host_pointer:
-            return std::make_unique<HostPointerBuffer>(device, bytes, purpose);
+            return std::make_unique<HostPointerMemory>(device, bytes, purpose);
         case SharingMode::copy:
             break;
         }
-        return std::make_unique<CopyBuffer>(device, bytes, purpose);
+        return std::make_unique<CopiedMemory>(device, bytes, purpose);
     });
 }
 

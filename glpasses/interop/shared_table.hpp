@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include <epoxy/gl.h>
+
+#include "shared_memory.hpp"
+#include "sharing.hpp"
+
+namespace lineatlas::interop {
+
+/// A table that kernels and GL passes use in turn. It goes to the side that asks for it, with what
+/// the other side has written since: each side asks whenever it is about to use it.
+class SharedTable {
+  public:
+    /// Without any room. `sharing` and `purpose` must outlive it.
+    SharedTable(Sharing& sharing, const Purpose& purpose)
+        : sharing_(&sharing), purpose_(&purpose) {}
+
+    /// Makes room for so many bytes, which is what stands in it from here on; true if the table is
+    /// new: what stood there is gone. Throws DeviceError when memory runs out or the mode does not
+    /// work with the device.
+    bool fit(std::size_t bytes) {
+        const bool is_new = !memory_ || memory_->size() < bytes;
+        if (is_new) {
+            memory_.reset(); // it may not fit beside another
+            memory_ = make_shared_memory(*sharing_, bytes, *purpose_);
+            sharing_->gl_works(); // has made its part of it
+        }
+        memory_->used = bytes;
+        return is_new;
+    }
+    void release() { memory_.reset(); }
+    explicit operator bool() const { return memory_ != nullptr; }
+    std::size_t room() const { return memory_ ? memory_->size() : 0; } ///< bytes
+
+    /// Only the first `bytes` bytes mean something.
+    void set_size(std::size_t bytes) { memory_->used = bytes; }
+
+    /// For kernels, whose launches tell what they write.
+    compute::Buffer& compute() {
+        sharing_->to_compute(*memory_);
+        return memory_->compute();
+    }
+    /// Writes its first bytes, which are what stands in it then, as a kernel would.
+    void upload(std::span<const std::byte> data) {
+        if (!data.empty()) sharing_->device().upload(compute(), data);
+        memory_->used = data.size();
+        memory_->host_wrote = true;
+    }
+    /// For a pass that reads it.
+    GLuint gl() {
+        sharing_->to_gl(*memory_);
+        sharing_->gl_works();
+        return memory_->gl();
+    }
+    /// For a pass that writes to it.
+    GLuint gl_to_write() {
+        const GLuint name = gl();
+        memory_->gl_wrote = true;
+        return name;
+    }
+
+  private:
+    friend class Sharing;
+
+    Sharing* sharing_;
+    const Purpose* purpose_;
+    std::unique_ptr<SharedMemory> memory_;
+};
+
+} // namespace lineatlas::interop
