@@ -76,7 +76,7 @@ struct Found {
                                .hidden_too = false,
                                .intervals = *intervals,
                                .interval_capacity = 2 * count,
-                               .total = *total});
+                               .interval_total = *total});
     }
 
     Terrain terrain;

@@ -32,7 +32,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                           .hidden_too = false,
                           .intervals = *intervals,
                           .interval_capacity = capacity,
-                          .total = *total});
+                          .interval_total = *total});
         stages.device().finish();
     };
     run();

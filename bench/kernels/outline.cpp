@@ -46,7 +46,7 @@ struct Outlines {
                                 .depth = {*depth, depth_size, depth_scale, 1e-4F},
                                 .viewport = Paths::viewport,
                                 .body = body,
-                                .offsets = *offsets,
+                                .part_offsets = *offsets,
                                 .parts = *parts,
                                 .part_capacity = capacity});
     }
@@ -125,7 +125,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
                               .depth = body,
                               .beside = {*offsets, *spans, most},
                               .within = {*nothing, *spans, most},
-                              .offsets = *part_offsets,
+                              .part_offsets = *part_offsets,
                               .parts = *parts,
                               .part_capacity = most});
         stages.device().finish();

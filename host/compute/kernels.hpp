@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -27,11 +29,29 @@ using la_mat4 = glm::mat4;
 
 #include "kernels.h"
 
-/// Every kernel of kernels/kernels.h as a type: its Parameters, and its Tables by their names.
+/// Every kernel of kernels/kernels.h as a type: its Parameters, and its Tables by their names,
+/// which tables_of() finds among the members of groups.
 namespace kernels {
+
+/// The table that a name stands for: that of the first of the groups which has one.
+template <class Named>
+Buffer& named_table(const Named&) = delete; // none has
+template <class Named, class Group, class... Groups>
+Buffer& named_table(const Named& named, const Group& group, const Groups&... groups) {
+    if constexpr (std::is_invocable_v<Named, const Group&>)
+        return named(group);
+    else
+        return named_table(named, groups...);
+}
 
 #define LA_MEMBER(type, name) Buffer& name;
 #define LA_ADDRESS(type, name) &tables.name,
+#define LA_NAMED(type, name)                                                                       \
+    named_table(                                                                                   \
+        [](const auto& group) -> Buffer& requires requires {                                       \
+            { group.name } -> std::convertible_to<Buffer&>;                                        \
+        } { return group.name; },                                                                  \
+        groups...),
 #define LA_KERNEL_TYPE(stage, kernel, Parameters_)                                                 \
     struct kernel {                                                                                \
         static constexpr std::string_view name = #kernel;                                          \
@@ -43,9 +63,14 @@ namespace kernels {
             return std::to_array<Buffer*>(                                                         \
                 {kernel##_tables(LA_ADDRESS, LA_ADDRESS, LA_ADDRESS, LA_ADDRESS)});                \
         }                                                                                          \
+        template <class... Groups>                                                                 \
+        static Tables tables_of(const Groups&... groups) {                                         \
+            return {kernel##_tables(LA_NAMED, LA_NAMED, LA_NAMED, LA_NAMED)};                      \
+        }                                                                                          \
     };
 LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
 #undef LA_KERNEL_TYPE
+#undef LA_NAMED
 #undef LA_ADDRESS
 #undef LA_MEMBER
 

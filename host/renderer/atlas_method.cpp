@@ -246,7 +246,7 @@ compute::OutlineTable AtlasMethod::outline(Frame& frame) {
                                  .depth = depth_.probed(frame),
                                  .viewport = frame.viewport(),
                                  .body = outline_depth(frame.options.style, frame.camera.size),
-                                 .offsets = *outline_offsets_,
+                                 .part_offsets = *outline_offsets_,
                                  .parts = *outline_parts_,
                                  .part_capacity = outline_capacity_});
         std::uint32_t found = 0;

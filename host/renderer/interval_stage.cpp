@@ -16,7 +16,7 @@ void IntervalStage::find(Frame& frame, const compute::SegmentAtlas& input, Depth
                            .hidden_too = wants_hidden(frame),
                            .intervals = room.intervals,
                            .interval_capacity = room.capacity,
-                           .total = room.total});
+                           .interval_total = room.total});
         table_.read_total();
     });
 }
@@ -33,7 +33,7 @@ void IntervalStage::find(Frame& frame, const compute::ClippedTable& clipped,
                                 .hidden_too = wants_hidden(frame),
                                 .intervals = room.intervals,
                                 .interval_capacity = room.capacity,
-                                .total = room.total});
+                                .interval_total = room.total});
         table_.read_total();
     });
 }

@@ -57,7 +57,7 @@ void ExactIntervals::find_chunk(const LineView& view, const compute::SegmentTabl
                             .hidden_too = hidden,
                             .intervals = room.intervals,
                             .interval_capacity = room.capacity,
-                            .total = room.total});
+                            .interval_total = room.total});
     intervals_.read_total();
 }
 

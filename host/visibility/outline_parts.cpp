@@ -42,7 +42,7 @@ void add_outline_parts(compute::Device& device, const compute::OutlineTable& tab
                        std::uint32_t first_segment, std::uint32_t segment_count,
                        std::vector<OutlinePart>& result) {
     std::vector<la_uint> offsets(std::size_t{segment_count} + 1);
-    device.download(table.offsets, std::as_writable_bytes(std::span{offsets}));
+    device.download(table.part_offsets, std::as_writable_bytes(std::span{offsets}));
     std::vector<Part> parts(offsets.back());
     if (parts.empty()) return;
     device.download(table.parts, std::as_writable_bytes(std::span{parts}));

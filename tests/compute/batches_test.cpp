@@ -180,7 +180,7 @@ class ExactBatches : public StageTest {
                 [&](std::size_t, const compute::SegmentTable& segments,
                     const compute::SpanTable& spans) {
                     const std::size_t n = segments.segment_count;
-                    found.offsets = get<std::uint32_t>(spans.offsets, n + 1);
+                    found.offsets = get<std::uint32_t>(spans.span_offsets, n + 1);
                     found.spans = get<float>(spans.spans, 2 * std::size_t{found.offsets[n]});
                     found.length = get<std::uint32_t>(exact.clipped().arcs, n + 1)[n];
                 });

@@ -71,7 +71,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
     const compute::SpanTable spans = exact.spans();
     result.clipped = to_host<ClippedSegment>(*device, *clipped, n);
     result.arcs = to_host<std::uint32_t>(*device, *arcs, n + std::size_t{1});
-    result.span_offsets = to_host<std::uint32_t>(*device, spans.offsets, n + std::size_t{1});
+    result.span_offsets = to_host<std::uint32_t>(*device, spans.span_offsets, n + std::size_t{1});
     result.spans =
         to_host<float>(*device, spans.spans, std::size_t{result.span_offsets.back()} * 2);
     // A visible part, the gaps around it.
@@ -85,7 +85,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                            .hidden_too = true,
                            .intervals = *intervals,
                            .interval_capacity = capacity,
-                           .total = *total});
+                           .interval_total = *total});
     result.intervals =
         to_host<Interval>(*device, *intervals, to_host<la_uint>(*device, *total, 1)[0]);
     const auto runs = device->allocate(capacity * sizeof(Run));

@@ -43,7 +43,7 @@ class IntervalsStage : public StageTest {
                             .hidden_too = scene.hidden_too,
                             .intervals = *table,
                             .interval_capacity = scene.capacity,
-                            .total = *total});
+                            .interval_total = *total});
         total_ = get<std::uint32_t>(*total, 1)[0];
         return get<Interval>(*table, total_ <= scene.capacity ? total_ : 0);
     }

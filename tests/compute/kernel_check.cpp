@@ -157,7 +157,7 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
             [](const char*, const auto& run) { run(); },
             [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
                 const compute::OutlineTable outline = exact.outline(2);
-                append(result, read_back<la_uint>(stages.device(), outline.offsets,
+                append(result, read_back<la_uint>(stages.device(), outline.part_offsets,
                                                   found.segment_count + 1));
             });
     };

@@ -232,7 +232,7 @@ void FrameStages::intervals(const Camera& camera, const std::vector<float>& dept
          .hidden_too = hidden_too,
          .intervals = *table,
          .interval_capacity = settings_.run_capacity,
-         .total = *total});
+         .interval_total = *total});
     const std::uint32_t count = read_back<std::uint32_t>(*device_, *total, 1)[0];
     state.intervals = read_back<Interval>(*device_, *table, count);
 }
@@ -327,7 +327,7 @@ std::vector<Run> FrameStages::pens(const Camera& camera, const std::vector<float
          .depth = depth_of(*depth_buffer, camera.size * settings_.depth_scale, camera),
          .viewport = glm::vec2{camera.size},
          .body = 2,
-         .offsets = *part_offsets,
+         .part_offsets = *part_offsets,
          .parts = *parts,
          .part_capacity = parts_at_most});
     const compute::OutlineTable outline{*part_offsets, *parts};

@@ -6,18 +6,11 @@
 namespace lineatlas::compute {
 
 void Stages::contour_normals(const ContourNormalsArgs& args) {
-    launch<kernels::contour_normals>(args.count, tuning_.local_size, {args.count},
-                                     {.vertices = args.vertices,
-                                      .triangles = args.triangles,
-                                      .offsets = args.offsets,
-                                      .places = args.places,
-                                      .corners = args.corners});
+    launch<kernels::contour_normals>(args.count, tuning_.local_size, {args.count}, args);
 }
 
 void Stages::contour_turn(const ContourTurnArgs& args) {
-    launch<kernels::contour_turn>(
-        args.count, tuning_.local_size, {args.count},
-        {.rest = args.rest, .objects = args.objects, .turns = args.turns, .corners = args.corners});
+    launch<kernels::contour_turn>(args.count, tuning_.local_size, {args.count}, args);
 }
 
 void Stages::contour(const ContourArgs& args) {
@@ -66,27 +59,41 @@ void Stages::silhouette(const SilhouetteArgs& args) {
     const std::uint32_t count = candidates.kept_edges();
     launch<kernels::silhouette>(
         count, tuning_.local_size,
-        {.count = count, .first = candidates.first, .replaced = count, .contours = 0},
-        {.segments = args.table.segments, .front = args.front, .numbers = args.numbers});
+        {.count = count, .first = candidates.first, .replaced = count, .contours = 0}, args.table,
+        args);
     scan(args.numbers, candidates.drawable(), ScanKind::saturate);
 }
 
 void Stages::silhouette_list(const SilhouetteListArgs& args) {
     const SilhouetteCandidates& candidates = args.candidates;
     const std::uint32_t count = candidates.drawable();
-    launch<kernels::silhouette_list>(
-        count, tuning_.local_size,
-        {.count = count,
-         .first = candidates.first,
-         .replaced = candidates.kept_edges(),
-         .contours = candidates.edges()},
-        {.numbers = args.numbers, .chosen = args.chosen, .positions = args.positions});
+    launch<kernels::silhouette_list>(count, tuning_.local_size,
+                                     {.count = count,
+                                      .first = candidates.first,
+                                      .replaced = candidates.kept_edges(),
+                                      .contours = candidates.edges()},
+                                     args);
 }
+
+namespace {
+
+/// Tables that there may not be: then others stand for them that are not read.
+struct ChainTables {
+    Buffer &crossings, &end_offsets, &ends, &positions_before;
+};
+ChainTables may_be_absent(const ChainArgs& args) {
+    return {.crossings = args.crossings != nullptr ? *args.crossings : args.table.segments,
+            .end_offsets = *args.table.candidates.end_offsets,
+            .ends = *args.table.candidates.ends,
+            .positions_before =
+                args.positions_before != nullptr ? *args.positions_before : args.numbers};
+}
+
+} // namespace
 
 void Stages::chain(const ChainArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
-    // Any table will do where there are no contours.
-    Buffer& crossings = args.crossings != nullptr ? *args.crossings : args.table.segments;
+    const ChainTables absent = may_be_absent(args);
     ChainParameters parameters{.count = args.count,
                                .first = candidates.first,
                                .step = 0,
@@ -95,19 +102,8 @@ void Stages::chain(const ChainArgs& args) {
                                .lifted = args.lifted ? 1U : 0U,
                                .follows = args.positions_before != nullptr ? 1U : 0U,
                                .outside = args.view.from_outside ? 1U : 0U};
-    launch<kernels::chain_link>(args.count, tuning_.local_size, parameters,
-                                {.segments = args.table.segments,
-                                 .chosen = args.chosen,
-                                 .crossings = crossings,
-                                 .vertices = args.table.vertices,
-                                 .end_offsets = *candidates.end_offsets,
-                                 .ends = *candidates.ends,
-                                 .numbers = args.numbers,
-                                 // Any table will do where there is no frame before.
-                                 .positions_before = args.positions_before != nullptr
-                                                         ? *args.positions_before
-                                                         : args.numbers,
-                                 .ways = args.ways});
+    launch<kernels::chain_link>(args.count, tuning_.local_size, parameters, args.table, args,
+                                absent);
     // A stretch is twice as long after each step; that a loop is one shows when it has gone round.
     const auto steps = static_cast<std::uint32_t>(std::bit_width(args.count)) + 2;
     device_.clear(args.going, steps * sizeof(la_uint));
@@ -123,15 +119,8 @@ void Stages::chain(const ChainArgs& args) {
     launch<kernels::chain_place>(args.count, tuning_.local_size, parameters,
                                  {.ways = *from, .places = args.places, .lengths = args.starts});
     scan(args.starts, args.count, ScanKind::saturate);
-    launch<kernels::chain_write>(args.count, tuning_.local_size, parameters,
-                                 {.segments = args.table.segments,
-                                  .crossings = crossings,
-                                  .chosen = args.chosen,
-                                  .places = args.places,
-                                  .starts = args.starts,
-                                  .ordered = args.ordered,
-                                  .origins = args.origins,
-                                  .positions = args.positions});
+    launch<kernels::chain_write>(args.count, tuning_.local_size, parameters, args.table, args,
+                                 absent);
 }
 
 } // namespace lineatlas::compute

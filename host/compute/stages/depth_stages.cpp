@@ -17,6 +17,14 @@ float guard_band(glm::ivec2 whole_size) {
     return std::clamp(most_texels / side, 1.0F, widest);
 }
 
+// Groups of one table, for launches.
+struct Places {
+    Buffer& places;
+};
+struct Seen {
+    Buffer& seen;
+};
+
 } // namespace
 
 Buffer& Stages::blank_tiles(const DepthArgs& args) {
@@ -59,8 +67,8 @@ void Stages::depth(const DepthArgs& args) {
     Buffer& order = scratch(depth_order_, stride);
     Buffer& total = scratch(depth_total_, 1);
     Buffer& next = scratch(depth_next_, 1);
-    launch<kernels::depth_bin>(model.count, tuning_.local_size, parameters,
-                               {.clusters = model.clusters, .places = places, .seen = args.seen});
+    launch<kernels::depth_bin>(model.count, tuning_.local_size, parameters, model, args,
+                               Places{places});
     if (tiles.x <= 0 || tiles.y <= 0) return;
     launch<kernels::depth_order>(
         1, 1, parameters,
@@ -104,19 +112,14 @@ void Stages::depth(const DepthArgs& args) {
 }
 
 void Stages::planes(const PlanesArgs& args) {
-    launch<kernels::planes>(args.model.count, tuning_.local_size,
-                            {.count = args.model.count,
-                             .world_from_screen = args.view.world_from_screen,
-                             .contact = args.contact,
-                             .only_seen = args.seen != nullptr ? 1U : 0U},
-                            {.clusters = args.model.clusters,
-                             .meshlets = args.model.meshlets,
-                             .vertex_list = args.model.vertex_list,
-                             .corners = args.model.corners,
-                             .vertices = args.vertices,
-                             // Any of words where it isn't read:
-                             .seen = args.seen != nullptr ? *args.seen : args.model.vertex_list,
-                             .planes = args.planes});
+    launch<kernels::planes>(
+        args.model.count, tuning_.local_size,
+        {.count = args.model.count,
+         .world_from_screen = args.view.world_from_screen,
+         .contact = args.contact,
+         .only_seen = args.seen != nullptr ? 1U : 0U},
+        args.model, args,
+        Seen{args.seen != nullptr ? *args.seen : args.model.vertex_list /* of words, not read */});
 }
 
 } // namespace lineatlas::compute

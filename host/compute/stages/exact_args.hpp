@@ -37,7 +37,7 @@ struct ExactArgs {
 
 /// The visible parts of all segments, as `visible` leaves them.
 struct SpanTable {
-    Buffer& offsets;
+    Buffer& span_offsets;
     Buffer& spans;
     std::uint32_t capacity; ///< spans that there is room for
 };
@@ -71,7 +71,7 @@ struct OutlinePartsArgs {
     Buffer& arcs;             ///< of ClippedTable
     float depth;              ///< as in OutlineArgs
     SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()
-    Buffer& offsets;          ///< out: segment_count + 1 uint32
+    Buffer& part_offsets;     ///< out: segment_count + 1 uint32
     Buffer& parts;            ///< out: 2 floats each; none if `part_capacity` is too small
     std::uint32_t part_capacity;
 };
@@ -98,7 +98,7 @@ struct SpanIntervalsArgs {
     bool hidden_too;    ///< hidden pieces too
     Buffer& intervals;  ///< out: `Interval` each; none if there are more than it has room for
     std::uint32_t interval_capacity;
-    Buffer& total; ///< out: one uint32, how many there are
+    Buffer& interval_total; ///< out: one uint32, how many there are
 };
 
 } // namespace lineatlas::compute

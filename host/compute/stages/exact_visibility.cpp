@@ -269,7 +269,7 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
              .depth = depth,
              .beside = {tables_[beside_.offsets], tables_[beside_.spans], beside_.capacity},
              .within = {tables_[within_.offsets], tables_[within_.spans], within_.capacity},
-             .offsets = tables_[Table::part_offsets],
+             .part_offsets = tables_[Table::part_offsets],
              .parts = tables_[Table::parts],
              .part_capacity = part_capacity_});
         const std::uint32_t found = read(tables_[Table::part_offsets], segments);

@@ -10,6 +10,10 @@
 namespace lineatlas::compute {
 namespace {
 
+struct Colors {
+    Buffer& colors; ///< any of uints where they are not read
+};
+
 FillColorsParameters colors_parameters(const FillArgs& args) {
     const Fill& fill = args.fill;
     const float length = glm::length(fill.light);
@@ -35,28 +39,21 @@ void Stages::fill(const FillArgs& args) {
     const glm::ivec2 wanted = args.part.size();
     if (wanted.x <= 0 || wanted.y <= 0) return;
     launch<kernels::fill_colors>(args.model.count, tuning_.local_size, colors_parameters(args),
-                                 {.clusters = args.model.clusters,
-                                  .meshlets = args.model.meshlets,
-                                  .vertex_list = args.model.vertex_list,
-                                  .corners = args.model.corners,
-                                  .vertices = args.vertices,
-                                  .seen = args.seen,
-                                  // Any of uints where it isn't read:
-                                  .colors = args.colors != nullptr ? *args.colors : args.numbers,
-                                  .shaded = args.shaded});
+                                 args.model, args,
+                                 Colors{args.colors != nullptr ? *args.colors : args.numbers});
     const std::uint32_t block = tuning_.atlas_block;
     const std::uint32_t blocks = divide_up(static_cast<std::uint32_t>(wanted.x), block);
-    launch<kernels::fill_pixels>(
-        blocks * static_cast<std::uint32_t>(wanted.y), tuning_.block_local_size,
-        {.size = args.size,
-         .low = args.part.low,
-         .wanted = wanted,
-         .origin = args.origin,
-         .row = args.row,
-         .scale = args.scale,
-         .block = block,
-         .blocks = blocks},
-        {.numbers = args.numbers, .shaded = args.shaded, .pixels = args.pixels});
+    launch<kernels::fill_pixels>(blocks * static_cast<std::uint32_t>(wanted.y),
+                                 tuning_.block_local_size,
+                                 {.size = args.size,
+                                  .low = args.part.low,
+                                  .wanted = wanted,
+                                  .origin = args.origin,
+                                  .row = args.row,
+                                  .scale = args.scale,
+                                  .block = block,
+                                  .blocks = blocks},
+                                 args);
 }
 
 } // namespace lineatlas::compute

@@ -89,8 +89,8 @@ struct DensityArgs {
 
 /// Parts of segments that have the background on one side. They may overlap.
 struct OutlineTable {
-    Buffer& offsets; ///< per segment and one more
-    Buffer& parts;   ///< two floats each, from and to, in the units of runs
+    Buffer& part_offsets; ///< per segment and one more
+    Buffer& parts;        ///< two floats each, from and to, in the units of runs
 };
 
 /// The same of samples, by the depth buffer.
@@ -99,10 +99,10 @@ struct OutlineSamplesArgs {
     ClippedTable clipped;
     std::uint32_t sample_capacity; ///< as in SegmentAtlas
     DepthBuffer depth;
-    glm::vec2 viewport; ///< pixels
-    float body;         ///< pixels that a body must be deep on the other side
-    Buffer& offsets;    ///< out: segment_count + 1 uint32
-    Buffer& parts;      ///< out: 2 floats each; none if `part_capacity` is too small
+    glm::vec2 viewport;   ///< pixels
+    float body;           ///< pixels that a body must be deep on the other side
+    Buffer& part_offsets; ///< out: segment_count + 1 uint32
+    Buffer& parts;        ///< out: 2 floats each; none if `part_capacity` is too small
     std::uint32_t part_capacity;
 };
 

@@ -11,12 +11,25 @@ namespace {
 /// Work-items of kernels that take runs in turns: enough for a GPU.
 constexpr std::uint32_t most_items_in_turns = 1U << 14U;
 
+// Groups for launches.
+struct Lists {
+    Buffer &ends, &memory;
+};
+struct Cuts {
+    Buffer& cuts;
+};
+struct RunOffsets {
+    Buffer& run_offsets;
+};
+struct OutlineTables {
+    Buffer &part_offsets, &parts, &origins;
+};
+
 } // namespace
 
 void Stages::compact(const CompactArgs& args) {
     const std::uint32_t n = args.table.segment_count;
     const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
-    const ClippedTable& clipped = args.atlas.clipped;
     const CompactParameters parameters{.count = n,
                                        .rows = args.atlas.rows(),
                                        .viewport = args.viewport,
@@ -26,24 +39,12 @@ void Stages::compact(const CompactArgs& args) {
                                        .blocks = blocks,
                                        .run_capacity = args.run_capacity};
     Buffer& counts = scratch(block_counts_, blocks + 1);
-    launch<kernels::compact_count>(blocks, tuning_.block_local_size, parameters,
-                                   {.segments = args.table.segments,
-                                    .clipped = clipped.clipped,
-                                    .offsets = clipped.offsets,
-                                    .arcs = clipped.arcs,
-                                    .alpha = args.atlas.alpha,
-                                    .counts = counts});
+    launch<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
+                                   args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
     launch<kernels::compact_write>(std::max(blocks, 1U), // the first writes the record
-                                   tuning_.block_local_size, parameters,
-                                   {.segments = args.table.segments,
-                                    .clipped = clipped.clipped,
-                                    .offsets = clipped.offsets,
-                                    .arcs = clipped.arcs,
-                                    .alpha = args.atlas.alpha,
-                                    .block_offsets = counts,
-                                    .runs = args.runs,
-                                    .record = args.record});
+                                   tuning_.block_local_size, parameters, args.table,
+                                   args.atlas.clipped, args.atlas, args, BlockOffsets{counts});
 }
 
 void Stages::halo(const HaloArgs& args) {
@@ -56,8 +57,7 @@ void Stages::halo(const HaloArgs& args) {
                               .total = 0};
     Buffer& ends = scratch(halo_ends_, tile_count + std::size_t{1});
     device_.clear(ends, tile_count * sizeof(la_uint));
-    launch<kernels::halo_count>(items, tuning_.local_size, parameters,
-                                {.runs = args.runs, .record = args.record, .counts = ends});
+    launch<kernels::halo_count>(items, tuning_.local_size, parameters, args, Counts{ends});
     scan(ends, tile_count, ScanKind::saturate);
     device_.download(ends, std::as_writable_bytes(std::span{&parameters.total, 1}),
                      tile_count * sizeof(la_uint));
@@ -69,22 +69,13 @@ void Stages::halo(const HaloArgs& args) {
     Buffer& lists = for_purpose(purpose::halos, [&]() -> Buffer& {
         return scratch(halo_lists_, (parameters.total + std::size_t{tuning_.halo_lanes}) * tables);
     });
-    launch<kernels::halo_fill>(
-        items, tuning_.local_size, parameters,
-        {.runs = args.runs, .record = args.record, .ends = ends, .memory = lists});
-    launch<kernels::halo_cut>(items, tuning_.local_size, parameters,
-                              {.segments = args.table.segments,
-                               .clipped = args.clipped.clipped,
-                               .runs = args.runs,
-                               .record = args.record,
-                               .ends = ends,
-                               .memory = lists,
-                               .cuts = args.cuts});
+    launch<kernels::halo_fill>(items, tuning_.local_size, parameters, args, Lists{ends, lists});
+    launch<kernels::halo_cut>(items, tuning_.local_size, parameters, args.table, args.clipped, args,
+                              Lists{ends, lists});
 }
 
 void Stages::filter(const FilterArgs& args) {
     const std::uint32_t n = args.run_capacity;
-    const ClippedTable& clipped = args.atlas.clipped;
     const FilterParameters parameters{.rows = args.atlas.rows(),
                                       .viewport = args.viewport,
                                       .half_width = args.half_width,
@@ -94,46 +85,21 @@ void Stages::filter(const FilterArgs& args) {
                                       .filtered_capacity = args.filtered_capacity};
     Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
     Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any: it isn't read
-    launch<kernels::filter_count>(n, tuning_.block_local_size, parameters,
-                                  {.segments = args.table.segments,
-                                   .clipped = clipped.clipped,
-                                   .offsets = clipped.offsets,
-                                   .arcs = clipped.arcs,
-                                   .alpha = args.atlas.alpha,
-                                   .runs = args.runs,
-                                   .record = args.record,
-                                   .cuts = cuts,
-                                   .counts = counts});
+    launch<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
+                                  args.atlas.clipped, args.atlas, args, Cuts{cuts}, Counts{counts});
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::filter_write>(n, tuning_.block_local_size, parameters,
-                                  {.segments = args.table.segments,
-                                   .clipped = clipped.clipped,
-                                   .offsets = clipped.offsets,
-                                   .arcs = clipped.arcs,
-                                   .alpha = args.atlas.alpha,
-                                   .runs = args.runs,
-                                   .record = args.record,
-                                   .cuts = cuts,
-                                   .run_offsets = counts,
-                                   .filtered = args.filtered,
-                                   .filtered_record = args.filtered_record});
+    launch<kernels::filter_write>(n, tuning_.block_local_size, parameters, args.table,
+                                  args.atlas.clipped, args.atlas, args, Cuts{cuts},
+                                  RunOffsets{counts});
     launch<kernels::filter_show>(args.filtered_capacity, tuning_.local_size,
-                                 {args.filtered_capacity},
-                                 {.filtered = args.filtered,
-                                  .filtered_record = args.filtered_record,
-                                  .alpha = args.atlas.alpha});
-    launch<kernels::filter_show_ends>(n, tuning_.local_size, {n},
-                                      {.segments = args.table.segments,
-                                       .runs = args.runs,
-                                       .record = args.record,
-                                       .alpha = args.atlas.alpha});
+                                 {args.filtered_capacity}, args, args.atlas);
+    launch<kernels::filter_show_ends>(n, tuning_.local_size, {n}, args.table, args.atlas, args);
 }
 
 void Stages::outline_samples(const OutlineSamplesArgs& args) {
     // Texels beside the line, not those that its own faces reach into.
     constexpr float clearance = 0.75F; // texels, half a diagonal
     const std::uint32_t n = args.table.segment_count;
-    Buffer& numbers = args.depth.numbers_or(args.clipped.offsets);
     const OutlineSamplesParameters parameters{.count = n,
                                               .viewport = args.viewport,
                                               .reach = 0.25F + clearance / args.depth.scale,
@@ -143,56 +109,32 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
                                               .numbered = args.depth.surfaces ? 1U : 0U,
                                               .sample_capacity = args.sample_capacity,
                                               .part_capacity = args.part_capacity};
-    launch<kernels::outline_samples_count>(n, tuning_.local_size, parameters,
-                                           {.segments = args.table.segments,
-                                            .clipped = args.clipped.clipped,
-                                            .offsets = args.clipped.offsets,
-                                            .depth = args.depth.texels,
-                                            .numbers = numbers,
-                                            .counts = args.offsets});
-    scan(args.offsets, n, ScanKind::saturate);
-    launch<kernels::outline_samples_write>(n, tuning_.local_size, parameters,
-                                           {.segments = args.table.segments,
-                                            .clipped = args.clipped.clipped,
-                                            .offsets = args.clipped.offsets,
-                                            .depth = args.depth.texels,
-                                            .numbers = numbers,
-                                            .part_offsets = args.offsets,
-                                            .parts = args.parts});
+    launch<kernels::outline_samples_count>(n, tuning_.local_size, parameters, args.table,
+                                           args.clipped, args.depth.tables(),
+                                           Counts{args.part_offsets});
+    scan(args.part_offsets, n, ScanKind::saturate);
+    launch<kernels::outline_samples_write>(n, tuning_.local_size, parameters, args.table,
+                                           args.clipped, args.depth.tables(), args);
 }
 
 void Stages::pens(const PensArgs& args) {
     const std::uint32_t n = args.run_capacity;
     const bool tells = args.outline != nullptr;
-    Buffer& offsets = tells ? args.outline->offsets : args.record; // any: it isn't read
-    Buffer& parts = tells ? args.outline->parts : args.record;
     const bool ordered = args.table.origins != nullptr;
-    Buffer& origins = ordered ? *args.table.origins : args.segment_pens; // any
+    // Any tables where they are not read:
+    const OutlineTables outlines{tells ? args.outline->part_offsets : args.record,
+                                 tells ? args.outline->parts : args.record,
+                                 ordered ? *args.table.origins : args.segment_pens};
     const PensParameters parameters{.outlines = tells ? 1U : 0U,
                                     .first = ordered ? args.table.candidates.first
                                                      : args.table.segment_count,
                                     .run_capacity = n,
                                     .drawn_capacity = args.drawn_capacity};
     Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
-    launch<kernels::pens_count>(n, tuning_.local_size, parameters,
-                                {.runs = args.runs,
-                                 .record = args.record,
-                                 .segment_pens = args.segment_pens,
-                                 .origins = origins,
-                                 .part_offsets = offsets,
-                                 .parts = parts,
-                                 .counts = counts});
+    launch<kernels::pens_count>(n, tuning_.local_size, parameters, args, outlines, Counts{counts});
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::pens_write>(std::max(n, 1U), tuning_.local_size, parameters,
-                                {.runs = args.runs,
-                                 .record = args.record,
-                                 .segment_pens = args.segment_pens,
-                                 .origins = origins,
-                                 .part_offsets = offsets,
-                                 .parts = parts,
-                                 .run_offsets = counts,
-                                 .drawn = args.drawn,
-                                 .drawn_record = args.drawn_record});
+    launch<kernels::pens_write>(std::max(n, 1U), tuning_.local_size, parameters, args, outlines,
+                                RunOffsets{counts});
 }
 
 void Stages::density(const DensityArgs& args) {
@@ -216,13 +158,8 @@ void Stages::density(const DensityArgs& args) {
         device_.clear(args.grid, planes * sizeof(la_uint));
     else
         device_.upload(args.grid, std::as_bytes(args.drawn_before));
-    launch<kernels::density_lines>(items, tuning_.local_size, parameters,
-                                   {.segments = args.table.segments,
-                                    .arcs = args.atlas.clipped.arcs,
-                                    .alpha = args.atlas.alpha,
-                                    .record = args.record,
-                                    .runs = args.runs,
-                                    .grid = args.grid});
+    launch<kernels::density_lines>(items, tuning_.local_size, parameters, args.table,
+                                   args.atlas.clipped, args.atlas, args);
     launch<kernels::density_smooth>(LA_DENSITY_BINS * plane, tuning_.local_size, parameters,
                                     {.grid = args.grid, .smooth = smooth});
     const auto share_out = [&] {

@@ -14,12 +14,7 @@ Buffer& Stages::scratch(std::unique_ptr<Buffer>& buffer, std::size_t count) {
 }
 
 void Stages::transform(const TransformArgs& args) {
-    launch<kernels::transform>(args.vertex_count, tuning_.local_size, {args.vertex_count},
-                               {.rest = args.rest,
-                                .objects = args.objects,
-                                .matrices = args.matrices,
-                                .vertices = args.vertices,
-                                .drawn = args.drawn});
+    launch<kernels::transform>(args.vertex_count, tuning_.local_size, {args.vertex_count}, args);
     launch<kernels::transform_boxes>(args.cluster_count, tuning_.local_size, {args.cluster_count},
                                      {.rest = args.rest_clusters,
                                       .objects = args.cluster_objects,
@@ -28,49 +23,37 @@ void Stages::transform(const TransformArgs& args) {
 }
 
 void Stages::transform_bounds(const BoundsArgs& args) {
-    launch<kernels::transform_bounds>(
-        args.count, tuning_.local_size, {args.count},
-        {.vertices = args.vertices, .triangles = args.triangles, .clusters = args.clusters});
+    launch<kernels::transform_bounds>(args.count, tuning_.local_size, {args.count}, args);
 }
 
 void Stages::transform_forget(const ForgetArgs& args) {
     launch<kernels::transform_forget>(args.segment_count, tuning_.local_size, {args.segment_count},
-                                      {.segments = args.segments,
-                                       .objects = args.objects,
-                                       .jumped = args.jumped,
-                                       .ranges = args.ranges});
+                                      args);
 }
 
 void Stages::pyramid(const PyramidArgs& args) {
     const glm::ivec2 tiles = tiles_for(args.depth_size);
     launch<kernels::pyramid>(static_cast<std::uint32_t>(tiles.x * tiles.y), tuning_.local_size,
-                             {.depth_size = args.depth_size, .tile_count = tiles},
-                             {.depth = args.depth, .tiles = args.tiles});
+                             {.depth_size = args.depth_size, .tile_count = tiles}, args);
 }
 
 void Stages::cull(const CullArgs& args) {
-    launch<kernels::cull>(
-        args.count, tuning_.local_size,
-        {.count = args.count,
-         .clip_from_world = args.clip_from_world,
-         .depth_size = args.depth_size,
-         .tile_count = tiles_for(args.depth_size)},
-        {.clusters = args.clusters, .tiles = args.tiles, .visible = args.visible});
+    launch<kernels::cull>(args.count, tuning_.local_size,
+                          {.count = args.count,
+                           .clip_from_world = args.clip_from_world,
+                           .depth_size = args.depth_size,
+                           .tile_count = tiles_for(args.depth_size)},
+                          args);
 }
 
 void Stages::facing(const FacingArgs& args) {
     const std::uint32_t n = args.table.triangle_count;
-    launch<kernels::facing>(
-        n, tuning_.local_size, {.count = n, .eye = args.eye},
-        {.vertices = args.table.vertices, .triangles = args.table.triangles, .front = args.front});
+    launch<kernels::facing>(n, tuning_.local_size, {.count = n, .eye = args.eye}, args.table, args);
 }
 
 void Stages::project_clip_boxes(const SegmentTable& table, const BatchTable& batches) {
     launch<kernels::project_clip_boxes>(batches.batches(), tuning_.local_size, {batches.count},
-                                        {.segments = table.segments,
-                                         .vertices = table.vertices,
-                                         .triangles = table.triangles,
-                                         .batches = batches.boxes});
+                                        table, BatchBoxes{batches.boxes});
 }
 
 namespace {
@@ -97,9 +80,16 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     return parameters;
 }
 
-/// Any table will do where there is no pyramid.
-Buffer& tiles_of(const ProjectClipArgs& args) {
-    return args.occlusion != nullptr ? args.occlusion->tiles : args.table.vertices;
+/// Tables that project_clip may do without: then others stand for them that it does not read.
+struct ClipTables {
+    Buffer &batches, &states, &tiles, &numbers;
+};
+ClipTables may_be_absent(const ProjectClipArgs& args) {
+    Buffer& any = args.table.vertices;
+    return {.batches = args.batches != nullptr ? args.batches->boxes : any,
+            .states = args.batches != nullptr ? args.batches->states : any,
+            .tiles = args.occlusion != nullptr ? args.occlusion->tiles : any,
+            .numbers = args.numbers != nullptr ? *args.numbers : any};
 }
 
 } // namespace
@@ -107,26 +97,14 @@ Buffer& tiles_of(const ProjectClipArgs& args) {
 void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
     ProjectClipParameters parameters = parameters_of(args);
     if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
-    launch<kernels::project_clip_batches>(
-        args.batches->batches(), tuning_.local_size, parameters,
-        {.batches = args.batches->boxes, .tiles = tiles_of(args), .states = args.batches->states});
+    launch<kernels::project_clip_batches>(args.batches->batches(), tuning_.local_size, parameters,
+                                          may_be_absent(args));
 }
 
 void Stages::project_clip(const ProjectClipArgs& args) {
-    launch<kernels::project_clip>(
-        args.table.segment_count, tuning_.local_size, parameters_of(args),
-        {// Nor is anything read of batches where there are none.
-         .batches = args.batches != nullptr ? args.batches->boxes : args.table.vertices,
-         .states = args.batches != nullptr ? args.batches->states : args.front,
-         .segments = args.table.segments,
-         .vertices = args.table.vertices,
-         .triangles = args.table.triangles,
-         .front = args.front,
-         .tiles = tiles_of(args),
-         .numbers = args.numbers != nullptr ? *args.numbers : args.table.triangles,
-         .clipped = args.out.clipped,
-         .counts = args.out.offsets,
-         .arcs = args.out.arcs});
+    launch<kernels::project_clip>(args.table.segment_count, tuning_.local_size, parameters_of(args),
+                                  args.table, may_be_absent(args), args, args.out,
+                                  Counts{args.out.offsets});
 }
 
 void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {

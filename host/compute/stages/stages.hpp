@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,6 +16,20 @@
 #include "visibility_args.hpp"
 
 namespace lineatlas::compute {
+
+// Groups of one table, for launches: what a kernel calls so.
+struct Counts {
+    Buffer& counts;
+};
+struct Offsets {
+    Buffer& offsets;
+};
+struct BatchBoxes {
+    Buffer& batches;
+};
+struct BlockOffsets {
+    Buffer& block_offsets;
+};
 
 /// The stages that are kernels, each with the kernels that it launches, in which order and on which
 /// tables; the same on every device. As asynchronous as the device is.
@@ -85,7 +100,15 @@ class Stages {
     void draw_strokes(const StrokeArgs& args);
 
   private:
-    /// Launches `items` work-items in groups of `group`; nothing if there are none.
+    /// Launches `items` work-items in groups of `group`; nothing if there are none. Each table is
+    /// that of its name in the first of `groups` that has one.
+    template <class K, class... Groups>
+    requires(sizeof...(Groups) > 0 && (!std::same_as<Groups, typename K::Tables> &&
+                                       ...)) void launch(std::uint32_t items, std::uint32_t group,
+                                                         const typename K::Parameters& parameters,
+                                                         const Groups&... groups) {
+        launch<K>(items, group, parameters, K::tables_of(groups...));
+    }
     template <class K>
     void launch(std::uint32_t items, std::uint32_t group, const typename K::Parameters& parameters,
                 const typename K::Tables& tables, const Kernel& kernel = kernel_of<K>()) {

@@ -27,15 +27,11 @@ void Stages::list_strokes(const StrokeListArgs& args) {
                                           .capacity = args.lists.capacity};
     const std::size_t ends = stroke_ends(tuning_, args.viewport);
     device_.clear(args.lists.ends, ends * sizeof(la_uint));
-    launch<kernels::strokes_count>(
-        parameters.chunks, tuning_.block_local_size, parameters,
-        {.runs = args.runs, .record = args.record, .counts = args.lists.ends});
+    launch<kernels::strokes_count>(parameters.chunks, tuning_.block_local_size, parameters, args,
+                                   Counts{args.lists.ends});
     scan(args.lists.ends, static_cast<std::uint32_t>(ends - 1), ScanKind::saturate);
-    launch<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters,
-                                  {.runs = args.runs,
-                                   .record = args.record,
-                                   .ends = args.lists.ends,
-                                   .entries = args.lists.entries});
+    launch<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters, args,
+                                  args.lists);
 }
 
 void Stages::draw_strokes(const StrokeArgs& args) {

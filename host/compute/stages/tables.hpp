@@ -102,10 +102,14 @@ struct DepthBuffer {
     float tolerance;                         ///< window depth that may stand before a line, times w
     std::optional<SurfaceTables> surfaces{}; ///< then own faces are numbers in ClippedTable
 
-    /// The numbers of what texels show, or a table of their type where nothing is known: then they
-    /// are not read.
-    Buffer& numbers_or(Buffer& other) const { return surfaces ? surfaces->numbers : other; }
-    /// As kernels take it.
+    /// As kernels take it; where surfaces are not known, any tables that are not read.
+    struct Tables {
+        Buffer &depth, &numbers, &planes, &patches;
+    };
+    Tables tables() const {
+        if (!surfaces) return {texels, texels, texels, texels};
+        return {texels, surfaces->numbers, surfaces->planes, surfaces->patches};
+    }
     SurfaceParameters surface_parameters() const {
         if (!surfaces) return {.known = 0, .parallel = 0, .bend = 0};
         return {.known = 1, .parallel = surfaces->parallel ? 1U : 0U, .bend = surfaces->bend};

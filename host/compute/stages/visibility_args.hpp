@@ -93,7 +93,7 @@ struct IntervalsArgs {
     bool hidden_too;
     Buffer& intervals; ///< out: `Interval` each; none if there are more than it has room for
     std::uint32_t interval_capacity;
-    Buffer& total; ///< out: one uint32, how many there are
+    Buffer& interval_total; ///< out: one uint32, how many there are
 };
 
 } // namespace lineatlas::compute

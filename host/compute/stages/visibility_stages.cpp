@@ -5,64 +5,55 @@
 #include "stages.hpp"
 
 namespace lineatlas::compute {
-namespace {
-
-// Any tables of their type where surfaces are not known: they are not read.
-Buffer& patches_or(const DepthBuffer& depth, Buffer& other) {
-    return depth.surfaces ? depth.surfaces->patches : other;
-}
-Buffer& planes_of(const DepthBuffer& depth) {
-    return depth.surfaces ? depth.surfaces->planes : depth.texels;
-}
-
-} // namespace
 
 void Stages::atlas(const AtlasArgs& args) {
     constexpr std::uint32_t variants = 4; // of probes per axis, whole and then tiled
     const DepthTile tile = args.tile != nullptr ? *args.tile : DepthTile{};
     const std::uint32_t variant = args.probes - 1 + (args.tile != nullptr ? variants : 0);
-    launch<kernels::atlas>(divide_up(args.atlas.capacity, tuning_.atlas_block),
-                           tuning_.block_local_size,
-                           {.count = args.segment_count,
-                            .depth_size = args.depth.size,
-                            .viewport = args.viewport,
-                            .depth_scale = args.depth.scale,
-                            .tolerance = args.depth.tolerance,
-                            .surfaces = args.depth.surface_parameters(),
-                            .rows = args.atlas.rows(),
-                            .block = tuning_.atlas_block,
-                            .origin = tile.origin,
-                            .core = {tile.core_low, tile.core_high}},
-                           {.clipped = args.atlas.clipped.clipped,
-                            .offsets = args.atlas.clipped.offsets,
-                            .depth = args.depth.texels,
-                            .numbers = args.depth.numbers_or(args.atlas.clipped.offsets),
-                            .planes = planes_of(args.depth),
-                            .patches = patches_or(args.depth, args.atlas.clipped.offsets),
-                            .alpha = args.atlas.alpha},
-                           kernel_of<kernels::atlas>(variant));
+    launch<kernels::atlas>(
+        divide_up(args.atlas.capacity, tuning_.atlas_block), tuning_.block_local_size,
+        {.count = args.segment_count,
+         .depth_size = args.depth.size,
+         .viewport = args.viewport,
+         .depth_scale = args.depth.scale,
+         .tolerance = args.depth.tolerance,
+         .surfaces = args.depth.surface_parameters(),
+         .rows = args.atlas.rows(),
+         .block = tuning_.atlas_block,
+         .origin = tile.origin,
+         .core = {tile.core_low, tile.core_high}},
+        kernels::atlas::tables_of(args.atlas.clipped, args.atlas, args.depth.tables()),
+        kernel_of<kernels::atlas>(variant));
 }
+
+namespace {
+
+/// Of the frame before.
+struct BeforeTables {
+    Buffer &offsets_before, &before, &origins, &positions_before;
+};
+BeforeTables before_of(const TemporalArgs& args) {
+    const ChainOrder* chains = args.chains;
+    Buffer& any = args.atlas.clipped.offsets; // where there are no chains
+    return {.offsets_before = args.history.offsets,
+            .before = args.history.alpha,
+            .origins = chains != nullptr ? chains->origins : any,
+            .positions_before = chains != nullptr ? chains->positions_before : any};
+}
+
+} // namespace
 
 void Stages::temporal(const TemporalArgs& args) {
     const std::uint32_t n = args.segment_count;
     const SegmentAtlas& atlas = args.atlas;
     const ChainOrder* chains = args.chains;
-    launch<kernels::temporal>(
-        divide_up(n, tuning_.segment_block), tuning_.block_local_size,
-        {.count = n,
-         .rows = atlas.rows(),
-         .block = tuning_.segment_block,
-         .history = args.use,
-         .first = chains != nullptr ? chains->first : n},
-        {.clipped = atlas.clipped.clipped,
-         .offsets = atlas.clipped.offsets,
-         .offsets_before = args.history.offsets,
-         .before = args.history.alpha,
-         // Any table will do where there are no chains.
-         .origins = chains != nullptr ? chains->origins : atlas.clipped.offsets,
-         .positions_before = chains != nullptr ? chains->positions_before : atlas.clipped.offsets,
-         .ranges = args.history.ranges,
-         .alpha = atlas.alpha});
+    launch<kernels::temporal>(divide_up(n, tuning_.segment_block), tuning_.block_local_size,
+                              {.count = n,
+                               .rows = atlas.rows(),
+                               .block = tuning_.segment_block,
+                               .history = args.use,
+                               .first = chains != nullptr ? chains->first : n},
+                              args.atlas.clipped, args.atlas, args.history, before_of(args));
     if (chains != nullptr) {
         device_.copy(chains->positions, chains->positions_before,
                      std::size_t{chains->candidates} * sizeof(la_uint));
@@ -76,7 +67,6 @@ void Stages::temporal(const TemporalArgs& args) {
 void Stages::intervals(const IntervalsArgs& args) {
     const std::uint32_t n = args.table.segment_count;
     const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
-    const ClippedTable& clipped = args.atlas.clipped;
     const IntervalsParameters parameters{.count = n,
                                          .rows = args.atlas.rows(),
                                          .viewport = args.viewport,
@@ -90,35 +80,13 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .surfaces = args.depth.surface_parameters()};
     const std::uint32_t items = std::max(blocks, 1U); // the first writes the total
     Buffer& counts = scratch(block_counts_, blocks + 1);
-    launch<kernels::intervals_count>(items, tuning_.block_local_size, parameters,
-                                     {.segments = args.table.segments,
-                                      .clipped = clipped.clipped,
-                                      .offsets = clipped.offsets,
-                                      .arcs = clipped.arcs,
-                                      .alpha = args.atlas.alpha,
-                                      .counts = counts});
+    launch<kernels::intervals_count>(items, tuning_.block_local_size, parameters, args.table,
+                                     args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
-    launch<kernels::intervals_write>(items, tuning_.block_local_size, parameters,
-                                     {.segments = args.table.segments,
-                                      .clipped = clipped.clipped,
-                                      .offsets = clipped.offsets,
-                                      .arcs = clipped.arcs,
-                                      .alpha = args.atlas.alpha,
-                                      .block_offsets = counts,
-                                      .intervals = args.intervals,
-                                      .interval_total = args.total});
+    launch<kernels::intervals_write>(items, tuning_.block_local_size, parameters, args.table,
+                                     args.atlas.clipped, args.atlas, args, BlockOffsets{counts});
     launch<kernels::intervals_refine>(args.interval_capacity, tuning_.local_size, parameters,
-                                      {.segments = args.table.segments,
-                                       .clipped = clipped.clipped,
-                                       .offsets = clipped.offsets,
-                                       .arcs = clipped.arcs,
-                                       .vertices = args.table.vertices,
-                                       .depth = args.depth.texels,
-                                       .numbers = args.depth.numbers_or(clipped.offsets),
-                                       .planes = planes_of(args.depth),
-                                       .patches = patches_or(args.depth, clipped.offsets),
-                                       .intervals = args.intervals,
-                                       .interval_total = args.total});
+                                      args.table, args.atlas.clipped, args.depth.tables(), args);
 }
 
 } // namespace lineatlas::compute
