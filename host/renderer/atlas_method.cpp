@@ -18,10 +18,6 @@ namespace {
 
 // A first guess; a frame that needs more makes its tables grow.
 constexpr std::uint32_t first_sample_capacity = 1U << 16U;
-constexpr std::uint32_t first_part_capacity = 1U << 13U;
-
-// Faster motion doesn't sparkle: nobody follows a line through it.
-constexpr float slow_pixels = 4;
 
 // A coordinate shifts by less than half a pixel, which nobody sees, and by no more than lines do.
 constexpr float most_shift = 0.4F;
@@ -32,19 +28,15 @@ std::uint32_t longest_segment(const Frame& frame) {
     return static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
 }
 
-std::size_t size_of(const std::unique_ptr<compute::Buffer>& buffer) {
-    return buffer ? buffer->size() : 0;
-}
-
 } // namespace
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
       prefers_raster_(!interop::gl_is_software()), depth_(connection), fill_(connection),
       chains_(stages_, compute::SilhouetteChains::Contours::lifted), carried_(stages_),
-      batches_(stages_), clipped_(sharing_, purpose::segments),
-      offsets_(sharing_, purpose::segments), alpha_(sharing_, purpose::atlas), strokes_(connection),
-      intervals_(stages_) {
+      batches_(stages_), temporal_(stages_), outlines_(stages_),
+      clipped_(sharing_, purpose::segments), offsets_(sharing_, purpose::segments),
+      alpha_(sharing_, purpose::atlas), strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -55,7 +47,7 @@ void AtlasMethod::release_scene() {
     carried_.release();
     front_.reset();
     arcs_.reset();
-    past_ = {};
+    temporal_.release();
     clipped_.release();
     offsets_.release();
 }
@@ -87,7 +79,7 @@ void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
         make_atlas_layout(frame.options.atlas_layout, longest, static_cast<std::uint32_t>(row));
     if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
     layout_ = layout;
-    past_ = {};
+    temporal_.release();
     const std::uint64_t most = std::max<std::uint64_t>(most_samples(), 1);
     sample_capacity_ = static_cast<std::uint32_t>(
         std::min<std::uint64_t>(std::max(sample_capacity_, first_sample_capacity), most));
@@ -137,8 +129,8 @@ void AtlasMethod::keep_chunk(Frame& frame) {
 }
 
 void AtlasMethod::find_silhouettes(Frame& frame) {
-    motion_ = is_steady(frame) ? motion_since_past(frame) : std::nullopt;
-    chains_.follow(motion_ ? past_.positions.get() : nullptr);
+    temporal_.begin_frame(frame);
+    chains_.follow(temporal_.positions_before());
     const compute::SegmentTable candidates = frame.scene.candidate_table();
     const bool wanted = (frame.options.lines & mask_of(LineKind::silhouette)) != 0;
     if (!wanted || candidates.candidates.count == 0) {
@@ -207,11 +199,11 @@ void AtlasMethod::project(Frame& frame) {
 void AtlasMethod::carry(Frame& frame) {
     const bool carries = carries_ && chains_.has_order();
     strokes_.carry(carries ? &carried_ : nullptr);
-    if (!carries || !motion_) carried_.forget();
+    if (!carries || !temporal_.motion()) carried_.forget();
     if (!carries) return;
     frame.clock("carry", [&] {
         carried_.find(frame.scene.table(), chains_.first(), clipped_table(), frame.viewport(),
-                      std::min(motion_.value_or(0), most_shift));
+                      std::min(temporal_.motion().value_or(0), most_shift));
     });
 }
 
@@ -223,39 +215,6 @@ void AtlasMethod::sample(Frame& frame) {
 
 void AtlasMethod::sample_compute(Frame& frame) {
     frame.clock("atlas", [&] { stages_.atlas(atlas_args(frame)); });
-}
-
-compute::OutlineTable AtlasMethod::outline(Frame& frame) {
-    const std::size_t sums = (std::size_t{segment_count_} + 1) * sizeof(la_uint);
-    if (!outline_offsets_ || outline_offsets_->size() < sums) {
-        outline_offsets_.reset(); // it may not fit beside another
-        outline_offsets_ = compute::allocate(device_, sums, purpose::segments);
-    }
-    using Part = std::array<float, 2>;
-    outline_capacity_ =
-        std::max(outline_capacity_, compute::first_capacity<Part>(device_, first_part_capacity));
-    for (bool again = true; again;) {
-        const std::size_t bytes = std::size_t{outline_capacity_} * sizeof(Part);
-        if (!outline_parts_ || outline_parts_->size() < bytes) {
-            outline_parts_.reset();
-            outline_parts_ = compute::allocate(device_, bytes, purpose::segments);
-        }
-        stages_.outline_samples({.table = frame.scene.table(),
-                                 .clipped = clipped_table(),
-                                 .sample_capacity = sample_capacity_,
-                                 .depth = depth_.probed(frame),
-                                 .viewport = frame.viewport(),
-                                 .body = outline_depth(frame.options.style, frame.camera.size),
-                                 .part_offsets = *outline_offsets_,
-                                 .parts = *outline_parts_,
-                                 .part_capacity = outline_capacity_});
-        std::uint32_t found = 0;
-        device_.download(*outline_offsets_, std::as_writable_bytes(std::span{&found, 1}),
-                         segment_count_ * sizeof(la_uint));
-        again = found > outline_capacity_;
-        if (again) outline_capacity_ = compute::capacity_for<Part>(device_, found);
-    }
-    return {*outline_offsets_, *outline_parts_};
 }
 
 bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
@@ -304,75 +263,6 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
     });
 }
 
-std::optional<float> AtlasMethod::motion_since_past(const Frame& frame) const {
-    const bool follows = past_.camera && past_.probes == frame.options.probes &&
-                         past_.depth_scale == frame.depth_scale() &&
-                         past_.step == frame.options.step &&
-                         past_.camera->size == frame.camera.size &&
-                         past_.shape_version == frame.scene.motion().shape_version();
-    if (!follows) return std::nullopt;
-    const float motion =
-        frame.scene.motion().typical_motion(*past_.camera, past_.transforms, frame.camera);
-    return motion <= slow_pixels ? std::optional{motion} : std::nullopt;
-}
-
-void AtlasMethod::make_past(const compute::SegmentTable& table) {
-    const std::size_t segments = table.segment_count;
-    const auto words = [&](std::size_t count) {
-        return compute::allocate(device_, count * sizeof(la_uint), purpose::segments);
-    };
-    past_.offsets = words(segments + 1);
-    past_.ranges = words(segments);
-    past_.positions = words(table.candidates.count);
-    device_.clear(*past_.ranges, segments * sizeof(la_uint));
-    forget_chains(table);
-}
-
-void AtlasMethod::forget_chains(const compute::SegmentTable& table) {
-    device_.clear(*past_.positions, std::size_t{table.candidates.count} * sizeof(la_uint));
-}
-
-bool AtlasMethod::is_steady(const Frame& frame) {
-    return wants_steadiness(frame.options) && frame.scene.chunk_count() == 1;
-}
-
-void AtlasMethod::steady(Frame& frame) {
-    if (!is_steady(frame)) {
-        past_.camera.reset();
-        return;
-    }
-    frame.clock("temporal", [&] {
-        const compute::SegmentTable table = frame.scene.candidate_table();
-        if (!past_.offsets) make_past(table);
-        if (!past_.alpha || past_.alpha->size() != alpha_.room()) {
-            past_.alpha.reset(); // it may not fit beside another
-            past_.alpha = compute::allocate(device_, alpha_.room(), purpose::atlas);
-            past_.camera.reset();
-        }
-        const bool follows = motion_ && past_.camera;
-        const bool objects_moved = past_.transforms != frame.scene.motion().transforms();
-        if (follows) {
-            frame.scene.forget_jumps(past_.transforms, frame.camera, slow_pixels, *past_.ranges);
-        }
-        std::optional<compute::ChainOrder> chains;
-        if (chains_.has_order()) chains.emplace(chains_.order(table, *past_.positions));
-        stages_.temporal({.segment_count = segment_count_,
-                          .atlas = segment_atlas(),
-                          .history = {*past_.alpha, *past_.offsets, *past_.ranges},
-                          .use = !follows        ? LA_HISTORY_NONE
-                                 : objects_moved ? LA_HISTORY_SCENE
-                                                 : LA_HISTORY_CAMERA,
-                          .chains = chains ? &*chains : nullptr});
-        if (!chains) forget_chains(table);
-        past_.camera = frame.camera;
-        past_.probes = frame.options.probes;
-        past_.depth_scale = frame.depth_scale();
-        past_.step = frame.options.step;
-        past_.transforms = frame.scene.motion().transforms();
-        past_.shape_version = frame.scene.motion().shape_version();
-    });
-}
-
 bool AtlasMethod::grow_atlas(std::uint64_t needed) {
     if (needed <= sample_capacity_) return false;
     const std::uint64_t most = most_samples();
@@ -408,22 +298,22 @@ void AtlasMethod::draw_fill(Frame& frame) {
 void AtlasMethod::find(Frame& frame) {
     do {
         sample(frame);
-        steady(frame);
+        temporal_.average(frame, segment_atlas(), chains_);
         std::optional<compute::OutlineTable> outline;
-        if (finds_outlines_) frame.clock("outline", [&] { outline.emplace(this->outline(frame)); });
+        if (finds_outlines_) outline.emplace(outlines_.find(frame, segment_atlas(), depth_));
         intervals_.find(frame, segment_atlas(), depth_);
         strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
     alpha_.set_size(layout_.texels(strokes_.sample_total()));
     if (finds_outlines_ && keeps_intervals_)
-        intervals_.add_outlines(frame, {*outline_offsets_, *outline_parts_}, order());
+        intervals_.add_outlines(frame, outlines_.found(), order());
     keep_chunk(frame);
 }
 
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     begin_chunk(frame, 0);
-    carries_ = is_steady(frame) && strokes_.has_textures(frame);
+    carries_ = TemporalStage::wanted(frame) && strokes_.has_textures(frame);
     // The depth pyramid is what projection needs; without it, both go on at the same time.
     if (!cull_hidden_) {
         project(frame);
@@ -456,9 +346,8 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_.room() + offsets_.room() +
                              arcs_->size() + chains_.bytes() + carried_.bytes() + batches_.bytes() +
-                             size_of(past_.offsets) + size_of(past_.ranges) +
-                             size_of(past_.positions),
-            .sample_bytes = alpha_.room() + size_of(past_.alpha),
+                             temporal_.segment_bytes(),
+            .sample_bytes = alpha_.room() + temporal_.sample_bytes(),
             .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
 }

@@ -15,7 +15,9 @@
 #include "glpasses/interop/shared_table.hpp"
 #include "interval_stage.hpp"
 #include "item_buffer_sampler.hpp"
+#include "outline_stage.hpp"
 #include "stroke_stage.hpp"
+#include "temporal_stage.hpp"
 
 namespace lineatlas {
 
@@ -73,15 +75,8 @@ class AtlasMethod {
     void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
-    /// Whether frames have to do with those before them.
-    static bool is_steady(const Frame& frame);
-    void steady(Frame& frame);
     /// Texture coordinates of silhouettes, where `carries_`.
     void carry(Frame& frame);
-    /// Makes the tables of what the last frame leaves.
-    void make_past(const compute::SegmentTable& table);
-    /// The last frame had no silhouettes.
-    void forget_chains(const compute::SegmentTable& table);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
@@ -99,8 +94,6 @@ class AtlasMethod {
     bool reads_depth() const {
         return !raster_ || cull_hidden_ || keeps_intervals_ || finds_outlines_;
     }
-    /// Which parts of the current chunk's segments have the background on one side; waits.
-    compute::OutlineTable outline(Frame& frame);
     compute::ClippedTable clipped_table() {
         return {clipped_.compute(), offsets_.compute(), *arcs_};
     }
@@ -118,38 +111,21 @@ class AtlasMethod {
     FillStage fill_;
     compute::SilhouetteChains chains_; ///< of the current chunk
     compute::CarriedCoordinates carried_;
-    bool carries_ = false;            ///< the current frame
-    compute::Batches batches_;        ///< of the current chunk's segments
+    bool carries_ = false;     ///< the current frame
+    compute::Batches batches_; ///< of the current chunk's segments
+    TemporalStage temporal_;
+    OutlineStage outlines_;
     std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
     std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
     std::unique_ptr<compute::Buffer> front_, arcs_;
     interop::SharedTable clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
     AtlasLayout layout_{0, 0};
-    bool keeps_intervals_ = false;                                     ///< the current frame
-    bool finds_outlines_ = false;                                      ///< the current frame
-    std::unique_ptr<compute::Buffer> outline_offsets_, outline_parts_; ///< while there are any
-    bool silhouettes_grew_ = false;      ///< their tables, since set_scene()
-    std::uint32_t outline_capacity_ = 0; ///< of outline_parts_
-    bool raster_ = false;                ///< the current frame's form of `atlas`
-    /// What the last frame left for `temporal`, and what it must have in common with the next.
-    struct Past {
-        std::unique_ptr<compute::Buffer> alpha, offsets, ranges;
-        std::unique_ptr<compute::Buffer> positions{}; ///< of candidates, see ChainOrder
-        std::optional<Camera> camera;                 ///< none: nothing to go by
-        std::uint32_t probes = 0;
-        int depth_scale = 0;
-        float step = 0;
-        std::vector<glm::mat4> transforms{}; ///< of the objects
-        std::uint64_t shape_version = 0;
-    };
-    /// Pixels by which points of the model have typically moved, if the frame follows the last one
-    /// slowly.
-    std::optional<float> motion_since_past(const Frame& frame) const;
-
-    Past past_;
-    std::optional<float> motion_; ///< motion_since_past() of the current frame
-    bool cull_hidden_ = false;    ///< the current frame drops segments that are hidden whole
+    bool keeps_intervals_ = false;  ///< the current frame
+    bool finds_outlines_ = false;   ///< the current frame
+    bool silhouettes_grew_ = false; ///< their tables, since set_scene()
+    bool raster_ = false;           ///< the current frame's form of `atlas`
+    bool cull_hidden_ = false;      ///< the current frame drops segments that are hidden whole
 
     gl::AtlasPass atlas_pass_;
     StrokeStage strokes_;

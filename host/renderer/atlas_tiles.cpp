@@ -18,7 +18,7 @@ void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
     raster_ = false;
     cull_hidden_ = false;
     carries_ = false;
-    past_.camera.reset(); // there is nothing to average the next frame with
+    temporal_.forget(); // there is nothing to average the next frame with
     prepare_layout(frame, no_texture);
 }
 

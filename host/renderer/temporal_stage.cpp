@@ -1,0 +1,96 @@
+#include "temporal_stage.hpp"
+
+#include "frame_forms.hpp"
+
+namespace lineatlas {
+namespace {
+
+// Faster motion doesn't sparkle: nobody follows a line through it.
+constexpr float slow_pixels = 4;
+
+} // namespace
+
+LastFrame::LastFrame(const Frame& frame)
+    : camera(frame.camera), probes(frame.options.probes), depth_scale(frame.depth_scale()),
+      step(frame.options.step), transforms(frame.scene.motion().transforms()),
+      shape_version(frame.scene.motion().shape_version()) {}
+
+std::optional<float> LastFrame::motion_to(const Frame& frame) const {
+    const SceneMotion& scene = frame.scene.motion();
+    const bool has_same_samples = probes == frame.options.probes &&
+                                  depth_scale == frame.depth_scale() &&
+                                  step == frame.options.step && camera.size == frame.camera.size &&
+                                  shape_version == scene.shape_version();
+    if (!has_same_samples) return std::nullopt;
+    const float motion = scene.typical_motion(camera, transforms, frame.camera);
+    return motion <= slow_pixels ? std::optional{motion} : std::nullopt;
+}
+
+bool TemporalStage::wanted(const Frame& frame) {
+    return wants_steadiness(frame.options) && frame.scene.chunk_count() == 1;
+}
+
+void TemporalStage::release() {
+    for (auto* buffer : {&alpha_, &offsets_, &ranges_, &positions_}) buffer->reset();
+    last_.reset();
+}
+
+void TemporalStage::begin_frame(const Frame& frame) {
+    if (!wanted(frame)) last_.reset();
+    motion_ = last_ ? last_->motion_to(frame) : std::nullopt;
+}
+
+void TemporalStage::make_tables(const compute::SegmentTable& table, std::size_t atlas_bytes) {
+    if (!offsets_) {
+        const auto words = [&](std::size_t count) {
+            return compute::allocate(device_, count * sizeof(la_uint), purpose::segments);
+        };
+        const std::size_t segments = table.segment_count;
+        offsets_ = words(segments + 1);
+        ranges_ = words(segments);
+        positions_ = words(table.candidates.count);
+        device_.clear(*ranges_, segments * sizeof(la_uint));
+        forget_chains(table);
+    }
+    if (alpha_ && alpha_->size() == atlas_bytes) return;
+    alpha_.reset(); // it may not fit beside another
+    alpha_ = compute::allocate(device_, atlas_bytes, purpose::atlas);
+    last_.reset();
+}
+
+void TemporalStage::forget_chains(const compute::SegmentTable& table) {
+    device_.clear(*positions_, std::size_t{table.candidates.count} * sizeof(la_uint));
+}
+
+void TemporalStage::average(Frame& frame, const compute::SegmentAtlas& atlas,
+                            compute::SilhouetteChains& chains) {
+    if (!wanted(frame)) return;
+    frame.clock("temporal", [&] {
+        const compute::SegmentTable table = frame.scene.candidate_table();
+        make_tables(table, atlas.alpha.size());
+        std::uint32_t use = LA_HISTORY_NONE;
+        if (motion_ && last_) {
+            frame.scene.forget_jumps(last_->transforms, frame.camera, slow_pixels, *ranges_);
+            const bool moved = last_->transforms != frame.scene.motion().transforms();
+            use = moved ? LA_HISTORY_SCENE : LA_HISTORY_CAMERA;
+        }
+        std::optional<compute::ChainOrder> order;
+        if (chains.has_order()) order.emplace(chains.order(table, *positions_));
+        stages_.temporal({.segment_count = frame.scene.table().segment_count,
+                          .atlas = atlas,
+                          .history = {*alpha_, *offsets_, *ranges_},
+                          .use = use,
+                          .chains = order ? &*order : nullptr});
+        if (!order) forget_chains(table);
+        last_.emplace(frame);
+    });
+}
+
+std::uint64_t TemporalStage::segment_bytes() const {
+    std::uint64_t sum = 0;
+    for (const auto* buffer : {&offsets_, &ranges_, &positions_})
+        sum += *buffer ? (*buffer)->size() : 0;
+    return sum;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "compute/stages/silhouette_chains.hpp"
+#include "frame.hpp"
+
+namespace lineatlas {
+
+/// What a frame must have in common with the next one, for that to go by it.
+struct LastFrame {
+    explicit LastFrame(const Frame& frame);
+
+    /// Pixels by which points of the model have typically moved since; none if `frame` has other
+    /// samples, or has moved so far that nobody follows a line.
+    std::optional<float> motion_to(const Frame& frame) const;
+
+    Camera camera;
+    std::uint32_t probes;
+    int depth_scale;
+    float step;
+    std::vector<glm::mat4> transforms; ///< of the objects
+    std::uint64_t shape_version;
+};
+
+/// `temporal`: the visibility of samples is averaged with that of the frame before, where little
+/// has moved, so that lines don't sparkle.
+class TemporalStage {
+  public:
+    explicit TemporalStage(compute::Stages& stages) : stages_(stages), device_(stages.device()) {}
+
+    /// Whether frames have to do with those before them.
+    static bool wanted(const Frame& frame);
+    /// Gives up its tables: those of another line set, or of another atlas.
+    void release();
+    /// The next frame has nothing to go by.
+    void forget() { last_.reset(); }
+
+    /// Before the segments of a frame are found.
+    void begin_frame(const Frame& frame);
+    /// LastFrame::motion_to() the current frame; none: it doesn't follow.
+    std::optional<float> motion() const { return motion_; }
+    /// SilhouetteChains::follow(): null where the frame doesn't follow.
+    compute::Buffer* positions_before() const { return motion_ ? positions_.get() : nullptr; }
+    /// Averages the samples of `atlas`, in the order of `chains`, and keeps them for the next
+    /// frame.
+    void average(Frame& frame, const compute::SegmentAtlas& atlas,
+                 compute::SilhouetteChains& chains);
+
+    std::uint64_t segment_bytes() const;
+    std::uint64_t sample_bytes() const { return alpha_ ? alpha_->size() : 0; }
+
+  private:
+    void make_tables(const compute::SegmentTable& table, std::size_t atlas_bytes);
+    /// The frame has no silhouettes.
+    void forget_chains(const compute::SegmentTable& table);
+
+    compute::Stages& stages_;
+    compute::Device& device_; ///< of stages_
+    std::optional<LastFrame> last_;
+    std::optional<float> motion_;
+    // What the last frame left:
+    std::unique_ptr<compute::Buffer> alpha_, offsets_, ranges_;
+    std::unique_ptr<compute::Buffer> positions_; ///< of candidates, see ChainOrder
+};
+
+} // namespace lineatlas
