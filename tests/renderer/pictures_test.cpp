@@ -291,7 +291,10 @@ TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
 }
 
 TEST_F(Planted, InTheSecondDrawIsSeenBesideTheGutter) {
-    const PlantedError error{"atlas.geom", "-float(row_width), 1.0", "-float(row_width), 2.0"};
+    // In what is drawn there, not in where: a texel that nobody draws may hold what is right.
+    const PlantedError error{"atlas.frag", "alpha = visibility(",
+                             "alpha = texel.y > sample_base.x / uint(atlas_size.x) ? 0.5 : "
+                             "visibility("};
     const Drawn wrap = draw_clevis({.step = 0.25F, .atlas = AtlasForm::raster});
     const Drawn gutter = draw_clevis(
         {.step = 0.25F, .atlas = AtlasForm::raster, .atlas_layout = AtlasLayoutChoice::gutter});
