@@ -200,10 +200,13 @@ const std::set<std::string> atlas_stages{
 
 void expect_sound(TraceCheck& check, DepthForm depth = DepthForm::raster) {
     if (depth == DepthForm::raster) {
-        check.expect_order("depth", "pyramid", true); // then the numbers of surfaces are copied
+        // The numbers of surfaces are copied while segments are projected.
+        check.expect_order("depth", "pyramid", true);
         check.expect_order("pyramid", "project_clip");
+        check.expect_order("depth", "atlas");
+    } else {
+        check.expect_order("depth", "project_clip");
     }
-    check.expect_order("depth", "project_clip");
     check.expect_order("project_clip", "scan");
     check.expect_order("scan", "atlas");
     check.expect_order("atlas", "temporal");
