@@ -42,10 +42,23 @@ constexpr const char* file = "libOpenCL.so.1";
 constexpr std::array names{LA_OPENCL_FUNCTIONS(LA_NAME) "clGetPlatformIDs"};
 #undef LA_NAME
 
+/// Where the file that an address lies in was loaded.
+void* base_of(const void* address) {
+    Dl_info info{};
+    return ::dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
+}
+
+/// Whether the process has functions of OpenCL that are not those below, which others see too where
+/// the library comes in shared parts (./run bundle).
+bool has_others() {
+    const void* const found = ::dlsym(RTLD_DEFAULT, "clGetPlatformIDs");
+    return found != nullptr && base_of(found) != base_of(file);
+}
+
 OpenClLibrary open_library() {
     OpenClLibrary library;
     // What stands before the library in a process goes first.
-    library.in_front = ::dlsym(RTLD_DEFAULT, "clGetPlatformIDs") != nullptr;
+    library.in_front = has_others();
     library.handle = library.in_front ? RTLD_DEFAULT : ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
     if (!library.in_front && library.handle == nullptr) {
         const char* const error = ::dlerror();
