@@ -10,10 +10,14 @@ constexpr float slow_pixels = 4;
 
 } // namespace
 
-LastFrame::LastFrame(const Frame& frame)
-    : camera(frame.camera), probes(frame.options.probes), depth_scale(frame.depth_scale()),
-      step(frame.options.step), transforms(frame.scene.motion().transforms()),
-      shape_version(frame.scene.motion().shape_version()) {}
+void LastFrame::take(const Frame& frame) {
+    camera = frame.camera;
+    probes = frame.options.probes;
+    depth_scale = frame.depth_scale();
+    step = frame.options.step;
+    transforms = frame.scene.motion().transforms(); // in the memory of those before
+    shape_version = frame.scene.motion().shape_version();
+}
 
 std::optional<float> LastFrame::motion_to(const Frame& frame) const {
     const SceneMotion& scene = frame.scene.motion();
@@ -82,7 +86,8 @@ void TemporalStage::average(Frame& frame, const compute::SegmentAtlas& atlas,
                           .use = use,
                           .chains = order ? &*order : nullptr});
         if (!order) forget_chains(table);
-        last_.emplace(frame);
+        if (!last_) last_.emplace();
+        last_->take(frame);
     });
 }
 

@@ -12,18 +12,18 @@ namespace lineatlas {
 
 /// What a frame must have in common with the next one, for that to go by it.
 struct LastFrame {
-    explicit LastFrame(const Frame& frame);
-
+    /// From now on `frame` is the last one.
+    void take(const Frame& frame);
     /// Pixels by which points of the model have typically moved since; none if `frame` has other
     /// samples, or has moved so far that nobody follows a line.
     std::optional<float> motion_to(const Frame& frame) const;
 
-    Camera camera;
-    std::uint32_t probes;
-    int depth_scale;
-    float step;
-    std::vector<glm::mat4> transforms; ///< of the objects
-    std::uint64_t shape_version;
+    Camera camera{};
+    std::uint32_t probes = 0;
+    int depth_scale = 0;
+    float step = 0;
+    std::vector<glm::mat4> transforms{}; ///< of the objects
+    std::uint64_t shape_version = 0;
 };
 
 /// `temporal`: the visibility of samples is averaged with that of the frame before, where little
