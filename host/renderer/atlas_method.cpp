@@ -272,6 +272,7 @@ bool AtlasMethod::grow_atlas(std::uint64_t needed) {
             purpose::atlas, (uncountable ? "over 4 billion" : std::to_string(needed)) + " samples",
             "this device's atlas holds " + std::to_string(most)));
     }
+    alpha_.release(); // there is the more room for another
     sample_capacity_ =
         static_cast<std::uint32_t>(std::min(compute::room_to_grow(device_, needed), most));
     make_atlas();

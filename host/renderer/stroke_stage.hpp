@@ -109,7 +109,7 @@ class StrokeStage {
     /// Puts runs and samples back where they were.
     void put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha);
     void prepare(const Frame& frame);
-    /// Whose totals are known.
+    /// How many runs there are, and so what of the table means something; waits.
     void read_totals(RunTable& table);
     void make_table(RunTable& table);
     void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
