@@ -30,16 +30,17 @@ class Brep : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     LoadedMesh load(const std::string& name, std::string_view content,
-                    const LoadOptions& options = {}) const {
+                    const LoadOptions& options = {}, const ReadLimits& limits = {}) const {
         const fs::path path = folder_ / name;
         std::ofstream(path, std::ios::binary) << content;
-        return load_mesh_isolated(path, {}, options);
+        return load_mesh_isolated(path, limits, options);
     }
 
     /// Whether it is read; what is refused is refused in one line.
-    bool is_read(const std::string& name, std::string_view content) const {
+    bool is_read(const std::string& name, std::string_view content,
+                 const ReadLimits& limits = {}) const {
         try {
-            const LoadedMesh loaded = load(name, content);
+            const LoadedMesh loaded = load(name, content, {}, limits);
             extract_lines(loaded.mesh);
             return true;
         } catch (const FileError& error) {
@@ -51,7 +52,8 @@ class Brep : public testing::Test {
         }
     }
 
-    /// The same with every `what`, of which there must be some, made `by`.
+    /// The same with every `what`, of which there must be some, made `by`: at once, or Open
+    /// CASCADE doesn't end.
     void is_read_changed(const std::string& name, const std::string& content,
                          const std::string& what, const std::string& by) const {
         std::string text = content;
@@ -59,7 +61,7 @@ class Brep : public testing::Test {
              at = text.find(what, at + by.size()))
             text.replace(at, what.size(), by);
         EXPECT_TRUE(text != content) << what;
-        is_read(name, text);
+        is_read(name, text, {.time = std::chrono::seconds{5}});
     }
 
     fs::path folder_;
