@@ -49,7 +49,7 @@ class Sequence : public Tool {
 TEST_F(Sequence, AFrameAloneIsTheFrameOfTheSequence) {
     for (const std::string compute : {"opencl", "cpp"}) {
         const std::string options =
-            "--scene ship --turntable 9 --size 200x150 --compute " + compute;
+            "--scene clevis --turntable 9 --size 200x150 --compute " + compute;
         draw(options + " -o " + path("all%d.png"));
         draw(options + " --frames 5 -o " + path("one%02d.png"));
         const Image all = read_image(path("all5.png"));

@@ -235,6 +235,7 @@ TEST_P(ExactBatches, AreSeenBesideAQuadThatHasAGap) {
 }
 
 TEST_P(ExactBatches, FindTheSameSpansOfAWalledHouse) {
+    if (GetParam().slow) GTEST_SKIP();
     const Scene house = make_scene("house");
     Mesh mesh = house.mesh;
     const View view = house.view(0.1F);

@@ -2,7 +2,7 @@
 // and `density` against their oracles, which are written in another way, the others against `cpp`,
 // which runs the same kernels through another compiler (on `cpp` itself: that it does not matter
 // which threads do what). Four scenes, the small ones at three cameras, one of them inside the
-// model.
+// model; the large ones not on slow devices.
 
 #include <algorithm>
 #include <array>
@@ -208,9 +208,11 @@ TEST_P(StagesTest, Clevis) {
     compare_scene("clevis");
 }
 TEST_P(StagesTest, House) {
+    if (GetParam().slow) GTEST_SKIP();
     compare_scene("house");
 }
 TEST_P(StagesTest, Ship) {
+    if (GetParam().slow) GTEST_SKIP();
     compare_scene("ship");
 }
 TEST_P(StagesTest, Office) {

@@ -46,9 +46,10 @@ std::vector<TestDevice> test_devices() {
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const std::string name = identifier(devices[i].platform_name) + "_" + std::to_string(i);
-        result.push_back({name + (devices[i].is_cpu ? "_chunks" : "_tiles"), make_own, i});
+        const bool slow = devices[i].platform_name == "rusticl";
+        result.push_back({name + (devices[i].is_cpu ? "_chunks" : "_tiles"), make_own, i, slow});
         // Compiling all kernels takes it a minute: only in the form in which they are used.
-        if (devices[i].platform_name == "rusticl") continue;
+        if (slow) continue;
         result.push_back({name + (devices[i].is_cpu ? "_tiles" : "_chunks"), make_other, i});
     }
     return result;

@@ -22,12 +22,13 @@ struct TestDevice {
     std::string name; ///< letters, digits and _ alone, as GoogleTest wants it
     std::unique_ptr<compute::Device> (*make_at)(std::size_t index);
     std::size_t index;
+    bool slow = false; ///< rusticl: too slow for what is large
 
     std::unique_ptr<compute::Device> make() const { return make_at(index); }
 };
 
 /// `cpp`, and every OpenCL device of this machine, each in its own tuning and in the other one (CPU
-/// form on GPU devices, GPU form on CPU devices; not on rusticl, which is slow). Without OpenCL
+/// form on GPU devices, GPU form on CPU devices; not on slow ones). Without OpenCL
 /// `Devices.OpenClIsThere` fails, so that nobody takes `cpp` alone for all.
 std::vector<TestDevice> test_devices();
 
