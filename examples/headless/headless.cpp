@@ -49,9 +49,7 @@ void draw(const char* model, const char* picture) {
     Renderer renderer;
     renderer.set_lines(lines);
     const Camera camera = make_camera(frame_points(lines.vertices, size), size, lines.bounds);
-    FrameOptions options;
-    options.style = default_style(); // as the tool draws
-    renderer.draw(camera, options, bound_framebuffer);
+    renderer.draw(camera, default_frame_options(), bound_framebuffer);
     write_image(picture, read_pixels());
 }
 

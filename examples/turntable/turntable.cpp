@@ -9,6 +9,7 @@
 #include <lineatlas/camera_path.hpp>
 #include <lineatlas/progress.hpp>
 #include <lineatlas/scenes.hpp>
+#include <lineatlas/style_files.hpp>
 #include <lineatlas/vector.hpp>
 #include <lineatlas/visibility.hpp>
 
@@ -33,7 +34,7 @@ void draw_turn(int frames) {
         const Camera camera = make_camera(view, size, lines.bounds);
         const std::vector<Interval> found = visibility.find(camera, {}, progress);
         std::ofstream{"turn." + std::to_string(frame) + ".svg"}
-            << to_svg(make_vector_drawing(lines, camera, found, Style{}));
+            << to_svg(make_vector_drawing(lines, camera, found, default_style()));
     }
 }
 

@@ -57,7 +57,8 @@ float parse_degrees(const std::string& text) {
 /// `options`: the drawing's.
 bool has_contours(const DrawingFile& drawing, const Mesh& mesh, LineOptions options) {
     const auto rule = described(drawing.description, "--silhouettes");
-    options.silhouettes = rule ? parse_silhouettes("--silhouettes", *rule) : usual_silhouettes;
+    options.silhouettes =
+        rule ? parse_silhouettes("--silhouettes", *rule) : LineOptions{}.silhouettes;
     return options.silhouettes != Silhouettes::mesh &&
            !extract_lines(mesh, options).contours.empty();
 }

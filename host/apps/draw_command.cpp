@@ -394,7 +394,7 @@ Command setup_draw(CLI::App& app) {
         ->capture_default_str()
         ->group(camera);
 
-    a.frame.declare(app, frame_settings(), "Lines and visibility");
+    a.frame.declare(app, frame_settings(), FrameSettings{}, "Lines and visibility");
     a.style.declare(app);
     a.sequence.declare(app);
     a.picture.declare(app);

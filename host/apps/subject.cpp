@@ -25,7 +25,7 @@ namespace lineatlas::apps {
 
 Silhouettes silhouettes(const DrawArguments& arguments) {
     return arguments.silhouettes.empty()
-               ? usual_silhouettes
+               ? LineOptions{}.silhouettes
                : parse_silhouettes("--silhouettes", arguments.silhouettes);
 }
 

@@ -15,12 +15,11 @@ namespace lineatlas {
 template <class Struct>
 class SettingOptions {
   public:
-    /// Both live as long as each other.
-    void declare(CLI::App& app, std::span<const SettingOf<Struct>> table,
+    /// Both live as long as each other. `defaults`: what is so where no option says otherwise.
+    void declare(CLI::App& app, std::span<const SettingOf<Struct>> table, const Struct& defaults,
                  const std::string& group) {
         app_ = &app;
         table_ = table;
-        const Struct defaults;
         for (const SettingOf<Struct>& setting : table) {
             std::string& value = values_[setting.key];
             const std::string help = setting.help + ": " + setting.values;

@@ -13,7 +13,7 @@ void StyleOptions::declare(CLI::App& app) {
     app.add_option("--set", changes_, "key=value: change a setting of the style; may be repeated")
         ->allow_extra_args(false)
         ->group(group);
-    settings_.declare(app, settings(), group);
+    settings_.declare(app, settings(), default_style(), group);
 }
 
 Style StyleOptions::style() const {

@@ -10,6 +10,7 @@
 
 #include "core/limits.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/style_files.hpp"
 #include "setting_makers.hpp"
 
 namespace lineatlas {
@@ -176,6 +177,12 @@ FrameOptions FrameSettings::for_pixels() const {
     const Sampling usual = sampling_of(quality);
     options.probes = probes.value_or(usual.probes);
     options.depth_scale = depth_scale.value_or(usual.depth_scale);
+    return options;
+}
+
+FrameOptions default_frame_options() {
+    FrameOptions options = FrameSettings{}.for_pixels();
+    options.style = default_style();
     return options;
 }
 

@@ -84,7 +84,5 @@ std::string line_kinds_to_text(LineKindMask kinds);
 
 /// LineOptions::silhouettes, by silhouettes_names.
 Silhouettes parse_silhouettes(std::string_view option, const std::string& text);
-/// Those of `draw` where it is not told.
-inline constexpr Silhouettes usual_silhouettes = Silhouettes::automatic;
 
 } // namespace lineatlas

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h> // fmt::join
 
 #include "lineatlas/lines.hpp"
+#include "lineatlas/style_files.hpp"
 #include "pen_rules.hpp"
 #include "setting_makers.hpp"
 
@@ -252,7 +253,7 @@ void check_style(const Style& style) {
 }
 
 std::string settings_table() {
-    return markdown_table(settings(), Style{});
+    return markdown_table(settings(), default_style());
 }
 
 } // namespace lineatlas

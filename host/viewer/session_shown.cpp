@@ -83,8 +83,8 @@ void Session::set_crease(std::optional<float> degrees) {
 
 void Session::set_silhouettes(Silhouettes silhouettes) {
     if (model_ == nullptr) return;
-    if (silhouettes == settings.shown.silhouettes.value_or(usual_silhouettes)) return;
-    const bool usual = silhouettes == usual_silhouettes;
+    if (silhouettes == settings.shown.silhouettes.value_or(LineOptions{}.silhouettes)) return;
+    const bool usual = silhouettes == LineOptions{}.silhouettes;
     settings.shown.silhouettes = usual ? std::nullopt : std::optional{silhouettes};
     changed();
 }

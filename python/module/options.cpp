@@ -124,7 +124,7 @@ LineOptions line_options(const LineKinds& kinds, const Crease& crease,
     LineOptions options{.crease_angle = crease_angle(crease),
                         .separate_objects = separate_objects,
                         .silhouettes = silhouettes ? parse_silhouettes("silhouettes", *silhouettes)
-                                                   : usual_silhouettes};
+                                                   : LineOptions{}.silhouettes};
     if (!kinds) return options;
     if (const auto* text = std::get_if<std::string>(&*kinds)) {
         options.kinds = mask_of_names(*text);

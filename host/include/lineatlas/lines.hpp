@@ -71,7 +71,7 @@ struct LineOptions {
     /// Of what KnownEdge::Kind::smooth is, draw creases too: where a fillet ends.
     bool smooth_edges = false;
     /// By methods other than `exact` and `atlas` they run along edges.
-    Silhouettes silhouettes = Silhouettes::mesh;
+    Silhouettes silhouettes = Silhouettes::automatic;
 };
 
 /// What moves on its own.

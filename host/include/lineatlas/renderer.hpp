@@ -128,6 +128,10 @@ struct FrameOptions {
     bool profile = false;        ///< keep times for Renderer::take_profiles()
 };
 
+/// As `lineatlas draw` draws a picture where no option says otherwise: by Method::exact, with
+/// default_style(). It draws sequences by Method::atlas, as a program does by FrameOptions{}.
+LINEATLAS_API FrameOptions default_frame_options();
+
 /// Where a picture is drawn part by part.
 struct TileTarget {
     std::uint32_t framebuffer = 0; ///< or `bound_framebuffer`

@@ -55,7 +55,8 @@ void silhouettes_row(Ui& ui) {
         {{Silhouettes::mesh, "Mesh", "Along edges of the mesh"},
          {Silhouettes::automatic, "Auto", "Smooth where the surface is, else along edges"},
          {Silhouettes::smooth, "Smooth", "Where the surface itself turns away"}}};
-    const Silhouettes now = ui.session.settings.shown.silhouettes.value_or(usual_silhouettes);
+    const Silhouettes now =
+        ui.session.settings.shown.silhouettes.value_or(LineOptions{}.silhouettes);
     label(ui, "They follow");
     for (const Choice& choice : choices) {
         if (choice.silhouettes != Silhouettes::mesh) ImGui::SameLine(0, ui.points(4));
