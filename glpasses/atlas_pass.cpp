@@ -1,6 +1,7 @@
 #include "atlas_pass.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,19 @@ AtlasPass::AtlasPass(std::string_view fragment_shader)
     glVertexArrayAttribIFormat(array, 4, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t));
 }
 
+std::uint32_t atlas_row(std::uint32_t longest, std::uint32_t most) {
+    constexpr std::uint32_t usual = 8192;
+    if (longest >= most) {
+        throw UsageError(beyond_limit(raster_atlas,
+                                      "rows of over " + std::to_string(longest) + " samples",
+                                      "a row holds " + std::to_string(most) + " here"));
+    }
+    // A power of two makes eq. 2 cheap.
+    const std::uint32_t wanted =
+        std::max(usual, longest < (1U << 30U) ? std::bit_ceil(longest + 1) * 2 : most);
+    return std::min(wanted, most);
+}
+
 void AtlasPass::resize(glm::ivec2 size) {
     if (size_.x == size.x && size_.y >= size.y) return;
     const int largest = largest_side();
@@ -78,11 +92,11 @@ void AtlasPass::resize(glm::ivec2 size) {
     size_ = size;
 }
 
-void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
-                     const AtlasLayout& layout, std::uint32_t samples, GLuint alpha) {
-    const auto rows = static_cast<int>(layout.rows(samples));
-    if (rows == 0) return;
-    resize({static_cast<int>(layout.pitch), rows});
+void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes, std::uint32_t row,
+                     std::uint32_t samples, GLuint alpha) {
+    if (samples == 0) return;
+    const auto rows = static_cast<int>((samples - 1) / row + 1);
+    resize({static_cast<int>(row), rows});
 
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     set_viewport({0, 0}, size_);
@@ -91,7 +105,6 @@ void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
     glLineWidth(1.0F);
     probes.bind(program_, 0);
     program_.use();
-    program_.set("row_width", layout.width);
     program_.set("atlas_size", glm::vec2{size_});
     program_.set("capacity", samples);
     glVertexArrayVertexBuffer(vertex_array_.id(), segment_binding, segments.clipped, 0,
@@ -99,9 +112,8 @@ void AtlasPass::draw(const ClippedBuffers& segments, const ProbeParams& probes,
     glVertexArrayVertexBuffer(vertex_array_.id(), offset_binding, segments.offsets, 0,
                               sizeof(std::uint32_t));
     glBindVertexArray(vertex_array_.id());
-    const bool wraps = layout.width == layout.pitch;
-    for (int draw = 0; draw < (wraps ? 2 : 1); ++draw) {
-        program_.set("second_draw", draw == 1);
+    for (const bool second : {false, true}) {
+        program_.set("second_draw", second);
         glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(segments.segment_count));
     }
     glBindBuffer(GL_PIXEL_PACK_BUFFER, alpha);

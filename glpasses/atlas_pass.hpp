@@ -5,7 +5,6 @@
 
 #include <glm/vec2.hpp>
 
-#include "core/atlas_layout.hpp"
 #include "objects.hpp"
 #include "program.hpp"
 
@@ -41,8 +40,14 @@ struct ClippedBuffers {
     std::uint32_t segment_count;
 };
 
-/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). In a wrapped layout they are drawn
-/// twice.
+/// Texels of a row of the raster atlas for segments of up to `longest` samples; no row is longer
+/// than `most`. Throws UsageError if such a segment doesn't fit: the sample step is too fine for
+/// the picture size.
+std::uint32_t atlas_row(std::uint32_t longest, std::uint32_t most);
+
+/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). A segment that is longer than what
+/// is left of its row goes on in the next one, so that rows are full and sample s is texel s: lines
+/// are drawn twice (eq. 2, Fig. 8: "wrapped").
 class AtlasPass {
   public:
     /// `fragment_shader`: finds the visibility of one sample. Uniforms of its own are set in
@@ -50,9 +55,9 @@ class AtlasPass {
     explicit AtlasPass(std::string_view fragment_shader = "atlas.frag");
     const Program& program() const { return program_; }
 
-    /// Draws an atlas of `samples` samples and copies it to `alpha`: one byte per texel, row by
-    /// row.
-    void draw(const ClippedBuffers& segments, const ProbeParams& probes, const AtlasLayout& layout,
+    /// Draws an atlas of `samples` samples in rows of `row` texels and copies whole rows of it to
+    /// `alpha`: one byte per texel.
+    void draw(const ClippedBuffers& segments, const ProbeParams& probes, std::uint32_t row,
               std::uint32_t samples, GLuint alpha);
 
   private:

@@ -8,8 +8,8 @@
 namespace lineatlas::gl {
 namespace {
 
-/// Attributes of one segment, per vertex or per instance.
-VertexArray segment_array(GLuint divisor) {
+/// Attributes of one segment, a vertex each.
+VertexArray segment_array() {
     VertexArray array = VertexArray::create();
     for (GLuint attribute = 0; attribute < 2; ++attribute) {
         glEnableVertexArrayAttrib(array.id(), attribute);
@@ -17,18 +17,15 @@ VertexArray segment_array(GLuint divisor) {
     }
     glVertexArrayAttribIFormat(array.id(), 0, 4, GL_UNSIGNED_INT, offsetof(Segment, p));
     glVertexArrayAttribIFormat(array.id(), 1, 1, GL_UNSIGNED_INT, offsetof(Segment, tag));
-    glVertexArrayBindingDivisor(array.id(), 0, divisor);
     return array;
 }
 
 } // namespace
 
 SpinePass::SpinePass()
-    : point_programs_({"spine.vert", "spine.geom", "spine.frag"}),
-      quad_programs_({"spine_quad.vert", "spine.frag"}), point_array_(segment_array(0)),
-      quad_array_(segment_array(1)), vertices_(TextureBuffer::create()),
-      triangles_(TextureBuffer::create()), tiles_(TextureBuffer::create()),
-      numbers_(TextureBuffer::create()) {}
+    : programs_({"spine.vert", "spine.geom", "spine.frag"}), array_(segment_array()),
+      vertices_(TextureBuffer::create()), triangles_(TextureBuffer::create()),
+      tiles_(TextureBuffer::create()), numbers_(TextureBuffer::create()) {}
 
 void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
                      const ProbeParams& probes, const StrokeParams& stroke) {
@@ -43,10 +40,7 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     if (spine.tiles != 0) glTextureBuffer(tiles_.id(), GL_R32F, spine.tiles);
     if (segments.numbers != 0) glTextureBuffer(numbers_.id(), GL_R32UI, segments.numbers);
 
-    const bool geometry = stroke.form == StrokeForm::geometry_shader;
-    ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
-    const Program& program = programs.with(stroke.pen.texture != 0 ? "PEN_TEXTURE" : "");
-    const VertexArray& array = geometry ? point_array_ : quad_array_;
+    const Program& program = programs_.with(stroke.pen.texture != 0 ? "PEN_TEXTURE" : "");
     probes.bind(program, 0);
     stroke.bind(program, 1);
     glBindTextureUnit(2, vertices_.id());
@@ -65,13 +59,9 @@ void SpinePass::draw(const SegmentBuffers& segments, const SpineParams& spine,
     program.set("eye", spine.eye);
     program.set("kind_mask", spine.kind_mask);
     program.set("probe_step", spine.step);
-    glVertexArrayVertexBuffer(array.id(), 0, segments.segments, 0, sizeof(Segment));
-    glBindVertexArray(array.id());
-    const auto count = static_cast<GLsizei>(segments.segment_count);
-    if (geometry)
-        glDrawArrays(GL_POINTS, 0, count);
-    else
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    glVertexArrayVertexBuffer(array_.id(), 0, segments.segments, 0, sizeof(Segment));
+    glBindVertexArray(array_.id());
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(segments.segment_count));
     glDisablei(GL_BLEND, 0);
 }
 

@@ -41,10 +41,8 @@ class SpinePass {
               const StrokeParams& stroke);
 
   private:
-    ProgramVariants point_programs_;
-    ProgramVariants quad_programs_;
-    VertexArray point_array_;
-    VertexArray quad_array_;
+    ProgramVariants programs_;
+    VertexArray array_;
     TextureBuffer vertices_, triangles_, tiles_, numbers_; ///< views of the buffers of a draw
 };
 

@@ -11,8 +11,8 @@
 namespace lineatlas::gl {
 namespace {
 
-/// Attributes of one run, per vertex or per instance.
-VertexArray run_array(GLuint divisor) {
+/// Attributes of one run, a vertex each.
+VertexArray run_array() {
     VertexArray array = VertexArray::create();
     for (GLuint attribute = 0; attribute < 5; ++attribute) {
         glEnableVertexArrayAttrib(array.id(), attribute);
@@ -23,7 +23,6 @@ VertexArray run_array(GLuint divisor) {
     glVertexArrayAttribFormat(array.id(), 2, 4, GL_FLOAT, GL_FALSE, offsetof(Run, start_arc));
     glVertexArrayAttribIFormat(array.id(), 3, 4, GL_UNSIGNED_INT, offsetof(Run, address));
     glVertexArrayAttribFormat(array.id(), 4, 4, GL_FLOAT, GL_FALSE, offsetof(Run, stroke_start));
-    glVertexArrayBindingDivisor(array.id(), 0, divisor);
     return array;
 }
 
@@ -127,21 +126,16 @@ void StrokeParams::bind(const Program& program, GLuint unit) const {
 }
 
 StrokePass::StrokePass()
-    : point_programs_({"strokes.vert", "strokes.geom", "strokes.frag"}),
-      quad_programs_({"strokes_quad.vert", "strokes.frag"}), point_array_(run_array(0)),
-      quad_array_(run_array(1)), alpha_(TextureBuffer::create()),
-      weights_(TextureBuffer::create()) {}
+    : programs_({"strokes.vert", "strokes.geom", "strokes.frag"}), array_(run_array()),
+      alpha_(TextureBuffer::create()), weights_(TextureBuffer::create()) {}
 
 void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style,
                       const DensityWeights& density) {
     // In every draw: buffers may have grown into others since the last one.
     glTextureBuffer(alpha_.id(), GL_R8, runs.alpha);
 
-    const bool geometry = params.form == StrokeForm::geometry_shader;
-    ProgramVariants& programs = geometry ? point_programs_ : quad_programs_;
     list_features(params, style, density.buffer != 0, features_);
-    const Program& program = programs.with(features_);
-    const VertexArray& array = geometry ? point_array_ : quad_array_;
+    const Program& program = programs_.with(features_);
     glBindTextureUnit(0, alpha_.id());
     program.use();
     program.set("alpha", 0);
@@ -154,16 +148,10 @@ void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const 
         program.set("cells", glm::vec2{density.cells});
         program.set("cell_size", density.cell);
     }
-    glVertexArrayVertexBuffer(array.id(), 0, runs.runs, 0, sizeof(Run));
-    glBindVertexArray(array.id());
+    glVertexArrayVertexBuffer(array_.id(), 0, runs.runs, 0, sizeof(Run));
+    glBindVertexArray(array_.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, runs.record);
-    if (geometry) {
-        glDrawArraysIndirect(GL_POINTS,
-                             reinterpret_cast<const void*>(offsetof(FrameRecord, points)));
-    } else {
-        glDrawArraysIndirect(GL_TRIANGLE_STRIP,
-                             reinterpret_cast<const void*>(offsetof(FrameRecord, quads)));
-    }
+    glDrawArraysIndirect(GL_POINTS, reinterpret_cast<const void*>(offsetof(FrameRecord, points)));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     glDisablei(GL_BLEND, 0);
 }

@@ -15,9 +15,6 @@
 
 namespace lineatlas::gl {
 
-/// Which shader turns a run into a quad (§4.4); both draw the same picture.
-enum class StrokeForm { geometry_shader, vertex_shader };
-
 /// A pen's mark as a texture: coverage, u along the stroke and v across it.
 struct PenTexture {
     GLuint texture = 0;      ///< 0: a solid mark
@@ -34,7 +31,6 @@ struct StrokeParams {
     float width;        ///< pixels
     glm::vec4 color;    ///< RGB and opacity
     PenTexture pen;
-    StrokeForm form;
 
     /// Prepares GL for strokes over the bound framebuffer, with the pen on texture `unit`, and sets
     /// the uniforms that all stroke shaders have. Blending stays on.
@@ -89,10 +85,8 @@ class StrokePass {
               const DensityWeights& density = {});
 
   private:
-    ProgramVariants point_programs_;
-    ProgramVariants quad_programs_;
-    VertexArray point_array_;
-    VertexArray quad_array_;
+    ProgramVariants programs_;
+    VertexArray array_;
     TextureBuffer alpha_, weights_; ///< views of the buffers of a draw
     std::string features_;          ///< kept for its memory
 };

@@ -20,7 +20,6 @@
 #define LANES_IN_USE 9
 #endif
 
-#include "atlas_address.h"
 #include "probe.h"
 
 /* The last segment that starts at or before sample s; it has samples. */
@@ -63,12 +62,12 @@ static bool is_in_core(const float2 whole_p, const Spine spine, const uint j, co
 }
 #endif
 
-/* alpha: one byte per sample at its atlas address, 0 to 255. Samples at or beyond `capacity` are
+/* alpha: one byte per sample, 0 to 255. Samples at or beyond `capacity` are
  * left out: the host sees the total, enlarges the atlas and runs the kernel again. For TILED alone:
  * origin is the first texel of `depth` in the whole, core the texels from xy up to zw, without. */
 KERNEL(atlas, AtlasParameters) {
     const uint count = args.count;
-    const uint total = min(offsets[count], args.rows.capacity);
+    const uint total = min(offsets[count], args.capacity);
     const uint first = (uint)get_global_id(0) * args.block;
     if (first >= total) return;
     const uint last = min(first + args.block, total);
@@ -95,14 +94,13 @@ KERNEL(atlas, AtlasParameters) {
         const float2 whole_p = spine.p;
         spine.p -= convert_float2(origin);
 #endif
-        const uint address = atlas_address(args.rows, begin);
         const uint stop = min(end, last);
         for (; s < stop; ++s) {
 #ifdef TILED
             if (!is_in_core(whole_p, spine, s - begin, inverse_l, to_int4(args.core))) continue;
 #endif
             const uint visible = count_visible(spine, s - begin, inverse_l, buffer);
-            alpha[address + s - begin] = (uchar)((visible * 255u + PROBES / 2u) / PROBES);
+            alpha[s] = (uchar)((visible * 255u + PROBES / 2u) / PROBES);
         }
         ++i;
     }

@@ -33,8 +33,8 @@ KERNEL(compact_count, CompactParameters) {
         const uint l = offsets[i + 1] - s;
         if (args.hidden != 0 && is_dot(segments, arcs, i)) continue;
         if (l == 0 && args.hidden != 0 && arcs[i + 1] != arcs[i]) ++runs;
-        if (!is_in_atlas(args.rows, s, l)) continue;
-        __global const uchar* own = alpha + atlas_address(args.rows, s);
+        if (!is_in_atlas(args.capacity, s, l)) continue;
+        __global const uchar* own = alpha + s;
         for (uint a = 0; a < l; ++a) {
             if (!wanted(own[a], args.hidden)) continue;
             ++runs;
@@ -64,16 +64,15 @@ KERNEL(compact_write, CompactParameters) {
         if (l == 0 && args.hidden != 0 && arcs[i + 1] != arcs[i]) {
             write_run(frame, i, 0.0f, 1.0f, 0, 1, LA_RUN_SOLID, runs + next++);
         }
-        if (!is_in_atlas(args.rows, s, l)) continue;
-        const uint address = atlas_address(args.rows, s);
-        __global const uchar* own = alpha + address;
+        if (!is_in_atlas(args.capacity, s, l)) continue;
+        __global const uchar* own = alpha + s;
         for (uint a = 0; a < l; ++a) {
             if (!wanted(own[a], args.hidden)) continue;
             const uint end = run_end(own, a, l, args.hidden);
             /* A run fades out half a sample beyond its last one: alpha is interpolated. */
             const float start_sample = a == 0 ? 0.0f : (float)a - 0.5f;
             const float end_sample = end == l ? (float)l : (float)end + 0.5f;
-            write_run(frame, i, start_sample, end_sample, address, l, 0, runs + next++);
+            write_run(frame, i, start_sample, end_sample, s, l, 0, runs + next++);
             a = end;
         }
     }

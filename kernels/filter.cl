@@ -22,7 +22,7 @@ typedef struct Work {
     uint run_count;
     __global const RunCuts* cuts; /* or null */
     __global const uchar* alpha;
-    AtlasRows rows;
+    uint capacity;    /* of the atlas */
     uint first, last; /* segments of the path */
     uint first_run, last_run;
     bool seam;   /* the path is closed, and drawn where its last segment meets its first */
@@ -215,7 +215,7 @@ static void set_overshoot(const Work* work, Stroke* interval, const float most) 
 static uint samples_of(const Work* work, const uint i) {
     const uint s = work->frame.offsets[i];
     const uint l = work->frame.offsets[i + 1] - s;
-    return is_in_atlas(work->rows, s, l) ? l : 0u;
+    return is_in_atlas(work->capacity, s, l) ? l : 0u;
 }
 
 /* Runs for a part of the path between two arc lengths, from segment i on. `stroke`: the whole
@@ -253,7 +253,7 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
             vstore2(end_corner, 0, run->end_corner);
             run->stroke_start = stroke.x;
             run->stroke_end = stroke.y;
-            run->address = l > 0 ? atlas_address(work->rows, frame.offsets[i]) : 0u;
+            run->address = l > 0 ? frame.offsets[i] : 0u;
             run->flags = run_start << LA_RUN_START_SHIFT | run_end << LA_RUN_END_SHIFT |
                          stroke_kinds | (l == 0 ? LA_RUN_SOLID : 0u) |
                          (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
@@ -458,14 +458,14 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
 /* out: null to count only. */
 static Work make_work(const Frame frame, __global const Run* runs, const uint run_count,
                       __global const RunCuts* cuts, __global const uchar* alpha,
-                      const AtlasRows rows, __global Run* out) {
+                      const uint capacity, __global Run* out) {
     Work work;
     work.frame = frame;
     work.runs = runs;
     work.run_count = run_count;
     work.cuts = cuts;
     work.alpha = alpha;
-    work.rows = rows;
+    work.capacity = capacity;
     work.out = out;
     work.count = 0;
     return work;
@@ -501,7 +501,7 @@ KERNEL(filter_count, FilterParameters) {
     const Frame frame = {segments,       clipped, offsets, arcs, to_float2(args.viewport),
                          args.half_width};
     Work work =
-        make_work(frame, runs, run_count, args.use_cuts != 0 ? cuts : 0, alpha, args.rows, 0);
+        make_work(frame, runs, run_count, args.use_cuts != 0 ? cuts : 0, alpha, args.capacity, 0);
     filter_path_of(&work, r, args.filter);
     counts[r] = work.count;
 }
@@ -519,8 +519,8 @@ KERNEL(filter_write, FilterParameters) {
     if (r >= run_count || total > args.filtered_capacity) return;
     const Frame frame = {segments,       clipped, offsets, arcs, to_float2(args.viewport),
                          args.half_width};
-    Work work = make_work(frame, runs, run_count, args.use_cuts != 0 ? cuts : 0, alpha, args.rows,
-                          filtered + run_offsets[r]);
+    Work work = make_work(frame, runs, run_count, args.use_cuts != 0 ? cuts : 0, alpha,
+                          args.capacity, filtered + run_offsets[r]);
     filter_path_of(&work, r, args.filter);
 }
 

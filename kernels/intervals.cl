@@ -23,7 +23,7 @@
 /* The atlas, and which intervals are wanted: bit 0 visible ones, bit 1 hidden ones. */
 typedef struct Atlas {
     __global const uchar* alpha;
-    AtlasRows rows;
+    uint capacity;
     uint wanted;
 } Atlas;
 
@@ -38,7 +38,7 @@ typedef struct Piece {
 static __global const uchar* samples_of(const Frame frame, const Atlas atlas, const uint i) {
     const uint s = frame.offsets[i];
     const uint l = frame.offsets[i + 1] - s;
-    return is_in_atlas(atlas.rows, s, l) ? atlas.alpha + atlas_address(atlas.rows, s) : 0;
+    return is_in_atlas(atlas.capacity, s, l) ? atlas.alpha + s : 0;
 }
 
 /* Visibility (of 255) from which on segment i counts as visible. */
@@ -139,7 +139,7 @@ KERNEL(intervals_count, IntervalsParameters) {
     if (first >= args.count) return;
     const uint last = min(first + args.block, args.count);
     const Frame frame = {segments, clipped, offsets, arcs, to_float2(args.viewport), 0.0f};
-    const Atlas atlas = {alpha, args.rows, args.wanted};
+    const Atlas atlas = {alpha, args.capacity, args.wanted};
     uint total = 0;
     for (uint i = first; i < last; ++i) total += put_segment(frame, atlas, i, 0);
     counts[b] = total;
@@ -155,7 +155,7 @@ KERNEL(intervals_write, IntervalsParameters) {
     if (first >= args.count || total > args.interval_capacity) return;
     const uint last = min(first + args.block, args.count);
     const Frame frame = {segments, clipped, offsets, arcs, to_float2(args.viewport), 0.0f};
-    const Atlas atlas = {alpha, args.rows, args.wanted};
+    const Atlas atlas = {alpha, args.capacity, args.wanted};
     uint next = block_offsets[b];
     for (uint i = first; i < last; ++i) next += put_segment(frame, atlas, i, intervals + next);
 }

@@ -21,12 +21,6 @@ typedef struct CountParameters {
     la_uint count;
 } CountParameters;
 
-/* How samples lie in the atlas (eq. 2): rows of `pitch` texels of which the first `width` can start
- * a segment, and room for `capacity` samples. */
-typedef struct AtlasRows {
-    la_uint width, pitch, capacity;
-} AtlasRows;
-
 /* What of a frame most stages read. */
 #define FRAME_TABLES(in) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(uint, arcs)
@@ -139,7 +133,7 @@ typedef struct AtlasParameters {
     la_vec2 viewport;
     float depth_scale, tolerance; /* as in ProjectClipParameters */
     SurfaceParameters surfaces;
-    AtlasRows rows;
+    la_uint capacity; /* samples that the atlas has room for */
     la_uint block;   /* samples per work-item */
     la_ivec2 origin; /* TILED: the first texel of `depth` in the whole */
     la_ivec4 core;   /* TILED: samples in these texels, from xy up to, without, zw, are computed */
@@ -155,7 +149,7 @@ typedef struct AtlasParameters {
 
 typedef struct TemporalParameters {
     la_uint count; /* segments */
-    AtlasRows rows;
+    la_uint capacity; /* samples that the atlas has room for */
     la_uint block;   /* segments per work-item */
     la_uint history; /* LA_HISTORY_* */
     la_uint first;   /* segment that `chain` has placed; they stand where they do in this frame */
@@ -166,7 +160,7 @@ typedef struct TemporalParameters {
 
 typedef struct CompactParameters {
     la_uint count; /* segments */
-    AtlasRows rows;
+    la_uint capacity; /* samples that the atlas has room for */
     la_vec2 viewport;
     float half_width; /* of the stroke, in pixels: decides where a join has room */
     la_uint hidden;   /* 1: runs of hidden samples instead of visible ones */
@@ -181,7 +175,7 @@ typedef struct CompactParameters {
     out(FrameRecord, record)
 
 typedef struct FilterParameters {
-    AtlasRows rows;
+    la_uint capacity; /* samples that the atlas has room for */
     la_vec2 viewport;
     float half_width; /* as in CompactParameters */
     StrokeFilter filter;
@@ -232,7 +226,7 @@ typedef struct DensityParameters {
 
 typedef struct IntervalsParameters {
     la_uint count; /* segments */
-    AtlasRows rows;
+    la_uint capacity; /* samples that the atlas has room for */
     la_vec2 viewport;
     la_uint wanted; /* bit 0 visible ones, bit 1 hidden ones */
     la_uint block;  /* segments per work-item */

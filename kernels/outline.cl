@@ -14,7 +14,7 @@
  * segment there is outline like the part before it, if it is no longer than that, and than
  * LA_OUTLINE_CORNER times the depth asked for: so the outline of a wedge of 20 degrees is whole. */
 
-#include "atlas_address.h"
+#include "atlas_samples.h"
 #include "exact.h"
 #include "kernels.h"
 

@@ -2,7 +2,7 @@
 #ifndef LINEATLAS_RUN_H
 #define LINEATLAS_RUN_H
 
-#include "atlas_address.h"
+#include "atlas_samples.h"
 #include "kernels.h"
 
 /* The tables of a frame. */
@@ -228,9 +228,6 @@ static void write_record(__global FrameRecord* record, const uint run_total,
     record->points[0] = drawn;
     record->points[1] = 1;
     record->points[2] = record->points[3] = 0;
-    record->quads[0] = 4;
-    record->quads[1] = drawn;
-    record->quads[2] = record->quads[3] = 0;
     record->sample_total = sample_total;
     record->run_total = run_total;
     record->raw_run_total = run_total;

@@ -103,7 +103,6 @@ typedef struct RunCuts {
  * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */
 typedef struct FrameRecord {
     la_uint points[4];     /* {runs, 1, 0, 0}: one point per run for the geometry shader */
-    la_uint quads[4];      /* {4, runs, 0, 0}: one instanced strip per run for the vertex shader */
     la_uint sample_total;  /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
     la_uint run_total;     /* runs the frame needs; above the table's capacity nothing is drawn */
     la_uint raw_run_total; /* of `filter`: the runs it was to filter, as run_total */
@@ -112,7 +111,7 @@ typedef struct FrameRecord {
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Segment) == 32 && sizeof(ClippedSegment) == 48);
-static_assert(sizeof(Cluster) == 32 && sizeof(Run) == 80 && sizeof(FrameRecord) == 48);
+static_assert(sizeof(Cluster) == 32 && sizeof(Run) == 80 && sizeof(FrameRecord) == 32);
 static_assert(sizeof(RunCuts) == 64);
 static_assert(sizeof(Interval) == 76);
 static_assert(offsetof(ClippedSegment, t0) == 32 && offsetof(Run, start_arc) == 32);

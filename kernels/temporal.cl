@@ -6,7 +6,7 @@
  *
  * One work-item per block of `block` neighbouring segments. */
 
-#include "atlas_address.h"
+#include "atlas_samples.h"
 #include "kernels.h"
 
 static uchar average(const uchar now, const float past, const uint history) {
@@ -39,9 +39,9 @@ static Places places_of(const uint i, const uint first, __global const uint* ori
     return places;
 }
 
-/* alpha: of this frame, in and out; before: of the frame before, at the addresses of
- * offsets_before. ranges: clip parameters t0 and t1 of every segment in the frame before, 16 bits
- * each; those of this frame when the kernel is done. origins: of this frame's chains; and
+/* alpha: of this frame, in and out; before: of the frame before, from
+ * offsets_before on. ranges: clip parameters t0 and t1 of every segment in the frame before, 16
+ * bits each; those of this frame when the kernel is done. origins: of this frame's chains; and
  * positions_before: of the frame before, as chain_write has them. */
 KERNEL(temporal, TemporalParameters) {
     const uint b = (uint)get_global_id(0);
@@ -51,7 +51,7 @@ KERNEL(temporal, TemporalParameters) {
     for (uint i = first; i < last; ++i) {
         const uint s = offsets[i];
         const uint l = offsets[i + 1] - s;
-        if (!is_in_atlas(args.rows, s, l)) continue;
+        if (!is_in_atlas(args.capacity, s, l)) continue;
         const float t0 = clipped[i].t0;
         const float t1 = clipped[i].t1;
         const bool follows = args.history != LA_HISTORY_NONE;
@@ -63,8 +63,8 @@ KERNEL(temporal, TemporalParameters) {
         const uint s_before = offsets_before[places.before];
         const uint l_before = offsets_before[places.before + 1] - s_before;
         if (l_before == 0) continue;
-        __global uchar* own = alpha + atlas_address(args.rows, s);
-        __global const uchar* own_before = before + atlas_address(args.rows, s_before);
+        __global uchar* own = alpha + s;
+        __global const uchar* own_before = before + s_before;
         if (l == l_before && range == range_now) { /* as most: sample by sample */
             for (uint j = 0; j < l; ++j) {
                 if (own[j] != own_before[j])

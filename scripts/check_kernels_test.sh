@@ -36,4 +36,4 @@ KERNEL(unused, CountParameters) {}
 KERNEL(pyramid" "did not run: .*unused"
 # What it reads there, which is anything, decides whether it writes too.
 expect "a stroke beyond an atlas that is too small" filter.cl \
-    "return is_in_atlas(work->rows, s, l) ? l : 0u;" "return l;" "Invalid (read|write)"
+    "return is_in_atlas(work->capacity, s, l) ? l : 0u;" "return l;" "Invalid (read|write)"

@@ -1,5 +1,5 @@
 #version 450 core
-// spine, geometry-shader form: a segment becomes a stroke, or nothing (§3.1).
+// spine: a segment becomes a stroke, or nothing (§3.1).
 
 #include "spine.glsl"
 

@@ -1,6 +1,5 @@
-// spine: a stroke straight from a segment of the segment table (§3.1), shared by the geometry-shader and
-// vertex-shader forms. Projection, clipping and the description of the own faces are those of
-// kernels/clipping.h.
+// spine: a stroke straight from a segment of the segment table (§3.1). Projection, clipping and the
+// description of the own faces are those of kernels/clipping.h.
 
 #include "probe.glsl"
 

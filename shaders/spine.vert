@@ -1,5 +1,5 @@
 #version 450 core
-// spine, geometry-shader form: one point per segment of the segment table.
+// spine: one point per segment of the segment table.
 
 layout(location = 0) in uvec4 ends_and_faces;
 layout(location = 1) in uint tag;

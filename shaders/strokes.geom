@@ -1,5 +1,5 @@
 #version 450 core
-// strokes, geometry-shader form: a point becomes a quad.
+// strokes: a point becomes a quad.
 
 #include "strokes.glsl"
 

@@ -1,5 +1,4 @@
-// strokes: the quad of one run and what its fragments share (§4.4), for the geometry-shader and the
-// vertex-shader form.
+// strokes: the quad of one run and what its fragments share (§4.4).
 
 #define VARYING out
 #include "flags.h"

@@ -1,5 +1,5 @@
 #version 450 core
-// strokes, geometry-shader form: one point per run.
+// strokes: one point per run.
 
 layout(location = 0) in vec4 ends;
 layout(location = 1) in vec4 corners;

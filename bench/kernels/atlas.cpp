@@ -45,16 +45,15 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const glm::ivec2 depth_size = viewport * depth_scale;
     const std::vector<float> depth_values(
         static_cast<std::size_t>(depth_size.x) * static_cast<std::size_t>(depth_size.y), 0.5F);
-    const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, samples_each, 16384);
 
     const SharedBuffer clipped = to_device(device, strewn_segments(count));
     const SharedBuffer offsets = to_device(device, offset_values);
     const SharedBuffer arcs = device.allocate(sizeof(std::uint32_t)); // atlas doesn't read them
     const SharedBuffer depth = to_device(device, depth_values);
-    const SharedBuffer alpha = device.allocate(layout.texels(n));
+    const SharedBuffer alpha = device.allocate(n);
     const auto run = [=, &stages] {
         stages.atlas({.segment_count = count,
-                      .atlas = {{*clipped, *offsets, *arcs}, *alpha, layout, n},
+                      .atlas = {{*clipped, *offsets, *arcs}, *alpha, n},
                       .depth = {*depth, depth_size, depth_scale, 1e-4F},
                       .viewport = glm::vec2{viewport},
                       .probes = 3});

@@ -77,7 +77,6 @@ struct Buffers {
           alpha(to_device(device, input.alpha)), runs(to_device(device, input.runs)),
           count(static_cast<std::uint32_t>(input.runs.size())), viewport(input.viewport) {
         const FrameRecord values{.points = {count, 1, 0, 0},
-                                 .quads = {4, count, 0, 0},
                                  .sample_total = 0,
                                  .run_total = count,
                                  .raw_run_total = count,
@@ -126,10 +125,9 @@ Job prepare_density(compute::Stages& stages, std::uint32_t n) {
         LA_DENSITY_BINS * static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
     const SharedBuffer weights = device.allocate(count * sizeof(float));
     const SharedBuffer grid = device.allocate(count * sizeof(std::uint32_t));
-    const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, 7, 16384);
     const auto run = [=, &stages] {
         stages.density({.table = on.table(),
-                        .atlas = {on.clipped_table(), *on.alpha, layout, 0},
+                        .atlas = {on.clipped_table(), *on.alpha, 0},
                         .runs = *on.runs,
                         .record = *on.record,
                         .run_capacity = on.count,

@@ -87,8 +87,7 @@ PathTables::PathTables(compute::Device& device, const Paths& paths)
       vertices(to_device(device, std::vector<glm::vec3>(2))),
       segments(to_device(device, paths.segments)), clipped(to_device(device, paths.clipped)),
       offsets(to_device(device, paths.offsets)), arcs(to_device(device, paths.arcs)),
-      alpha(to_device(device, paths.alpha)),
-      layout(make_atlas_layout(AtlasLayoutChoice::wrap, 7, 16384)) {}
+      alpha(to_device(device, paths.alpha)) {}
 
 RunTables::RunTables(compute::Device& device, std::uint32_t capacity_)
     : capacity(capacity_), runs(device.allocate(capacity * sizeof(Run))),

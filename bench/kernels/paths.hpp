@@ -30,13 +30,10 @@ struct PathTables {
     PathTables(compute::Device& device, const Paths& paths);
 
     compute::SegmentTable table() const { return {*vertices, *vertices, *segments, 0, count}; }
-    compute::SegmentAtlas atlas() const {
-        return {{*clipped, *offsets, *arcs}, *alpha, layout, samples};
-    }
+    compute::SegmentAtlas atlas() const { return {{*clipped, *offsets, *arcs}, *alpha, samples}; }
 
     std::uint32_t count, samples, runs; ///< segments, and what they have
     SharedBuffer vertices, segments, clipped, offsets, arcs, alpha;
-    AtlasLayout layout;
 };
 
 /// Room for their visible runs, and the record of a frame.

@@ -17,14 +17,14 @@ gl::Buffer upload(const std::vector<T>& values) {
     return buffer;
 }
 
-AtlasLayout layout_for(const ClippedLines& lines) {
+std::uint32_t row_for(const ClippedLines& lines) {
     std::uint32_t longest = 1;
     for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
         longest = std::max(longest, lines.samples(i));
     }
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    return make_atlas_layout(AtlasLayoutChoice::wrap, longest, static_cast<std::uint32_t>(largest));
+    return gl::atlas_row(longest, static_cast<std::uint32_t>(largest));
 }
 
 } // namespace
@@ -69,8 +69,8 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
     depth_.draw_texture(frame);
 
     const std::uint32_t samples = lines.offsets.back();
-    const AtlasLayout layout = layout_for(lines);
-    std::vector<std::uint8_t> texels(layout.texels(samples));
+    const std::uint32_t row = row_for(lines);
+    std::vector<std::uint8_t> texels((samples + row - 1) / row * row);
     const gl::Buffer clipped =
         upload(frame.knows_surfaces() ? numbered(lines.clipped) : lines.clipped);
     const gl::Buffer offsets = upload(lines.offsets);
@@ -78,17 +78,13 @@ Renderer::Samples SpineSampler::sample(const ClippedLines& lines, const Camera& 
     pass_.program().set("probe_step", options.step);
     pass_.draw(
         {.clipped = clipped.id(), .offsets = offsets.id(), .segment_count = scene_.segment_count()},
-        depth_.probed_by_gl(frame), layout, samples, alpha.id());
+        depth_.probed_by_gl(frame), row, samples, alpha.id());
     glGetNamedBufferSubData(alpha.id(), 0, static_cast<GLsizeiptr>(texels.size()), texels.data());
 
     Renderer::Samples result;
     result.offsets = lines.offsets;
-    result.alpha.reserve(samples);
-    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
-        if (lines.samples(i) == 0) continue;
-        const auto first = texels.begin() + layout.address(lines.offsets[i]);
-        result.alpha.insert(result.alpha.end(), first, first + lines.samples(i));
-    }
+    texels.resize(samples);
+    result.alpha = std::move(texels);
     result.runs = spine_runs(lines, result.alpha, camera.size);
     return result;
 }

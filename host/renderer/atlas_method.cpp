@@ -72,31 +72,16 @@ void AtlasMethod::make_segment_tables(std::size_t segments) {
     arcs_ = compute::allocate(device_, sums, purpose::segments);
 }
 
-void AtlasMethod::prepare_layout(const Frame& frame, GLint longest_row) {
-    const std::uint32_t longest = longest_segment(frame);
-    const auto row = std::min(static_cast<std::uint64_t>(longest_row), most_texels());
-    const AtlasLayout layout =
-        make_atlas_layout(frame.options.atlas_layout, longest, static_cast<std::uint32_t>(row));
-    if (layout.width == layout_.width && layout.pitch == layout_.pitch) return;
-    layout_ = layout;
-    temporal_.release();
-    const std::uint64_t most = std::max<std::uint64_t>(most_samples(), 1);
+void AtlasMethod::make_atlas(const Frame& frame) {
+    const std::uint64_t most_texels =
+        std::min(static_cast<std::uint64_t>(largest_texture_buffer_), device_.largest_buffer());
+    const auto longest_row =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(largest_side_, most_texels));
+    row_ = raster_ ? gl::atlas_row(longest_segment(frame), longest_row) : 1;
+    most_samples_ = most_texels / row_ * row_;
     sample_capacity_ = static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(std::max(sample_capacity_, first_sample_capacity), most));
-    make_atlas();
-}
-
-void AtlasMethod::make_atlas() {
-    alpha_.release(); // there may be no room for another beside it
-    alpha_.fit(layout_.texels(sample_capacity_));
-}
-
-std::uint64_t AtlasMethod::most_texels() const {
-    return std::min(static_cast<std::uint64_t>(largest_texture_buffer_), device_.largest_buffer());
-}
-
-std::uint64_t AtlasMethod::most_samples() const {
-    return most_texels() / layout_.pitch * layout_.width;
+        std::min<std::uint64_t>(std::max(sample_capacity_, first_sample_capacity), most_samples_));
+    if (alpha_.room() < rows(sample_capacity_) * row_) alpha_.fit(rows(sample_capacity_) * row_);
 }
 
 void AtlasMethod::prepare(const Frame& frame) {
@@ -106,7 +91,7 @@ void AtlasMethod::prepare(const Frame& frame) {
               frame.options.atlas == AtlasForm::raster ||
               (frame.options.atlas == AtlasForm::automatic && prefers_raster_ &&
                longest_segment(frame) < static_cast<std::uint32_t>(largest_side_));
-    prepare_layout(frame, raster_ ? largest_side_ : no_texture);
+    make_atlas(frame);
     cull_hidden_ = frame.culls_hidden();
     keeps_intervals_ = IntervalStage::wanted(frame);
     // The item buffer has no depth that kernels could look at.
@@ -124,7 +109,7 @@ void AtlasMethod::begin_chunk(Frame& frame, std::size_t chunk) {
 
 void AtlasMethod::keep_chunk(Frame& frame) {
     if (frame.scene.chunk_count() == 1) return;
-    strokes_.keep(frame, alpha_, layout_.texels(strokes_.sample_total()));
+    strokes_.keep(frame, alpha_, strokes_.sample_total());
     intervals_.keep(frame, order(), read_offsets());
 }
 
@@ -219,7 +204,7 @@ void AtlasMethod::sample_compute(Frame& frame) {
 
 bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
     return frame.options.atlas == AtlasForm::automatic &&
-           layout_.rows(samples) > static_cast<std::uint32_t>(largest_side_);
+           rows(samples) > static_cast<std::uint32_t>(largest_side_);
 }
 
 compute::AtlasArgs AtlasMethod::atlas_args(Frame& frame) {
@@ -241,10 +226,10 @@ void AtlasMethod::sample_raster(Frame& frame) {
                                 sizeof(total), &total);
         if (total > sample_capacity_) return; // grow() sees to it
         if (leaves_raster(frame, total)) return;
-        alpha_.set_size(layout_.texels(total));
+        alpha_.set_size(total);
         atlas_pass_.draw(
             {.clipped = clipped_.gl(), .offsets = offsets_.gl(), .segment_count = segment_count_},
-            depth_.probed_by_gl(frame), layout_, total, alpha_.gl_to_write());
+            depth_.probed_by_gl(frame), row_, total, alpha_.gl_to_write());
     });
     if (total > sample_capacity_ || !leaves_raster(frame, total)) return;
     if (!reads_depth()) depth_.draw_for_compute(frame);
@@ -259,23 +244,22 @@ void AtlasMethod::sample_item_buffer(Frame& frame) {
         device_.download(offsets_.compute(), std::as_writable_bytes(tables.offsets));
         if (tables.offsets.back() > sample_capacity_) return; // grow() sees to it
         device_.download(clipped_.compute(), std::as_writable_bytes(tables.clipped));
-        alpha_.upload(std::as_bytes(item_buffer_->sample(frame, layout_)));
+        alpha_.upload(std::as_bytes(item_buffer_->sample(frame)));
     });
 }
 
 bool AtlasMethod::grow_atlas(std::uint64_t needed) {
     if (needed <= sample_capacity_) return false;
-    const std::uint64_t most = most_samples();
-    if (needed > most) {
+    if (needed > most_samples_) {
         const bool uncountable = needed == 0xFFFFFFFFU;
         throw DeviceError(beyond_limit(
             purpose::atlas, (uncountable ? "over 4 billion" : std::to_string(needed)) + " samples",
-            "this device's atlas holds " + std::to_string(most)));
+            "this device's atlas holds " + std::to_string(most_samples_)));
     }
     alpha_.release(); // there is the more room for another
     sample_capacity_ =
-        static_cast<std::uint32_t>(std::min(compute::room_to_grow(device_, needed), most));
-    make_atlas();
+        static_cast<std::uint32_t>(std::min(compute::room_to_grow(device_, needed), most_samples_));
+    alpha_.fit(rows(sample_capacity_) * row_);
     return true;
 }
 
@@ -305,7 +289,7 @@ void AtlasMethod::find(Frame& frame) {
         intervals_.find(frame, segment_atlas(), depth_);
         strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
-    alpha_.set_size(layout_.texels(strokes_.sample_total()));
+    alpha_.set_size(strokes_.sample_total());
     if (finds_outlines_ && keeps_intervals_)
         intervals_.add_outlines(frame, outlines_.found(), order());
     keep_chunk(frame);
@@ -358,16 +342,9 @@ Renderer::Samples AtlasMethod::read_samples() {
     result.offsets.resize(std::size_t{segment_count_} + 1);
     result.runs = strokes_.read_runs();
     result.density = strokes_.read_density();
-    std::vector<std::uint8_t> texels(layout_.texels(strokes_.sample_total()));
+    result.alpha.resize(strokes_.sample_total());
     device_.download(offsets_.compute(), std::as_writable_bytes(std::span{result.offsets}));
-    device_.download(alpha_.compute(), std::as_writable_bytes(std::span{texels}));
-    result.alpha.reserve(strokes_.sample_total());
-    for (std::size_t i = 0; i < segment_count_; ++i) {
-        const std::uint32_t l = result.offsets[i + 1] - result.offsets[i];
-        if (l == 0) continue;
-        const auto* first = texels.data() + layout_.address(result.offsets[i]);
-        result.alpha.insert(result.alpha.end(), first, first + l);
-    }
+    device_.download(alpha_.compute(), std::as_writable_bytes(std::span{result.alpha}));
     const TableOrder in_chains = order();
     in_chains.restore(all_segments_, result.offsets, result.alpha);
     in_chains.restore(result.runs);

@@ -6,7 +6,6 @@
 #include "compute/stages/batches.hpp"
 #include "compute/stages/carried_coordinates.hpp"
 #include "compute/stages/silhouette_chains.hpp"
-#include "core/atlas_layout.hpp"
 #include "depth_stage.hpp"
 #include "fill_stage.hpp"
 #include "frame.hpp"
@@ -47,8 +46,8 @@ class AtlasMethod {
 
   private:
     void prepare(const Frame& frame);
-    /// `longest_row`: of the atlas, in texels.
-    void prepare_layout(const Frame& frame, GLint longest_row);
+    /// Room for as many samples as were wanted so far, in rows for the frame's form of `atlas`.
+    void make_atlas(const Frame& frame);
     void prepare_tiles(const Frame& frame, const TileTarget& target);
     void make_segment_tables(std::size_t segments);
     /// From here on stages are those of this chunk of the segments.
@@ -70,7 +69,7 @@ class AtlasMethod {
     void fill_tile(Frame& frame);
     compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
-        return {clipped_table(), alpha_.compute(), layout_, sample_capacity_};
+        return {clipped_table(), alpha_.compute(), sample_capacity_};
     }
     void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
@@ -83,11 +82,9 @@ class AtlasMethod {
     void draw_fill(Frame& frame);
     FrameStats stats(Frame& frame);
 
-    /// Makes the atlas anew, for `sample_capacity_`.
-    void make_atlas();
-    /// What an atlas can hold at most; of the current layout, in samples.
-    std::uint64_t most_texels() const;
-    std::uint64_t most_samples() const;
+    std::uint64_t rows(std::uint32_t samples) const {
+        return (std::uint64_t{samples} + row_ - 1) / row_;
+    }
     /// Whether the current frame's atlas has more rows than GL can draw, and kernels may do it.
     bool leaves_raster(const Frame& frame, std::uint32_t samples) const;
     /// Whether kernels need the current frame's depth.
@@ -102,8 +99,6 @@ class AtlasMethod {
     compute::Device& device_; ///< of stages_
     interop::Sharing& sharing_;
     bool prefers_raster_;
-    /// The longest row of an atlas that is a plain buffer, which GL doesn't draw to.
-    static constexpr GLint no_texture = 1 << 24;
     GLint largest_side_ = 0; ///< of what GL draws to
     GLint largest_texture_buffer_ = 0;
 
@@ -120,12 +115,13 @@ class AtlasMethod {
     std::unique_ptr<compute::Buffer> front_, arcs_;
     interop::SharedTable clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
-    AtlasLayout layout_{0, 0};
-    bool keeps_intervals_ = false;  ///< the current frame
-    bool finds_outlines_ = false;   ///< the current frame
-    bool silhouettes_grew_ = false; ///< their tables, since set_scene()
-    bool raster_ = false;           ///< the current frame's form of `atlas`
-    bool cull_hidden_ = false;      ///< the current frame drops segments that are hidden whole
+    std::uint64_t most_samples_ = 0; ///< that an atlas can hold
+    std::uint32_t row_ = 1;          ///< samples of a row of the raster form
+    bool keeps_intervals_ = false;   ///< the current frame
+    bool finds_outlines_ = false;    ///< the current frame
+    bool silhouettes_grew_ = false;  ///< their tables, since set_scene()
+    bool raster_ = false;            ///< the current frame's form of `atlas`
+    bool cull_hidden_ = false;       ///< the current frame drops segments that are hidden whole
 
     gl::AtlasPass atlas_pass_;
     StrokeStage strokes_;

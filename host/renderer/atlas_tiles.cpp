@@ -19,7 +19,7 @@ void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
     cull_hidden_ = false;
     carries_ = false;
     temporal_.forget(); // there is nothing to average the next frame with
-    prepare_layout(frame, no_texture);
+    make_atlas(frame);
 }
 
 void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target,
@@ -74,7 +74,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
             strokes_.make_runs(frame, segment_atlas(), nullptr, nullptr);
             sampled = !strokes_.changes_samples();
         } while (grow());
-        alpha_.set_size(layout_.texels(strokes_.sample_total()));
+        alpha_.set_size(strokes_.sample_total());
         keep_chunk(frame);
     }
     const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);

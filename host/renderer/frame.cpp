@@ -32,14 +32,12 @@ bool Frame::culls_hidden() const {
 }
 
 gl::StrokeParams Frame::stroke_params(const Pen& pen) const {
-    const bool geometry = options.stroke_shader == StrokeShader::geometry;
     return {.viewport = viewport(),
             .tile = tile,
             .origin = camera.origin,
             .width = pen.width,
             .color = glm::vec4{pen.color, pen.opacity},
-            .pen = pens.get(pen.mark, pen.width),
-            .form = geometry ? gl::StrokeForm::geometry_shader : gl::StrokeForm::vertex_shader};
+            .pen = pens.get(pen.mark, pen.width)};
 }
 
 gl::ProbeParams Frame::probe_params(GLuint depth) const {

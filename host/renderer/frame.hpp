@@ -3,7 +3,6 @@
 #include <epoxy/gl.h>
 #include <glm/vec2.hpp>
 
-#include "core/atlas_layout.hpp"
 #include "core/limits.hpp"
 #include "core/standard_camera.hpp"
 #include "core/tiles.hpp"

@@ -171,13 +171,13 @@ void ItemBufferSampler::fill_lines(glm::ivec2 size) {
     }
 }
 
-void ItemBufferSampler::walk_lines(const gl::ItemImages& images, const AtlasLayout& layout) {
+void ItemBufferSampler::walk_lines(const gl::ItemImages& images) {
     const bool partial = images.layers > 1;
     std::uint32_t id = 0;
     for (std::size_t i = 0; i < segment_count_; ++i) {
         if (!has_samples(i)) continue;
         const std::uint32_t l = offsets_[i + 1] - offsets_[i];
-        std::uint8_t* alpha = alpha_.data() + layout.address(offsets_[i]);
+        std::uint8_t* alpha = alpha_.data() + offsets_[i];
         const RasterLine line{clipped_[i], images.size};
         const LineSearch search{images, ++id, line};
         const float inverse_l = 1.0F / static_cast<float>(l);
@@ -189,20 +189,19 @@ void ItemBufferSampler::walk_lines(const gl::ItemImages& images, const AtlasLayo
     }
 }
 
-std::span<const std::uint8_t> ItemBufferSampler::sample(const Frame& frame,
-                                                        const AtlasLayout& layout) {
+std::span<const std::uint8_t> ItemBufferSampler::sample(const Frame& frame) {
     const auto scale = static_cast<int>(frame.probes_per_axis());
     const gl::ItemBufferShape shape{.viewport = frame.camera.size,
                                     .scale = scale,
                                     .layers = scale > 1 ? gl::ItemBufferPass::max_layers : 1};
-    const std::uint64_t texels = layout.texels(offsets_[segment_count_]);
-    if (alpha_.size() < texels) alpha_.resize(texels);
+    const std::size_t samples = offsets_[segment_count_];
+    if (alpha_.size() < samples) alpha_.resize(samples);
     fill_lines(shape.size());
     const gl::ItemImages images =
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(), shape);
-    walk_lines(images, layout);
+    walk_lines(images);
     pass_.unmap_images();
-    return std::span{alpha_}.first(texels);
+    return std::span{alpha_}.first(samples);
 }
 
 } // namespace lineatlas

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/atlas_layout.hpp"
 #include "frame.hpp"
 #include "glpasses/item_buffer_pass.hpp"
 #include "segment_table.h"
@@ -37,13 +36,12 @@ class ItemBufferSampler {
     };
     Tables tables(std::uint32_t segment_count);
 
-    /// The visibility of all samples of the frame, a byte per texel in `layout`; valid until the
-    /// next call.
-    std::span<const std::uint8_t> sample(const Frame& frame, const AtlasLayout& layout);
+    /// The visibility of all samples of the frame, a byte each; valid until the next call.
+    std::span<const std::uint8_t> sample(const Frame& frame);
 
   private:
     void fill_lines(glm::ivec2 size);
-    void walk_lines(const gl::ItemImages& images, const AtlasLayout& layout);
+    void walk_lines(const gl::ItemImages& images);
     bool has_samples(std::size_t i) const { return offsets_[i + 1] > offsets_[i]; }
 
     gl::ItemBufferPass pass_;

@@ -78,12 +78,6 @@ std::vector<Option> make_options() {
     t.push_back(choice<F>(
         "strokes", [](auto& o) -> auto& { return o.stroke_form; }, {"auto", "raster", "compute"},
         "Where plain strokes are drawn"));
-    t.push_back(choice<F>(
-        "atlas-layout", [](auto& o) -> auto& { return o.atlas_layout; }, {"wrap", "gutter"},
-        "How rows of the atlas end"));
-    t.push_back(choice<F>(
-        "stroke-shader", [](auto& o) -> auto& { return o.stroke_shader; }, {"geometry", "vertex"},
-        "How strokes are widened; one picture"));
     return t;
 }
 
@@ -167,8 +161,7 @@ std::vector<FrameSetting> make_frame_settings() {
 bool FrameSettings::asks_for_samples() const {
     const FrameOptions usual;
     return quality != Quality::high || probes || depth_scale || rest.step != usual.step ||
-           rest.atlas != usual.atlas || rest.depth_form != usual.depth_form ||
-           rest.atlas_layout != usual.atlas_layout;
+           rest.atlas != usual.atlas || rest.depth_form != usual.depth_form;
 }
 
 FrameOptions FrameSettings::for_pixels() const {

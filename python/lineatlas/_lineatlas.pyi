@@ -143,8 +143,6 @@ class Options:
         atlas: str = "auto",
         depth: str = "auto",
         strokes: str = "auto",
-        atlas_layout: str = "wrap",
-        stroke_shader: str = "geometry",
         steady: bool = False,
     ) -> None: ...
 

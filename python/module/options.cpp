@@ -31,9 +31,7 @@ bool is_option(const FrameSetting& setting) {
 /// Of what is None, nothing is set.
 Options make_options(const py::object& method, const py::object& quality, const py::object& probes,
                      const py::object& depth_scale, const py::object& step, const py::object& atlas,
-                     const py::object& depth, const py::object& strokes,
-                     const py::object& atlas_layout, const py::object& stroke_shader,
-                     Flag<"steady"> steady) {
+                     const py::object& depth, const py::object& strokes, Flag<"steady"> steady) {
     Options options;
     options.rest.steady = steady;
     const auto set = [&](const char* key, const py::object& value) {
@@ -51,8 +49,6 @@ Options make_options(const py::object& method, const py::object& quality, const 
     set("atlas", atlas);
     set("depth", depth);
     set("strokes", strokes);
-    set("atlas-layout", atlas_layout);
-    set("stroke-shader", stroke_shader);
     return options;
 }
 
@@ -146,8 +142,7 @@ void bind_options(py::module_& module) {
              py::arg("quality") = usual("quality"), py::arg("probes") = py::none(),
              py::arg("depth_scale") = py::none(), py::arg("step") = usual("step"),
              py::arg("atlas") = usual("atlas"), py::arg("depth") = usual("depth"),
-             py::arg("strokes") = usual("strokes"), py::arg("atlas_layout") = usual("atlas-layout"),
-             py::arg("stroke_shader") = usual("stroke-shader"), py::arg("steady") = false)
+             py::arg("strokes") = usual("strokes"), py::arg("steady") = false)
         .def("__repr__", &describe);
 }
 

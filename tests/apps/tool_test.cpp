@@ -89,16 +89,16 @@ TEST_F(Tool, DrawsAModelWithEveryOption) {
     write("tetrahedron.obj",
           "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
           "l 1 2\n");
-    const Result result = run(
-        "draw " + path("tetrahedron.obj") + " -o " + path("t.png") +
-        " --size 120x90 --eye -2,1.5,-3 --target 0.2,0.2,0.2 --up z --fov 50 "
-        "--lines crease,boundary,material,silhouette,file,section,hatching --crease 20 "
-        "--method atlas "
-        "--quality low --probes 4 --depth-scale 3 --step 1 --atlas raster "
-        "--strokes compute --atlas-layout gutter --width 2.5 --pen pencil --stroke-shader vertex "
-        "--style ink --set halo=3 --hidden --hidden-width 0.5 --color 0.1,0.2,0.3 "
-        "--light -1,2,1 --focus 0.5,0.5 "
-        "--compute cpp --interop copy --stats --repeat 2");
+    const Result result =
+        run("draw " + path("tetrahedron.obj") + " -o " + path("t.png") +
+            " --size 120x90 --eye -2,1.5,-3 --target 0.2,0.2,0.2 --up z --fov 50 "
+            "--lines crease,boundary,material,silhouette,file,section,hatching --crease 20 "
+            "--method atlas "
+            "--quality low --probes 4 --depth-scale 3 --step 1 --atlas raster "
+            "--strokes compute --width 2.5 --pen pencil "
+            "--style ink --set halo=3 --hidden --hidden-width 0.5 --color 0.1,0.2,0.3 "
+            "--light -1,2,1 --focus 0.5,0.5 "
+            "--compute cpp --interop copy --stats --repeat 2");
     EXPECT_EQ(result.exit_code, 0) << result.output;
     EXPECT_TRUE(fs::exists(path("t.png")));
 }

@@ -81,7 +81,6 @@ class CarryStage : public StageTest {
         }
         const auto on_device = put(runs);
         const auto record = put(std::vector<FrameRecord>{{.points = {frame.count(), 1, 0, 0},
-                                                          .quads = {},
                                                           .sample_total = 0,
                                                           .run_total = frame.count(),
                                                           .raw_run_total = 0,

@@ -13,7 +13,6 @@ class CompactStage : public StageTest {
         bool hidden = false;
         std::uint32_t run_capacity = 64;
         std::uint32_t capacity = 4096; ///< samples
-        AtlasLayout layout{.width = 4096, .pitch = 4096};
         float half_width = 1;
     };
     /// alpha: of the texels of the atlas.
@@ -25,7 +24,7 @@ class CompactStage : public StageTest {
         const auto runs = put(Runs(64));
         const auto record = device().allocate(sizeof(FrameRecord));
         stages().compact({.table = frame.table(*vertices),
-                          .atlas = {frame.clipped(), *texels, options.layout, options.capacity},
+                          .atlas = {frame.clipped(), *texels, options.capacity},
                           .viewport = glm::vec2{hand_size},
                           .half_width = options.half_width,
                           .hidden = options.hidden,
@@ -91,7 +90,6 @@ TEST_P(CompactStage, ARunIsARowOfSamplesThatAreNotHiddenWhole) {
     EXPECT_FLOAT_EQ(runs[1].end[0], 27);
     const FrameRecord& record = record_;
     EXPECT_TRUE(equal<std::uint32_t>({record.points, record.points + 4}, {2, 1, 0, 0}));
-    EXPECT_TRUE(equal<std::uint32_t>({record.quads, record.quads + 4}, {4, 2, 0, 0}));
     EXPECT_EQ(record.run_total, 2U);
     EXPECT_EQ(record.raw_run_total, 2U);
 }
@@ -192,20 +190,18 @@ TEST_P(CompactStage, TablesThatAreTooSmallAreReported) {
     alpha[3] = alpha[9] = 0;
     EXPECT_TRUE(compact(lines, alpha, {.run_capacity = 3}).empty());
     EXPECT_EQ(record_.run_total, 4U);
-    EXPECT_EQ(record_.quads[1], 0U);
     EXPECT_EQ(compact(lines, alpha, {.run_capacity = 4}).size(), 4U);
     // Without room for the second segment's last sample it has no runs.
     EXPECT_EQ(compact(lines, alpha, {.capacity = 31}).size(), 3U);
 }
 
-TEST_P(CompactStage, SamplesAreTakenFromWhereTheLayoutHasThem) {
+TEST_P(CompactStage, SamplesAreThoseOfTheirSegment) {
     std::vector<std::uint8_t> alpha(64, 0);
-    alpha[32] = 255;
-    const AtlasLayout layout{.width = 12, .pitch = 28};
-    const Runs runs = compact({level(), level()}, alpha, {.layout = layout});
-    ASSERT_EQ(runs.size(), 1U); // the second starts at sample 16: row 1, place 4, texel 32
+    alpha[16] = 255;
+    const Runs runs = compact({level(), level()}, alpha);
+    ASSERT_EQ(runs.size(), 1U);
     EXPECT_EQ(runs[0].segment, 1U);
-    EXPECT_EQ(runs[0].address, 32U);
+    EXPECT_EQ(runs[0].address, 16U);
     EXPECT_EQ(runs[0].end_sample, 1.5F);
 }
 

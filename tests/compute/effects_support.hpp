@@ -62,7 +62,7 @@ class Effects {
         on_.stages.scan(*offsets_, n, compute::ScanKind::saturate);
         on_.stages.scan(*arcs_, n, compute::ScanKind::wrap);
         const auto depth = to_device(*on_.device, drawing.depth);
-        alpha_ = to_device(*on_.device, std::vector<std::uint8_t>(layout_.texels(capacity)));
+        alpha_ = to_device(*on_.device, std::vector<std::uint8_t>(capacity));
         on_.stages.atlas({.segment_count = n,
                           .atlas = atlas(),
                           .depth = {*depth, size, 1, tolerance},
@@ -168,12 +168,9 @@ class Effects {
     compute::SegmentTable table() {
         return {*vertices_, *none_, *segments_, 0, static_cast<std::uint32_t>(table_.size())};
     }
-    compute::SegmentAtlas atlas() {
-        return {{*clipped_, *offsets_, *arcs_}, *alpha_, layout_, capacity};
-    }
+    compute::SegmentAtlas atlas() { return {{*clipped_, *offsets_, *arcs_}, *alpha_, capacity}; }
 
     static constexpr std::uint32_t capacity = 1U << 16U, run_capacity = 1U << 12U;
-    AtlasLayout layout_ = make_atlas_layout(AtlasLayoutChoice::wrap, 401, 4096);
     DeviceStages on_;
     std::vector<glm::vec3> points_;
     std::vector<Segment> table_;

@@ -34,8 +34,6 @@ constexpr glm::ivec2 size{40, 30};
 constexpr StageSettings small{
     .depth_scale = 1, .probes = 1, .run_capacity = 256, .tile_pixels = 20};
 
-const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, 101, 16384);
-
 /// Of a wall on the left and nothing on the right.
 std::vector<float> make_depth() {
     const glm::ivec2 texels = size * small.depth_scale;
@@ -230,10 +228,10 @@ void append_fill(std::vector<std::byte>& result, compute::Stages& stages, const 
 
 /// Of a frame whose atlas has to grow.
 FrameState filter_with_a_small_atlas(FrameStages& stages, const Camera& camera, FrameState state) {
-    stages.compact(camera, layout, state);
+    stages.compact(camera, state);
     if (state.runs.empty()) return state; // all that is visible lies beyond
-    stages.filter(camera, layout, state);
-    stages.density(camera, layout, state);
+    stages.filter(camera, state);
+    stages.density(camera, state);
     return state;
 }
 
@@ -244,15 +242,15 @@ FrameState run_frame(FrameStages& stages, const LineSet& lines, const Camera& ca
     stages.pyramid(camera, depth, before);
     stages.project(look_at_it(0.01F, lines.bounds), true, before);
     stages.scan(before);
-    stages.atlas(camera, depth, layout, before);
+    stages.atlas(camera, depth, before);
 
     FrameState state = before;
     stages.project(camera, false, state);
     stages.scan(state);
-    stages.tiled_atlas(camera, depth, layout, state);
-    stages.atlas(camera, depth, layout, state);
-    stages.temporal(layout, before, state);
-    stages.compact(camera, layout, state);
+    stages.tiled_atlas(camera, depth, state);
+    stages.atlas(camera, depth, state);
+    stages.temporal(before, state);
+    stages.compact(camera, state);
     if (state.runs.empty()) throw Error("nothing is visible: the check would prove nothing");
     return state;
 }
@@ -278,10 +276,10 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
         on_device, camera.clip_from_world(), {70, 37});
     const auto visible =
         stages.cull(camera, build_clusters(lines.vertices, lines.triangles, 4).clusters);
-    stages.intervals(camera, depth, layout, true, state);
+    stages.intervals(camera, depth, true, state);
     stages.halo(camera, state);
-    stages.filter(camera, layout, state);
-    stages.density(camera, layout, state);
+    stages.filter(camera, state);
+    stages.density(camera, state);
 
     const ExactResult exact = find_exactly(stages.device(), lines, camera, all_line_kinds);
     const LineSet round =

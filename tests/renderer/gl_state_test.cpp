@@ -51,7 +51,6 @@ std::vector<std::pair<std::string, Drawing>> drawings() {
     std::vector<std::pair<std::string, Drawing>> all{
         {"atlas", drawing({})},
         {"raster", drawing({.atlas = AtlasForm::raster})},
-        {"vertex shader", drawing({.stroke_shader = StrokeShader::vertex})},
         {"spine", drawing({.method = Method::spine})},
         {"item buffer", drawing({.method = Method::item_buffer})},
         {"opengl", drawing({.method = Method::opengl})},

@@ -111,29 +111,6 @@ TEST_P(SamePicture, RasterAtlasEqualsComputeAtlas) {
     }
 }
 
-TEST_P(SamePicture, WrapEqualsGutter) {
-    Renderer r = renderer({});
-    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
-        const FrameOptions wrap{.atlas = form, .atlas_layout = AtlasLayoutChoice::wrap};
-        const FrameOptions gutter{.atlas = form, .atlas_layout = AtlasLayoutChoice::gutter};
-        compare_each(r, wrap, r, gutter, expect_identical);
-    }
-}
-
-TEST_P(SamePicture, GeometryShaderStrokesEqualVertexShaderStrokes) {
-    Renderer r = renderer({});
-    for (const Method method : {Method::atlas, Method::exact}) {
-        for (const char* pen : {"solid", "pencil"}) {
-            const FrameOptions geometry{.method = method,
-                                        .stroke_shader = StrokeShader::geometry,
-                                        .style = {.pen = {.mark = pen, .width = 3}}};
-            FrameOptions vertex = geometry;
-            vertex.stroke_shader = StrokeShader::vertex;
-            compare_each(r, geometry, r, vertex, expect_same_picture);
-        }
-    }
-}
-
 TEST_P(SamePicture, OpenClEqualsReference) {
     Renderer opencl = renderer({});
     Renderer cpp = renderer({.compute = "cpp"});
@@ -210,20 +187,6 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixelOfFilteredStrokes) {
     });
 }
 
-TEST_P(SamePicture, SpineStrokesOfBothShadersAreEqual) {
-    Renderer r = renderer({});
-    const FrameOptions geometry{.method = Method::spine,
-                                .stroke_shader = StrokeShader::geometry,
-                                .style = {.pen = {.mark = "pencil"}}};
-    FrameOptions vertex = geometry;
-    vertex.stroke_shader = StrokeShader::vertex;
-    const Camera camera = scene_cameras(GetParam(), canvas_.size())[0].camera;
-    const Drawn a = draw(r, camera, geometry);
-    expect_same_picture(a, draw(r, camera, vertex));
-    canvas_.clear(glm::vec4{1});
-    EXPECT_FALSE(equal(a.pixels, canvas_.read())) << "an empty picture proves nothing";
-}
-
 TEST_P(SamePicture, SpineHostPointerEqualsCopy) {
     if (const std::string reason = why_no_shared_memory(); !reason.empty()) GTEST_SKIP() << reason;
     Renderer host = renderer({.interop = "host-pointer"});
@@ -290,22 +253,13 @@ TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
                                draw_clevis({.atlas = AtlasForm::compute})));
 }
 
-TEST_F(Planted, InTheSecondDrawIsSeenBesideTheGutter) {
+TEST_F(Planted, InTheSecondDrawIsSeenBesideTheKernel) {
     // In what is drawn there, not in where: a texel that nobody draws may hold what is right.
     const PlantedError error{"atlas.frag", "alpha = visibility(",
                              "alpha = texel.y > sample_base.x / uint(atlas_size.x) ? 0.5 : "
                              "visibility("};
-    const Drawn wrap = draw_clevis({.step = 0.25F, .atlas = AtlasForm::raster});
-    const Drawn gutter = draw_clevis(
-        {.step = 0.25F, .atlas = AtlasForm::raster, .atlas_layout = AtlasLayoutChoice::gutter});
-    EXPECT_FALSE(equal(wrap.samples.alpha, gutter.samples.alpha));
-}
-
-TEST_F(Planted, InOneStrokeShaderIsSeenBesideTheOther) {
-    const PlantedError error{"strokes_quad.vert", "set_run(run, axes);",
-                             "set_run(run, axes); local *= 1.3;"};
-    EXPECT_TRUE(pictures_differ(draw_clevis({.stroke_shader = StrokeShader::geometry}),
-                                draw_clevis({.stroke_shader = StrokeShader::vertex})));
+    EXPECT_TRUE(samples_differ(draw_clevis({.step = 0.25F, .atlas = AtlasForm::raster}),
+                               draw_clevis({.step = 0.25F, .atlas = AtlasForm::compute})));
 }
 
 TEST_F(Planted, InTheKernelIsSeenBesideTheReference) {

@@ -54,7 +54,6 @@ std::vector<Look> make_looks() {
         looks.push_back({"atlas, " + style.name, {.style = load_style(style.name)}});
     }
     looks.push_back({"atlas, raster", {.atlas = AtlasForm::raster}});
-    looks.push_back({"atlas, gutter", {.atlas_layout = AtlasLayoutChoice::gutter}});
     looks.push_back({"atlas, low", {.probes = 1, .depth_scale = 1}});
     looks.push_back({"spine", {.method = Method::spine}});
     looks.push_back({"itembuffer", {.method = Method::item_buffer}});

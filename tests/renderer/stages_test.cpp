@@ -96,82 +96,75 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         ASSERT_GT(expected.offsets.back(), 0U)
             << "the view shows nothing: the test would prove nothing";
 
-        for (const auto kind : {AtlasLayoutChoice::wrap, AtlasLayoutChoice::gutter}) {
-            const AtlasLayout layout = make_atlas_layout(kind, 401, 16384);
-            cpp.atlas(camera, depth, layout, expected);
-            seen = expected;
-            device.atlas(camera, depth, layout, seen);
-            EXPECT_TRUE(equal(expected.alpha, seen.alpha));
+        cpp.atlas(camera, depth, expected);
+        seen = expected;
+        device.atlas(camera, depth, seen);
+        EXPECT_TRUE(equal(expected.alpha, seen.alpha));
 
-            cpp.tiled_atlas(camera, depth, layout, seen);
-            EXPECT_LE(compare_bytes(expected.alpha, seen.alpha).share(), 0.001);
-            FrameState seen_tiles = expected;
-            device.tiled_atlas(camera, depth, layout, seen_tiles);
-            EXPECT_TRUE(equal(seen.alpha, seen_tiles.alpha));
+        cpp.tiled_atlas(camera, depth, seen);
+        EXPECT_LE(compare_bytes(expected.alpha, seen.alpha).share(), 0.001);
+        FrameState seen_tiles = expected;
+        device.tiled_atlas(camera, depth, seen_tiles);
+        EXPECT_TRUE(equal(seen.alpha, seen_tiles.alpha));
 
-            FrameState before, current = expected;
-            const Camera aside = nudged(camera);
-            cpp.project(aside, false, before);
-            oracles.scan(before);
-            cpp.atlas(aside, draw_depth_by_gl(lines, aside, depth_scale), layout, before);
-            FrameState seen_current = current;
-            cpp.temporal(layout, before, current);
-            device.temporal(layout, before, seen_current);
-            EXPECT_TRUE(equal(current.alpha, seen_current.alpha));
-            EXPECT_FALSE(equal(current.alpha, expected.alpha)) << "nothing was averaged";
+        FrameState before, current = expected;
+        const Camera aside = nudged(camera);
+        cpp.project(aside, false, before);
+        oracles.scan(before);
+        cpp.atlas(aside, draw_depth_by_gl(lines, aside, depth_scale), before);
+        FrameState seen_current = current;
+        cpp.temporal(before, current);
+        device.temporal(before, seen_current);
+        EXPECT_TRUE(equal(current.alpha, seen_current.alpha));
+        EXPECT_FALSE(equal(current.alpha, expected.alpha)) << "nothing was averaged";
 
-            cpp.compact(camera, layout, expected);
-            seen = expected;
-            device.compact(camera, layout, seen);
-            EXPECT_EQ(expected.record.sample_total, seen.record.sample_total);
-            EXPECT_EQ(expected.record.run_total, seen.record.run_total);
-            EXPECT_EQ(seen.record.points[0], seen.record.run_total);
-            EXPECT_EQ(seen.record.quads[1], seen.record.run_total);
-            EXPECT_GT(seen.record.run_total, 0U);
-            EXPECT_TRUE(all_close(expected.runs, seen.runs));
-            for (const bool hidden_too : {false, true}) {
-                cpp.intervals(camera, depth, layout, hidden_too, expected);
-                device.intervals(camera, depth, layout, hidden_too, seen);
-                ASSERT_EQ(expected.intervals.size(), seen.intervals.size());
-                EXPECT_GT(seen.intervals.size(), 0U);
-                EXPECT_TRUE(all_close(expected.intervals, seen.intervals));
-            }
-            if (kind == AtlasLayoutChoice::wrap) {
-                for (const std::uint32_t share : {2U, 3U, 5U}) {
-                    FrameState cut = expected;
-                    cut.alpha.resize(expected.offsets.back() / share);
-                    compare_with_a_small_atlas(oracles, cpp, device, camera, layout, cut);
-                }
-            }
-            compare_effects(oracles, device, camera, layout, expected);
+        cpp.compact(camera, expected);
+        seen = expected;
+        device.compact(camera, seen);
+        EXPECT_EQ(expected.record.sample_total, seen.record.sample_total);
+        EXPECT_EQ(expected.record.run_total, seen.record.run_total);
+        EXPECT_EQ(seen.record.points[0], seen.record.run_total);
+        EXPECT_GT(seen.record.run_total, 0U);
+        EXPECT_TRUE(all_close(expected.runs, seen.runs));
+        for (const bool hidden_too : {false, true}) {
+            cpp.intervals(camera, depth, hidden_too, expected);
+            device.intervals(camera, depth, hidden_too, seen);
+            ASSERT_EQ(expected.intervals.size(), seen.intervals.size());
+            EXPECT_GT(seen.intervals.size(), 0U);
+            EXPECT_TRUE(all_close(expected.intervals, seen.intervals));
         }
+        for (const std::uint32_t share : {2U, 3U, 5U}) {
+            FrameState cut = expected;
+            cut.alpha.resize(expected.offsets.back() / share);
+            compare_with_a_small_atlas(oracles, cpp, device, camera, cut);
+        }
+        compare_effects(oracles, device, camera, expected);
     }
 
     /// The first try of a frame whose atlas has to grow: strokes that overshoot run on over
     /// segments that it has no room for.
     static void compare_with_a_small_atlas(const FrameOracles& oracles, FrameStages& cpp,
                                            FrameStages& device, const Camera& camera,
-                                           const AtlasLayout& layout, FrameState state) {
-        cpp.compact(camera, layout, state);
+                                           FrameState state) {
+        cpp.compact(camera, state);
         if (state.runs.empty()) return; // all that is visible lies beyond
-        state = compare_filter(oracles, device, camera, layout, state);
+        state = compare_filter(oracles, device, camera, state);
         EXPECT_TRUE(std::ranges::all_of(state.runs, [&](const lineatlas::Run& run) {
             return (run.flags & LA_RUN_SOLID) != 0 ||
                    std::size_t{run.address} + run.samples <= state.alpha.size();
         }));
         FrameState seen = state;
         oracles.density(camera, state);
-        device.density(camera, layout, seen);
+        device.density(camera, seen);
         EXPECT_TRUE(all_close(state.weights, seen.weights));
     }
 
     /// Returns what results.
     static FrameState compare_filter(const FrameOracles& oracles, FrameStages& device,
-                                     const Camera& camera, const AtlasLayout& layout,
-                                     const FrameState& state) {
+                                     const Camera& camera, const FrameState& state) {
         FrameState filtered = state, seen = state;
-        oracles.filter(camera, layout, filtered);
-        device.filter(camera, layout, seen);
+        oracles.filter(camera, filtered);
+        device.filter(camera, seen);
         EXPECT_EQ(filtered.record.run_total, seen.record.run_total);
         EXPECT_EQ(filtered.record.raw_run_total, seen.record.raw_run_total);
         EXPECT_TRUE(all_close(filtered.runs, seen.runs));
@@ -180,8 +173,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
     }
 
     static void compare_effects(const FrameOracles& oracles, FrameStages& device,
-                                const Camera& camera, const AtlasLayout& layout,
-                                FrameState& expected) {
+                                const Camera& camera, FrameState& expected) {
         FrameState seen = expected;
         oracles.halo(camera, expected);
         device.halo(camera, seen);
@@ -189,14 +181,14 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
 
         FrameState without_gaps = expected;
         without_gaps.cuts.clear();
-        compare_filter(oracles, device, camera, layout, expected);
+        compare_filter(oracles, device, camera, expected);
         // With gaps perhaps nothing that is hidden becomes visible: there overshoots end.
-        const FrameState filtered = compare_filter(oracles, device, camera, layout, without_gaps);
+        const FrameState filtered = compare_filter(oracles, device, camera, without_gaps);
         EXPECT_FALSE(equal(filtered.alpha, expected.alpha)) << "nothing was changed";
 
         seen = expected;
         oracles.density(camera, expected);
-        device.density(camera, layout, seen);
+        device.density(camera, seen);
         EXPECT_TRUE(equal(expected.flags, seen.flags));
         EXPECT_TRUE(all_close(expected.weights, seen.weights));
     }
@@ -228,15 +220,14 @@ TEST_P(StagesTest, NoSegmentsAtAll) {
     device.project(camera, true, state);
     device.scan(state);
     EXPECT_TRUE(equal(state.offsets, {0}));
-    const AtlasLayout layout = make_atlas_layout(AtlasLayoutChoice::wrap, 100, 4096);
-    device.atlas(camera, std::vector<float>(64 * 48 * 4, 1.0F), layout, state);
-    device.compact(camera, layout, state);
+    device.atlas(camera, std::vector<float>(64 * 48 * 4, 1.0F), state);
+    device.compact(camera, state);
     EXPECT_EQ(state.record.run_total, 0U);
     EXPECT_EQ(state.record.points[0], 0U);
-    device.intervals(camera, std::vector<float>(64 * 48 * 4, 1.0F), layout, true, state);
+    device.intervals(camera, std::vector<float>(64 * 48 * 4, 1.0F), true, state);
     EXPECT_TRUE(state.intervals.empty());
     device.halo(camera, state);
-    device.density(camera, layout, state);
+    device.density(camera, state);
     EXPECT_TRUE(equal(state.weights, std::vector<float>(state.weights.size(), 1.0F)));
 }
 

@@ -162,15 +162,12 @@ TEST_P(Strokes, NoLineNearAFocusIsLostWithThoseFarAway) {
     for (const bool in_scene : {false, true}) {
         options.style.focus.in_scene = in_scene;
         options.style.focus.point = in_scene ? glm::vec3{200, 200, 0} : glm::vec3{0.5F, 0.5F, 0};
-        for (const StrokeShader shader : {StrokeShader::geometry, StrokeShader::vertex}) {
-            options.stroke_shader = shader;
-            options.style.focus.opacity = 0; // lines may be left out
-            const Drawing without = draw(scene, options);
-            options.style.focus.opacity = 1e-9F; // all are drawn, though they cannot be seen
-            const Drawing with = draw(scene, options);
-            EXPECT_TRUE(equal(without.pixels, with.pixels));
-            EXPECT_GT(without.row(200, 0, side), 20);
-        }
+        options.style.focus.opacity = 0; // lines may be left out
+        const Drawing without = draw(scene, options);
+        options.style.focus.opacity = 1e-9F; // all are drawn, though they cannot be seen
+        const Drawing with = draw(scene, options);
+        EXPECT_TRUE(equal(without.pixels, with.pixels));
+        EXPECT_GT(without.row(200, 0, side), 20);
     }
 }
 
@@ -324,42 +321,39 @@ TEST_P(Strokes, HalfTransparentPathsHaveOneLayerAndNoGap) {
     Scene scene;
     scene.line(zigzag);
     scene.line(arc);
-    for (const StrokeShader shader : {StrokeShader::geometry, StrokeShader::vertex}) {
-        for (const Join join : {Join::mitre, Join::round, Join::bevel}) {
-            for (const Cap cap : {Cap::butt, Cap::round}) {
-                SCOPED_TRACE(std::to_string(static_cast<int>(shader)) + " " +
-                             std::to_string(static_cast<int>(join)) + " " +
-                             std::to_string(static_cast<int>(cap)));
-                FrameOptions options{.stroke_shader = shader};
-                options.style.pen.width = 10;
-                options.style.pen.opacity = 0.5F;
-                options.style.pen.join = join;
-                options.style.pen.cap = cap;
-                options.style.pen.path_cap = Cap::butt;
-                const Drawing drawing = draw(scene, options);
-                int dark = 0, gaps = 0;
-                double darkest = 0, lightest = 1;
-                for (int y = 0; y < side; ++y) {
-                    for (int x = 0; x < side; ++x) {
-                        const glm::vec2 place{x + 0.5F, y + 0.5F};
-                        const double ink = drawing.darkness(x, y);
-                        darkest = std::max(darkest, ink);
-                        if (ink > 0.5 + 2.5 / 255) ++dark;
-                        for (const Polyline& line : {zigzag, arc}) {
-                            const auto [distance, at_vertex] = nearest(line, place);
-                            const bool ends = glm::distance(place, glm::vec2{line.front()}) < 6 ||
-                                              glm::distance(place, glm::vec2{line.back()}) < 6;
-                            // A bevel may leave less beside a vertex.
-                            const double inside = at_vertex && join == Join::bevel ? 2 : 4;
-                            if (ends || distance > inside) continue;
-                            lightest = std::min(lightest, ink);
-                            if (ink < 0.5 - 2.5 / 255) ++gaps;
-                        }
+    for (const Join join : {Join::mitre, Join::round, Join::bevel}) {
+        for (const Cap cap : {Cap::butt, Cap::round}) {
+            SCOPED_TRACE(std::to_string(static_cast<int>(join)) + " " +
+                         std::to_string(static_cast<int>(cap)));
+            FrameOptions options;
+            options.style.pen.width = 10;
+            options.style.pen.opacity = 0.5F;
+            options.style.pen.join = join;
+            options.style.pen.cap = cap;
+            options.style.pen.path_cap = Cap::butt;
+            const Drawing drawing = draw(scene, options);
+            int dark = 0, gaps = 0;
+            double darkest = 0, lightest = 1;
+            for (int y = 0; y < side; ++y) {
+                for (int x = 0; x < side; ++x) {
+                    const glm::vec2 place{x + 0.5F, y + 0.5F};
+                    const double ink = drawing.darkness(x, y);
+                    darkest = std::max(darkest, ink);
+                    if (ink > 0.5 + 2.5 / 255) ++dark;
+                    for (const Polyline& line : {zigzag, arc}) {
+                        const auto [distance, at_vertex] = nearest(line, place);
+                        const bool ends = glm::distance(place, glm::vec2{line.front()}) < 6 ||
+                                          glm::distance(place, glm::vec2{line.back()}) < 6;
+                        // A bevel may leave less beside a vertex.
+                        const double inside = at_vertex && join == Join::bevel ? 2 : 4;
+                        if (ends || distance > inside) continue;
+                        lightest = std::min(lightest, ink);
+                        if (ink < 0.5 - 2.5 / 255) ++gaps;
                     }
                 }
-                EXPECT_EQ(dark, 0) << darkest;
-                EXPECT_EQ(gaps, 0) << lightest;
             }
+            EXPECT_EQ(dark, 0) << darkest;
+            EXPECT_EQ(gaps, 0) << lightest;
         }
     }
 }

@@ -100,7 +100,6 @@ Drawing Strokes::draw(const Scene& scene, FrameOptions options, const Camera& ca
     renderer_.set_lines(drawing.set);
     canvas_.clear(glm::vec4{1});
     options.atlas = GetParam().form;
-    options.atlas_layout = GetParam().layout;
     if (options.lines == all_line_kinds) options.lines = mask_of(LineKind::file);
     renderer_.draw(camera, options, canvas_.framebuffer());
     drawing.runs = renderer_.read_samples().runs;
@@ -109,15 +108,11 @@ Drawing Strokes::draw(const Scene& scene, FrameOptions options, const Camera& ca
     return drawing;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Strokes,
-    testing::Values(
-        Setting{"OpenclRasterWrap", "opencl", AtlasForm::raster, AtlasLayoutChoice::wrap},
-        Setting{"OpenclRasterGutter", "opencl", AtlasForm::raster, AtlasLayoutChoice::gutter},
-        Setting{"OpenclComputeWrap", "opencl", AtlasForm::compute, AtlasLayoutChoice::wrap},
-        Setting{"OpenclComputeGutter", "opencl", AtlasForm::compute, AtlasLayoutChoice::gutter},
-        Setting{"CppRasterWrap", "cpp", AtlasForm::raster, AtlasLayoutChoice::wrap},
-        Setting{"CppComputeGutter", "cpp", AtlasForm::compute, AtlasLayoutChoice::gutter}),
-    [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, Strokes,
+                         testing::Values(Setting{"OpenclRaster", "opencl", AtlasForm::raster},
+                                         Setting{"OpenclCompute", "opencl", AtlasForm::compute},
+                                         Setting{"CppRaster", "cpp", AtlasForm::raster},
+                                         Setting{"CppCompute", "cpp", AtlasForm::compute}),
+                         [](const auto& info) { return info.param.name; });
 
 } // namespace lineatlas::test::strokes

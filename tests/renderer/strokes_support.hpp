@@ -1,5 +1,5 @@
 // Small drawings with known answers (§4.5), through the whole renderer: OpenCL and plain C++,
-// raster and compute atlas, wrapped and with gutters. A unit is a pixel.
+// raster and compute atlas. A unit is a pixel.
 #pragma once
 
 #include <array>
@@ -102,7 +102,6 @@ struct Drawing {
 struct Setting {
     std::string name, compute;
     AtlasForm form;
-    AtlasLayoutChoice layout;
 };
 
 class Strokes : public testing::TestWithParam<Setting> {

@@ -106,11 +106,8 @@ TEST_P(Tiles, EveryEffectRunsOnOverTheirBorders) {
     style.fill.mode = FillMode::lambert;
     style.paper.grain = 0.5F;
     style.focus = {.on = true, .point = {0.4F, 0.6F, 0}};
-    for (const auto& [method, shader] : {std::pair{Method::atlas, StrokeShader::geometry},
-                                         {Method::atlas, StrokeShader::vertex},
-                                         {Method::exact, StrokeShader::geometry}}) {
-        const FrameOptions options{
-            .method = method, .atlas = AtlasForm::compute, .stroke_shader = shader, .style = style};
+    for (const Method method : {Method::atlas, Method::exact}) {
+        const FrameOptions options{.method = method, .atlas = AtlasForm::compute, .style = style};
         Renderer r = renderer("clevis");
         const Camera view = camera("clevis", {400, 300});
         const Picture expected = whole(r, view, options);

@@ -21,9 +21,7 @@ const std::map<std::string, std::string> samples{{"lines", "crease,silhouette"},
                                                  {"step", "0.5"},
                                                  {"atlas", "compute"},
                                                  {"depth", "raster"},
-                                                 {"strokes", "compute"},
-                                                 {"atlas-layout", "gutter"},
-                                                 {"stroke-shader", "vertex"}};
+                                                 {"strokes", "compute"}};
 
 std::map<std::string, SettingValue> all_values(const FrameSettings& settings) {
     std::map<std::string, SettingValue> values;
@@ -64,8 +62,6 @@ TEST(FrameSettings, ValuesLandInTheirMembers) {
     EXPECT_EQ(options.atlas, AtlasForm::compute);
     EXPECT_EQ(options.depth_form, DepthForm::raster);
     EXPECT_EQ(options.stroke_form, StrokeForm::compute);
-    EXPECT_EQ(options.atlas_layout, AtlasLayoutChoice::gutter);
-    EXPECT_EQ(options.stroke_shader, StrokeShader::vertex);
 }
 
 TEST(FrameSettings, NamesStandInTheOrderOfTheEnumerators) {
@@ -91,7 +87,7 @@ TEST(FrameSettings, TheMethodIsExactButForSequencesAndWhereSamplesAreAskedFor) {
     EXPECT_EQ(plain.for_sequence().method, Method::atlas);
     for (const auto& [key, value] : samples) {
         if (key == "method") continue;
-        const bool of_samples = key != "lines" && key != "strokes" && key != "stroke-shader";
+        const bool of_samples = key != "lines" && key != "strokes";
         const Method expected = of_samples ? Method::atlas : Method::exact;
         const FrameSettings changed = with({{key, value}});
         EXPECT_EQ(changed.for_pixels().method, expected) << key;

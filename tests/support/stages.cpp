@@ -27,11 +27,9 @@ float depth_tolerance(const Camera& camera) {
                      (camera.projection[1][1] * static_cast<float>(camera.size.y)));
 }
 
-std::uint32_t capacity_of(const AtlasLayout& layout, const FrameState& state) {
-    const bool wraps = layout.width == layout.pitch;
-    const std::size_t rows = state.alpha.size() / layout.pitch;
-    const std::size_t room = wraps ? state.alpha.size() : rows * layout.width;
-    return static_cast<std::uint32_t>(std::min<std::size_t>(state.offsets.back(), room));
+std::uint32_t capacity_of(const FrameState& state) {
+    return static_cast<std::uint32_t>(
+        std::min<std::size_t>(state.offsets.back(), state.alpha.size()));
 }
 
 compute::DepthBuffer FrameStages::depth_of(Buffer& texels, glm::ivec2 size, const Camera& camera) {
@@ -119,29 +117,28 @@ void FrameStages::scan(FrameState& state) {
     state.arcs = read_back<std::uint32_t>(*device_, *arcs_, n_ + 1);
 }
 
-void FrameStages::atlas(const Camera& camera, const std::vector<float>& depth,
-                        const AtlasLayout& layout, FrameState& state) {
+void FrameStages::atlas(const Camera& camera, const std::vector<float>& depth, FrameState& state) {
     set(*device_, clipped_, state.clipped);
     set(*device_, offsets_, state.offsets);
     const auto depth_buffer = to_device(*device_, depth);
     const std::uint32_t total = state.offsets.back();
-    const auto alpha = to_device(*device_, std::vector<std::uint8_t>(layout.texels(total) + 64));
+    const auto alpha = to_device(*device_, std::vector<std::uint8_t>(total + 64));
     stages_.atlas({.segment_count = n_,
-                   .atlas = atlas_of(*alpha, layout, total),
+                   .atlas = atlas_of(*alpha, total),
                    .depth = depth_of(*depth_buffer, camera.size * settings_.depth_scale, camera),
                    .viewport = glm::vec2{camera.size},
                    .probes = settings_.probes});
-    state.alpha = read_back<std::uint8_t>(*device_, *alpha, layout.texels(total) + 64);
+    state.alpha = read_back<std::uint8_t>(*device_, *alpha, total + 64);
 }
 
 void FrameStages::tiled_atlas(const Camera& camera, const std::vector<float>& depth,
-                              const AtlasLayout& layout, FrameState& state) {
+                              FrameState& state) {
     constexpr int reach = 6;
     const std::uint32_t total = state.offsets.back();
     const glm::ivec2 whole = camera.size * settings_.depth_scale;
     set(*device_, clipped_, state.clipped);
     set(*device_, offsets_, state.offsets);
-    const auto alpha = to_device(*device_, std::vector<std::uint8_t>(layout.texels(total) + 64));
+    const auto alpha = to_device(*device_, std::vector<std::uint8_t>(total + 64));
     for (const PictureTile& tile : make_tiles(camera.size, settings_.tile_pixels)) {
         const glm::ivec2 low = glm::max(tile.low * settings_.depth_scale - reach, 0);
         const glm::ivec2 high =
@@ -163,19 +160,19 @@ void FrameStages::tiled_atlas(const Camera& camera, const std::vector<float>& de
                                                      outer(core_end.y, whole.y, whole.y + 9)}};
         const auto buffer = to_device(*device_, part);
         stages_.atlas({.segment_count = n_,
-                       .atlas = atlas_of(*alpha, layout, total),
+                       .atlas = atlas_of(*alpha, total),
                        .depth = depth_of(*buffer, high - low, camera),
                        .viewport = glm::vec2{camera.size},
                        .probes = settings_.probes,
                        .tile = &place});
         device_->finish();
     }
-    state.alpha = read_back<std::uint8_t>(*device_, *alpha, layout.texels(total) + 64);
+    state.alpha = read_back<std::uint8_t>(*device_, *alpha, total + 64);
 }
 
-void FrameStages::temporal(const AtlasLayout& layout, const FrameState& before, FrameState& now) {
+void FrameStages::temporal(const FrameState& before, FrameState& now) {
     const std::uint32_t room = std::max(before.offsets.back(), now.offsets.back());
-    const std::size_t texels = layout.texels(room) + 64;
+    const std::size_t texels = std::size_t{room} + 64;
     const auto history_alpha = to_device(*device_, std::vector<std::uint8_t>(texels));
     const auto history_offsets = to_device(*device_, std::vector<std::uint32_t>(n_ + 1));
     const auto ranges = to_device(*device_, std::vector<std::uint32_t>(n_));
@@ -186,7 +183,7 @@ void FrameStages::temporal(const AtlasLayout& layout, const FrameState& before, 
         padded.resize(texels);
         const auto alpha = to_device(*device_, padded);
         stages_.temporal({.segment_count = n_,
-                          .atlas = atlas_of(*alpha, layout, room),
+                          .atlas = atlas_of(*alpha, room),
                           .history = {*history_alpha, *history_offsets, *ranges},
                           .use = frame != &before ? LA_HISTORY_CAMERA : LA_HISTORY_NONE});
         if (frame == &before) continue;
@@ -197,7 +194,7 @@ void FrameStages::temporal(const AtlasLayout& layout, const FrameState& before, 
     }
 }
 
-void FrameStages::compact(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
+void FrameStages::compact(const Camera& camera, FrameState& state) {
     set(*device_, clipped_, state.clipped);
     set(*device_, offsets_, state.offsets);
     set(*device_, arcs_, state.arcs);
@@ -205,7 +202,7 @@ void FrameStages::compact(const Camera& camera, const AtlasLayout& layout, Frame
     const auto runs = device_->allocate(settings_.run_capacity * sizeof(Run));
     const auto record = device_->allocate(sizeof(FrameRecord));
     stages_.compact({.table = table(),
-                     .atlas = atlas_of(*alpha, layout, capacity_of(layout, state)),
+                     .atlas = atlas_of(*alpha, capacity_of(state)),
                      .viewport = glm::vec2{camera.size},
                      .half_width = settings_.half_width,
                      .runs = *runs,
@@ -215,8 +212,8 @@ void FrameStages::compact(const Camera& camera, const AtlasLayout& layout, Frame
     state.runs = read_back<Run>(*device_, *runs, state.record.points[0]);
 }
 
-void FrameStages::intervals(const Camera& camera, const std::vector<float>& depth,
-                            const AtlasLayout& layout, bool hidden_too, FrameState& state) {
+void FrameStages::intervals(const Camera& camera, const std::vector<float>& depth, bool hidden_too,
+                            FrameState& state) {
     set(*device_, clipped_, state.clipped);
     set(*device_, offsets_, state.offsets);
     set(*device_, arcs_, state.arcs);
@@ -226,7 +223,7 @@ void FrameStages::intervals(const Camera& camera, const std::vector<float>& dept
     const auto total = device_->allocate(sizeof(std::uint32_t));
     stages_.intervals(
         {.table = this->table(),
-         .atlas = atlas_of(*alpha, layout, state.offsets.back()),
+         .atlas = atlas_of(*alpha, state.offsets.back()),
          .viewport = glm::vec2{camera.size},
          .depth = depth_of(*depth_buffer, camera.size * settings_.depth_scale, camera),
          .hidden_too = hidden_too,
@@ -255,7 +252,7 @@ void FrameStages::halo(const Camera& camera, FrameState& state) {
     state.cuts = read_back<RunCuts>(*device_, *cuts, state.runs.size());
 }
 
-void FrameStages::filter(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
+void FrameStages::filter(const Camera& camera, FrameState& state) {
     set(*device_, clipped_, state.clipped);
     set(*device_, offsets_, state.offsets);
     set(*device_, arcs_, state.arcs);
@@ -267,7 +264,7 @@ void FrameStages::filter(const Camera& camera, const AtlasLayout& layout, FrameS
     const auto filtered = device_->allocate(settings_.run_capacity * sizeof(Run));
     const auto filtered_record = device_->allocate(sizeof(FrameRecord));
     stages_.filter({.table = table(),
-                    .atlas = atlas_of(*alpha, layout, capacity_of(layout, state)),
+                    .atlas = atlas_of(*alpha, capacity_of(state)),
                     .viewport = glm::vec2{camera.size},
                     .half_width = settings_.half_width,
                     .filter = settings_.filter,
@@ -283,7 +280,7 @@ void FrameStages::filter(const Camera& camera, const AtlasLayout& layout, FrameS
     state.alpha = read_back<std::uint8_t>(*device_, *alpha, state.alpha.size());
 }
 
-void FrameStages::density(const Camera& camera, const AtlasLayout& layout, FrameState& state) {
+void FrameStages::density(const Camera& camera, FrameState& state) {
     set(*device_, arcs_, state.arcs);
     const auto alpha = to_device(*device_, state.alpha);
     const auto runs = to_device(*device_, state.runs);
@@ -294,7 +291,7 @@ void FrameStages::density(const Camera& camera, const AtlasLayout& layout, Frame
     const auto weights = device_->allocate(count * sizeof(float));
     const auto grid = device_->allocate(count * sizeof(std::uint32_t));
     stages_.density({.table = table(),
-                     .atlas = atlas_of(*alpha, layout, state.offsets.back()),
+                     .atlas = atlas_of(*alpha, state.offsets.back()),
                      .runs = *runs,
                      .record = *record,
                      .run_capacity = static_cast<std::uint32_t>(state.runs.size()),

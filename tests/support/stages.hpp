@@ -53,7 +53,7 @@ struct StageSettings {
 float depth_tolerance(const Camera& camera);
 
 /// Samples that the state's atlas has room for: fewer than it needs where a test has cut it.
-std::uint32_t capacity_of(const AtlasLayout& layout, const FrameState& state);
+std::uint32_t capacity_of(const FrameState& state);
 
 /// One device's buffers for a line set, and the stages one at a time.
 class FrameStages {
@@ -74,29 +74,27 @@ class FrameStages {
 
     void scan(FrameState& state);
 
-    void atlas(const Camera& camera, const std::vector<float>& depth, const AtlasLayout& layout,
-               FrameState& state);
+    void atlas(const Camera& camera, const std::vector<float>& depth, FrameState& state);
 
     /// The same with a depth buffer that is cut into tiles.
-    void tiled_atlas(const Camera& camera, const std::vector<float>& depth,
-                     const AtlasLayout& layout, FrameState& state);
+    void tiled_atlas(const Camera& camera, const std::vector<float>& depth, FrameState& state);
 
     /// Averages `now` with the frame before it.
-    void temporal(const AtlasLayout& layout, const FrameState& before, FrameState& now);
+    void temporal(const FrameState& before, FrameState& now);
 
-    void compact(const Camera& camera, const AtlasLayout& layout, FrameState& state);
+    void compact(const Camera& camera, FrameState& state);
 
-    void intervals(const Camera& camera, const std::vector<float>& depth, const AtlasLayout& layout,
-                   bool hidden_too, FrameState& state);
+    void intervals(const Camera& camera, const std::vector<float>& depth, bool hidden_too,
+                   FrameState& state);
 
     /// Of the runs in `state`.
     void halo(const Camera& camera, FrameState& state);
 
     /// Of the runs in `state`, and with its gaps if it has any.
-    void filter(const Camera& camera, const AtlasLayout& layout, FrameState& state);
+    void filter(const Camera& camera, FrameState& state);
 
     /// Of the runs in `state`, with a limit that hides some.
-    void density(const Camera& camera, const AtlasLayout& layout, FrameState& state);
+    void density(const Camera& camera, FrameState& state);
 
     /// The runs in `state` with two pens: the second draws what depth says is outline.
     std::vector<Run> pens(const Camera& camera, const std::vector<float>& depth,
@@ -111,9 +109,8 @@ class FrameStages {
         return {*vertices_, *triangles_, *segments_, triangle_count_, n_};
     }
 
-    compute::SegmentAtlas atlas_of(compute::Buffer& alpha, const AtlasLayout& layout,
-                                   std::uint32_t capacity) {
-        return {{*clipped_, *offsets_, *arcs_}, alpha, layout, capacity};
+    compute::SegmentAtlas atlas_of(compute::Buffer& alpha, std::uint32_t capacity) {
+        return {{*clipped_, *offsets_, *arcs_}, alpha, capacity};
     }
     compute::DepthBuffer depth_of(compute::Buffer& texels, glm::ivec2 size, const Camera& camera);
 

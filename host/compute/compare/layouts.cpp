@@ -173,7 +173,6 @@ const Layout& layout_of(std::string_view type) {
         Layout{"Color", {{"", FieldKind::channel, 4}}},
         Layout{"FrameRecord",
                {{"points", FieldKind::integer, 4},
-                {"quads", FieldKind::integer, 4},
                 {"sample_total", FieldKind::integer},
                 {"run_total", FieldKind::integer},
                 {"raw_run_total", FieldKind::integer},

@@ -16,7 +16,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 
 #include "kernels.h"
 
-#include "atlas_address.h"
+#include "atlas_samples.h"
 #include "batches.h"
 #include "clipping.h"
 #include "exact.h"

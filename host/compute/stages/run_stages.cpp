@@ -31,7 +31,7 @@ void Stages::compact(const CompactArgs& args) {
     const std::uint32_t n = args.table.segment_count;
     const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
     const CompactParameters parameters{.count = n,
-                                       .rows = args.atlas.rows(),
+                                       .capacity = args.atlas.capacity,
                                        .viewport = args.viewport,
                                        .half_width = args.half_width,
                                        .hidden = args.hidden ? 1U : 0U,
@@ -76,7 +76,7 @@ void Stages::halo(const HaloArgs& args) {
 
 void Stages::filter(const FilterArgs& args) {
     const std::uint32_t n = args.run_capacity;
-    const FilterParameters parameters{.rows = args.atlas.rows(),
+    const FilterParameters parameters{.capacity = args.atlas.capacity,
                                       .viewport = args.viewport,
                                       .half_width = args.half_width,
                                       .filter = args.filter,

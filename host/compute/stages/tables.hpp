@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 
 #include "compute/kernels.hpp"
-#include "core/atlas_layout.hpp"
 #include "segment_table.h"
 
 namespace lineatlas::compute {
@@ -76,11 +75,8 @@ struct ClippedTable {
 /// The segments of a frame and the visibility of their samples.
 struct SegmentAtlas {
     ClippedTable clipped;
-    Buffer& alpha; ///< a byte per texel, 0 hidden to 255 visible
-    AtlasLayout layout;
-    std::uint32_t capacity; ///< samples that `alpha` has room for in this layout
-
-    AtlasRows rows() const { return {layout.width, layout.pitch, capacity}; }
+    Buffer& alpha;          ///< a byte per sample, 0 hidden to 255 visible
+    std::uint32_t capacity; ///< samples that `alpha` has room for
 };
 
 /// What a depth buffer shows, for probes that know surfaces.

@@ -18,7 +18,7 @@ void Stages::atlas(const AtlasArgs& args) {
          .depth_scale = args.depth.scale,
          .tolerance = args.depth.tolerance,
          .surfaces = args.depth.surface_parameters(),
-         .rows = args.atlas.rows(),
+         .capacity = args.atlas.capacity,
          .block = tuning_.atlas_block,
          .origin = tile.origin,
          .core = {tile.core_low, tile.core_high}},
@@ -49,7 +49,7 @@ void Stages::temporal(const TemporalArgs& args) {
     const ChainOrder* chains = args.chains;
     launch<kernels::temporal>(divide_up(n, tuning_.segment_block), tuning_.block_local_size,
                               {.count = n,
-                               .rows = atlas.rows(),
+                               .capacity = atlas.capacity,
                                .block = tuning_.segment_block,
                                .history = args.use,
                                .first = chains != nullptr ? chains->first : n},
@@ -68,7 +68,7 @@ void Stages::intervals(const IntervalsArgs& args) {
     const std::uint32_t n = args.table.segment_count;
     const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
     const IntervalsParameters parameters{.count = n,
-                                         .rows = args.atlas.rows(),
+                                         .capacity = args.atlas.capacity,
                                          .viewport = args.viewport,
                                          .wanted = args.hidden_too ? 3U : 1U,
                                          .block = tuning_.segment_block,

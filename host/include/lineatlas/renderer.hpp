@@ -59,18 +59,6 @@ enum class StrokeForm {
     compute,   ///< kernels over tiles of the picture
 };
 
-/// How lines lie in the rows of the atlas that are longer than what is left of one (§4.2, Fig. 8).
-enum class AtlasLayoutChoice {
-    wrap,   ///< they go on in the next row; raster draws every proxy line twice
-    gutter, ///< rows are longer by the longest line: drawn once, with some texels wasted
-};
-
-/// What widens runs to strokes (§4.4); both draw the same picture.
-enum class StrokeShader {
-    geometry, ///< a geometry shader, from a point per run
-    vertex,   ///< a vertex shader, from an instance of a strip per run
-};
-
 /// What a frame keeps for `Renderer::read_intervals`.
 enum class KeptIntervals {
     none,    ///< nothing
@@ -109,8 +97,6 @@ struct FrameOptions {
     /// with butt and round caps and joins without bevels, to pictures of 8 bits, with no profiles
     /// and no focus; whatever else a frame asks for is drawn by GL.
     StrokeForm stroke_form = StrokeForm::automatic;
-    AtlasLayoutChoice atlas_layout = AtlasLayoutChoice::wrap; ///< in the raster form
-    StrokeShader stroke_shader = StrokeShader::geometry;      ///< what widens runs
     /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl
     /// only the last three; item_buffer, like atlas, joins and caps too.
     Style style{};

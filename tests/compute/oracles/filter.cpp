@@ -378,7 +378,7 @@ class PathFilter {
             run.flags = (run.flags & ~stroke_ends) | kinds | (l == 0 ? LA_RUN_SOLID : 0);
             run.stroke_start = stroke.start;
             run.stroke_end = stroke.end;
-            run.address = l > 0 ? in_.layout.address(frame_.offsets[i]) : 0;
+            run.address = l > 0 ? frame_.offsets[i] : 0;
             out_.push_back(run);
             begins = false;
         }

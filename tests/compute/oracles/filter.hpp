@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "core/atlas_layout.hpp"
 #include "runs.hpp"
 #include "style_numbers.h"
 
@@ -11,7 +10,6 @@ namespace lineatlas::test::oracles {
 struct FilterInput {
     FrameTables frame;
     std::span<const std::uint8_t> alpha; ///< before it is changed
-    AtlasLayout layout;
     std::uint32_t capacity;
     StrokeFilter filter;
     std::span<const Run> runs;

@@ -27,8 +27,7 @@ void FrameOracles::halo(const Camera& camera, FrameState& state) const {
                   state.cuts);
 }
 
-void FrameOracles::filter(const Camera& camera, const AtlasLayout& layout,
-                          FrameState& state) const {
+void FrameOracles::filter(const Camera& camera, FrameState& state) const {
     const std::vector<std::uint8_t> alpha = state.alpha;
     std::vector<Run> filtered(settings_.run_capacity);
     state.record = oracles::filter({.frame = {.segments = segments_,
@@ -38,8 +37,7 @@ void FrameOracles::filter(const Camera& camera, const AtlasLayout& layout,
                                               .viewport = glm::vec2{camera.size},
                                               .half_width = settings_.half_width},
                                     .alpha = alpha,
-                                    .layout = layout,
-                                    .capacity = capacity_of(layout, state),
+                                    .capacity = capacity_of(state),
                                     .filter = settings_.filter,
                                     .runs = state.runs,
                                     .cuts = state.cuts},

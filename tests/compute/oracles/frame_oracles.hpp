@@ -11,7 +11,7 @@ class FrameOracles {
 
     void scan(FrameState& state) const;
     void halo(const Camera& camera, FrameState& state) const;
-    void filter(const Camera& camera, const AtlasLayout& layout, FrameState& state) const;
+    void filter(const Camera& camera, FrameState& state) const;
     void density(const Camera& camera, FrameState& state) const;
 
   private:

@@ -148,7 +148,6 @@ FrameRecord make_record(std::size_t runs, std::size_t capacity, std::uint32_t sa
     const auto total = static_cast<std::uint32_t>(runs);
     const std::uint32_t drawn = runs <= capacity ? total : 0;
     return {.points = {drawn, 1, 0, 0},
-            .quads = {4, drawn, 0, 0},
             .sample_total = samples,
             .run_total = total,
             .raw_run_total = total,
