@@ -20,7 +20,7 @@ constexpr GLuint offset_binding = 1;
 constexpr int number_unit = 6, plane_unit = 7, patch_unit = 8;
 
 constexpr Purpose raster_atlas{"the segment atlas",
-                               "use FrameOptions::atlas compute, a larger FrameOptions::step or a "
+                               "use StageForms::atlas compute, a larger FrameOptions::step or a "
                                "smaller Camera::size"};
 
 } // namespace

@@ -357,7 +357,7 @@ static void emit(Work* work, const Stroke interval, const StrokeFilter filter) {
     float2 cut = next_cut(work, interval, start);
     float shortest = SHORTEST;
     while (cut.x < end && cut.y > cut.x) {
-        shortest = fmax(filter.drop, SHORTEST);
+        shortest = fmax(filter.drop_runs, SHORTEST);
         if (is_cut_off(start_kind) || cut.x - start >= shortest)
             emit_piece(work, i, start, cut.x, start_kind, LA_END_HIDDEN);
         start = cut.y;
@@ -395,7 +395,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
         seam_gap = run_interval(work, r_first).start + 2.0f * work->half_length -
                    run_interval(work, r_end - 1).end;
     }
-    const bool joined = seam_gap <= SHORTEST || seam_gap < filter.fill;
+    const bool joined = seam_gap <= SHORTEST || seam_gap < filter.fill_holes;
     work->joined = joined;
     work->seam_room = 0.5f * seam_gap;
     work->first_run = r_first;
@@ -418,7 +418,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
                 next.end_kind = LA_END_JOIN;
             }
             const float gap = has_current ? next.start - current.end : 0.0f;
-            merges = has_current && (gap <= SHORTEST || gap < filter.fill) &&
+            merges = has_current && (gap <= SHORTEST || gap < filter.fill_holes) &&
                      connected(frame, work->runs[r - 1].segment, work->runs[r].segment);
             if (merges) {
                 current.end = next.end;
@@ -429,7 +429,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
         }
         if (has_current) {
             if (is_cut_off(current.start_kind) || is_cut_off(current.end_kind) ||
-                current.end - current.start >= filter.drop) {
+                current.end - current.start >= filter.drop_runs) {
                 set_overshoot(work, &current, filter.overshoot);
                 const float grow =
                     stroke.end_overshoot + current.start_overshoot - 2.0f * filter.undershoot;

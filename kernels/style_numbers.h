@@ -14,8 +14,8 @@ namespace lineatlas {
 
 /** Changes to visibility along each path (§4.5). Pixels; 0: off. In this order. */
 typedef struct StrokeFilter {
-    float fill LA_BY_DEFAULT(0);      /**< holes shorter than this are closed */
-    float drop LA_BY_DEFAULT(0);      /**< visible runs shorter than this are left out */
+    float fill_holes LA_BY_DEFAULT(0); /**< holes shorter than this are closed */
+    float drop_runs LA_BY_DEFAULT(0);  /**< visible runs shorter than this are left out */
     float overshoot LA_BY_DEFAULT(0); /**< visible runs are longer by this at either end, beyond the
                                            path's too */
     /** Share of the overshoot that varies from path to path, 0 to 1; the same in every frame. */

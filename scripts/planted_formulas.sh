@@ -54,7 +54,7 @@ stage temporal temporal.cl "u * wp / (u * wp + (1.0f - u) * wq)" "u" "*TemporalS
 stage intervals intervals.cl "if (shown_at(line, middle, depth) == shown)" "if (shown_at(line, middle, depth) != shown)" "*IntervalsStage."
 stage compact compact.cl "(float)end + 0.5f" "(float)end" "*CompactStage."
 stage halo halo.cl "fmin(1.0f / crossing.sine" "fmin(crossing.sine" "*HaloStage."
-stage filter filter.cl "gap < filter.fill)" "gap < 2.0f * filter.fill)" "*FilterStage."
+stage filter filter.cl "gap < filter.fill_holes)" "gap < 2.0f * filter.fill_holes)" "*FilterStage."
 stage density density.cl "3u * row[at * stride]" "2u * row[at * stride]" "*DensityStage."
 stage fill fill.cl "dot_of(n, to_eye) < none" "seen.z < none" "*FillStage."
 exact surfaces surfaces.cl "enclose(&face, xy(c));" "enclose(&face, xy(b));"

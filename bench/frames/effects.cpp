@@ -14,8 +14,8 @@ void overshoot(Style& style) {
     style.filter.overshoot = 8;
 }
 void holes(Style& style) {
-    style.filter.fill = 4;
-    style.filter.drop = 4;
+    style.filter.fill_holes = 4;
+    style.filter.drop_runs = 4;
 }
 void halo(Style& style) {
     style.filter.halo = 4;

@@ -78,7 +78,7 @@ std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
     Subject still = scene_subject("office", size, frames);
     Subject moving{
         "office moving",
-        extract_lines(make_scene("office").mesh, {.kinds = still.kinds, .separate_objects = true}),
+        extract_lines(make_scene("office").mesh, {.lines = still.kinds, .separate_objects = true}),
         still.kinds, still.viewpoints};
     moving.animate = [middles = middles_of(moving.lines),
                       transforms =
@@ -101,7 +101,7 @@ std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
     Subject changing{"office adding", moving.lines, still.kinds, still.viewpoints};
     changing.animate = [scene = std::shared_ptr<Assembly>{}, number = 0U, is_there = false,
                         office = moving.lines,
-                        clevis = extract_lines(make_scene("clevis").mesh, {.kinds = still.kinds})](
+                        clevis = extract_lines(make_scene("clevis").mesh, {.lines = still.kinds})](
                            Renderer& renderer, std::size_t) mutable {
         if (!scene) {
             scene = std::make_shared<Assembly>();

@@ -83,7 +83,7 @@ Subject scene_subject(const std::string& name, glm::ivec2 size, std::size_t fram
     const bool silhouettes = name.ends_with("+s");
     const Scene scene = make_scene(silhouettes ? name.substr(0, name.size() - 2) : name);
     const LineKindMask kinds = silhouettes ? all_line_kinds : fixed_kinds;
-    Subject subject{name, extract_lines(scene.mesh, {.kinds = kinds}), kinds, {}};
+    Subject subject{name, extract_lines(scene.mesh, {.lines = kinds}), kinds, {}};
     subject.viewpoints = viewpoints_along(scene.view, size, subject.lines.bounds, frames);
     return subject;
 }
@@ -100,7 +100,7 @@ Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silh
 
 Subject orbit_subject(const std::string& name, const Mesh& mesh, LineKindMask kinds, glm::vec3 up,
                       glm::ivec2 size, std::size_t frames) {
-    Subject subject{name, extract_lines(mesh, {.kinds = kinds}), kinds, {}};
+    Subject subject{name, extract_lines(mesh, {.lines = kinds}), kinds, {}};
     const View start = frame_points(mesh.positions, size, up);
     subject.viewpoints = viewpoints_along(orbit(start), size, subject.lines.bounds, frames);
     return subject;
@@ -144,7 +144,7 @@ std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames) {
         view.target = view.eye + turned(start.target - start.eye, start.up, angle);
         return view;
     };
-    const LineOptions options{.kinds = fixed_kinds};
+    const LineOptions options{.lines = fixed_kinds};
     Subject one{"hidden 1x", extract_lines(once, options), fixed_kinds, {}};
     Subject three{"hidden 3x", extract_lines(thrice, options), fixed_kinds, {}};
     one.viewpoints = viewpoints_along(turn, size, one.lines.bounds, frames);
@@ -155,7 +155,7 @@ std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames) {
 std::vector<Subject> far_subjects(glm::ivec2 size, std::size_t frames) {
     Mesh mesh = make_scene("ship").mesh;
     const View start = frame_points(mesh.positions, size);
-    const LineOptions options{.kinds = fixed_kinds};
+    const LineOptions options{.lines = fixed_kinds};
     Subject near{"far 1x", extract_lines(mesh, options), fixed_kinds, {}};
     // A model of a twentieth the size is a model from 20 times as far, and has the same viewpoints.
     for (glm::vec3& position : mesh.positions)

@@ -8,7 +8,8 @@
 namespace lineatlas::bench {
 namespace {
 
-constexpr StrokeFilter filter{.fill = 5, .drop = 5, .overshoot = 4, .overshoot_variation = 0.5F};
+constexpr StrokeFilter filter{
+    .fill_holes = 5, .drop_runs = 5, .overshoot = 4, .overshoot_variation = 0.5F};
 
 Job prepare(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();

@@ -59,7 +59,7 @@ struct Arguments {
 const std::map<std::string, Style>& named_styles() {
     static const std::map<std::string, Style> styles = [] {
         const StrokeFilter overshoot{.overshoot = 8, .overshoot_variation = 0.5F};
-        const StrokeFilter lengths{.fill = 4, .drop = 4};
+        const StrokeFilter lengths{.fill_holes = 4, .drop_runs = 4};
         const StrokeFilter halo{.halo = 4};
         const StrokeFilter all{.overshoot = 8, .overshoot_variation = 0.5F, .halo = 4};
         const Density density{.limit = 0.3F};

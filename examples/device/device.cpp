@@ -53,7 +53,7 @@ void draw(const char* picture) {
     // something else is named.
     Renderer renderer({.compute = "threads", .compare_with = "cpp"});
     renderer.set_lines(extract_lines(scene.mesh));
-    renderer.draw(camera, {.atlas = AtlasForm::compute}, bound_framebuffer);
+    renderer.draw(camera, {.forms = {.atlas = StageForm::compute}}, bound_framebuffer);
     std::cout << renderer.description() << ": equal in " << renderer.comparison().kernels
               << " kernels\n";
 

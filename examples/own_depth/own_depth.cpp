@@ -137,13 +137,13 @@ void draw(const char* picture) {
     renderer.set_lines(extract_lines(scene.mesh));
     FrameOptions options;
     options.style.pen.width = 2.5F;
-    options.depth = DepthTexture{.texture = drawn.depth};
+    options.own_depth = DepthTexture{.texture = drawn.depth};
     try {
         renderer.draw(camera, options, resolved.framebuffer);
     } catch (const UsageError& error) {
         std::cout << error.what() << '\n';
     }
-    options.depth = DepthTexture{.texture = resolved.depth};
+    options.own_depth = DepthTexture{.texture = resolved.depth};
     renderer.draw(camera, options, resolved.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, resolved.framebuffer);
     save(picture);

@@ -98,7 +98,7 @@ void run(GLFWwindow* window, int most_frames, const char* screenshot) {
     Renderer renderer;
     renderer.set_lines(extract_lines(scene.mesh));
     FrameOptions options;
-    options.depth = DepthTexture{.texture = depth};
+    options.own_depth = DepthTexture{.texture = depth};
     options.style.pen.width = 2.5F;
 
     const Bounds bounds = bounds_of(scene.mesh);

@@ -14,7 +14,7 @@ namespace lineatlas::apps {
 Certifier::Certifier(const Mesh& mesh, const LineSet& lines, std::optional<float> crease_angle)
     // Patches end at lines of every kind, drawn or not.
     : scene_(std::make_unique<RayScene>(
-          lines, smooth_patches(extract_lines(mesh, {.crease_angle = crease_angle})))) {}
+          lines, smooth_patches(extract_lines(mesh, {.crease = crease_angle})))) {}
 
 Certifier::~Certifier() = default;
 

@@ -18,7 +18,7 @@ namespace lineatlas::apps {
 class Certifier {
   public:
     /// `lines` are those that are drawn, of the mesh, and must outlive it; creases are those of
-    /// LineOptions::crease_angle. Throws FileError when the module for rays can't be loaded.
+    /// LineOptions::crease. Throws FileError when the module for rays can't be loaded.
     Certifier(const Mesh& mesh, const LineSet& lines, std::optional<float> crease_angle);
     ~Certifier();
 

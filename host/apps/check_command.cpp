@@ -101,11 +101,11 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
         if (const auto projection = described(drawing.description, "--projection"))
             making.view.projection = parse_projection(*projection);
         if (const auto crease = described(drawing.description, "--crease"))
-            making.lines.crease_angle = parse_crease("--crease", *crease);
+            making.lines.crease = parse_crease("--crease", *crease);
         if (const auto kinds = described(drawing.description, "--lines")) {
             const std::optional<LineKindMask> known = line_kinds_from(*kinds);
             if (!known) throw UsageError("--lines \"" + *kinds + "\" is unknown");
-            making.lines.kinds = *known;
+            making.lines.lines = *known;
         }
         making.lines.smooth_edges = described(drawing.description, "--smooth-edges") == "true";
         making.sections = {all_described(drawing.description, "--section"),
@@ -146,7 +146,7 @@ void check(const CheckArguments& arguments) {
         });
     }
     const std::vector<std::uint32_t> patches =
-        smooth_patches(extract_lines(mesh, {.crease_angle = making.lines.crease_angle}));
+        smooth_patches(extract_lines(mesh, {.crease = making.lines.crease}));
     const LineSet lines = extract_lines(mesh, making.lines);
     const Camera camera = make_camera(making.view, drawing.size, lines.bounds);
 

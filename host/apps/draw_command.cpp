@@ -11,6 +11,7 @@
 #include "certifier.hpp"
 #include "command_line/session_file.hpp"
 #include "command_line/values.hpp"
+#include "compute/kernels.hpp"
 #include "core/line_pens.hpp"
 #include "description.hpp"
 #include "draw_stats.hpp"
@@ -408,14 +409,15 @@ Command setup_draw(CLI::App& app) {
                    "opencl:...) and report the first that differs; slow")
         ->group(device);
     app.add_option("--compare-until", a.device.compare_until,
-                   "The last stage to compare: pyramid, cull, facing, silhouette, chain, "
-                   "project_clip, scan, carry, atlas, "
-                   "temporal, intervals, compact, halo, filter or density; default all")
+                   fmt::format("The last stage to compare, of {}; default all",
+                               fmt::join(compute::stage_names(), ", ")))
         ->group(device);
 
     const std::string measuring = "Measuring";
     app.add_flag("--stats", a.stats, "Print counts, memory and a time per stage")->group(measuring);
     a.profile.declare(app, measuring);
+    for (const char* form : {"--atlas", "--depth", "--strokes"})
+        app.get_option(form)->group(measuring);
     app.add_option("--repeat", a.repeat,
                    "Frames to measure for --stats and --profile; medians are printed")
         ->capture_default_str()

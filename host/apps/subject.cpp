@@ -86,8 +86,8 @@ double pixels_of_diagonal(const ViewOptions& view, glm::ivec2 size) {
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
                      double deflection) {
     const auto lines_of = [&](const Mesh& mesh) {
-        return extract_lines(mesh, {.kinds = kinds,
-                                    .crease_angle = crease_angle(arguments),
+        return extract_lines(mesh, {.lines = kinds,
+                                    .crease = crease_angle(arguments),
                                     .smooth_edges = arguments.smooth_edges,
                                     .silhouettes = silhouettes(arguments)});
     };

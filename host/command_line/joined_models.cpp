@@ -60,7 +60,7 @@ void plant(LoadedMesh& loaded, const std::string& name) {
 void add_known_edges(Mesh& mesh) {
     if (mesh.triangles.empty()) return;
     const LineSet lines =
-        extract_lines(mesh, {.kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary)});
+        extract_lines(mesh, {.lines = mask_of(LineKind::crease) | mask_of(LineKind::boundary)});
     std::uint32_t number = 0;
     const std::array kinds{std::pair{LineKind::crease, KnownEdge::Kind::sharp},
                            std::pair{LineKind::boundary, KnownEdge::Kind::free}};

@@ -24,7 +24,7 @@ glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", 
 std::vector<int> parse_frames(std::string_view option, const std::string& text, int first,
                               int last);
 
-/// LineOptions::crease_angle, in degrees or "auto".
+/// LineOptions::crease, in degrees or "auto".
 std::optional<float> parse_crease(std::string_view option, const std::string& text);
 
 /// The parts of `text` between separators.

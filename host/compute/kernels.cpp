@@ -70,6 +70,14 @@ std::span<const Kernel> all_kernels() {
     return all;
 }
 
+std::vector<std::string_view> stage_names() {
+    std::vector<std::string_view> names;
+    for (const Kernel& kernel : all_kernels()) {
+        if (std::ranges::find(names, kernel.stage) == names.end()) names.push_back(kernel.stage);
+    }
+    return names;
+}
+
 const Kernel& first_variant(std::string_view name) {
     return *std::ranges::find(all_kernels(), name, &Kernel::name);
 }

@@ -3,7 +3,9 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -75,6 +77,9 @@ LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KE
 #undef LA_MEMBER
 
 } // namespace kernels
+
+/// The stages that are kernels, in the order of all_kernels().
+std::vector<std::string_view> stage_names();
 
 /// The first of a kernel's variants; the others follow it in all_kernels().
 const Kernel& first_variant(std::string_view name);

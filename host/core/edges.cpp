@@ -236,7 +236,7 @@ std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> ed
 
 std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                  const LineOptions& options) {
-    const auto wanted = [&](LineKind kind) { return (options.kinds & mask_of(kind)) != 0; };
+    const auto wanted = [&](LineKind kind) { return (options.lines & mask_of(kind)) != 0; };
     if (edge.face_count != 2) {
         return wanted(LineKind::boundary) ? std::optional{LineKind::boundary} : std::nullopt;
     }
@@ -244,7 +244,7 @@ std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, d
     if (wanted(LineKind::material) && mesh.triangle_group[edge.face_a] != mesh.triangle_group[b]) {
         return LineKind::material;
     }
-    if (wanted(LineKind::crease) && bend > options.crease_angle.value_or(least_crease_angle))
+    if (wanted(LineKind::crease) && bend > options.crease.value_or(least_crease_angle))
         return LineKind::crease;
     if (wanted(LineKind::silhouette) && bend > coplanar_angle) return LineKind::silhouette;
     return std::nullopt;

@@ -48,7 +48,7 @@ inline constexpr double flat_bend = 0.008726646259971648;
 std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> edges,
                              std::span<const double> bends);
 
-/// LineOptions::crease_angle where it is nothing: what bends less is no crease, and what bends more
+/// LineOptions::crease where it is nothing: what bends less is no crease, and what bends more
 /// is none only where it is noise (noisy_creases.hpp). 28.8 degrees: the sides of a prism with
 /// twelve corners bend by 30, those of one with thirteen by 27.7, and however coarsely a file
 /// rounds its coordinates, the middle tells them apart as far as it can be done.

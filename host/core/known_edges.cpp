@@ -65,12 +65,12 @@ std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedM
     LineOptions rule = options;
     const bool is_line =
         is_crease(kind) || (kind == KnownEdge::Kind::smooth && options.smooth_edges);
-    if (is_line && (options.kinds & mask_of(LineKind::crease)) != 0) {
+    if (is_line && (options.lines & mask_of(LineKind::crease)) != 0) {
         // Faces of other parts in the same place make no boundary of it.
-        if (edge.face_count >= 2 || (options.kinds & mask_of(LineKind::boundary)) == 0) {
+        if (edge.face_count >= 2 || (options.lines & mask_of(LineKind::boundary)) == 0) {
             const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
             const bool material = edge.face_count == 2 &&
-                                  (options.kinds & mask_of(LineKind::material)) != 0 &&
+                                  (options.lines & mask_of(LineKind::material)) != 0 &&
                                   mesh.triangle_group[edge.face_a] != mesh.triangle_group[b];
             return material ? LineKind::material : LineKind::crease;
         }
@@ -82,7 +82,7 @@ std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedM
         if (edge.face_count < 2) return std::nullopt;
         seen.face_count = 2;
     }
-    rule.crease_angle = std::numbers::pi_v<float>; // which no angle is above
+    rule.crease = std::numbers::pi_v<float>; // which no angle is above
     return lineatlas::classify(seen, mesh, bend, rule);
 }
 

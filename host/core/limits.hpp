@@ -31,8 +31,8 @@ inline constexpr Purpose model{"the model's vertices and triangles",
                                "use another DeviceOptions::device, DeviceOptions::compute "
                                "cpp or a smaller model"};
 inline constexpr Purpose segments{"the table of line segments",
-                                  "use fewer LineOptions::kinds, a larger "
-                                  "LineOptions::crease_angle, another DeviceOptions::device or "
+                                  "use fewer LineOptions::lines, a larger "
+                                  "LineOptions::crease, another DeviceOptions::device or "
                                   "DeviceOptions::compute cpp"};
 // What looks at all line segments together, where they come in chunks:
 inline constexpr Purpose all_halos{"a halo", "use StrokeFilter::halo 0, another "
@@ -66,7 +66,7 @@ inline constexpr Purpose depth{"the depth buffer",
                                "use a smaller Camera::size or FrameOptions::depth_scale, or draw "
                                "by tiles (Renderer::draw_tiles)"};
 inline constexpr Purpose whole_picture{"a depth buffer for the whole picture",
-                                       "use FrameOptions::method atlas with FrameOptions::atlas "
+                                       "use FrameOptions::method atlas with StageForms::atlas "
                                        "compute, which draws by tiles, or a smaller Camera::size "
                                        "or FrameOptions::depth_scale"};
 inline constexpr Purpose picture{"the picture", "use a smaller Camera::size, or draw by tiles "

@@ -162,7 +162,7 @@ class Extraction {
         : mesh_(mesh), options_(options), done_(started(progress)),
           objects_(options.separate_objects ? find_objects(mesh) : MeshObjects{}),
           welded_(weld(mesh, objects_)), edges_(mesh_edges(welded_)) {
-        const bool mends = !options.crease_angle && mesh.known_edges.empty();
+        const bool mends = !options.crease && mesh.known_edges.empty();
         if (mends) close_gaps();
         parts_ = find_parts(welded_);
         // Where the file says how surfaces look, they do.
@@ -205,7 +205,7 @@ class Extraction {
         if (left_out_.cracks > 0) edges_ = mesh_edges(welded_);
     }
 
-    bool wanted(LineKind kind) const { return (options_.kinds & mask_of(kind)) != 0; }
+    bool wanted(LineKind kind) const { return (options_.lines & mask_of(kind)) != 0; }
 
     void classify_edges() {
         const std::int64_t start = host_nanoseconds();
@@ -216,9 +216,9 @@ class Extraction {
                                  ? known.classify(edges_[i], welded_, bends_[i], options_)
                                  : classify(edges_[i], welded_, bends_[i], options_));
         }
-        if (known.all() || options_.crease_angle || !wanted(LineKind::crease)) return;
+        if (known.all() || options_.crease || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
-        const LineOptions smooth{.kinds = options_.kinds & ~mask_of(LineKind::crease)};
+        const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (!noisy[i] || known.drawn(edges_[i])) continue;
             kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
@@ -239,7 +239,7 @@ class Extraction {
     }
 
     void leave_out_seams() {
-        if (!trees_ || options_.crease_angle) return; // a number means every edge by that number
+        if (!trees_ || options_.crease) return; // a number means every edge by that number
         const std::int64_t start = host_nanoseconds();
         const std::vector<std::uint32_t> material =
             materials_of(mesh_.groups, welded_, object_of_triangle_);
@@ -267,7 +267,7 @@ class Extraction {
         if (options_.silhouettes == Silhouettes::mesh || !wanted(LineKind::silhouette)) return;
         // Where creases are not wanted their edges are silhouettes, and part patches all the same.
         const bool by_kind = wanted(LineKind::crease);
-        const double crease = options_.crease_angle.value_or(least_crease_angle);
+        const double crease = options_.crease.value_or(least_crease_angle);
         const std::vector<bool> solid = solid_parts(welded_, edges_, parts_);
         smooth_ = find_contours({.mesh = welded_,
                                  .edges = edges_,
@@ -299,7 +299,7 @@ class Extraction {
 
     void collect_lines() {
         std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
-        fixed_ = lines_of_polylines(welded_, options_.kinds, line_of_edge);
+        fixed_ = lines_of_polylines(welded_, options_.lines, line_of_edge);
         auto cut = seams_.cut.begin();
         auto left = seams_.left.begin();
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
@@ -478,7 +478,7 @@ class Extraction {
 } // namespace
 
 LineSet extract_lines(const Mesh& mesh, const LineOptions& options, const Progress& progress) {
-    if (options.crease_angle) check_angle("crease_angle", *options.crease_angle);
+    if (options.crease) check_angle("crease", *options.crease);
     check_angle("chain_angle", options.chain_angle);
     return Extraction{mesh, options, progress}.run();
 }

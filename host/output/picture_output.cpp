@@ -112,8 +112,9 @@ std::optional<FrameStats> PictureOutput::draw_smaller(const Camera& camera,
                                                       std::string_view why) {
     constexpr int smallest_tile = 64;
     const FrameOptions& options = frame_.options;
-    const bool by_tiles = options.method == Method::exact ||
-                          (options.method == Method::atlas && options.atlas != AtlasForm::raster);
+    const bool by_tiles =
+        options.method == Method::exact ||
+        (options.method == Method::atlas && options.forms.atlas != StageForm::raster);
     if (!by_tiles) return {};
     int side = std::max(frame_.size.x, frame_.size.y);
     while (side > smallest_tile) {

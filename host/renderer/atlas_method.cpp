@@ -88,8 +88,8 @@ void AtlasMethod::prepare(const Frame& frame) {
     check_depth_size(frame.camera.size * frame.depth_scale());
     // An item buffer keeps its depth to itself, as the raster form does.
     raster_ = frame.options.method == Method::item_buffer ||
-              frame.options.atlas == AtlasForm::raster ||
-              (frame.options.atlas == AtlasForm::automatic && prefers_raster_ &&
+              frame.options.forms.atlas == StageForm::raster ||
+              (frame.options.forms.atlas == StageForm::automatic && prefers_raster_ &&
                longest_segment(frame) < static_cast<std::uint32_t>(largest_side_));
     make_atlas(frame);
     cull_hidden_ = frame.culls_hidden();
@@ -203,7 +203,7 @@ void AtlasMethod::sample_compute(Frame& frame) {
 }
 
 bool AtlasMethod::leaves_raster(const Frame& frame, std::uint32_t samples) const {
-    return frame.options.atlas == AtlasForm::automatic &&
+    return frame.options.forms.atlas == StageForm::automatic &&
            rows(samples) > static_cast<std::uint32_t>(largest_side_);
 }
 

@@ -8,7 +8,7 @@
 namespace lineatlas {
 
 void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
-    if (frame.options.method != Method::atlas || frame.options.atlas == AtlasForm::raster) {
+    if (frame.options.method != Method::atlas || frame.options.forms.atlas == StageForm::raster) {
         throw UsageError("tiles: only the method atlas in its compute form draws pictures of " +
                          std::to_string(frame.camera.size.x) + "x" +
                          std::to_string(frame.camera.size.y) +

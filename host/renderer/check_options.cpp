@@ -36,7 +36,7 @@ void check(const FrameOptions& options) {
         throw UsageError("renderer: intervals, and frames that are not drawn, need method atlas or "
                          "exact");
     }
-    if (options.depth) check(*options.depth, options.method);
+    if (options.own_depth) check(*options.own_depth, options.method);
     check_style(options.style);
 }
 

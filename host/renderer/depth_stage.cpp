@@ -51,7 +51,7 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
 }
 
 void DepthStage::choose_form(const Frame& frame) {
-    imported_ = frame.options.depth.has_value();
+    imported_ = frame.options.own_depth.has_value();
     by_kernels_ = wants_kernels(frame);
     // What GL draws replaces what kernels drew, or the buffers themselves.
     if (!by_kernels_) blank_of_.reset();
@@ -176,7 +176,7 @@ TexelRectangle DepthStage::covered(const Frame& frame) const {
 void DepthStage::import_depth(Frame& frame) {
     if (!import_) import_.emplace();
     frame.clock.gl("depth", [&] {
-        const DepthTexture& own = *frame.options.depth;
+        const DepthTexture& own = *frame.options.own_depth;
         import_->draw(own.texture, own.origin, frame.camera.size * own.scale, covered(frame),
                       frame.depth_mapping);
     });

@@ -39,7 +39,7 @@ class ExactMethod {
     void find(Frame& frame, const ProgressPart& progress);
     bool grow();
     /// An atlas without samples.
-    compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), {1, 1}, 0}; }
+    compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), 0}; }
     /// The fill of what goes to the framebuffer; `seen`: as of Backdrop::draw_fill().
     void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
     FrameStats stats(Frame& frame);

@@ -21,7 +21,8 @@ float Frame::depth_tolerance() const {
 }
 
 bool Frame::knows_surfaces() const {
-    return !options.depth && (options.method == Method::atlas || options.method == Method::spine);
+    return !options.own_depth &&
+           (options.method == Method::atlas || options.method == Method::spine);
 }
 
 bool Frame::culls_hidden() const {

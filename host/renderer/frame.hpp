@@ -35,7 +35,9 @@ struct Frame {
         return tile_projection(camera.clip_from_world(), tile, camera.size);
     }
     /// Depth texels per pixel and axis.
-    int depth_scale() const { return options.depth ? options.depth->scale : options.depth_scale; }
+    int depth_scale() const {
+        return options.own_depth ? options.own_depth->scale : options.depth_scale;
+    }
     /// Probes per axis of the box of probes.
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).

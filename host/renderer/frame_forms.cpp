@@ -32,15 +32,16 @@ bool kernels_are_faster(const compute::Device& device) {
 }
 
 bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster) {
-    if (options.depth || options.method == Method::item_buffer || options.method == Method::opengl)
+    if (options.own_depth || options.method == Method::item_buffer ||
+        options.method == Method::opengl)
         return false;
-    return options.depth_form == DepthForm::compute ||
-           (options.depth_form == DepthForm::automatic && kernels_are_faster);
+    return options.forms.depth == StageForm::compute ||
+           (options.forms.depth == StageForm::automatic && kernels_are_faster);
 }
 
 bool wants_stroke_kernels(const FrameOptions& options, bool kernels_are_faster) {
-    const bool asked = options.stroke_form == StrokeForm::compute ||
-                       (options.stroke_form == StrokeForm::automatic && kernels_are_faster);
+    const bool asked = options.forms.strokes == StageForm::compute ||
+                       (options.forms.strokes == StageForm::automatic && kernels_are_faster);
     return options.draw && asked && !options.style.focus.on;
 }
 
@@ -59,7 +60,7 @@ bool wants_steadiness(const FrameOptions& options) {
 bool needs_filter(const FrameOptions& options, std::span<const Pen> pens) {
     const StrokeFilter& f = options.style.filter;
     const bool changes_lengths =
-        f.fill > 0 || f.drop > 0 || f.overshoot > 0 || f.undershoot > 0 || f.halo > 0;
+        f.fill_holes > 0 || f.drop_runs > 0 || f.overshoot > 0 || f.undershoot > 0 || f.halo > 0;
     const auto varies = [](const Profile& profile) { return profile.size() > 1; };
     const auto ends_anew = [&](const Pen& pen) {
         const bool has_caps =

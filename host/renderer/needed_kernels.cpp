@@ -52,7 +52,7 @@ void add_depth_stages(Stages& stages, const FrameOptions& options, bool by_kerne
         add(stages, {"depth"});
     else if (options.cull_hidden)
         add(stages, {"pyramid", "cull"});
-    if (!options.depth) add(stages, {"planes"});
+    if (!options.own_depth) add(stages, {"planes"});
 }
 
 Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
@@ -78,7 +78,7 @@ Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
     add(stages, {"compact"});
     if (options.method == Method::item_buffer) return stages;
     // The automatic form leaves large pictures to kernels.
-    if (options.atlas != AtlasForm::raster) add(stages, {"atlas"});
+    if (options.forms.atlas != StageForm::raster) add(stages, {"atlas"});
     if (wants_steadiness(options)) add(stages, {"temporal"});
     if (options.intervals != KeptIntervals::none) add(stages, {"intervals"});
     return stages;

@@ -45,7 +45,7 @@ int tile_size_for(glm::ivec2 size, const FrameOptions& options, const compute::D
                         static_cast<std::uint64_t>(scale) * static_cast<std::uint64_t>(scale);
     const bool exact = options.method == Method::exact;
     const bool by_tiles =
-        exact || (options.method == Method::atlas && options.atlas != AtlasForm::raster);
+        exact || (options.method == Method::atlas && options.forms.atlas != StageForm::raster);
     const bool depth_fits = !by_tiles || exact || texels <= most_texels;
     if (std::max(size.x, size.y) <= largest / scale && depth_fits) return 0;
     if (!by_tiles) gl::check_side(size * scale, purpose::whole_picture);

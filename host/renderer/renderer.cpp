@@ -259,9 +259,9 @@ class Renderer::State {
 
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target) {
-        if (options.depth) {
+        if (options.own_depth) {
             throw UsageError("tiles: pictures in tiles draw their own depth; leave out "
-                             "FrameOptions::depth");
+                             "FrameOptions::own_depth");
         }
         check_frame(camera, options);
         const GLuint framebuffer = framebuffer_name(target.framebuffer);
@@ -286,7 +286,7 @@ class Renderer::State {
     Samples read_samples() {
         if (!samples_drawn_) {
             throw UsageError(
-                "renderer: read_samples() needs a frame of method atlas or itembuffer");
+                "renderer: read_samples() needs a frame of method atlas or item-buffer");
         }
         if (scene_->chunk_count() > 1) throw needs_whole_table(purpose::samples);
         return atlas_->read_samples();
@@ -398,10 +398,11 @@ class Renderer::State {
 
     /// The camera as stages want it; refuses a depth texture that cannot be read.
     StandardCamera standard_camera(const Camera& camera, const FrameOptions& options) const {
-        if (!options.depth) return lineatlas::standard_camera(camera, scene_->bounds());
-        DepthValues values = gl::check_depth_texture(options.depth->texture, options.depth->origin,
-                                                     camera.size * options.depth->scale);
-        values.range = options.depth->range;
+        if (!options.own_depth) return lineatlas::standard_camera(camera, scene_->bounds());
+        DepthValues values =
+            gl::check_depth_texture(options.own_depth->texture, options.own_depth->origin,
+                                    camera.size * options.own_depth->scale);
+        values.range = options.own_depth->range;
         return lineatlas::standard_camera(camera, scene_->bounds(), values);
     }
 

@@ -65,7 +65,8 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
     draws_ = can_draw_ = wants(frame);
     const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
                         static_cast<std::uint64_t>(frame.camera.size.y);
-    fewest_runs_ = frame.options.stroke_form == StrokeForm::automatic ? pixels / pixels_per_run : 0;
+    fewest_runs_ =
+        frame.options.forms.strokes == StageForm::automatic ? pixels / pixels_per_run : 0;
     if (!draws_ || !coverage_) return;
     for (interop::SharedTable* table : {&coverage_, &shown_})
         table->compute(); // while GL has nothing to do

@@ -61,7 +61,7 @@ std::vector<Option> make_options() {
     t.push_back(lines());
     t.push_back(choice<F>(
         "method", [](auto& o) -> auto& { return o.method; },
-        {"atlas", "exact", "spine", "itembuffer", "opengl"}, "How visibility is computed"));
+        {"atlas", "exact", "spine", "item-buffer", "opengl"}, "How visibility is computed"));
     t.push_back(probes());
     t.push_back(whole<F>(
         "depth-scale", [](auto& o) -> auto& { return o.depth_scale; }, {1, finest_depth_scale},
@@ -70,13 +70,13 @@ std::vector<Option> make_options() {
         "step", [](auto& o) -> auto& { return o.step; }, {finest_step, longest_step}, "pixels",
         "Distance of visibility samples along a line"));
     t.push_back(choice<F>(
-        "atlas", [](auto& o) -> auto& { return o.atlas; }, {"auto", "raster", "compute"},
+        "atlas", [](auto& o) -> auto& { return o.forms.atlas; }, {"auto", "raster", "compute"},
         "Where samples are computed"));
     t.push_back(choice<F>(
-        "depth", [](auto& o) -> auto& { return o.depth_form; }, {"auto", "raster", "compute"},
+        "depth", [](auto& o) -> auto& { return o.forms.depth; }, {"auto", "raster", "compute"},
         "Where the depth of the triangles, and a fill, are drawn"));
     t.push_back(choice<F>(
-        "strokes", [](auto& o) -> auto& { return o.stroke_form; }, {"auto", "raster", "compute"},
+        "strokes", [](auto& o) -> auto& { return o.forms.strokes; }, {"auto", "raster", "compute"},
         "Where plain strokes are drawn"));
     return t;
 }
@@ -161,7 +161,7 @@ std::vector<FrameSetting> make_frame_settings() {
 bool FrameSettings::asks_for_samples() const {
     const FrameOptions usual;
     return quality != Quality::high || probes || depth_scale || rest.step != usual.step ||
-           rest.atlas != usual.atlas || rest.depth_form != usual.depth_form;
+           rest.forms.atlas != usual.forms.atlas || rest.forms.depth != usual.forms.depth;
 }
 
 FrameOptions FrameSettings::for_pixels() const {

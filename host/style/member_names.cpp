@@ -1,36 +1,32 @@
 #include "member_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
-
-#include "frame_settings.hpp"
+#include <optional>
 
 namespace lineatlas {
 namespace {
 
-/// Keys by member. Those of the table of frame settings are called as the members are.
-std::map<std::string, std::string> make_keys() {
-    std::map<std::string, std::string> keys{{"Camera::size", "size"},
-                                            {"Density::limit", "density"},
-                                            {"DeviceOptions::compute", "compute"},
-                                            {"DeviceOptions::device", "device"},
-                                            {"DeviceOptions::interop", "interop"},
-                                            {"Fill::mode", "fill"},
-                                            {"LineOptions::crease_angle", "crease"},
-                                            {"LineOptions::kinds", "lines"},
-                                            {"LoadOptions::deflection", "deflection"},
-                                            {"LoadOptions::pixels", "pixels"},
-                                            {"LoadOptions::read_memory", "read-memory"},
-                                            {"LoadOptions::read_seconds", "read-seconds"},
-                                            {"Paper::grain", "paper-grain"},
-                                            {"Renderer::draw_tiles", "tile"},
-                                            {"StrokeFilter::halo", "halo"}};
-    for (const FrameSetting& setting : frame_settings()) {
-        std::string member = "FrameOptions::" + setting.key;
-        std::ranges::replace(member, '-', '_');
-        keys.emplace(std::move(member), setting.key);
-    }
-    return keys;
+/// The key of a member, as in "FrameOptions::depth_scale": its name with hyphens, or what stands
+/// here.
+std::optional<std::string> key_of(std::string_view member) {
+    static const std::map<std::string_view, std::string_view> named{
+        {"Density::limit", "density"},
+        {"Fill::mode", "fill"},
+        {"Paper::grain", "paper-grain"},
+        {"Renderer::draw_tiles", "tile"}};
+    constexpr std::array<std::string_view, 7> types{"Camera",      "DeviceOptions", "FrameOptions",
+                                                    "LineOptions", "LoadOptions",   "StageForms",
+                                                    "StrokeFilter"};
+    if (const auto found = named.find(member); found != named.end())
+        return std::string{found->second};
+    const std::size_t colons = member.find("::");
+    if (colons == member.npos || std::ranges::find(types, member.substr(0, colons)) == types.end())
+        return std::nullopt;
+    std::string key{member.substr(colons + 2)};
+    std::ranges::replace(key, '_', '-');
+    return key;
 }
 
 bool in_a_name(char c) {
@@ -41,13 +37,12 @@ bool in_a_name(char c) {
 
 std::string with_members_called(std::string_view message,
                                 const std::function<std::string(const std::string& key)>& called) {
-    static const std::map<std::string, std::string> keys = make_keys();
     std::string text;
     for (auto at = message.begin(); at != message.end();) {
         const auto end = std::find_if_not(at, message.end(), in_a_name);
         const std::string word{at, end};
-        const auto known = keys.find(word);
-        text += known != keys.end() ? called(known->second) : word;
+        const std::optional<std::string> key = key_of(word);
+        text += key ? called(*key) : word;
         at = end;
         if (at != message.end()) text += *at++;
     }

@@ -158,10 +158,10 @@ std::vector<Setting> make_settings() {
         t, "hidden-pen", "hidden-", "hidden lines", [](auto& s) -> auto& { return s.hidden_pen; });
 
     t.push_back(number(
-        "fill-holes", [](auto& s) -> auto& { return s.filter.fill; }, length, "pixels",
+        "fill-holes", [](auto& s) -> auto& { return s.filter.fill_holes; }, length, "pixels",
         "Shorter holes in a line are closed"));
     t.push_back(number(
-        "drop-runs", [](auto& s) -> auto& { return s.filter.drop; }, length, "pixels",
+        "drop-runs", [](auto& s) -> auto& { return s.filter.drop_runs; }, length, "pixels",
         "Shorter visible runs are left out"));
     t.push_back(number(
         "overshoot", [](auto& s) -> auto& { return s.filter.overshoot; }, length, "pixels",

@@ -42,7 +42,7 @@ void extend(Stroke& stroke, const Stroke& next) {
 class Lengths {
   public:
     Lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts, double crumb)
-        : strip_(strip), crumb_(crumb), fill_(filter.fill), drop_(filter.drop),
+        : strip_(strip), crumb_(crumb), fill_(filter.fill_holes), drop_(filter.drop_runs),
           undershoot_(filter.undershoot),
           overshoot_(filter.overshoot * (1 - filter.overshoot_variation * path_share(strip.path))),
           cuts_(cuts) {}

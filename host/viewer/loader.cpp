@@ -95,7 +95,7 @@ const char* what_is_done(const ModelSource& source) {
 void find_lines(Model& model, const Progress& progress) {
     LineOptions options = model.source.lines;
     if (model.shown.crease)
-        options.crease_angle = parse_crease("crease", fmt::format("{}", *model.shown.crease));
+        options.crease = parse_crease("crease", fmt::format("{}", *model.shown.crease));
     options.silhouettes = model.shown.silhouettes.value_or(LineOptions{}.silhouettes);
     model.lines = extract_lines(*model.mesh, options, progress);
     const std::optional<FarPart> far = find_far_part(model.lines);

@@ -14,7 +14,7 @@ namespace lineatlas::viewer {
 struct Shown {
     HiddenParts hidden{};          ///< parts
     std::vector<Cut> cuts{};       ///< at most `most_sections`
-    std::optional<float> crease{}; ///< LineOptions::crease_angle in degrees
+    std::optional<float> crease{}; ///< LineOptions::crease in degrees
     /// LineOptions::silhouettes; none: as the tool has them.
     std::optional<Silhouettes> silhouettes{};
 

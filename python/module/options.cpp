@@ -117,18 +117,18 @@ FrameOptions path_options(const std::optional<Options>& given, const Style& styl
 
 LineOptions line_options(const LineKinds& kinds, const Crease& crease,
                          const std::optional<std::string>& silhouettes, bool separate_objects) {
-    LineOptions options{.crease_angle = crease_angle(crease),
+    LineOptions options{.crease = crease_angle(crease),
                         .separate_objects = separate_objects,
                         .silhouettes = silhouettes ? parse_silhouettes("silhouettes", *silhouettes)
                                                    : LineOptions{}.silhouettes};
     if (!kinds) return options;
     if (const auto* text = std::get_if<std::string>(&*kinds)) {
-        options.kinds = mask_of_names(*text);
+        options.lines = mask_of_names(*text);
         return options;
     }
-    options.kinds = 0;
+    options.lines = 0;
     for (const std::string& name : std::get<std::vector<std::string>>(*kinds))
-        options.kinds |= mask_of_names(name);
+        options.lines |= mask_of_names(name);
     return options;
 }
 

@@ -32,7 +32,7 @@ void warn_of_no_line(const std::string& why) {
 
 /// Why a camera shows none of these lines.
 std::string why_blank(const ModelLines& subject, const Camera& camera) {
-    const std::string why = why_no_line(subject.lines, subject.options.kinds, camera);
+    const std::string why = why_no_line(subject.lines, subject.options.lines, camera);
     const auto [x, y, z] = subject.model->origin;
     const glm::dvec3 origin{x, y, z};
     if (origin == glm::dvec3{0}) return why;

@@ -52,7 +52,7 @@ class Blank(unittest.TestCase):
                                    style=lineatlas.Style(hidden=True)), [])
 
     def test_of_every_method(self) -> None:
-        for method in ("auto", "atlas", "exact", "spine", "itembuffer", "opengl"):
+        for method in ("auto", "atlas", "exact", "spine", "item-buffer", "opengl"):
             options = lineatlas.Options(method=method)
             self.assertEqual(len(self.said(cube(), view=AWAY, options=options)), 1, method)
             self.assertEqual(self.said(cube(), view=CUBE_VIEW, options=options), [], method)

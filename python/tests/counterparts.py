@@ -40,7 +40,7 @@ ELSEWHERE = {
     "write_image()": "save()", "check_image_path()": "save(path)",
     "check_image_settings()": "save(dpi)",
     # lines
-    "LineOptions": "Renderer(crease)", "LineOptions.crease_angle": "Renderer(crease)", "LineOptions.kinds": "Renderer(lines)",
+    "LineOptions": "Renderer(crease)", "LineOptions.crease": "Renderer(crease)", "LineOptions.lines": "Renderer(lines)",
     "LineOptions.silhouettes": "Renderer(silhouettes)", "Silhouettes.*": "Renderer(silhouettes)",
     "LineSource": "intervals[edge]", "LineSource.from": "intervals[edge]", "LineSource.to": "intervals[edge]",
     "LineSource.triangle": "intervals[triangle]", "LineSource.crossing": "intervals[crossing]",
@@ -57,13 +57,13 @@ ELSEWHERE = {
     "ExactArrays.positions": "Mesh(positions)", "ExactMesh": "Mesh", "ExactMesh.mesh": "Mesh", "ExactMesh.origin": "Mesh.origin",
     "add_polyline()": "Mesh(polylines)",
     # pictures and intervals
-    "FrameOptions": "Options", "FrameOptions.atlas": "Options(atlas)",
-    "FrameOptions.depth_form": "Options(depth)", "FrameOptions.depth_scale": "Options(depth_scale)",
+    "FrameOptions": "Options", "FrameOptions.forms": "Options", "StageForms": "Options", "StageForms.atlas": "Options(atlas)",
+    "StageForms.depth": "Options(depth)", "FrameOptions.depth_scale": "Options(depth_scale)",
     "FrameOptions.intervals": "Renderer.intervals()", "FrameOptions.method": "Options(method)",
     "FrameOptions.probes": "Options(probes)", "FrameOptions.steady": "Options(steady)", "FrameOptions.step": "Options(step)",
-    "FrameOptions.stroke_form": "Options(strokes)", "FrameOptions.style": "Renderer.draw(style)",
+    "StageForms.strokes": "Options(strokes)", "FrameOptions.style": "Renderer.draw(style)",
     "FrameOptions.draw": "Renderer.intervals()", "FrameOptions.lines": "Renderer(lines)",
-    "AtlasForm.*": "Options(atlas)", "DepthForm.*": "Options(depth)", "StrokeForm.*": "Options(strokes)",
+    "StageForm.*": "Options(atlas)",
     "KeptIntervals.*": "Renderer.intervals(hidden)", "Method.*": "Options(method)",
     "Renderer.description()": "Renderer.description", "Renderer.draw()": "Renderer.draw()",
     "Renderer.prepare()": "Renderer.prepare()",
@@ -102,7 +102,7 @@ ELSEWHERE = {
     "Focus.on": "Style[focus]", "Focus.opacity": "Style[focus-opacity]", "Focus.point": "Style[focus]",
     "Focus.radius": "Style[focus-radius]", "Focus.width": "Style[focus-width]",
     "Style.pens": "Style[pens]", "PenRule.*": "Style[pens]", "PenMatch.*": "Style[pens]", "Style.made_for": "Style[made-for]",
-    "default_style()": "Renderer.draw(style)",
+    "default_frame_options()": "Options", "default_style()": "Renderer.draw(style)",
     "StyleInfo": "styles()", "StyleInfo.description": "styles()", "StyleInfo.name": "styles()", "list_styles()": "styles()",
     "apply_setting()": "Style.__setitem__()", "load_style()": "Style()", "write_style()": "Style.to_toml()",
     # paths
@@ -131,7 +131,7 @@ NOT_IN_PYTHON = {
     "NumPy does it in a line": """
         Camera.clip_from_world() Bounds.* bounds_of() Mesh.empty() MeshArrays.stride ExactArrays.stride Pixels.* Image.* read_image()""",
     "a part of drawing into a program's own framebuffer, which the package does not offer": """
-        Camera.origin ClipControl.upper_left DepthTexture.* FrameOptions.depth HeadlessContext.* Renderer.tile_size()
+        Camera.origin ClipControl.upper_left DepthTexture.* FrameOptions.own_depth HeadlessContext.* Renderer.tile_size()
         Renderer.draw_tiles() PictureTile.* TileTarget.* Renderer.set_pen_image()""",
     "for those who look after devices, with tools of their own in C++": """
         DeviceOptions.compare_until DeviceOptions.compare_with Renderer.comparison() Renderer.Comparison.*

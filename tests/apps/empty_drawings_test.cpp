@@ -56,7 +56,7 @@ TEST_F(EmptyDrawings, AllIsHidden) {
 }
 
 TEST_F(EmptyDrawings, EveryMethod) {
-    for (const char* method : {"atlas", "itembuffer", "spine", "opengl"}) {
+    for (const char* method : {"atlas", "item-buffer", "spine", "opengl"}) {
         const std::string option = std::string{" --style technical --method "} + method;
         EXPECT_NE(
             say(path("t.obj") + " --eye 3,3,3 --target 9,9,9" + option, "m.png").find("behind"),

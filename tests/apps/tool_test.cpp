@@ -338,7 +338,7 @@ TEST_F(Tool, SaysWhereOutlinesAreNotTold) {
         EXPECT_EQ(result.exit_code, 0) << result.output;
         return result.output.find("outlines are drawn as other lines") != std::string::npos;
     };
-    for (const char* method : {"spine", "opengl", "itembuffer"}) {
+    for (const char* method : {"spine", "opengl", "item-buffer"}) {
         EXPECT_TRUE(says(std::string{" --method "} + method)) << method;
         EXPECT_FALSE(says(std::string{" --style technical --method "} + method)) << method;
     }

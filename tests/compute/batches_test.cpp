@@ -201,7 +201,7 @@ LineSet path_behind(std::vector<glm::vec2> corners, glm::vec2 start) {
         mesh.polylines[0].push_back(static_cast<std::uint32_t>(mesh.positions.size()));
         mesh.positions.emplace_back(start.x + static_cast<float>(i), start.y, -10);
     }
-    return extract_lines(mesh, {.kinds = mask_of(LineKind::file)});
+    return extract_lines(mesh, {.lines = mask_of(LineKind::file)});
 }
 
 Camera straight_camera() {

@@ -460,8 +460,8 @@ TEST_P(ExactTest, EveryFaceOfAScene) {
 TEST_P(ExactTest, EveryFaceOfARoughFieldFromFarAndNear) {
     Random random{7};
     // By an angle: to --crease auto all of it is noise.
-    const LineSet lines = extract_lines(height_field(random, 40, 6.0F),
-                                        {.crease_angle = std::numbers::pi_v<float> / 6});
+    const LineSet lines =
+        extract_lines(height_field(random, 40, 6.0F), {.crease = std::numbers::pi_v<float> / 6});
     const glm::vec3 middle = 0.5F * (lines.bounds.min + lines.bounds.max);
     for (const float away : {1.0F, 3.0F, 40.0F}) {
         const Camera camera =

@@ -37,19 +37,19 @@ TEST_P(FilterStage, NothingToDoLeavesAllAsItWas) {
 }
 
 TEST_P(FilterStage, HolesShorterThanFillAreClosed) {
-    expect({.fill = 17}, {{40, 100}, {120, 140}, {200, 280}});
-    expect({.fill = 23}, {{40, 140}, {200, 280}});
-    expect({.fill = 63}, {{40, 280}});
+    expect({.fill_holes = 17}, {{40, 100}, {120, 140}, {200, 280}});
+    expect({.fill_holes = 23}, {{40, 140}, {200, 280}});
+    expect({.fill_holes = 63}, {{40, 280}});
 }
 
 TEST_P(FilterStage, RunsShorterThanDropAreLeftOut) {
-    expect({.drop = 17}, {{40, 100}, {120, 140}, {200, 280}});
-    expect({.drop = 23}, {{40, 100}, {200, 280}});
-    expect({.drop = 63}, {{200, 280}});
+    expect({.drop_runs = 17}, {{40, 100}, {120, 140}, {200, 280}});
+    expect({.drop_runs = 23}, {{40, 100}, {200, 280}});
+    expect({.drop_runs = 63}, {{200, 280}});
 }
 
 TEST_P(FilterStage, HolesAreClosedBeforeRunsAreLeftOut) {
-    expect({.fill = 23, .drop = 83}, {{40, 140}});
+    expect({.fill_holes = 23, .drop_runs = 83}, {{40, 140}});
 }
 
 TEST_P(FilterStage, OvershootGoesBeyondEitherEnd) {

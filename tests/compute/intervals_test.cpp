@@ -37,7 +37,7 @@ class IntervalsStage : public StageTest {
         const auto table = put(std::vector<Interval>(32));
         const auto total = device().allocate(sizeof(std::uint32_t));
         stages().intervals({.table = frame.table(*vertices),
-                            .atlas = {frame.clipped(), *alpha, {4096, 4096}, 4096},
+                            .atlas = {frame.clipped(), *alpha, 4096},
                             .viewport = glm::vec2{hand_size},
                             .depth = {*depth, hand_size, 1, 1e-4F},
                             .hidden_too = scene.hidden_too,

@@ -283,15 +283,15 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
 
     const ExactResult exact = find_exactly(stages.device(), lines, camera, all_line_kinds);
     const LineSet round =
-        extract_lines(sphere(1), {.kinds = mask_of(LineKind::silhouette), .crease_angle = 3});
+        extract_lines(sphere(1), {.lines = mask_of(LineKind::silhouette), .crease = 3});
     append(result, stages.pens(camera, depth, sampled));
     append_planes(result, on_device, lines, camera);
     append_fill(result, on_device, lines, camera);
     append_outline(result, on_device, lines, camera);
     append_chains(result, on_device, round, look_at_it(0, round.bounds));
-    const LineSet smooth = extract_lines(sphere(1), {.kinds = mask_of(LineKind::silhouette),
-                                                     .crease_angle = 3,
-                                                     .silhouettes = Silhouettes::smooth});
+    const LineSet smooth = extract_lines(
+        sphere(1),
+        {.lines = mask_of(LineKind::silhouette), .crease = 3, .silhouettes = Silhouettes::smooth});
     append_chains(result, on_device, smooth, look_at_it(0, smooth.bounds));
     append_outline(result, on_device, smooth, look_at_it(0, smooth.bounds));
     append_normals(result, on_device, smooth);

@@ -36,7 +36,7 @@ class TemporalStage : public StageTest {
             const auto alpha = put(padded);
             const bool is_first = &frame == frames.data();
             stages().temporal({.segment_count = tables.count(),
-                               .atlas = {tables.clipped(), *alpha, {64, 64}, 64},
+                               .atlas = {tables.clipped(), *alpha, 64},
                                .history = {*history_alpha, *history_offsets, *ranges},
                                .use = !is_first && !forget ? LA_HISTORY_CAMERA : LA_HISTORY_NONE});
             result = get<std::uint8_t>(*alpha, frame.alpha.size());

@@ -84,7 +84,7 @@ TEST(Cracks, ThatAreWideForTheirEdgesStayOpen) {
 }
 
 TEST(Cracks, StayOpenWhereAnAngleIsGiven) {
-    const LineSet lines = extract_lines(corner_of_squares(1e-6F), {.crease_angle = 0.5F});
+    const LineSet lines = extract_lines(corner_of_squares(1e-6F), {.crease = 0.5F});
     EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 8U);
     EXPECT_EQ(lines.left_out.cracks, 0U);
 }

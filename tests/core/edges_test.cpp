@@ -52,7 +52,7 @@ std::ptrdiff_t count(const Kinds& kinds, std::optional<LineKind> kind) {
 }
 
 LineOptions with_crease_angle(float angle) {
-    return {.crease_angle = angle};
+    return {.crease = angle};
 }
 
 /// Every edge against a map of all uses, built the slow way.
@@ -197,13 +197,13 @@ TEST(Classify, AKindThatIsNotWantedGivesWayToTheNext) {
     mesh.triangle_group = {0, 1};
     LineOptions options;
     const auto kind = [&] { return kinds_of(mesh, options)[{0, 1}]; };
-    options.kinds &= ~mask_of(LineKind::material);
+    options.lines &= ~mask_of(LineKind::material);
     EXPECT_EQ(kind(), LineKind::crease);
-    options.kinds &= ~mask_of(LineKind::crease);
+    options.lines &= ~mask_of(LineKind::crease);
     EXPECT_EQ(kind(), LineKind::silhouette);
-    options.kinds &= ~mask_of(LineKind::silhouette);
+    options.lines &= ~mask_of(LineKind::silhouette);
     EXPECT_EQ(kind(), std::nullopt);
-    options.kinds = mask_of(LineKind::crease);
+    options.lines = mask_of(LineKind::crease);
     EXPECT_EQ(count(kinds_of(test::faces_on_an_edge(3), options), std::nullopt), 7);
 }
 

@@ -53,10 +53,10 @@ TEST(WhyNoLine, NamesTheCause) {
     EXPECT_EQ(why_no_line(LineSet{}, all_line_kinds, camera),
               "the model has no triangles and no lines");
     const LineKindMask kinds = mask_of(LineKind::boundary) | mask_of(LineKind::file);
-    EXPECT_EQ(why_no_line(extract_lines(test::cube(), {.kinds = kinds}), kinds, camera),
+    EXPECT_EQ(why_no_line(extract_lines(test::cube(), {.lines = kinds}), kinds, camera),
               "the model has none of the kinds boundary, file");
-    const LineOptions blunt{.kinds = mask_of(LineKind::crease), .crease_angle = 2};
-    EXPECT_EQ(why_no_line(extract_lines(test::cube(), blunt), blunt.kinds, camera),
+    const LineOptions blunt{.lines = mask_of(LineKind::crease), .crease = 2};
+    EXPECT_EQ(why_no_line(extract_lines(test::cube(), blunt), blunt.lines, camera),
               "the model has none of the kinds crease; a smaller crease angle finds more");
     EXPECT_EQ(why_no_line(cube, all_line_kinds, camera),
               "surfaces hide those in the picture, or the style leaves them out");

@@ -175,8 +175,8 @@ TEST(Intersections, OfOnePartWithItselfAreNone) {
 TEST(Intersections, AreThereIfWanted) {
     const Mesh mesh = together(test::cube(), moved_by(test::cube(), {1, 1, 1}));
     const LineKindMask others = all_line_kinds & ~mask_of(LineKind::intersection);
-    EXPECT_TRUE(Crossings(mesh, {.kinds = others}).segments.empty());
-    EXPECT_FALSE(Crossings(mesh, {.kinds = mask_of(LineKind::intersection)}).segments.empty());
+    EXPECT_TRUE(Crossings(mesh, {.lines = others}).segments.empty());
+    EXPECT_FALSE(Crossings(mesh, {.lines = mask_of(LineKind::intersection)}).segments.empty());
 }
 
 TEST(Intersections, AreWithinObjectsThatMove) {

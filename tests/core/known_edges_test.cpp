@@ -44,7 +44,7 @@ TEST(KnownEdges, SharpOnesAreCreasesHoweverFlat) {
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
     mesh.known_edges = {{1, 0, Kind::sharp}};
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
-    EXPECT_EQ(counts(mesh, {.kinds = mask_of(LineKind::silhouette)})[LA_KIND_SILHOUETTE], 1U);
+    EXPECT_EQ(counts(mesh, {.lines = mask_of(LineKind::silhouette)})[LA_KIND_SILHOUETTE], 1U);
 }
 
 /// A square in the plane as a fan of four triangles, and a third corner of one lifted by 45
@@ -68,7 +68,7 @@ TEST(KnownEdges, MarkedOnesAreCreasesAndLeaveOthersToAngles) {
     EXPECT_GE(bent, 2U);
     mesh.known_edges = {{2, 0, Kind::marked}};
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], bent + 1);
-    EXPECT_EQ(counts(mesh, {.crease_angle = 0.5F})[LA_KIND_CREASE], bent + 1);
+    EXPECT_EQ(counts(mesh, {.crease = 0.5F})[LA_KIND_CREASE], bent + 1);
     mesh.known_edges.push_back({0, 1, Kind::seam}); // now the file speaks of all
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
 }

@@ -48,8 +48,8 @@ void expect_agreement(const Mesh& mesh, float crease_angle) {
     ASSERT_EQ(edges.size(), oracle.n_edges());
 
     LineOptions options;
-    options.crease_angle = crease_angle;
-    options.kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
+    options.crease = crease_angle;
+    options.lines = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const MeshEdge& edge = edges[i];
         const auto halfedge =

@@ -167,7 +167,7 @@ TEST(ExtractLines, LineSetsOfRandomSoupsAreSound) {
         mesh = test::with_random_groups(mesh, random, 3);
         add_random_polylines(mesh, random, round % 4);
         LineOptions options;
-        options.crease_angle = random.between(0, 3.1F);
+        options.crease = random.between(0, 3.1F);
         options.chain_angle = random.between(0, 3.1F);
         expect_sound(extract_lines(mesh, options));
     }
@@ -212,7 +212,7 @@ TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
          {PolylineKind::file, PolylineKind::section, PolylineKind::hatching})
         mesh.polyline_kind.insert(mesh.polyline_kind.end(), 2, kind);
     for (LineKindMask mask = 0; mask <= all_line_kinds; ++mask) {
-        const LineSet lines = extract_lines(mesh, {.kinds = mask, .crease_angle = 0.5F});
+        const LineSet lines = extract_lines(mesh, {.lines = mask, .crease = 0.5F});
         expect_sound(lines);
         for (std::uint32_t kind = 0; kind < LA_KIND_COUNT; ++kind) {
             // Of one part, which passes through no other.
@@ -307,7 +307,7 @@ TEST(ExtractLines, PolylinesOnMeshEdgesStandOnceWithTheirFaces) {
         EXPECT_EQ(s.face_b == LA_NO_FACE, free);
     }
     const LineSet without =
-        extract_lines(mesh, {.kinds = all_line_kinds & ~mask_of(LineKind::file)});
+        extract_lines(mesh, {.lines = all_line_kinds & ~mask_of(LineKind::file)});
     EXPECT_EQ(count(without, LineKind::crease), 12U);
 }
 
@@ -330,11 +330,11 @@ TEST(ExtractLines, AnglesOutOfRangeAreRefused) {
     const Mesh mesh = test::cube();
     const float infinite = std::numeric_limits<float>::infinity();
     for (const float angle : {-0.001F, 3.15F, infinite, std::nanf(""), 1e38F}) {
-        EXPECT_THROW(extract_lines(mesh, {.crease_angle = angle}), UsageError) << angle;
+        EXPECT_THROW(extract_lines(mesh, {.crease = angle}), UsageError) << angle;
         EXPECT_THROW(extract_lines(mesh, {.chain_angle = angle}), UsageError) << angle;
     }
-    EXPECT_EQ(extract_lines(mesh, {.crease_angle = 0}).kind_counts[LA_KIND_CREASE], 12U);
-    EXPECT_NO_THROW(extract_lines(mesh, {.crease_angle = 180 * 0.017453293F}));
+    EXPECT_EQ(extract_lines(mesh, {.crease = 0}).kind_counts[LA_KIND_CREASE], 12U);
+    EXPECT_NO_THROW(extract_lines(mesh, {.crease = 180 * 0.017453293F}));
 }
 
 TEST(ExtractLines, GroupsThatAreNotThereAreRefused) {
@@ -391,7 +391,7 @@ bool all_loops_close(const std::vector<Segment>& segments) {
     return std::ranges::all_of(ends, [](const auto& entry) { return entry.second % 2 == 0; });
 }
 
-constexpr LineOptions silhouettes_only{.kinds = mask_of(LineKind::silhouette)};
+constexpr LineOptions silhouettes_only{.lines = mask_of(LineKind::silhouette)};
 
 TEST(Silhouettes, OfAClosedMeshFormClosedLoopsFromEverywhere) {
     test::Random random{54};

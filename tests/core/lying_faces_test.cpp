@@ -55,7 +55,7 @@ std::size_t inner_lines(const LineSet& lines, float last) {
 TEST(LyingFaces, OfASheetWithTwoSidesAreOne) {
     const Mesh sheet = with_other_side(folded_sheet(4, 4), 4);
     EXPECT_EQ(extract_lines(sheet).segments.size(), 16U) << "its border";
-    EXPECT_EQ(extract_lines(sheet, {.crease_angle = 0.5F}).segments.size(), 16U + 24U);
+    EXPECT_EQ(extract_lines(sheet, {.crease = 0.5F}).segments.size(), 16U + 24U);
 }
 
 TEST(LyingFaces, AreBentWhereTheSheetIs) {

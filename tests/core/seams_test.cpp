@@ -67,7 +67,7 @@ TEST(Seams, StayWhereAnAngleIsGiven) {
     Mesh mesh;
     add_rectangle(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     add_rectangle(mesh, {1.0001F, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    const LineSet lines = extract_lines(mesh, {.crease_angle = 0.5F});
+    const LineSet lines = extract_lines(mesh, {.crease = 0.5F});
     EXPECT_EQ(lines.left_out.seams, 0U);
     EXPECT_NEAR(length_of(lines, LineKind::boundary), 8, 1e-4);
 }

@@ -278,13 +278,17 @@ class GlSharingPictures : public GlSharing, public testing::WithParamInterface<c
 
 TEST_P(GlSharingPictures, EqualThoseOfCopies) {
     behave(GetParam());
-    FrameOptions styled{.style = {.filter = {.fill = 4, .drop = 4, .overshoot = 12, .halo = 3}}};
+    FrameOptions styled{
+        .style = {.filter = {.fill_holes = 4, .drop_runs = 4, .overshoot = 12, .halo = 3}}};
     styled.style.density.limit = 0.2F;
     FrameOptions hidden;
     hidden.style.hidden = true;
-    const std::vector<FrameOptions> all{
-        {.atlas = AtlasForm::raster}, {.atlas = AtlasForm::compute},    styled, hidden,
-        {.method = Method::spine},    {.intervals = KeptIntervals::all}};
+    const std::vector<FrameOptions> all{{.forms = {.atlas = StageForm::raster}},
+                                        {.forms = {.atlas = StageForm::compute}},
+                                        styled,
+                                        hidden,
+                                        {.method = Method::spine},
+                                        {.intervals = KeptIntervals::all}};
     for (const char* scene : {"clevis", "ship"}) expect_same(scene, all);
 }
 

@@ -67,8 +67,8 @@ TEST_P(SharedMesh, HasTheEdgesOfTheTable) {
     replace_slivers(welded, edges);
     const std::vector<double> bends = bends_of(edges, face_normals(welded));
     LineOptions options;
-    options.crease_angle = std::numbers::pi_v<float> / 6; // as the table counts; noise and all
-    options.kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
+    options.crease = std::numbers::pi_v<float> / 6; // as the table counts; noise and all
+    options.lines = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
     EdgeCounts difference{.creases = -row.counted.creases,
                           .boundaries = -row.counted.boundaries,
                           .non_manifold = -row.counted.non_manifold};

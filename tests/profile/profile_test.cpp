@@ -191,15 +191,15 @@ class Profiles : public testing::Test {
     gl::HeadlessContext context_;
     gl::Canvas canvas_{{400, 300}};
     Camera camera_{};
-    FrameOptions options_{.atlas = AtlasForm::compute, .depth_form = DepthForm::raster};
+    FrameOptions options_{.forms = {.atlas = StageForm::compute, .depth = StageForm::raster}};
 };
 
 const std::set<std::string> atlas_stages{
     "depth", "handover", "pyramid",  "facing",  "silhouette", "chain", "project_clip",
     "scan",  "atlas",    "temporal", "compact", "strokes",    "planes"};
 
-void expect_sound(TraceCheck& check, DepthForm depth = DepthForm::raster) {
-    if (depth == DepthForm::raster) {
+void expect_sound(TraceCheck& check, StageForm depth = StageForm::raster) {
+    if (depth == StageForm::raster) {
         // The numbers of surfaces are copied while segments are projected.
         check.expect_order("depth", "pyramid", true);
         check.expect_order("pyramid", "project_clip");
@@ -230,14 +230,14 @@ TEST_F(Profiles, ATraceTellsEveryStageInOrderOnOneClock) {
 }
 
 TEST_F(Profiles, OfDepthByKernelsThePyramidIsAPart) {
-    options_.depth_form = DepthForm::compute;
+    options_.forms.depth = StageForm::compute;
     Renderer renderer = warm("ship");
     TraceCheck check{profile_trace(profile(renderer, 3), renderer.description())};
     EXPECT_EQ(check.frame_count(), 3U);
     std::set<std::string> stages = atlas_stages;
     stages.erase("pyramid");
     check.expect_stages(stages);
-    expect_sound(check, DepthForm::compute);
+    expect_sound(check, StageForm::compute);
     EXPECT_EQ(joined(check.problems), "");
 }
 

@@ -109,7 +109,7 @@ std::size_t differing_pixels(const std::vector<std::uint8_t>& a,
 struct Form {
     std::string name;
     Method method;
-    DepthForm depth;
+    StageForm depth;
     std::string device;
 };
 
@@ -118,7 +118,7 @@ class Parts : public testing::TestWithParam<Form> {
     DeviceOptions device() const { return {.compute = GetParam().device}; }
     std::vector<std::uint8_t> picture(Renderer& renderer, int which = 0) {
         FrameOptions options = options_of(GetParam().method);
-        options.depth_form = GetParam().depth;
+        options.forms.depth = GetParam().depth;
         canvas_.clear({1, 1, 1, 1});
         stats_ = renderer.draw(camera(which), options, canvas_.framebuffer());
         return canvas_.read();
@@ -251,14 +251,14 @@ TEST_P(Parts, WithSmoothSilhouettesOneByOneToo) {
 
 INSTANTIATE_TEST_SUITE_P(
     By, Parts,
-    testing::Values(Form{"atlas", Method::atlas, DepthForm::compute, "cpp"},
-                    Form{"atlas_raster", Method::atlas, DepthForm::raster, "cpp"},
-                    Form{"atlas_opencl", Method::atlas, DepthForm::automatic, "opencl"},
-                    Form{"exact", Method::exact, DepthForm::automatic, "cpp"},
-                    Form{"exact_opencl", Method::exact, DepthForm::automatic, "opencl"},
-                    Form{"spine", Method::spine, DepthForm::automatic, "cpp"},
-                    Form{"item_buffer", Method::item_buffer, DepthForm::automatic, "cpp"},
-                    Form{"opengl", Method::opengl, DepthForm::automatic, "cpp"}),
+    testing::Values(Form{"atlas", Method::atlas, StageForm::compute, "cpp"},
+                    Form{"atlas_raster", Method::atlas, StageForm::raster, "cpp"},
+                    Form{"atlas_opencl", Method::atlas, StageForm::automatic, "opencl"},
+                    Form{"exact", Method::exact, StageForm::automatic, "cpp"},
+                    Form{"exact_opencl", Method::exact, StageForm::automatic, "opencl"},
+                    Form{"spine", Method::spine, StageForm::automatic, "cpp"},
+                    Form{"item_buffer", Method::item_buffer, StageForm::automatic, "cpp"},
+                    Form{"opengl", Method::opengl, StageForm::automatic, "cpp"}),
     [](const auto& info) { return info.param.name; });
 
 class Assemblies : public testing::Test {

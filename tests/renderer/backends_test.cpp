@@ -75,7 +75,8 @@ TEST(Backends, KernelsWithBarriersAreRefusedOnTheHost) {
 class OnScenes : public testing::Test {
   protected:
     std::vector<std::uint8_t> draw(Renderer& renderer, const std::string& scene,
-                                   const FrameOptions& options = {.atlas = AtlasForm::compute}) {
+                                   const FrameOptions& options = {
+                                       .forms = {.atlas = StageForm::compute}}) {
         canvas_.clear(glm::vec4{1});
         const Camera camera = scene_cameras(scene, canvas_.size())[0].camera;
         EXPECT_GT(renderer.draw(camera, options, canvas_.framebuffer()).runs, 0U);
@@ -106,8 +107,8 @@ TEST_F(OnScenes, TheExampleDrawsThePictureOfCpp) {
 TEST_F(OnScenes, EveryStageOfAStyleIsComparedAndEqual) {
     Renderer renderer{{.compare_with = "cpp"}};
     const FrameOptions options{
-        .atlas = AtlasForm::compute,
-        .style = {.filter = {.fill = 4, .drop = 4, .overshoot = 8, .halo = 3},
+        .forms = {.atlas = StageForm::compute},
+        .style = {.filter = {.fill_holes = 4, .drop_runs = 4, .overshoot = 8, .halo = 3},
                   .density = {.limit = 0.1F}},
         .intervals = KeptIntervals::visible};
     for (const char* scene : {"clevis", "house", "ship", "office"}) {
@@ -149,7 +150,7 @@ TEST_F(OnScenes, ComparisonsThatMakeNoSenseAreRefused) {
 TEST_F(OnScenes, TheDeviceMayChangeBetweenFrames) {
     Renderer renderer;
     renderer.set_lines(scene_lines("ship")); // large enough for clusters
-    const FrameOptions options{.atlas = AtlasForm::compute,
+    const FrameOptions options{.forms = {.atlas = StageForm::compute},
                                .style = {.pen = {.mark = "a/b.png", .width = 4}}};
     renderer.set_pen_image("a/b.png", {.size = {2, 1}, .pixels = {255, 255, 255, 0, 0, 0, 0, 255}});
     const std::string name = renderer.description();
@@ -206,7 +207,7 @@ TEST_P(DevicePictures, EqualThoseOfCpp) {
 }
 
 TEST_F(OnScenes, OfDepthByGlProbesKnowTheSurfacesOfEachFrame) {
-    const FrameOptions options{.atlas = AtlasForm::compute, .depth_form = DepthForm::raster};
+    const FrameOptions options{.forms = {.atlas = StageForm::compute, .depth = StageForm::raster}};
     for (const char* mode : {"copy", "host-pointer"}) {
         SCOPED_TRACE(mode);
         Renderer renderer{{.compute = "cpp", .interop = mode}};

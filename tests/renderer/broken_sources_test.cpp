@@ -65,7 +65,7 @@ class BrokenSources : public testing::TestWithParam<BrokenSource> {
         canvas_.clear(glm::vec4{1});
         const Camera camera = scene_cameras("clevis", canvas_.size())[0].camera;
         // By GL, some of whose shaders are broken here.
-        renderer.draw(camera, {.stroke_form = StrokeForm::raster}, canvas_.framebuffer());
+        renderer.draw(camera, {.forms = {.strokes = StageForm::raster}}, canvas_.framebuffer());
         return canvas_.read();
     }
 

@@ -86,7 +86,7 @@ class Carry : public testing::Test {
     static LineSet ball(Silhouettes silhouettes) {
         Random random{3};
         return extract_lines(with_random_radii(sphere(6), random, 0.999F),
-                             {.crease_angle = 2.6F, .silhouettes = silhouettes});
+                             {.crease = 2.6F, .silhouettes = silhouettes});
     }
     static FrameOptions pencil(bool steady) {
         FrameOptions options{.steady = steady};

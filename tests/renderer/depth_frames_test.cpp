@@ -27,7 +27,7 @@ struct Step {
 
 /// The fill shows the number of every texel, lines show depth.
 FrameOptions options_of(const Step& step) {
-    FrameOptions options{.depth_form = DepthForm::compute, .steady = false};
+    FrameOptions options{.forms = {.depth = StageForm::compute}, .steady = false};
     options.style.fill.mode = FillMode::lambert;
     step.change(options);
     return options;
@@ -69,14 +69,16 @@ class DepthFrames : public testing::TestWithParam<std::tuple<std::string, std::s
 constexpr glm::ivec2 usual{301, 203};
 
 TEST_P(DepthFrames, AreWhatTheyAreAloneWhateverWasDrawnBefore) {
-    const auto raster = [](FrameOptions& options) { options.depth_form = DepthForm::raster; };
+    const auto raster = [](FrameOptions& options) { options.forms.depth = StageForm::raster; };
     const auto scale = [](int scale) {
         return [scale](FrameOptions& options) { options.depth_scale = scale; };
     };
     const auto method = [](Method method) {
         return [method](FrameOptions& options) { options.method = method; };
     };
-    const auto raster_atlas = [](FrameOptions& options) { options.atlas = AtlasForm::raster; };
+    const auto raster_atlas = [](FrameOptions& options) {
+        options.forms.atlas = StageForm::raster;
+    };
     expect_each_as_alone({{"a view", "clevis", 0, usual},
                           {"another view", "clevis", 1, usual},
                           {"a view from inside", "clevis", 2, usual},

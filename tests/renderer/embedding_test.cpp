@@ -133,7 +133,7 @@ TEST_P(AppDepth, HidesWhatPlainDepthHides) {
         const FrameOptions own{.depth_scale = setup.scale, .cull_hidden = false, .steady = false};
         app.draw_depth(camera, {.name = "plain", .scale = setup.scale});
         FrameOptions plain = own;
-        plain.depth = DepthTexture{.texture = app.depth(), .scale = setup.scale};
+        plain.own_depth = DepthTexture{.texture = app.depth(), .scale = setup.scale};
         renderer.draw(camera, plain, canvas.framebuffer());
         const Renderer::Samples expected = renderer.read_samples();
         // Programs choose planes with room to spare; inside a model the nearest one must stay.
@@ -142,10 +142,10 @@ TEST_P(AppDepth, HidesWhatPlainDepthHides) {
         const Camera of_app = app_camera(camera, near, 5 * planes.y, setup);
         app.draw_depth(of_app, setup);
         FrameOptions theirs = own;
-        theirs.depth = DepthTexture{.texture = app.depth(),
-                                    .origin = setup.origin,
-                                    .scale = setup.scale,
-                                    .range = setup.range};
+        theirs.own_depth = DepthTexture{.texture = app.depth(),
+                                        .origin = setup.origin,
+                                        .scale = setup.scale,
+                                        .range = setup.range};
         renderer.draw(of_app, theirs, canvas.framebuffer());
         const Compared result = compare(expected, renderer.read_samples(), 29);
         EXPECT_LT(result.uncompared, 1e-3 * double(result.segments)) << name;
@@ -167,11 +167,11 @@ TEST(AppDepthCompatibility, ATextureDrawsTheSamePicture) {
         AppScene app{lines};
         const Camera camera = scene_cameras("house", size).front().camera;
         app.draw_depth(camera, {.name = "plain"});
-        result = picture(renderer, camera, {.depth = DepthTexture{.texture = app.depth()}});
+        result = picture(renderer, camera, {.own_depth = DepthTexture{.texture = app.depth()}});
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
         GLuint cube = 0;
         glCreateTextures(GL_TEXTURE_CUBE_MAP, 1, &cube);
-        EXPECT_THROW(picture(renderer, camera, {.depth = DepthTexture{.texture = cube}}),
+        EXPECT_THROW(picture(renderer, camera, {.own_depth = DepthTexture{.texture = cube}}),
                      UsageError);
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
         glDeleteTextures(1, &cube);
@@ -201,7 +201,7 @@ TEST(AppDepthAlone, ItHidesLessThanTheRenderersOwn) {
         const Renderer::Samples expected = renderer.read_samples();
         app.draw_depth(camera, {.name = "plain", .scale = 2});
         FrameOptions theirs = own;
-        theirs.depth = DepthTexture{.texture = app.depth(), .scale = 2};
+        theirs.own_depth = DepthTexture{.texture = app.depth(), .scale = 2};
         renderer.draw(camera, theirs, canvas.framebuffer());
         const Compared result = compare(expected, renderer.read_samples(), 29);
         RecordProperty("differ_" + name, std::to_string(result.share()));
@@ -231,7 +231,7 @@ class Embedding : public testing::Test {
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << part;
     }
     void refuses(const DepthTexture& depth, const std::string& part) {
-        refuses(FrameOptions{.depth = depth}, part);
+        refuses(FrameOptions{.own_depth = depth}, part);
     }
 
     gl::HeadlessContext context_;
@@ -258,7 +258,7 @@ TEST_F(Embedding, WrongDepthTexturesAreRefusedByName) {
     refuses({.texture = cube}, "not a 2D texture");
     refuses({.texture = small.id(), .scale = 5}, "scale");
     refuses({.texture = small.id(), .range = {1, 1}}, "range");
-    refuses({.method = Method::opengl, .depth = DepthTexture{small.id()}}, "methods atlas and");
+    refuses({.method = Method::opengl, .own_depth = DepthTexture{small.id()}}, "methods atlas and");
     glDeleteTextures(1, &samples);
     glDeleteTextures(1, &cube);
 }
@@ -269,7 +269,7 @@ TEST_F(Embedding, TheSpineMethodTakesTheProgramsDepthToo) {
     app.draw_depth(of_app, {.name = "plain"});
     const FrameOptions own{.method = Method::spine, .depth_scale = 1};
     FrameOptions theirs = own;
-    theirs.depth = DepthTexture{.texture = app.depth()};
+    theirs.own_depth = DepthTexture{.texture = app.depth()};
     const ByteDifference difference =
         compare_bytes(picture(renderer_, of_app, own), picture(renderer_, of_app, theirs), 32);
     // Not all: what of it is its own surface, and what a thin plate, depth alone can't tell.
@@ -477,13 +477,14 @@ TEST_F(Embedding, AFrameAllocatesNothingAfterTheFirst) {
     const std::vector<NamedCamera> cameras = scene_cameras("house", size);
     app.draw_depth(cameras[0].camera, {.name = "plain"});
     FrameOptions with_depth;
-    with_depth.depth = DepthTexture{.texture = app.depth()};
+    with_depth.own_depth = DepthTexture{.texture = app.depth()};
     Style style;
     style.pen.mark = "pencil";
     style.fill.mode = FillMode::lambert;
     style.filter.overshoot = 4;
-    for (const FrameOptions& options : {FrameOptions{}, FrameOptions{.atlas = AtlasForm::raster},
-                                        FrameOptions{.style = style}, with_depth}) {
+    for (const FrameOptions& options :
+         {FrameOptions{}, FrameOptions{.forms = {.atlas = StageForm::raster}},
+          FrameOptions{.style = style}, with_depth}) {
         for (int i = 0; i < 4; ++i) {
             renderer_.draw(cameras[i % 2].camera, options, canvas.framebuffer());
         }

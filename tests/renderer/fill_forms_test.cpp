@@ -63,8 +63,8 @@ std::size_t filled(const Picture& picture) {
 class FillForms : public testing::TestWithParam<std::string> {
   protected:
     /// A fill without lines, on nothing.
-    static FrameOptions options_of(FillMode mode, DepthForm form, int scale) {
-        FrameOptions options{.depth_scale = scale, .lines = 0, .depth_form = form};
+    static FrameOptions options_of(FillMode mode, StageForm form, int scale) {
+        FrameOptions options{.depth_scale = scale, .lines = 0, .forms = {.depth = form}};
         options.style.fill.mode = mode;
         return options;
     }
@@ -79,7 +79,7 @@ class FillForms : public testing::TestWithParam<std::string> {
     Picture expected(Renderer& renderer, Camera camera, FillMode mode, int scale) {
         const glm::ivec2 size = camera.size;
         camera.size *= scale;
-        return reduced(draw(renderer, camera, options_of(mode, DepthForm::raster, 1)), size, scale);
+        return reduced(draw(renderer, camera, options_of(mode, StageForm::raster, 1)), size, scale);
     }
 
     gl::HeadlessContext context_;
@@ -93,7 +93,7 @@ TEST_P(FillForms, PixelsAreTheMeanOfWhatGlDrawsInTheirTexels) {
             const FillMode mode = view.name == "inside" ? FillMode::flat : FillMode::lambert;
             const Picture large = expected(renderer_, view.camera, mode, 2);
             const Picture shown =
-                draw(renderer_, view.camera, options_of(mode, DepthForm::compute, 2));
+                draw(renderer_, view.camera, options_of(mode, StageForm::compute, 2));
             EXPECT_GT(filled(shown), 5000U);
             const double differ = share_beyond(shown, large, 1);
             std::cout << scene << ' ' << view.name << ": " << 100 * differ << " % of the pixels\n";
@@ -107,7 +107,7 @@ TEST_P(FillForms, EveryDepthScaleAndMethodColoursTheSame) {
     const Camera camera = scene_cameras("clevis", {301, 203}).front().camera;
     for (const int scale : {1, 2, 3, 4}) {
         const Picture large = expected(renderer_, camera, FillMode::lambert, scale);
-        FrameOptions options = options_of(FillMode::lambert, DepthForm::compute, scale);
+        FrameOptions options = options_of(FillMode::lambert, StageForm::compute, scale);
         for (const Method method : {Method::atlas, Method::exact, Method::spine}) {
             options.method = method;
             EXPECT_LE(share_beyond(draw(renderer_, camera, options), large, 1), 1e-3)
@@ -137,12 +137,12 @@ TEST_P(FillForms, InsideOfFacesBothFormsAreTheSame) {
     for (const char* scene : {"clevis", "house", "ship", "office"}) {
         renderer_.set_lines(scene_lines(scene));
         Camera camera = scene_cameras(scene, size).front().camera;
-        const auto drawn = [&](DepthForm form) {
+        const auto drawn = [&](StageForm form) {
             return draw(renderer_, camera, options_of(FillMode::lambert, form, scale));
         };
-        const Picture by_gl = drawn(DepthForm::raster), by_kernels = drawn(DepthForm::compute);
+        const Picture by_gl = drawn(StageForm::raster), by_kernels = drawn(StageForm::compute);
         camera.size *= scale;
-        const Picture texels = drawn(DepthForm::raster);
+        const Picture texels = drawn(StageForm::raster);
         std::size_t inside = 0, different = 0;
         for (int i = 0; i < size.x * size.y; ++i) {
             if (!is_inside(texels, size, scale, i % size.x, i / size.x)) continue;
@@ -168,7 +168,7 @@ TEST_P(FillForms, HiddenAndMovedObjectsAreFollowed) {
         SCOPED_TRACE(what);
         const Picture large = expected(renderer_, camera, FillMode::lambert, 2);
         const Picture shown =
-            draw(renderer_, camera, options_of(FillMode::lambert, DepthForm::compute, 2));
+            draw(renderer_, camera, options_of(FillMode::lambert, StageForm::compute, 2));
         EXPECT_LE(share_beyond(shown, large, 1), 1e-3);
         return shown;
     };

@@ -50,7 +50,7 @@ Style rich_style() {
 std::vector<std::pair<std::string, Drawing>> drawings() {
     std::vector<std::pair<std::string, Drawing>> all{
         {"atlas", drawing({})},
-        {"raster", drawing({.atlas = AtlasForm::raster})},
+        {"raster", drawing({.forms = {.atlas = StageForm::raster}})},
         {"spine", drawing({.method = Method::spine})},
         {"item buffer", drawing({.method = Method::item_buffer})},
         {"opengl", drawing({.method = Method::opengl})},

@@ -84,9 +84,9 @@ TEST_P(Hidden, IsThePictureWithoutThem) {
     Renderer all, without;
     all.set_lines(house());
     without.set_lines(house_without(hidden));
-    for (const DepthForm form : {DepthForm::raster, DepthForm::compute}) {
+    for (const StageForm form : {StageForm::raster, StageForm::compute}) {
         for (const int view : {0, 1}) {
-            const FrameOptions options{.depth_form = form, .steady = false};
+            const FrameOptions options{.forms = {.depth = form}, .steady = false};
             all.set_hidden({});
             const auto shown = picture(all, camera(view), options);
             all.set_hidden(hidden);

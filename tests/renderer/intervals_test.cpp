@@ -46,9 +46,9 @@ float length_of(const Interval& interval) {
 
 struct Form {
     const char* compute;
-    AtlasForm atlas;
+    StageForm atlas;
     std::string name() const {
-        return std::string{compute} + (atlas == AtlasForm::raster ? "_raster" : "_compute");
+        return std::string{compute} + (atlas == StageForm::raster ? "_raster" : "_compute");
     }
 };
 
@@ -56,7 +56,7 @@ class IntervalsTest : public testing::TestWithParam<Form> {
   protected:
     std::vector<Interval> find(const LineSet& lines, const Camera& camera,
                                FrameOptions options = {}) {
-        options.atlas = GetParam().atlas;
+        options.forms.atlas = GetParam().atlas;
         options.intervals = KeptIntervals::all;
         renderer_.set_lines(lines);
         gl::Canvas canvas{camera.size};
@@ -217,7 +217,7 @@ TEST_P(IntervalsTest, AFrameNeedNotBeDrawn) {
         canvas.clear({0.5F, 0.5F, 0.5F, 1});
         const std::vector<std::uint8_t> before = canvas.read();
         FrameOptions options;
-        options.atlas = GetParam().atlas;
+        options.forms.atlas = GetParam().atlas;
         options.intervals = KeptIntervals::visible;
         options.draw = false;
         options.steady = false;
@@ -244,9 +244,9 @@ TEST_P(IntervalsTest, NoneWithoutAsking) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, IntervalsTest,
-                         testing::Values(Form{"opencl", AtlasForm::compute},
-                                         Form{"opencl", AtlasForm::raster},
-                                         Form{"cpp", AtlasForm::compute}),
+                         testing::Values(Form{"opencl", StageForm::compute},
+                                         Form{"opencl", StageForm::raster},
+                                         Form{"cpp", StageForm::compute}),
                          [](const auto& info) { return info.param.name(); });
 
 } // namespace

@@ -66,7 +66,7 @@ class ItemBuffer : public testing::Test {
         return renderer_.read_samples();
     }
     Renderer::Samples draw(const Mesh& mesh, const FrameOptions& options) {
-        return draw(extract_lines(mesh, {.kinds = file_lines}), pixel_camera(), options);
+        return draw(extract_lines(mesh, {.lines = file_lines}), pixel_camera(), options);
     }
 
     gl::HeadlessContext context_;
@@ -143,7 +143,7 @@ Mesh crossing_lines() {
 
 TEST_F(ItemBuffer, OfTwoCrossingLinesTheNearOneWinsAtLow) {
     const Mesh mesh = crossing_lines();
-    const LineSet lines = extract_lines(mesh, {.kinds = file_lines});
+    const LineSet lines = extract_lines(mesh, {.lines = file_lines});
     const Renderer::Samples samples = draw(lines, pixel_camera(), item_buffer(false));
     ASSERT_EQ(samples.offsets.size(), 3U);
     for (std::size_t i = 0; i < 2; ++i) {

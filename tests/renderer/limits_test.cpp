@@ -250,7 +250,7 @@ class Chunks : public Limits {
         options.style.hidden = true;
         options.style.hidden_pen.color = {1, 0, 0};
         options.style.filter.overshoot = 6;
-        options.style.filter.fill = 3;
+        options.style.filter.fill_holes = 3;
         options.style.density.limit = 0.1F;
         options.style.fill.mode = FillMode::lambert;
         return options;
@@ -261,9 +261,9 @@ constexpr std::uint64_t small_buffer = 300 * kib; // a quarter of the tables of 
 
 TEST_P(Chunks, OfSegmentsMakeTheSamePicturesAndPaths) {
     use({"house", {160, 120}, {}});
-    for (const AtlasForm form : {AtlasForm::compute, AtlasForm::raster}) {
+    for (const StageForm form : {StageForm::compute, StageForm::raster}) {
         FrameOptions options = by_paths(Method::atlas);
-        options.atlas = form;
+        options.forms.atlas = form;
         expect_the_same(options, small_buffer);
         options.style.hidden = false;
         options.cull_hidden = false;
@@ -461,7 +461,8 @@ TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
     effects.style.paper.grain = 0;
     for (const FrameOptions& options :
          {effects, FrameOptions{}, FrameOptions{.method = Method::spine},
-          FrameOptions{.method = Method::item_buffer}, FrameOptions{.atlas = AtlasForm::raster}}) {
+          FrameOptions{.method = Method::item_buffer},
+          FrameOptions{.forms = {.atlas = StageForm::raster}}}) {
         shrink(gl_faults().largest_side, 600, 20, {"clevis", {160, 120}, options}, 2.0 / 3);
     }
     report();
@@ -492,18 +493,18 @@ TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
 /// GL that is not software draws the atlas; where it has too many rows for that, kernels do.
 TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
     FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
-    options.depth_form = DepthForm::raster;   // else `automatic` takes another form on another GL
-    options.stroke_form = StrokeForm::raster; // the same
-    options.atlas = AtlasForm::compute;
+    options.forms.depth = StageForm::raster;   // else `automatic` takes another form on another GL
+    options.forms.strokes = StageForm::raster; // the same
+    options.forms.atlas = StageForm::compute;
     const Picture expected = use({"house", {100, 75}, options});
     gl_faults().renderer = "a GPU";
     gl_faults().largest_side = 128;
-    options.atlas = AtlasForm::automatic;
+    options.forms.atlas = StageForm::automatic;
     const std::unique_ptr<Renderer> renderer = make_renderer();
     EXPECT_EQ(draw(*renderer, options), expected);
     // Where the atlas is large enough from the start.
     EXPECT_EQ(draw(*renderer, options), expected);
-    options.atlas = AtlasForm::raster;
+    options.forms.atlas = StageForm::raster;
     EXPECT_TRUE(try_draw(*renderer, options).empty());
     EXPECT_EQ(said_.size(), 1U);
     expect_said({&purpose::atlas});

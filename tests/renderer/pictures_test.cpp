@@ -93,7 +93,7 @@ void expect_same_picture(const Drawn& a, const Drawn& b) {
 /// All effects of strokes at once.
 Style every_effect() {
     Style style{.pen = {.width = 3, .cap = Cap::taper},
-                .filter = {.fill = 3, .drop = 4, .overshoot = 9, .halo = 3},
+                .filter = {.fill_holes = 3, .drop_runs = 4, .overshoot = 9, .halo = 3},
                 .density = {.limit = 0.1F}};
     style.hidden = true;
     style.focus = {.on = true, .point = {0.4F, 0.6F, 0}};
@@ -105,8 +105,8 @@ TEST_P(SamePicture, RasterAtlasEqualsComputeAtlas) {
     for (const bool high : {false, true}) {
         FrameOptions raster{.probes = high ? 9U : 1U, .depth_scale = high ? 2 : 1};
         FrameOptions compute = raster;
-        raster.atlas = AtlasForm::raster;
-        compute.atlas = AtlasForm::compute;
+        raster.forms.atlas = StageForm::raster;
+        compute.forms.atlas = StageForm::compute;
         compare_each(r, raster, r, compute, expect_same_samples);
     }
 }
@@ -114,8 +114,8 @@ TEST_P(SamePicture, RasterAtlasEqualsComputeAtlas) {
 TEST_P(SamePicture, OpenClEqualsReference) {
     Renderer opencl = renderer({});
     Renderer cpp = renderer({.compute = "cpp"});
-    compare_each(opencl, {.atlas = AtlasForm::compute}, cpp, {.atlas = AtlasForm::compute},
-                 [](const Drawn& a, const Drawn& b) {
+    compare_each(opencl, {.forms = {.atlas = StageForm::compute}}, cpp,
+                 {.forms = {.atlas = StageForm::compute}}, [](const Drawn& a, const Drawn& b) {
                      expect_same_samples(a, b);
                      expect_same_picture(a, b);
                  });
@@ -145,8 +145,9 @@ TEST_P(SamePicture, HostPointerEqualsCopy) {
     if (const std::string reason = why_no_shared_memory(); !reason.empty()) GTEST_SKIP() << reason;
     Renderer host = renderer({.interop = "host-pointer"});
     Renderer copy = renderer({.interop = "copy"});
-    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
-        compare_each(host, {.atlas = form}, copy, {.atlas = form}, expect_identical);
+    for (const StageForm form : {StageForm::raster, StageForm::compute}) {
+        compare_each(host, {.forms = {.atlas = form}}, copy, {.forms = {.atlas = form}},
+                     expect_identical);
     }
     const FrameOptions exact{.method = Method::exact, .style = every_effect()};
     compare_each(host, exact, copy, exact, expect_identical);
@@ -154,11 +155,11 @@ TEST_P(SamePicture, HostPointerEqualsCopy) {
 
 TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
     Renderer r = renderer({});
-    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
+    for (const StageForm form : {StageForm::raster, StageForm::compute}) {
         for (const bool high : {false, true}) {
             const FrameOptions culled{.probes = high ? 9U : 1U,
                                       .depth_scale = high ? 2 : 1,
-                                      .atlas = form,
+                                      .forms = {.atlas = form},
                                       .style = {.pen = {.mark = "pencil"}},
                                       .cull_hidden = true};
             FrameOptions kept = culled;
@@ -177,7 +178,7 @@ TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixel) {
 TEST_P(SamePicture, CullingHiddenSegmentsChangesNoPixelOfFilteredStrokes) {
     Renderer r = renderer({});
     const FrameOptions culled{
-        .style = {.filter = {.fill = 4, .drop = 4, .overshoot = 12, .halo = 3}},
+        .style = {.filter = {.fill_holes = 4, .drop_runs = 4, .overshoot = 12, .halo = 3}},
         .cull_hidden = true};
     FrameOptions kept = culled;
     kept.cull_hidden = false;
@@ -243,14 +244,14 @@ class Planted : public Pictures {
 
 TEST_F(Planted, InTheAtlasKernelIsSeenBesideTheRasterForm) {
     const PlantedError error{"atlas.cl", "PROBES_PER_AXIS) + shift", "PROBES_PER_AXIS) + 0.3f"};
-    EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
-                               draw_clevis({.atlas = AtlasForm::compute})));
+    EXPECT_TRUE(samples_differ(draw_clevis({.forms = {.atlas = StageForm::raster}}),
+                               draw_clevis({.forms = {.atlas = StageForm::compute}})));
 }
 
 TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
     const PlantedError error{"probe.glsl", "per_axis) + shift", "per_axis) + 0.3"};
-    EXPECT_TRUE(samples_differ(draw_clevis({.atlas = AtlasForm::raster}),
-                               draw_clevis({.atlas = AtlasForm::compute})));
+    EXPECT_TRUE(samples_differ(draw_clevis({.forms = {.atlas = StageForm::raster}}),
+                               draw_clevis({.forms = {.atlas = StageForm::compute}})));
 }
 
 TEST_F(Planted, InTheSecondDrawIsSeenBesideTheKernel) {
@@ -258,8 +259,9 @@ TEST_F(Planted, InTheSecondDrawIsSeenBesideTheKernel) {
     const PlantedError error{"atlas.frag", "alpha = visibility(",
                              "alpha = texel.y > sample_base.x / uint(atlas_size.x) ? 0.5 : "
                              "visibility("};
-    EXPECT_TRUE(samples_differ(draw_clevis({.step = 0.25F, .atlas = AtlasForm::raster}),
-                               draw_clevis({.step = 0.25F, .atlas = AtlasForm::compute})));
+    EXPECT_TRUE(
+        samples_differ(draw_clevis({.step = 0.25F, .forms = {.atlas = StageForm::raster}}),
+                       draw_clevis({.step = 0.25F, .forms = {.atlas = StageForm::compute}})));
 }
 
 TEST_F(Planted, InTheKernelIsSeenBesideTheReference) {
@@ -282,10 +284,11 @@ class Frames : public testing::Test {
 
 TEST_F(Frames, AnAtlasThatIsTooSmallGrowsAndDrawsEverything) {
     // A finer step asks for more samples and runs than the renderer starts with.
-    for (const AtlasForm form : {AtlasForm::compute, AtlasForm::raster}) {
+    for (const StageForm form : {StageForm::compute, StageForm::raster}) {
         Renderer fresh;
         fresh.set_lines(scene_lines("house"));
-        const FrameOptions fine{.probes = 1, .depth_scale = 1, .step = 0.05F, .atlas = form};
+        const FrameOptions fine{
+            .probes = 1, .depth_scale = 1, .step = 0.05F, .forms = {.atlas = form}};
         const FrameStats first = fresh.draw(camera_, fine, canvas_.framebuffer());
         EXPECT_GT(first.samples, 1U << 20U) << "the test must exceed the first capacity";
         const Renderer::Samples grown = fresh.read_samples();

@@ -34,13 +34,13 @@ std::vector<Look> make_looks() {
     for (const Method method : {Method::atlas, Method::exact, Method::spine}) {
         const std::string by = " by " + std::to_string(static_cast<int>(method));
         add("raster" + by, {.method = method,
-                            .atlas = AtlasForm::raster,
-                            .depth_form = DepthForm::raster,
-                            .stroke_form = StrokeForm::raster});
+                            .forms = {.atlas = StageForm::raster,
+                                      .depth = StageForm::raster,
+                                      .strokes = StageForm::raster}});
         add("compute" + by, {.method = method,
-                             .atlas = AtlasForm::compute,
-                             .depth_form = DepthForm::compute,
-                             .stroke_form = StrokeForm::compute});
+                             .forms = {.atlas = StageForm::compute,
+                                       .depth = StageForm::compute,
+                                       .strokes = StageForm::compute}});
         if (method == Method::spine) continue;
         add("intervals" + by, {.method = method, .intervals = KeptIntervals::all, .draw = false});
         FrameOptions all = all_effects(Method::atlas);
@@ -126,8 +126,8 @@ TEST_P(Prepare, NoFrameBuildsWhatWasPrepared) {
 TEST_P(Prepare, NorDoesOneOfAVeryLargeModel) {
     Random random{7};
     const LineSet lines = extract_lines(height_field(random, 220, 1));
-    for (const DepthForm form : {DepthForm::compute, DepthForm::raster}) {
-        const FrameOptions options{.depth_form = form};
+    for (const StageForm form : {StageForm::compute, StageForm::raster}) {
+        const FrameOptions options{.forms = {.depth = form}};
         const std::unique_ptr<Renderer> renderer = make_empty();
         renderer->set_lines(lines);
         opencl_faults().period = ++period;

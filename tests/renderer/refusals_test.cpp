@@ -137,7 +137,7 @@ std::vector<WrongOptions> wrong_options() {
         {"step must be", [](FrameOptions& o) { o.step = nan; }},
         {"step must be", [](FrameOptions& o) { o.step = 1e6F; }},
         {"method must be one of", [](FrameOptions& o) { o.method = Method{99}; }},
-        {"strokes must be one of", [](FrameOptions& o) { o.stroke_form = StrokeForm{9}; }},
+        {"strokes must be one of", [](FrameOptions& o) { o.forms.strokes = StageForm{9}; }},
         {"intervals must be one of", [](FrameOptions& o) { o.intervals = KeptIntervals{9}; }},
     };
     wrong.insert(wrong.end(), others.begin(), others.end());

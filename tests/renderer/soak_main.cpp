@@ -53,10 +53,10 @@ std::vector<Look> make_looks() {
     for (const StyleInfo& style : list_styles()) {
         looks.push_back({"atlas, " + style.name, {.style = load_style(style.name)}});
     }
-    looks.push_back({"atlas, raster", {.atlas = AtlasForm::raster}});
+    looks.push_back({"atlas, raster", {.forms = {.atlas = StageForm::raster}}});
     looks.push_back({"atlas, low", {.probes = 1, .depth_scale = 1}});
     looks.push_back({"spine", {.method = Method::spine}});
-    looks.push_back({"itembuffer", {.method = Method::item_buffer}});
+    looks.push_back({"item-buffer", {.method = Method::item_buffer}});
     looks.push_back({"opengl", {.method = Method::opengl}});
     for (Look& look : looks) look.options.steady = false; // equal frames, whatever came before
     return looks;

@@ -207,7 +207,7 @@ TEST_P(Strokes, ACrumbBetweenHalosIsDropped) {
     scene.line({{200.3F, 60.1F, front}, {200.3F, 340.1F, front}});
     scene.line({{334.3F, 60.1F, front}, {334.3F, 340.1F, front}}); // leaves 2 pixels
     const auto strokes = [&](float drop) {
-        return draw(scene, {.drop = drop, .halo = 3}).of(scene.lines[0]);
+        return draw(scene, {.drop_runs = drop, .halo = 3}).of(scene.lines[0]);
     };
     expect_strokes(strokes(0), {{0, 116}, {124, 136}, {144, 270}, {278, 280}});
     expect_strokes(strokes(10), {{0, 116}, {124, 136}, {144, 270}});
@@ -248,20 +248,20 @@ TEST_P(Strokes, ShortHolesAreClosedAndShortRunsDropped) {
         const Scene scene = hole_and_run(phase);
         const auto hole = [&](const StrokeFilter& f) { return draw(scene, f).of(scene.lines[0]); };
         const auto run = [&](const StrokeFilter& f) { return draw(scene, f).of(scene.lines[1]); };
-        expect_strokes(hole({.fill = 6}), {{0, 260}});
-        expect_strokes(hole({.fill = 4}), {{0, at}, {at + 5, 260}});
-        expect_strokes(run({.drop = 6}), {{0, at - 40}, {at + 45, 260}});
-        expect_strokes(run({.drop = 4}), {{0, at - 40}, {at, at + 5}, {at + 45, 260}});
+        expect_strokes(hole({.fill_holes = 6}), {{0, 260}});
+        expect_strokes(hole({.fill_holes = 4}), {{0, at}, {at + 5, 260}});
+        expect_strokes(run({.drop_runs = 6}), {{0, at - 40}, {at + 45, 260}});
+        expect_strokes(run({.drop_runs = 4}), {{0, at - 40}, {at, at + 5}, {at + 45, 260}});
         // In this order: what is filled is not short.
-        expect_strokes(hole({.fill = 6, .drop = 120}), {{0, 260}});
+        expect_strokes(hole({.fill_holes = 6, .drop_runs = 120}), {{0, 260}});
     }
 }
 
 TEST_P(Strokes, AFilledHoleIsInked) {
     const Scene scene = hole_and_run(0);
-    EXPECT_NEAR(draw(scene, {.fill = 6}).row(300, 100, 320), 220 * 0.9, 25);
-    const double filled = draw(scene, {.fill = 6}).row(300, 175, 190);
-    const double whole = draw(scene, {.fill = 6}).row(300, 215, 230);
+    EXPECT_NEAR(draw(scene, {.fill_holes = 6}).row(300, 100, 320), 220 * 0.9, 25);
+    const double filled = draw(scene, {.fill_holes = 6}).row(300, 175, 190);
+    const double whole = draw(scene, {.fill_holes = 6}).row(300, 215, 230);
     EXPECT_NEAR(filled, whole, 0.1);
 }
 
@@ -275,14 +275,14 @@ TEST_P(Strokes, NothingLeaksIntoTheNextPath) {
         const Drawing drawing = draw(scene, filter);
         return std::array{drawing.of(scene.lines[0]), drawing.of(scene.lines[1])};
     };
-    const auto filled = both({.fill = 50});
+    const auto filled = both({.fill_holes = 50});
     expect_strokes(filled[0], {{0, 190}});
     expect_strokes(filled[1], {{10, 220}});
     const auto grown = both({.overshoot = 12});
     expect_strokes(grown[0], {{-12, 190 + 12}});
     expect_strokes(grown[1], {{10 - 12, 220 + 12}});
     scene.box({83, 60}, {275, 90}); // leaves 3 pixels of the first one
-    const auto dropped = both({.drop = 6, .overshoot = 12});
+    const auto dropped = both({.drop_runs = 6, .overshoot = 12});
     expect_strokes(dropped[0], {});
     expect_strokes(dropped[1], {{10 - 12, 220 + 12}});
 }

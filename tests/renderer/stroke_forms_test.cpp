@@ -97,10 +97,10 @@ class StrokeForms : public testing::TestWithParam<std::string> {
         return make_camera(make_scene(scene).view(0.1F), size, scene_lines(scene).bounds);
     }
     static Picture draw(Renderer& renderer, const Camera& camera, FrameOptions options,
-                        StrokeForm form, int bits = 8) {
+                        StageForm form, int bits = 8) {
         gl::Canvas canvas{size, bits};
         canvas.clear(glm::vec4{1});
-        options.stroke_form = form;
+        options.forms.strokes = form;
         options.steady = false;
         renderer.draw(camera, options, canvas.framebuffer());
         return canvas.read();
@@ -129,8 +129,8 @@ TEST_P(StrokeForms, DrawTheSamePicture) {
             SCOPED_TRACE(std::string{scene} + ", " + look.name);
             FrameOptions options;
             look.apply(options);
-            const Picture by_gl = draw(r, view, options, StrokeForm::raster);
-            const Picture by_kernels = draw(r, view, options, StrokeForm::compute);
+            const Picture by_gl = draw(r, view, options, StageForm::raster);
+            const Picture by_kernels = draw(r, view, options, StageForm::compute);
             ASSERT_GT(drawn_values(by_gl), 3000U);
             EXPECT_NE(by_gl, by_kernels); // else both are one form
             const double beyond = share_beyond(by_gl, by_kernels, 2);
@@ -166,12 +166,11 @@ TEST_P(StrokeForms, WhatKernelsDoNotKnowIsDrawnByGl) {
         FrameOptions options;
         options.style.pen.width = 4;
         change(options.style);
-        EXPECT_EQ(draw(r, view, options, StrokeForm::raster),
-                  draw(r, view, options, StrokeForm::compute));
+        EXPECT_EQ(draw(r, view, options, StageForm::raster),
+                  draw(r, view, options, StageForm::compute));
     }
     // Nor pictures finer than coverage is.
-    EXPECT_EQ(draw(r, view, {}, StrokeForm::raster, 16),
-              draw(r, view, {}, StrokeForm::compute, 16));
+    EXPECT_EQ(draw(r, view, {}, StageForm::raster, 16), draw(r, view, {}, StageForm::compute, 16));
 }
 
 TEST_P(StrokeForms, FramesOfEitherFollowEachOther) {
@@ -179,12 +178,12 @@ TEST_P(StrokeForms, FramesOfEitherFollowEachOther) {
     const Camera view = camera("clevis");
     FrameOptions plain, with_hidden;
     with_hidden.style.hidden = true;
-    const Picture first = draw(r, view, plain, StrokeForm::compute);
-    const Picture by_gl = draw(r, view, plain, StrokeForm::raster);
-    const Picture second = draw(r, view, with_hidden, StrokeForm::compute);
-    EXPECT_EQ(draw(r, view, plain, StrokeForm::compute), first);
-    EXPECT_EQ(draw(r, view, plain, StrokeForm::raster), by_gl);
-    EXPECT_EQ(draw(r, view, with_hidden, StrokeForm::compute), second);
+    const Picture first = draw(r, view, plain, StageForm::compute);
+    const Picture by_gl = draw(r, view, plain, StageForm::raster);
+    const Picture second = draw(r, view, with_hidden, StageForm::compute);
+    EXPECT_EQ(draw(r, view, plain, StageForm::compute), first);
+    EXPECT_EQ(draw(r, view, plain, StageForm::raster), by_gl);
+    EXPECT_EQ(draw(r, view, with_hidden, StageForm::compute), second);
     EXPECT_NE(first, second);
 }
 

@@ -11,7 +11,7 @@ namespace lineatlas::test::strokes {
 TEST_P(Strokes, CapsEndWhereTheyShould) {
     const auto pen = [&](Cap cap, Cap path_cap, float drop = 0.01F) {
         FrameOptions options;
-        options.style.filter.drop = drop;
+        options.style.filter.drop_runs = drop;
         options.style.pen.width = 12;
         options.style.pen.cap = cap;
         options.style.pen.path_cap = path_cap;

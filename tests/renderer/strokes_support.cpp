@@ -99,7 +99,7 @@ Drawing Strokes::draw(const Scene& scene, FrameOptions options, const Camera& ca
     Drawing drawing{extract_lines(scene.mesh, {.chain_angle = chain_angle_}), {}, {}};
     renderer_.set_lines(drawing.set);
     canvas_.clear(glm::vec4{1});
-    options.atlas = GetParam().form;
+    options.forms.atlas = GetParam().form;
     if (options.lines == all_line_kinds) options.lines = mask_of(LineKind::file);
     renderer_.draw(camera, options, canvas_.framebuffer());
     drawing.runs = renderer_.read_samples().runs;
@@ -109,10 +109,10 @@ Drawing Strokes::draw(const Scene& scene, FrameOptions options, const Camera& ca
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Strokes,
-                         testing::Values(Setting{"OpenclRaster", "opencl", AtlasForm::raster},
-                                         Setting{"OpenclCompute", "opencl", AtlasForm::compute},
-                                         Setting{"CppRaster", "cpp", AtlasForm::raster},
-                                         Setting{"CppCompute", "cpp", AtlasForm::compute}),
+                         testing::Values(Setting{"OpenclRaster", "opencl", StageForm::raster},
+                                         Setting{"OpenclCompute", "opencl", StageForm::compute},
+                                         Setting{"CppRaster", "cpp", StageForm::raster},
+                                         Setting{"CppCompute", "cpp", StageForm::compute}),
                          [](const auto& info) { return info.param.name; });
 
 } // namespace lineatlas::test::strokes

@@ -101,7 +101,7 @@ struct Drawing {
 
 struct Setting {
     std::string name, compute;
-    AtlasForm form;
+    StageForm form;
 };
 
 class Strokes : public testing::TestWithParam<Setting> {

@@ -80,10 +80,12 @@ TEST_P(Tiles, SmallOnesMakeTheSamePicture) {
     for (const char* scene : {"clevis", "house"}) {
         Renderer r = renderer(scene);
         const Camera view = camera(scene, {403, 301});
-        for (const FrameOptions& options :
-             {FrameOptions{.atlas = AtlasForm::compute}, FrameOptions{.method = Method::exact},
-              FrameOptions{
-                  .probes = 1, .depth_scale = 1, .step = 5, .atlas = AtlasForm::compute}}) {
+        for (const FrameOptions& options : {FrameOptions{.forms = {.atlas = StageForm::compute}},
+                                            FrameOptions{.method = Method::exact},
+                                            FrameOptions{.probes = 1,
+                                            .depth_scale = 1,
+                                            .step = 5,
+                                            .forms = {.atlas = StageForm::compute}}}) {
             const Picture expected = whole(r, view, options);
             ASSERT_GT(dark_values(expected), 3000U);
             for (const int size : {64, 101, 500}) {
@@ -101,13 +103,14 @@ TEST_P(Tiles, EveryEffectRunsOnOverTheirBorders) {
                         .cap = Cap::taper,
                         .width_profile = {0.5F, 1.5F, 0.5F}}};
     style.hidden = true;
-    style.filter = {.fill = 3, .drop = 4, .overshoot = 9, .halo = 3};
+    style.filter = {.fill_holes = 3, .drop_runs = 4, .overshoot = 9, .halo = 3};
     style.density.limit = 0.1F;
     style.fill.mode = FillMode::lambert;
     style.paper.grain = 0.5F;
     style.focus = {.on = true, .point = {0.4F, 0.6F, 0}};
     for (const Method method : {Method::atlas, Method::exact}) {
-        const FrameOptions options{.method = method, .atlas = AtlasForm::compute, .style = style};
+        const FrameOptions options{
+            .method = method, .forms = {.atlas = StageForm::compute}, .style = style};
         Renderer r = renderer("clevis");
         const Camera view = camera("clevis", {400, 300});
         const Picture expected = whole(r, view, options);
@@ -118,7 +121,7 @@ TEST_P(Tiles, EveryEffectRunsOnOverTheirBorders) {
 TEST_P(Tiles, LeaveNothingBehindForTheNextFrame) {
     Renderer r = renderer("house");
     const Camera view = camera("house", {200, 150});
-    const FrameOptions options{.atlas = AtlasForm::compute};
+    const FrameOptions options{.forms = {.atlas = StageForm::compute}};
     const Picture first = whole(r, view, options);
     tiled(r, camera("house", {700, 500}), options, 90);
     EXPECT_FALSE(r.read_samples().alpha.empty());
@@ -142,7 +145,8 @@ TEST_P(Tiles, AreForTheMethodsAtlasAndExactAlone) {
     const Camera view = camera("clevis", {100, 80});
     for (const FrameOptions& options :
          {FrameOptions{.method = Method::spine}, FrameOptions{.method = Method::opengl},
-          FrameOptions{.method = Method::item_buffer}, FrameOptions{.atlas = AtlasForm::raster}}) {
+          FrameOptions{.method = Method::item_buffer},
+          FrameOptions{.forms = {.atlas = StageForm::raster}}}) {
         EXPECT_THROW(tiled(r, view, options, 50), UsageError);
     }
     EXPECT_THROW(r.draw_tiles(view, {}, {.framebuffer = 0, .tile_size = 0}), UsageError);
@@ -158,7 +162,7 @@ TEST_P(LargeTiles, MakeTheSamePicture) {
     for (const char* scene : {"clevis", "house"}) {
         Renderer r = renderer(scene);
         const Camera view = camera(scene, {4096, 3072});
-        const FrameOptions options{.atlas = AtlasForm::compute};
+        const FrameOptions options{.forms = {.atlas = StageForm::compute}};
         const Picture expected = whole(r, view, options);
         ASSERT_GT(dark_values(expected), 100'000U);
         EXPECT_LE(share_of_pixels(expected, tiled(r, view, options, 1000)), 1e-4) << scene;
@@ -171,7 +175,7 @@ TEST_P(LargeTiles, DifferNowhereMoreThanElsewhere) {
     constexpr int tile_size = 300, seam = 3; // pixels on either side
     Renderer r = renderer("ship");
     const Camera view = camera("ship", {1600, 1200});
-    const FrameOptions options{.atlas = AtlasForm::compute};
+    const FrameOptions options{.forms = {.atlas = StageForm::compute}};
     const Picture a = whole(r, view, options);
     const Picture b = tiled(r, view, options, tile_size);
     std::size_t different = 0, at_seams = 0;

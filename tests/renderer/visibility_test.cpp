@@ -56,14 +56,14 @@ std::vector<Seen> seen_of(const Renderer::Samples& samples, std::uint32_t segmen
 
 struct Setting {
     bool perspective;
-    AtlasForm form;
+    StageForm form;
     bool high;
 
     FrameOptions options() const {
         return {.probes = high ? 9U : 1U,
                 .depth_scale = high ? 2 : 1,
                 .lines = all_line_kinds & ~mask_of(LineKind::silhouette),
-                .atlas = form};
+                .forms = {.atlas = form}};
     }
     /// A single probe says only whether a sample of two pixels is visible.
     double tolerance() const { return high ? 1 : 2; }
@@ -153,7 +153,7 @@ class Visibility : public testing::Test {
 };
 
 class KnownVisibility : public Visibility,
-                        public testing::WithParamInterface<std::tuple<bool, AtlasForm, bool>> {
+                        public testing::WithParamInterface<std::tuple<bool, StageForm, bool>> {
   protected:
     Setting setting() const {
         return {std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
@@ -193,7 +193,7 @@ Mesh sphere() {
 TEST_P(KnownVisibility, OfTheOutlineOfASphere) {
     // A circle; pieces of it as long as a sample, none of them without a stroke.
     const Camera camera = front_camera(setting().perspective);
-    const LineSet lines = extract_lines(sphere(), {.kinds = mask_of(LineKind::silhouette)});
+    const LineSet lines = extract_lines(sphere(), {.lines = mask_of(LineKind::silhouette)});
     FrameOptions options = setting().options();
     options.lines = all_line_kinds;
     Renderer renderer;
@@ -223,15 +223,15 @@ TEST_P(KnownVisibility, OfTheOutlineOfASphere) {
     EXPECT_LT(visible, 1.5 * circle);
 }
 
-std::string setting_name(const testing::TestParamInfo<std::tuple<bool, AtlasForm, bool>>& info) {
+std::string setting_name(const testing::TestParamInfo<std::tuple<bool, StageForm, bool>>& info) {
     const auto [perspective, form, high] = info.param;
-    return std::string{form == AtlasForm::raster ? "Raster" : "Compute"} + (high ? "High" : "Low") +
+    return std::string{form == StageForm::raster ? "Raster" : "Compute"} + (high ? "High" : "Low") +
            (perspective ? "Perspective" : "Parallel");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, KnownVisibility,
                          testing::Combine(testing::Bool(),
-                                          testing::Values(AtlasForm::raster, AtlasForm::compute),
+                                          testing::Values(StageForm::raster, StageForm::compute),
                                           testing::Bool()),
                          setting_name);
 
@@ -270,7 +270,7 @@ TEST_F(Visibility, ABiasOfTwentyPixelsIsFound) {
     const Planted kernels{"kernels", "LINEATLAS_KERNEL_DIR", "!(before > contact)",
                           "!(before > contact + 10.0f * depths.bend * inverse_w)"};
     Renderer renderer;
-    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute}) {
+    for (const StageForm form : {StageForm::raster, StageForm::compute}) {
         for (const bool high : {false, true}) {
             const Setting setting{true, form, high};
             EXPECT_GT(error(renderer, known_cases().back(), setting, false), 100) << high;
@@ -286,21 +286,21 @@ TEST_F(Visibility, APlaneAtATexelsMiddleIsFound) {
                           "plane_x * ((TO_FLOAT(column) + 0.5f - x) *"};
     Renderer renderer;
     const Case& steep = known_cases()[known_cases().size() - 2];
-    for (const AtlasForm form : {AtlasForm::raster, AtlasForm::compute})
+    for (const StageForm form : {StageForm::raster, StageForm::compute})
         EXPECT_GT(error(renderer, steep, {true, form, true}, false), 10);
 }
 
 TEST_F(Visibility, APatchNumberOffByOneIsFound) {
     const Camera camera = front_camera(true);
-    const LineSet lines = extract_lines(sphere(), {.kinds = mask_of(LineKind::silhouette)});
-    const auto seen = [&](AtlasForm form) {
+    const LineSet lines = extract_lines(sphere(), {.lines = mask_of(LineKind::silhouette)});
+    const auto seen = [&](StageForm form) {
         Renderer renderer;
         FrameOptions options = Setting{true, form, true}.options();
         options.lines = all_line_kinds;
         const Renderer::Samples samples = draw(renderer, lines, camera, options);
         return std::accumulate(samples.alpha.begin(), samples.alpha.end(), 0.0);
     };
-    const std::array forms{AtlasForm::raster, AtlasForm::compute};
+    const std::array forms{StageForm::raster, StageForm::compute};
     const std::array good{seen(forms[0]), seen(forms[1])};
     const Planted kernels{"kernels", "LINEATLAS_KERNEL_DIR",
                           "own == spine.patch_a || own == spine.patch_b",

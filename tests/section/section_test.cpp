@@ -77,7 +77,7 @@ double face_area(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal) {
 std::size_t open_edges(const Mesh& mesh) {
     // With an angle given cracks stay as they are.
     const LineSet lines =
-        extract_lines(mesh, {.kinds = mask_of(LineKind::boundary), .crease_angle = 0.5F});
+        extract_lines(mesh, {.lines = mask_of(LineKind::boundary), .crease = 0.5F});
     return lines.segments.size();
 }
 

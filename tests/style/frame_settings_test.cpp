@@ -14,7 +14,7 @@ namespace {
 
 /// A value of each key that is not its default, as on the command line.
 const std::map<std::string, std::string> samples{{"lines", "crease,silhouette"},
-                                                 {"method", "itembuffer"},
+                                                 {"method", "item-buffer"},
                                                  {"quality", "low"},
                                                  {"probes", "16"},
                                                  {"depth-scale", "3"},
@@ -59,19 +59,19 @@ TEST(FrameSettings, ValuesLandInTheirMembers) {
     EXPECT_EQ(options.probes, 16U);
     EXPECT_EQ(options.depth_scale, 3);
     EXPECT_EQ(options.step, 0.5F);
-    EXPECT_EQ(options.atlas, AtlasForm::compute);
-    EXPECT_EQ(options.depth_form, DepthForm::raster);
-    EXPECT_EQ(options.stroke_form, StrokeForm::compute);
+    EXPECT_EQ(options.forms.atlas, StageForm::compute);
+    EXPECT_EQ(options.forms.depth, StageForm::raster);
+    EXPECT_EQ(options.forms.strokes, StageForm::compute);
 }
 
 TEST(FrameSettings, NamesStandInTheOrderOfTheEnumerators) {
     EXPECT_EQ(name_of(Method::atlas), "atlas");
     EXPECT_EQ(name_of(Method::exact), "exact");
     EXPECT_EQ(name_of(Method::spine), "spine");
-    EXPECT_EQ(name_of(Method::item_buffer), "itembuffer");
+    EXPECT_EQ(name_of(Method::item_buffer), "item-buffer");
     EXPECT_EQ(name_of(Method::opengl), "opengl");
-    EXPECT_EQ(with({{"atlas", "raster"}}).rest.atlas, AtlasForm::raster);
-    EXPECT_EQ(with({{"atlas", "auto"}}).rest.atlas, AtlasForm::automatic);
+    EXPECT_EQ(with({{"atlas", "raster"}}).rest.forms.atlas, StageForm::raster);
+    EXPECT_EQ(with({{"atlas", "auto"}}).rest.forms.atlas, StageForm::automatic);
 }
 
 TEST(FrameSettings, WhatIsNotSaidIsThatOfFrameOptions) {
@@ -132,7 +132,7 @@ TEST(FrameSettings, BadValuesAreRefusedWithWhatThereIs) {
         return key + " took " + text;
     };
     EXPECT_EQ(refusal("method", "opengel"), "--method must be one of auto, atlas, exact, spine, "
-                                            "itembuffer, opengl, not \"opengel\"; did "
+                                            "item-buffer, opengl, not \"opengel\"; did "
                                             "you mean \"opengl\"?");
     EXPECT_EQ(refusal("probes", "5"), "--probes must be one of 1, 4, 9, 16, not 5");
     for (const char* text : {"0", "5", "2.5", "-1", "1e300", "two", "2,2", "true"}) {

@@ -170,8 +170,8 @@ TEST(Settings, ValuesLandInTheirMembers) {
     EXPECT_TRUE(style.hidden);
     EXPECT_EQ(style.hidden_pen.mark, "dotted");
     EXPECT_EQ(style.hidden_pen.join, Join::round);
-    EXPECT_EQ(style.filter.fill, 5);
-    EXPECT_EQ(style.filter.drop, 6);
+    EXPECT_EQ(style.filter.fill_holes, 5);
+    EXPECT_EQ(style.filter.drop_runs, 6);
     EXPECT_EQ(style.filter.overshoot, 7);
     EXPECT_EQ(style.filter.undershoot, 8);
     EXPECT_EQ(style.filter.halo, 9);
@@ -304,8 +304,8 @@ std::vector<Misuse> misuses() {
     const auto filter = [&](auto member) {
         return [member](Style& s) -> float& { return s.filter.*member; };
     };
-    add_number("fill-holes", filter(&StrokeFilter::fill), -1, 10'001);
-    add_number("drop-runs", filter(&StrokeFilter::drop), -1, 10'001);
+    add_number("fill-holes", filter(&StrokeFilter::fill_holes), -1, 10'001);
+    add_number("drop-runs", filter(&StrokeFilter::drop_runs), -1, 10'001);
     add_number("overshoot", filter(&StrokeFilter::overshoot), -1, 10'001);
     add_number("overshoot-variation", filter(&StrokeFilter::overshoot_variation), -1, 1.1F);
     add_number("undershoot", filter(&StrokeFilter::undershoot), -1, 10'001);

@@ -34,8 +34,8 @@ struct StageSettings {
     int tile_pixels = 130;                  ///< of the tiled depth buffer
     // What a style asks for; enough to change something in every scene.
     float half_width = 1;
-    StrokeFilter filter{.fill = 4,
-                        .drop = 4,
+    StrokeFilter filter{.fill_holes = 4,
+                        .drop_runs = 4,
                         .overshoot = 12,
                         .overshoot_variation = 0.3F,
                         .undershoot = 2,

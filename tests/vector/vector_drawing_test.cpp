@@ -121,8 +121,8 @@ TEST(VectorDrawings, OfAnyIntervalsAreSound) {
         const Camera camera = make_camera(view, {300, 200}, lines.bounds);
         Style style{};
         style.hidden = random.coin();
-        style.filter = {.fill = random.between(0, 9),
-                        .drop = random.between(0, 9),
+        style.filter = {.fill_holes = random.between(0, 9),
+                        .drop_runs = random.between(0, 9),
                         .overshoot = random.between(0, 9),
                         .overshoot_variation = random.between(0, 1),
                         .undershoot = random.between(0, 4),

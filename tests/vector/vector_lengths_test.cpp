@@ -59,16 +59,16 @@ void expect_filtered(const Ends& visible, const StrokeFilter& filter, const Ends
 
 TEST(Lengths, ShortHolesAreClosedAndShortStrokesDropped) {
     const Ends visible{{0, 20}, {23, 40}, {50, 52}, {60, 100}};
-    expect_filtered(visible, {.fill = 4}, {{0, 40}, {50, 52}, {60, 100}});
-    expect_filtered(visible, {.drop = 5}, {{0, 20}, {23, 40}, {60, 100}});
-    expect_filtered(visible, {.fill = 9, .drop = 5}, {{0, 40}, {50, 100}});
-    expect_filtered({{0, 3}}, {.drop = 5}, {});
+    expect_filtered(visible, {.fill_holes = 4}, {{0, 40}, {50, 52}, {60, 100}});
+    expect_filtered(visible, {.drop_runs = 5}, {{0, 20}, {23, 40}, {60, 100}});
+    expect_filtered(visible, {.fill_holes = 9, .drop_runs = 5}, {{0, 40}, {50, 100}});
+    expect_filtered({{0, 3}}, {.drop_runs = 5}, {});
 }
 
 TEST(Lengths, AStrokeThatThePictureCutsIsNotShort) {
     Strip strip = strip_of({{0, 3}});
     strip.strokes[0].start_kind = LA_END_CLIPPED;
-    filter_lengths(strip, {.drop = 5}, {}, crumb_of_samples);
+    filter_lengths(strip, {.drop_runs = 5}, {}, crumb_of_samples);
     expect_visible(strip, {{0, 3}});
 }
 
@@ -108,10 +108,10 @@ TEST(Lengths, TheOvershootOfAPathVariesAsInTheKernel) {
 
 TEST(Lengths, ClosedStripsGoOnAcrossTheirSeam) {
     expect_filtered({{0, 100}}, {.overshoot = 5}, {{0, 100}}, {}, true);
-    expect_filtered({{2, 98}}, {.fill = 5}, {{0, 100}}, {}, true);
+    expect_filtered({{2, 98}}, {.fill_holes = 5}, {{0, 100}}, {}, true);
     expect_filtered({{0, 30}, {60, 100}}, {.overshoot = 5}, {{0, 35}, {55, 100}}, {}, true);
     expect_filtered({{2, 98}}, {.overshoot = 5}, {{0, 100}}, {}, true); // to the middle
-    expect_filtered({{2, 3}, {90, 99}}, {.drop = 5}, {{90, 99}}, {}, true);
+    expect_filtered({{2, 3}, {90, 99}}, {.drop_runs = 5}, {{90, 99}}, {}, true);
 }
 
 TEST(Lengths, OnlyAPathThatEndsThereIsLongerThanItsStrip) {
@@ -126,13 +126,13 @@ TEST(Lengths, GapsAreCutAndNotOvershot) {
     expect_filtered({{0, 100}}, {}, {{0, 40}, {48, 100}}, {{40, 46}, {44, 48}});
     expect_filtered({{0, 50}}, {.overshoot = 10}, {{-10, 53}}, {{53, 58}});
     expect_filtered({{0, 50}}, {.overshoot = 10}, {{-10, 48}}, {{48, 58}});
-    expect_filtered({{0, 50}}, {.drop = 4}, {{0, 44}}, {{44, 47}}); // 3 are left
+    expect_filtered({{0, 50}}, {.drop_runs = 4}, {{0, 44}}, {{44, 47}}); // 3 are left
 }
 
 TEST(Lengths, HiddenStrokesStay) {
     Strip strip = strip_of({{0, 50}});
     strip.strokes.push_back({.from = 50, .to = 100, .visible = false});
-    filter_lengths(strip, {.drop = 60}, {}, crumb_of_samples);
+    filter_lengths(strip, {.drop_runs = 60}, {}, crumb_of_samples);
     ASSERT_EQ(strip.strokes.size(), 1U);
     EXPECT_FALSE(strip.strokes[0].visible);
 }

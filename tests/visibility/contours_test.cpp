@@ -26,8 +26,7 @@ namespace lineatlas::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
-                         .silhouettes = Silhouettes::smooth};
+const LineOptions smooth{.crease = std::numbers::pi_v<float>, .silhouettes = Silhouettes::smooth};
 
 /// A grid of places(i, j), of which either direction may be a ring.
 template <class Place>
@@ -321,7 +320,7 @@ TEST(Contours, OfASphereAreSeenWhole) {
 TEST(Contours, OfATorusAreHiddenInParts) {
     const LineSet lines = extract_lines(torus(), smooth);
     const Camera camera = parallel_view(glm::normalize(glm::vec3{0.9F, 0.35F, 0.2F}));
-    const LineSet edges = extract_lines(torus(), {.crease_angle = smooth.crease_angle});
+    const LineSet edges = extract_lines(torus(), {.crease = smooth.crease});
     const double along_edges = length_of(LineVisibility{edges}.find(camera), true);
     const double seen = length_of(LineVisibility{lines}.find(camera), true);
     EXPECT_LT(seen, along_edges); // which zigzag
@@ -399,7 +398,7 @@ TEST(Contours, OfASheetAreSeenFromItsBackToo) {
 TEST(Contours, MeetTheCreasesThatGoOn) {
     const LineSet lines =
         extract_lines(turned_body({{0, -1.2F}, {0.7F, -1.2F}, {1.4F, 0}, {1.1F, 1}, {0, 1}}, 32),
-                      {.crease_angle = 0.35F, .silhouettes = Silhouettes::automatic});
+                      {.crease = 0.35F, .silhouettes = Silhouettes::automatic});
     ASSERT_FALSE(lines.contours.empty());
     Random random{67};
     int ends = 0;
@@ -421,7 +420,7 @@ TEST(Contours, MeetTheCreasesThatGoOn) {
 TEST(Contours, OfABoreAreHidden) {
     const LineSet lines = extract_lines(
         turned_body({{1, -0.5F}, {1.8F, -0.5F}, {1.8F, 0.5F}, {1, 0.5F}, {1, -0.5F}}, 40),
-        {.crease_angle = 0.35F, .silhouettes = Silhouettes::automatic});
+        {.crease = 0.35F, .silhouettes = Silhouettes::automatic});
     double of_bore = 0, outside = 0;
     for (int view = 1; view < 12; ++view) {
         const double angle = 0.5 * pi * view / 12;

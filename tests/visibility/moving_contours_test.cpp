@@ -27,7 +27,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double unit = 100; ///< pixels
-const LineOptions smooth{.crease_angle = std::numbers::pi_v<float>,
+const LineOptions smooth{.crease = std::numbers::pi_v<float>,
                          .separate_objects = true,
                          .silhouettes = Silhouettes::smooth};
 

@@ -5,20 +5,12 @@
 #include <vector>
 
 #include "compute/kernel_bytes.hpp"
+#include "compute/kernels.hpp"
 #include "layouts.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::compute {
 namespace {
-
-/// The stages that are kernels, in the order of a frame.
-std::vector<std::string_view> stage_names() {
-    std::vector<std::string_view> names;
-    for (const Kernel& kernel : all_kernels()) {
-        if (std::ranges::find(names, kernel.stage) == names.end()) names.push_back(kernel.stage);
-    }
-    return names;
-}
 
 std::size_t position_of(const std::vector<std::string_view>& names, std::string_view stage) {
     const auto found = std::ranges::find(names, stage);

@@ -42,7 +42,7 @@ void Stages::depth(const DepthArgs& args) {
     if (model.count > (tuning_.longest_chunk - rounds_besides) / rounds_each) {
         throw DeviceError("depth: kernels of " + device_.description() + " can't sort a model of " +
                           std::to_string(model.count) +
-                          " clusters of triangles; use FrameOptions::depth_form raster");
+                          " clusters of triangles; use StageForms::depth raster");
     }
     const auto side = static_cast<int>(tuning_.depth_tile);
     const glm::ivec2 low = args.covered.low / LA_TILE * LA_TILE;

@@ -23,7 +23,7 @@ namespace lineatlas {
 /// section, boundary (non-manifold edges included), material, crease, silhouette. docs/lines.md has
 /// the rules.
 enum class LineKind : std::uint32_t {
-    crease = LA_KIND_CREASE,         ///< bent, by the rule of `LineOptions::crease_angle`
+    crease = LA_KIND_CREASE,         ///< bent, by the rule of `LineOptions::crease`
     boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
     material = LA_KIND_MATERIAL,     ///< between triangles of different groups
     silhouette = LA_KIND_SILHOUETTE, ///< between a front and a back face, chosen per frame (§3.1)
@@ -58,10 +58,10 @@ inline constexpr std::array<std::string_view, 3> silhouettes_names{"auto", "smoo
 
 /// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
-    LineKindMask kinds = all_line_kinds; ///< others are not extracted
+    LineKindMask lines = all_line_kinds; ///< kinds: others are not extracted
     /// Radians, 0 to pi: every edge bent by more is a crease. Nothing: those bent by more than 30
     /// degrees are, but for noise of scans and for seams (docs/lines.md); a number leaves out none.
-    std::optional<float> crease_angle{};
+    std::optional<float> crease{};
     /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
     /// Objects move on their own (Renderer::set_transforms): nothing is welded between them, so

@@ -38,25 +38,27 @@ enum class Method {
     opengl,      ///< depth-tested GL lines, the yardstick; no pens, no silhouettes
 };
 
-/// Where visibility samples are computed.
-enum class AtlasForm {
-    automatic, ///< compute beside a software GL, else raster
-    raster,    ///< GL proxy lines into a texture (§4.2)
-    compute,   ///< a kernel over samples
+/// Where a stage that has two forms runs.
+enum class StageForm {
+    automatic, ///< where it is known to be faster
+    raster,    ///< in a pass of GL
+    compute,   ///< in kernels
 };
 
-/// Where depth, and a fill by it, is drawn. Both cover the same texels but for a few in 100,000.
-enum class DepthForm {
-    automatic, ///< compute beside a software GL where kernels run on the CPU too, else raster
-    raster,    ///< GL (§3.2)
-    compute,   ///< kernels over tiles of the depth buffer
-};
-
-/// Where strokes are drawn. Both draw the same picture but for rounding.
-enum class StrokeForm {
-    automatic, ///< compute beside a software GL where kernels run on the CPU too, else raster
-    raster,    ///< GL (§4.4)
-    compute,   ///< kernels over tiles of the picture
+/// For who measures or looks for a fault: what form stages have. All but `automatic` may be slower;
+/// the picture is the same but for rounding.
+struct StageForms {
+    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples; `automatic`:
+    /// compute beside a software GL, else raster.
+    StageForm atlas = StageForm::automatic;
+    /// Depth (§3.2), and a fill by it; both forms cover the same texels but for a few in 100,000.
+    /// Methods atlas and spine, exact for its fill. `automatic`: compute beside a software GL where
+    /// kernels run on the CPU too, else raster.
+    StageForm depth = StageForm::automatic;
+    /// Strokes (§4.4); `automatic` as for depth. Kernels draw marks that are even across the stroke
+    /// (solid, dashed) with butt and round caps and joins without bevels, to pictures of 8 bits,
+    /// with no profiles and no focus; whatever else a frame asks for is drawn by GL.
+    StageForm strokes = StageForm::automatic;
 };
 
 /// What a frame keeps for `Renderer::read_intervals`.
@@ -86,17 +88,12 @@ struct FrameOptions {
     std::uint32_t probes = 9;
     int depth_scale = 2; ///< depth texels per pixel and axis: 1 to 4
     /// What hides lines, in place of a depth buffer that the renderer draws of the triangles of the
-    /// line set; `depth_scale` and `depth_form` do not count then. Methods atlas and spine only.
-    std::optional<DepthTexture> depth{};
-    float step = 2;                         ///< k: pixels between samples, 0.01 to 10000 (§4.1)
-    LineKindMask lines = all_line_kinds;    ///< what is drawn of the kinds extracted
-    AtlasForm atlas = AtlasForm::automatic; ///< where samples are computed
-    /// Where depth is drawn; methods atlas and spine, exact for its fill.
-    DepthForm depth_form = DepthForm::automatic;
-    /// Where strokes are drawn. Kernels draw marks that are even across the stroke (solid, dashed)
-    /// with butt and round caps and joins without bevels, to pictures of 8 bits, with no profiles
-    /// and no focus; whatever else a frame asks for is drawn by GL.
-    StrokeForm stroke_form = StrokeForm::automatic;
+    /// line set; `depth_scale` and the form of `depth` do not count then. Methods atlas and spine
+    /// only.
+    std::optional<DepthTexture> own_depth{};
+    float step = 2;                      ///< k: pixels between samples, 0.01 to 10000 (§4.1)
+    LineKindMask lines = all_line_kinds; ///< what is drawn of the kinds extracted
+    StageForms forms{};                  ///< where stages run
     /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl
     /// only the last three; item_buffer, like atlas, joins and caps too.
     Style style{};

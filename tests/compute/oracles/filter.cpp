@@ -64,7 +64,7 @@ class PathFilter {
         float seam_gap = std::numeric_limits<float>::infinity();
         if (seam_) seam_gap = intervals.front().start + 2 * half_length_ - intervals.back().end;
         seam_room_ = 0.5F * seam_gap;
-        joined_ = seam_gap <= shortest || seam_gap < in_.filter.fill;
+        joined_ = seam_gap <= shortest || seam_gap < in_.filter.fill_holes;
         if (joined_) {
             intervals.front().start = -half_length_;
             intervals.front().start_kind = LA_END_JOIN;
@@ -72,11 +72,11 @@ class PathFilter {
             intervals.back().end_kind = LA_END_JOIN;
         }
         intervals = merged(intervals, [&](const PathInterval& a, const PathInterval& b) {
-            return b.start - a.end <= shortest || b.start - a.end < in_.filter.fill;
+            return b.start - a.end <= shortest || b.start - a.end < in_.filter.fill_holes;
         });
         std::erase_if(intervals, [&](const PathInterval& interval) {
             return !is_cut_off(interval.start_kind) && !is_cut_off(interval.end_kind) &&
-                   interval.end - interval.start < in_.filter.drop;
+                   interval.end - interval.start < in_.filter.drop_runs;
         });
         for (PathInterval& interval : intervals) set_overshoot(interval);
         intervals = merged(intervals, [&](const PathInterval& a, const PathInterval& b) {
@@ -276,7 +276,7 @@ class PathFilter {
         float least = shortest;
         for (const Span gap : gaps(interval)) {
             if (gap.end <= start || gap.start >= end) continue;
-            least = std::max(in_.filter.drop, shortest);
+            least = std::max(in_.filter.drop_runs, shortest);
             if (is_cut_off(start_kind) || gap.start - start >= least) {
                 emit_piece(i, start, gap.start, start_kind, LA_END_HIDDEN);
             }
