@@ -45,7 +45,6 @@ void AtlasMethod::release_scene() {
     chains_.release();
     batches_.release();
     carried_.release();
-    front_.reset();
     arcs_.reset();
     temporal_.release();
     clipped_.release();
@@ -56,7 +55,6 @@ void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Table
     release_scene();
     silhouettes_grew_ = false;
     strokes_.forget_lines();
-    front_ = compute::allocate(device_, scene.triangle_count(), purpose::model);
     make_segment_tables(tables.most_fixed_segments());
     depth_.set_scene(scene);
     fill_.set_scene();
@@ -116,18 +114,10 @@ void AtlasMethod::keep_chunk(Frame& frame) {
 void AtlasMethod::find_silhouettes(Frame& frame) {
     temporal_.begin_frame(frame);
     chains_.follow(temporal_.positions_before());
-    const compute::SegmentTable candidates = frame.scene.candidate_table();
     const bool wanted = (frame.options.lines & mask_of(LineKind::silhouette)) != 0;
-    if (!wanted || candidates.candidates.count == 0) {
-        frame.scene.set_order(chains_.without(candidates));
-    } else {
-        const glm::vec4 eye = frame.camera.eye();
-        frame.clock("facing",
-                    [&] { stages_.facing({.table = candidates, .eye = eye, .front = *front_}); });
-        frame.scene.set_order(chains_.find(
-            candidates, *front_, {eye, sees_from_outside(frame.camera, frame.scene.bounds())},
-            frame.clock));
-    }
+    frame.scene.set_order(chains_.table_of(
+        frame.scene.candidate_table(), wanted,
+        compute::silhouette_view(frame.camera, frame.scene.bounds()), frame.clock));
     segment_count_ = frame.scene.table().segment_count;
     if (arcs_->size() > segment_count_ * sizeof(la_uint)) return;
     make_segment_tables(silhouettes_grew_
@@ -157,7 +147,7 @@ void AtlasMethod::project(Frame& frame) {
         if (batches_.has_segments(frame.scene.candidate_table())) batches.emplace(batches_.table());
         const compute::ProjectClipArgs args{
             .table = frame.scene.table(),
-            .front = *front_,
+            .front = chains_.front(),
             .clip_from_world = clip_from_world,
             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
             .viewport = frame.viewport(),
@@ -328,7 +318,7 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .segments = frame.scene.segment_count(),
             .samples = strokes_.samples_of_frame(),
             .runs = strokes_.runs_of_frame(),
-            .mesh_bytes = frame.scene.mesh_bytes() + front_->size(),
+            .mesh_bytes = frame.scene.mesh_bytes(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_.room() + offsets_.room() +
                              arcs_->size() + chains_.bytes() + carried_.bytes() + batches_.bytes() +
                              temporal_.segment_bytes(),

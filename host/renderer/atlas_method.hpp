@@ -48,7 +48,7 @@ class AtlasMethod {
     void prepare(const Frame& frame);
     /// Room for as many samples as were wanted so far, in rows for the frame's form of `atlas`.
     void make_atlas(const Frame& frame);
-    void prepare_tiles(const Frame& frame, const TileTarget& target);
+    void prepare_tiles(const Frame& frame);
     void make_segment_tables(std::size_t segments);
     /// From here on stages are those of this chunk of the segments.
     void begin_chunk(Frame& frame, std::size_t chunk);
@@ -112,7 +112,7 @@ class AtlasMethod {
     OutlineStage outlines_;
     std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
     std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
-    std::unique_ptr<compute::Buffer> front_, arcs_;
+    std::unique_ptr<compute::Buffer> arcs_;
     interop::SharedTable clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
     std::uint64_t most_samples_ = 0; ///< that an atlas can hold

@@ -4,17 +4,17 @@
 #include "backdrop.hpp"
 #include "core/tiles.hpp"
 #include "lineatlas/error.hpp"
+#include "tile_loop.hpp"
 
 namespace lineatlas {
 
-void AtlasMethod::prepare_tiles(const Frame& frame, const TileTarget& target) {
+void AtlasMethod::prepare_tiles(const Frame& frame) {
     if (frame.options.method != Method::atlas || frame.options.forms.atlas == StageForm::raster) {
         throw UsageError("tiles: only the method atlas in its compute form draws pictures of " +
                          std::to_string(frame.camera.size.x) + "x" +
                          std::to_string(frame.camera.size.y) +
                          " by tiles; choose it or a smaller --size");
     }
-    if (target.tile_size < 1) throw UsageError("tiles: a tile must have at least one pixel a side");
     raster_ = false;
     cull_hidden_ = false;
     carries_ = false;
@@ -52,7 +52,7 @@ void AtlasMethod::fill_tile(Frame& frame) {
 }
 
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
-    prepare_tiles(frame, target);
+    prepare_tiles(frame);
     // Samples take about as long as strokes.
     const ProgressPart progress{target.progress, "drawing tiles"};
     const ProgressPart sampling = progress.part(0, 0.5F), drawing = progress.part(0.5F, 1);
@@ -77,18 +77,10 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         alpha_.set_size(strokes_.sample_total());
         keep_chunk(frame);
     }
-    const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
-    float done = 0;
-    for (const PictureTile& tile : tiles) {
-        drawing(done++ / static_cast<float>(tiles.size()));
-        frame.tile = tile;
-        target.begin(tile);
+    draw_by_tiles(frame, target, drawing, [&] {
         fill_tile(frame);
         strokes_.draw(frame, alpha_);
-        frame.backdrop.draw_paper(frame, frame.options.style.paper);
-        frame.clock("output", [&] { target.end(tile); });
-    }
-    drawing(1);
+    });
     return stats(frame);
 }
 

@@ -5,7 +5,7 @@
 #include "backdrop.hpp"
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
-#include "lineatlas/error.hpp"
+#include "tile_loop.hpp"
 
 namespace lineatlas {
 
@@ -20,7 +20,7 @@ void ExactMethod::set_scene(const SceneBuffers& scene) {
     strokes_.forget_lines();
     depth_.set_scene(scene);
     fill_.set_scene();
-    lines_.make_tables(scene.triangle_count(), scene.tables().most_fixed_segments());
+    lines_.make_tables(scene.tables().most_fixed_segments());
 }
 
 void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
@@ -96,23 +96,14 @@ FrameStats ExactMethod::draw(Frame& frame) {
 }
 
 FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
-    if (target.tile_size < 1) throw UsageError("tiles: a tile must have at least one pixel a side");
     const ProgressPart progress{target.progress, "drawing tiles"};
     const ProgressPart drawing = progress.part(0.5F, 1);
     progress(0);
     find(frame, progress.part(0, 0.5F));
-    const std::vector<PictureTile> tiles = make_tiles(frame.camera.size, target.tile_size);
-    float done = 0;
-    for (const PictureTile& tile : tiles) {
-        drawing(done++ / static_cast<float>(tiles.size()));
-        frame.tile = tile;
-        target.begin(tile);
+    draw_by_tiles(frame, target, drawing, [&] {
         draw_fill(frame, pieces_in_view(frame.scene, frame.clip_of_tile()));
         strokes_.draw(frame, alpha_);
-        frame.backdrop.draw_paper(frame, frame.options.style.paper);
-        frame.clock("output", [&] { target.end(tile); });
-    }
-    drawing(1);
+    });
     return stats(frame);
 }
 
@@ -122,7 +113,7 @@ FrameStats ExactMethod::stats(Frame& frame) {
             .segments = frame.scene.segment_count(),
             .samples = 0,
             .runs = strokes_.runs_of_frame(),
-            .mesh_bytes = frame.scene.mesh_bytes() + lines_.mesh_bytes(),
+            .mesh_bytes = frame.scene.mesh_bytes(),
             .segment_bytes = frame.scene.segment_bytes() + lines_.segment_bytes(),
             .sample_bytes = alpha_.room(),
             .run_bytes = strokes_.bytes(),

@@ -263,6 +263,8 @@ class Renderer::State {
             throw UsageError("tiles: pictures in tiles draw their own depth; leave out "
                              "FrameOptions::own_depth");
         }
+        if (target.tile_size < 1)
+            throw UsageError("tiles: a tile must have at least one pixel a side");
         check_frame(camera, options);
         const GLuint framebuffer = framebuffer_name(target.framebuffer);
         std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);

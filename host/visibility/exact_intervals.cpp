@@ -8,7 +8,7 @@ namespace lineatlas {
 
 ExactIntervals::ExactIntervals(compute::Stages& stages, const PlacedLines& lines)
     : stages_(stages), lines_(stages), intervals_(stages.device()) {
-    lines_.make_tables(lines.triangle_count, lines.tables.most_fixed_segments());
+    lines_.make_tables(lines.tables.most_fixed_segments());
 }
 
 std::vector<Interval> ExactIntervals::find(const PlacedLines& lines, const LineView& view,

@@ -12,16 +12,14 @@ void ExactLines::release() {
     chains_.release();
     batches_.release();
     visibility_.release();
-    front_.reset();
     clipped_.reset();
     arcs_.reset();
     no_offsets_.reset();
 }
 
-void ExactLines::make_tables(std::uint32_t triangle_count, std::uint32_t fixed_segments) {
+void ExactLines::make_tables(std::uint32_t fixed_segments) {
     release();
     silhouettes_grew_ = false;
-    front_ = compute::allocate(device_, triangle_count, purpose::model);
     make_room(fixed_segments);
 }
 
@@ -47,10 +45,6 @@ void ExactLines::begin(const LineView& view, const compute::SegmentTable& table,
     visibility_.begin(table, view.camera, view.bounds, view.contact);
 }
 
-void ExactLines::facing(const LineView& view, const compute::SegmentTable& table) {
-    stages_.facing({.table = table, .eye = view.camera.eye(), .front = *front_});
-}
-
 void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
                               const compute::SegmentTable& table) {
     const glm::mat4 clip_from_world = view.camera.clip_from_world();
@@ -60,7 +54,7 @@ void ExactLines::project_clip(const LineView& view, const compute::SegmentTable&
         visibility_.find_batches(clipped(), *batches, !view.measured);
     }
     stages_.project_clip({.table = table,
-                          .front = *front_,
+                          .front = chains_.front(),
                           .clip_from_world = clip_from_world,
                           .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                           .viewport = view.viewport(),

@@ -44,7 +44,7 @@ class ExactLines {
         visibility_.forget_lines();
     }
     /// Makes tables for another line set.
-    void make_tables(std::uint32_t triangle_count, std::uint32_t fixed_segments);
+    void make_tables(std::uint32_t fixed_segments);
 
     /// Finds what is visible, chunk by chunk. `table(chunk)`: what kernels read; `clock(name,
     /// action)` runs a stage; `use(chunk, segments, spans)` takes what is visible of that chunk:
@@ -54,12 +54,9 @@ class ExactLines {
               Use&& use) {
         for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
             const compute::SegmentTable candidates = table(chunk);
-            const bool wants_silhouettes = candidates.candidates.count > 0 &&
-                                           (view.lines & mask_of(LineKind::silhouette)) != 0;
-            if (wants_silhouettes) clock("facing", [&] { facing(view, candidates); });
-            const compute::SegmentTable segments =
-                wants_silhouettes ? chains_.find(candidates, *front_, silhouette_view(view), clock)
-                                  : chains_.without(candidates);
+            const bool wanted = (view.lines & mask_of(LineKind::silhouette)) != 0;
+            const compute::SegmentTable segments = chains_.table_of(
+                candidates, wanted, compute::silhouette_view(view.camera, view.bounds), clock);
             make_room(segments.segment_count);
             begin(view, segments, chunk);
             if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(clipped()); });
@@ -86,7 +83,6 @@ class ExactLines {
     compute::OutlineTable outline(float depth) { return visibility_.outline(clipped(), depth); }
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
-    std::uint64_t mesh_bytes() const { return front_->size(); }
     std::uint64_t segment_bytes() const {
         return clipped_->size() + arcs_->size() + no_offsets_->size() + visibility_.bytes() +
                chains_.bytes() + batches_.bytes();
@@ -95,10 +91,6 @@ class ExactLines {
   private:
     void make_room(std::uint32_t segments);
     void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
-    static compute::SilhouetteView silhouette_view(const LineView& view) {
-        return {view.camera.eye(), sees_from_outside(view.camera, view.bounds)};
-    }
-    void facing(const LineView& view, const compute::SegmentTable& table);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,
                       const compute::SegmentTable& table);
 
@@ -107,7 +99,7 @@ class ExactLines {
     compute::SilhouetteChains chains_;
     compute::Batches batches_; ///< of segments
     compute::ExactVisibility visibility_;
-    std::unique_ptr<compute::Buffer> front_, clipped_, arcs_;
+    std::unique_ptr<compute::Buffer> clipped_, arcs_;
     std::unique_ptr<compute::Buffer> no_offsets_; ///< all 0: no segment has samples
     bool silhouettes_grew_ = false;               ///< since make_tables()
 };

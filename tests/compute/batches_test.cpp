@@ -165,7 +165,7 @@ class ExactBatches : public StageTest {
         const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                           triangles,        chunk.range.count, chunk.candidates()};
         ExactLines exact{stages()};
-        exact.make_tables(triangles, chunk.range.count);
+        exact.make_tables(chunk.range.count);
         const LineView view{.camera = camera,
                             .bounds = lines.bounds,
                             .contact = contact_of(lines),

@@ -94,19 +94,17 @@ void append_chains(std::vector<std::byte>& result, compute::Stages& stages, cons
                    const Camera& camera) {
     const LineTables tables = upload_lines(stages.device(), lines);
     const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
-    const auto front = stages.device().allocate(triangles);
     const LineTables::Chunk& chunk = tables.chunks[0];
     const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                       triangles,        chunk.range.count, chunk.candidates()};
-    stages.facing({.table = table, .eye = camera.eye(), .front = *front});
     compute::SilhouetteChains chains{stages, compute::SilhouetteChains::Contours::lifted};
-    const compute::SegmentTable found = chains.find(table, *front, {camera.eye(), true},
-                                                    [](const char*, const auto& run) { run(); });
+    const compute::SegmentTable found = chains.table_of(
+        table, true, {camera.eye(), true}, [](const char*, const auto& run) { run(); });
     const std::vector<std::uint32_t> origins = chains.read_origins();
     if (origins.empty()) throw Error("there are no silhouettes: the check would prove nothing");
     append(result, origins);
     append(result, read_back<Segment>(stages.device(), found.segments, found.segment_count));
-    append_carried(result, stages, found, chains.first(), *front, camera);
+    append_carried(result, stages, found, chains.first(), chains.front(), camera);
 }
 
 /// Normals of a smooth body that has been bent and turned.
@@ -143,7 +141,7 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
     const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                       triangles,        chunk.range.count, chunk.candidates()};
     ExactLines exact{stages};
-    exact.make_tables(triangles, chunk.range.count);
+    exact.make_tables(chunk.range.count);
     const LineView view{.camera = camera,
                         .bounds = lines.bounds,
                         .contact = contact_of(lines),

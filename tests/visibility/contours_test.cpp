@@ -104,14 +104,12 @@ std::vector<Chain> chains_of(const LineSet& lines, glm::vec4 eye, bool from_outs
     DeviceStages on{compute::make_cpp_device()};
     const LineTables tables = upload_lines(*on.device, lines);
     const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
-    const auto front = on.device->allocate(triangles);
     const LineTables::Chunk& chunk = tables.chunks[0];
     const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                       triangles,        chunk.range.count, chunk.candidates()};
-    on.stages.facing({.table = table, .eye = eye, .front = *front});
     compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
-    const compute::SegmentTable found = chains.find(
-        table, *front, {eye, from_outside}, [](const char*, const auto& action) { action(); });
+    const compute::SegmentTable found = chains.table_of(
+        table, true, {eye, from_outside}, [](const char*, const auto& action) { action(); });
     const auto vertices =
         read_back<glm::vec3>(*on.device, found.vertices, found.vertices.size() / sizeof(glm::vec3));
     std::vector<Chain> result;

@@ -79,14 +79,12 @@ std::vector<Loop> chains_of(const LineSet& lines, glm::vec4 eye) {
     DeviceStages on{compute::make_cpp_device()};
     const LineTables tables = upload_lines(*on.device, lines);
     const auto triangles = static_cast<std::uint32_t>(lines.triangles.size());
-    const auto front = on.device->allocate(triangles);
     const LineTables::Chunk& chunk = tables.chunks[0];
     const compute::SegmentTable table{*tables.vertices, *tables.triangles, *chunk.segments,
                                       triangles,        chunk.range.count, chunk.candidates()};
-    on.stages.facing({.table = table, .eye = eye, .front = *front});
     compute::SilhouetteChains chains{on.stages, compute::SilhouetteChains::Contours::on_surface};
-    const compute::SegmentTable found =
-        chains.find(table, *front, {eye, true}, [](const char*, const auto& action) { action(); });
+    const compute::SegmentTable found = chains.table_of(
+        table, true, {eye, true}, [](const char*, const auto& action) { action(); });
     std::vector<Loop> loops;
     for (const Segment& segment :
          read_back<Segment>(*on.device, found.segments, found.segment_count)) {

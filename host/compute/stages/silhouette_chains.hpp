@@ -3,9 +3,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/standard_camera.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {
+
+/// How the silhouettes of a model are seen.
+inline SilhouetteView silhouette_view(const Camera& camera, const Bounds& bounds) {
+    return {camera.eye(), sees_from_outside(camera, bounds)};
+}
 
 /// The silhouettes of a frame as paths: they take the place of the candidates in the table of
 /// segments that later stages work on. Keeps the tables of the stages `silhouette` and `chain`,
@@ -32,10 +38,19 @@ class SilhouetteChains {
         vertices_of_ = {};
     }
 
-    /// The table of a frame in which no candidate is drawn.
-    SegmentTable without(const SegmentTable& table);
-    /// The table of a frame whose triangles face the eye as `front` says, of a table that has
-    /// candidates; waits for the number of silhouettes. `clock(name, action)` runs a stage.
+    /// The table of a frame: with the silhouettes that `view` shows, or with none where they aren't
+    /// `wanted`. Waits for their number. `clock(name, action)` runs a stage.
+    template <class Clock>
+    SegmentTable table_of(const SegmentTable& candidates, bool wanted, const SilhouetteView& view,
+                          Clock&& clock) {
+        tables_.fit(Table::front, candidates.triangle_count);
+        if (!wanted || candidates.candidates.count == 0) return without(candidates);
+        clock("facing", [&] { stages_.facing({candidates, view.eye, front()}); });
+        return find(candidates, front(), view, clock);
+    }
+    /// Which triangles face the eye in that frame; a byte each.
+    Buffer& front() const { return tables_[Table::front]; }
+    /// The last step of table_of(), of a table that has candidates.
     template <class Clock>
     SegmentTable find(const SegmentTable& candidates, Buffer& front, const SilhouetteView& view,
                       Clock&& clock) {
@@ -61,6 +76,7 @@ class SilhouetteChains {
     std::uint64_t bytes() const { return tables_.bytes(); } ///< of all its tables
 
   private:
+    SegmentTable without(const SegmentTable& table);
     void contour(const SegmentTable& table, const SilhouetteView& view);
     void list(const SegmentTable& table, Buffer& front);
     void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view);
@@ -72,6 +88,7 @@ class SilhouetteChains {
     void copy_fixed(const SegmentTable& table);
 
     enum class Table {
+        front,
         // Per candidate:
         numbers,
         positions,
