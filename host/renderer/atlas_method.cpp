@@ -45,7 +45,7 @@ void AtlasMethod::release_scene() {
     chains_.release();
     batches_.release();
     carried_.release();
-    arcs_.reset();
+    arcs_.release();
     temporal_.release();
     clipped_.release();
     offsets_.release();
@@ -61,13 +61,13 @@ void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Table
 }
 
 void AtlasMethod::make_segment_tables(std::size_t segments) {
-    arcs_.reset(); // they may not fit beside others
+    arcs_.release(); // they may not fit beside others
     clipped_.release();
     offsets_.release();
     const std::size_t sums = (segments + 1) * sizeof(std::uint32_t);
     clipped_.fit(segments * sizeof(ClippedSegment));
     offsets_.fit(sums);
-    arcs_ = compute::allocate(device_, sums, purpose::segments);
+    arcs_.fit(sums);
 }
 
 void AtlasMethod::make_atlas(const Frame& frame) {
@@ -119,7 +119,7 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
         frame.scene.candidate_table(), wanted,
         compute::silhouette_view(frame.camera, frame.scene.bounds()), frame.clock));
     segment_count_ = frame.scene.table().segment_count;
-    if (arcs_->size() > segment_count_ * sizeof(la_uint)) return;
+    if (arcs_.bytes() > segment_count_ * sizeof(la_uint)) return;
     make_segment_tables(silhouettes_grew_
                             ? compute::room_to_grow(device_, segment_count_, sizeof(ClippedSegment))
                             : segment_count_);
@@ -320,7 +320,7 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .runs = strokes_.runs_of_frame(),
             .mesh_bytes = frame.scene.mesh_bytes(),
             .segment_bytes = frame.scene.segment_bytes() + clipped_.room() + offsets_.room() +
-                             arcs_->size() + chains_.bytes() + carried_.bytes() + batches_.bytes() +
+                             compute::bytes_of(arcs_, chains_, carried_, batches_) +
                              temporal_.segment_bytes(),
             .sample_bytes = alpha_.room() + temporal_.sample_bytes(),
             .run_bytes = strokes_.bytes(),

@@ -47,7 +47,8 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
     clusters_ = scene.all_clusters();
     appeared_.resize(clusters_.size());
     ranges_.reserve(clusters_.size()); // frames allocate nothing
-    visible_ = compute::allocate(device_, clusters_.size() * sizeof(la_uint), purpose::model);
+    visible_.release();
+    visible_.fit(clusters_.size() * sizeof(la_uint));
 }
 
 void DepthStage::choose_form(const Frame& frame) {
@@ -111,14 +112,10 @@ bool DepthStage::wants_kernels(const Frame& frame) const {
 compute::Buffer& DepthStage::blank_tiles() {
     const std::size_t words =
         (compute::count_of_tiles(size_) + sizeof(la_uint) - 1) / sizeof(la_uint);
-    const std::size_t bytes = words * sizeof(la_uint);
     if (blank_of_ == size_) return *blank_;
     blank_of_.reset();
-    if (!blank_ || blank_->size() < bytes) {
-        blank_.reset(); // it may not fit beside another
-        blank_ = compute::allocate(device_, bytes, purpose::depth);
-    }
-    device_.clear(*blank_, bytes);
+    blank_.fit(words * sizeof(la_uint));
+    device_.clear(*blank_, words * sizeof(la_uint));
     blank_of_ = size_;
     return *blank_;
 }

@@ -13,10 +13,7 @@ FillStage::FillStage(const interop::Connection& connection)
       pixels_(*connection.sharing, purpose::picture) {}
 
 void FillStage::prepare(const Frame& frame) {
-    if (!shaded_) {
-        const std::size_t triangles = std::max(frame.scene.triangle_count(), 1U);
-        shaded_ = compute::allocate(device_, triangles * sizeof(la_uint), purpose::fill);
-    }
+    shaded_.fit(frame.scene.triangle_count() * sizeof(la_uint));
     pixels_.fit(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                 sizeof(la_uint));
 }

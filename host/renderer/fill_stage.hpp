@@ -19,7 +19,7 @@ class FillStage {
     explicit FillStage(const interop::Connection& connection);
 
     /// For another line set.
-    void set_scene() { shaded_.reset(); }
+    void set_scene() { shaded_.release(); }
     /// Whether the frame has a fill that is drawn in this form: where `depth` has drawn, or will
     /// draw, its depth by kernels.
     static bool draws(const Frame& frame, const DepthStage& depth) {
@@ -41,12 +41,12 @@ class FillStage {
     void prepare(const Frame& frame);
 
     compute::Stages& stages_;
-    compute::Device& device_;                 ///< of stages_
-    std::unique_ptr<compute::Buffer> shaded_; ///< per triangle
-    interop::SharedTable pixels_;             ///< of a tile
-    glm::ivec2 size_{0, 0};                   ///< of the tile that was coloured last
-    TexelRectangle part_;                     ///< of it, where the model may be
-    std::optional<gl::LayerPass> layer_;      ///< made when first used
+    compute::Device& device_;                       ///< of stages_
+    compute::Table shaded_{device_, purpose::fill}; ///< per triangle
+    interop::SharedTable pixels_;                   ///< of a tile
+    glm::ivec2 size_{0, 0};                         ///< of the tile that was coloured last
+    TexelRectangle part_;                           ///< of it, where the model may be
+    std::optional<gl::LayerPass> layer_;            ///< made when first used
 };
 
 } // namespace lineatlas

@@ -23,7 +23,7 @@ compute::Buffer& RunPens::of_segments(const Frame& frame, bool hidden) {
     const std::uint32_t first = frame.scene.first_segment();
     const std::uint32_t count = frame.scene.candidate_table().segment_count;
     const Uploaded now{&classes, first, count, pens_.of_class};
-    Table& table = tables_[hidden ? 1 : 0];
+    OfSegments& table = tables_[hidden ? 1 : 0];
     if (table.holds == now) return *table.values;
     std::vector<la_uint> values;
     values.reserve(count);
@@ -33,12 +33,7 @@ compute::Buffer& RunPens::of_segments(const Frame& frame, bool hidden) {
         const std::uint32_t inner = hidden ? pens.hidden : pens.inner;
         values.push_back(inner | (hidden ? inner : pens.outline) << 16U);
     }
-    const std::size_t bytes = values.size() * sizeof(la_uint);
-    if (!table.values || table.values->size() < bytes) {
-        table.values.reset(); // it may not fit beside another
-        table.values = compute::allocate(device_, bytes, purpose::strokes);
-    }
-    device_.upload(*table.values, std::as_bytes(std::span{values}));
+    table.values.upload(std::span<const la_uint>{values});
     table.holds = now;
     return *table.values;
 }

@@ -13,7 +13,7 @@ namespace lineatlas {
 /// The pens of a style whose rules tell lines apart, on the device: which pen draws which segment.
 class RunPens {
   public:
-    explicit RunPens(compute::Device& device) : device_(device) {}
+    explicit RunPens(compute::Device& device) : tables_{OfSegments{device}, OfSegments{device}} {}
 
     /// Before a frame: the pens for the lines of its scene.
     void prepare(const Frame& frame);
@@ -24,13 +24,12 @@ class RunPens {
     float widest(bool hidden) const { return lineatlas::widest(pens(hidden)); }
     /// Other lines have come.
     void forget() {
-        for (Table& table : tables_) table.holds.reset();
+        for (OfSegments& table : tables_) table.holds.reset();
     }
     /// Of the scene's current chunk: a uint32 per segment of the line set, see compute::PensArgs.
     compute::Buffer& of_segments(const Frame& frame, bool hidden);
 
   private:
-    compute::Device& device_;
     /// The pens of whose segments.
     struct Uploaded {
         const LineClasses* classes;
@@ -39,13 +38,15 @@ class RunPens {
         bool operator==(const Uploaded&) const = default;
     };
 
-    struct Table {
+    struct OfSegments {
+        explicit OfSegments(compute::Device& device) : values(device, purpose::strokes) {}
+
         std::optional<Uploaded> holds;
-        std::unique_ptr<compute::Buffer> values;
+        compute::Table values;
     };
 
     LinePens pens_;
-    std::array<Table, 2> tables_; ///< of visible lines, and of hidden ones
+    std::array<OfSegments, 2> tables_; ///< of visible lines, and of hidden ones
 };
 
 } // namespace lineatlas

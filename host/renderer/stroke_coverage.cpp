@@ -45,8 +45,8 @@ std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
 
 StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
-      kernels_are_faster_(kernels_are_faster(device_)), coverage_(sharing_, purpose::strokes),
-      shown_(sharing_, purpose::strokes) {}
+      kernels_are_faster_(kernels_are_faster(device_)), lists_{Lists{device_}, Lists{device_}},
+      coverage_(sharing_, purpose::strokes), shown_(sharing_, purpose::strokes) {}
 
 bool StrokeCoverage::wants(const Frame& frame) const {
     if (!wants_stroke_kernels(frame.options, kernels_are_faster_)) return false;
@@ -75,17 +75,11 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
 void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs,
                           compute::Buffer& record, float half_width) {
     Lists& own = lists(hidden);
-    const auto make_room = [&](std::unique_ptr<compute::Buffer>& buffer, std::size_t values) {
-        const std::size_t bytes = values * sizeof(la_uint);
-        if (buffer && buffer->size() >= bytes) return;
-        buffer.reset(); // it may not fit beside another
-        buffer = compute::allocate(device_, bytes, purpose::strokes);
-    };
     if (own.capacity == 0)
         own.capacity = compute::first_capacity<la_uint>(device_, first_entry_capacity);
     const std::size_t ends = compute::stroke_ends(device_.tuning(), frame.viewport());
-    make_room(own.ends, ends);
-    make_room(own.entries, own.capacity);
+    own.ends.fit(ends * sizeof(la_uint));
+    own.entries.fit(std::uint64_t{own.capacity} * sizeof(la_uint));
     stages_.list_strokes({.runs = runs,
                           .record = record,
                           .viewport = frame.viewport(),
@@ -132,7 +126,7 @@ const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
     if (found != marks_.end()) return found->second;
     const PenMark painted = make_pen(pen.mark, pen.width);
     const auto columns = static_cast<std::size_t>(painted.size.x);
-    Mark made{.values = nullptr,
+    Mark made{.values = compute::Table{device_, purpose::pen},
               .length = static_cast<std::uint32_t>(columns),
               .repeat_length = painted.repeat_length};
     if (columns > 0) {
@@ -141,8 +135,7 @@ const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
             const std::uint8_t value = painted.coverage[(i + columns - 1) % columns];
             values.push_back(static_cast<float>(value) / 255);
         }
-        made.values = compute::allocate(device_, values.size() * sizeof(float), purpose::pen);
-        device_.upload(*made.values, std::as_bytes(std::span{values}));
+        made.values.upload(std::span<const float>{values});
     }
     return marks_.emplace(std::pair{pen.mark, pen.width}, std::move(made)).first->second;
 }
@@ -197,8 +190,7 @@ void StrokeCoverage::show(Frame& frame) {
 
 std::uint64_t StrokeCoverage::bytes() const {
     std::uint64_t sum = coverage_.room() + shown_.room();
-    for (const Lists& own : lists_)
-        for (const auto* buffer : {&own.ends, &own.entries}) sum += *buffer ? (*buffer)->size() : 0;
+    for (const Lists& own : lists_) sum += compute::bytes_of(own.ends, own.entries);
     return sum;
 }
 

@@ -50,12 +50,15 @@ class StrokeCoverage {
     /// Values along a mark that is even across; on the device, with the last before the first and
     /// the first behind the last.
     struct Mark {
-        std::unique_ptr<compute::Buffer> values;
+        compute::Table values;
         std::uint32_t length = 0;
         float repeat_length = 1;
     };
     struct Lists {
-        std::unique_ptr<compute::Buffer> ends, entries;
+        explicit Lists(compute::Device& device)
+            : ends(device, purpose::strokes), entries(device, purpose::strokes) {}
+
+        compute::Table ends, entries;
         std::uint32_t capacity = 0, total = 0;
     };
 

@@ -28,7 +28,7 @@ glm::vec4 focus_on_screen(const Frame& frame) {
 
 void StrokeStage::make_room(Thinning& thinning) {
     const std::size_t values = density_values();
-    make_room(thinning.grid, values * sizeof(std::uint32_t), purpose::density);
+    thinning.grid.fit(values * sizeof(std::uint32_t));
     gl::check_buffer_texture(values, purpose::density);
     thinning.weights.fit(values * sizeof(float));
 }

@@ -21,9 +21,7 @@ std::span<std::byte> bytes_of(FrameRecord& record) {
 StrokeStage::StrokeStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
       visible_(sharing_), hidden_(sharing_), penned_(sharing_), penned_hidden_(sharing_),
-      pens_(device_),
-      raw_record_(compute::allocate(device_, sizeof(FrameRecord), purpose::strokes)),
-      thinning_{Thinning{sharing_}, Thinning{sharing_}}, coverage_(connection) {
+      pens_(device_), thinning_{Thinning{sharing_}, Thinning{sharing_}}, coverage_(connection) {
     make_table(visible_);
 }
 
@@ -38,13 +36,6 @@ void StrokeStage::read_totals(RunTable& table) {
     table.runs.set_size(std::size_t{table.totals.points[0]} * sizeof(Run));
 }
 
-void StrokeStage::make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
-                            const Purpose& purpose) {
-    if (buffer && buffer->size() >= bytes) return;
-    buffer.reset(); // it may not fit beside another
-    buffer = compute::allocate(device_, bytes, purpose);
-}
-
 void StrokeStage::prepare(const Frame& frame) {
     const Style& style = frame.options.style;
     has_hidden_ = draws_hidden(frame);
@@ -53,10 +44,9 @@ void StrokeStage::prepare(const Frame& frame) {
     if (filters_) {
         raw_capacity_ =
             std::max(raw_capacity_, compute::first_capacity<Run>(device_, first_run_capacity));
-        const std::size_t bytes = std::size_t{raw_capacity_} * sizeof(Run);
-        make_room(raw_runs_, bytes, purpose::strokes);
-        const std::size_t cut_bytes = std::size_t{raw_capacity_} * sizeof(RunCuts);
-        if (style.filter.halo > 0) make_room(cuts_, cut_bytes, purpose::halos);
+        raw_record_.fit(sizeof(FrameRecord));
+        raw_runs_.fit(std::uint64_t{raw_capacity_} * sizeof(Run));
+        if (style.filter.halo > 0) cuts_.fit(std::uint64_t{raw_capacity_} * sizeof(RunCuts));
     }
     for (const bool hidden : {false, true}) {
         if (tells_pens(hidden) && !penned(hidden).runs) make_table(penned(hidden));
@@ -377,11 +367,10 @@ void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha, bool hidden, s
 std::uint64_t StrokeStage::bytes() const {
     std::uint64_t sum = coverage_.bytes();
     for (const Thinning& thinning : thinning_)
-        sum += thinning.weights.room() + (thinning.grid ? thinning.grid->size() : 0);
+        sum += thinning.weights.room() + thinning.grid.bytes();
     for (const RunTable* table : {&visible_, &hidden_, &penned_, &penned_hidden_})
         sum += table->runs.room();
-    for (const auto* buffer : {&raw_runs_, &cuts_}) sum += *buffer ? (*buffer)->size() : 0;
-    return sum;
+    return sum + compute::bytes_of(raw_runs_, cuts_);
 }
 
 std::vector<Run> StrokeStage::read_runs() {

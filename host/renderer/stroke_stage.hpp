@@ -85,11 +85,12 @@ class StrokeStage {
 
     /// What `density` leaves of lines.
     struct Thinning {
-        explicit Thinning(interop::Sharing& sharing) : weights(sharing, purpose::density) {}
+        explicit Thinning(interop::Sharing& sharing)
+            : weights(sharing, purpose::density), grid(sharing.device(), purpose::density) {}
 
         bool on = false;                         ///< in the current frame
         interop::SharedTable weights;            ///< 0 to 1, per bin and cell
-        std::unique_ptr<compute::Buffer> grid;   ///< drawn length, likewise
+        compute::Table grid;                     ///< drawn length, likewise
         std::vector<std::uint32_t> drawn_before; ///< `grid` of the chunks that are kept
     };
     Thinning& thinning(bool hidden) { return thinning_[hidden ? 1 : 0]; }
@@ -112,8 +113,6 @@ class StrokeStage {
     /// How many runs there are, and so what of the table means something; waits.
     void read_totals(RunTable& table);
     void make_table(RunTable& table);
-    void make_room(std::unique_ptr<compute::Buffer>& buffer, std::size_t bytes,
-                   const Purpose& purpose);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
     bool grow(RunTable& table);
     void compact(Frame& frame, const compute::SegmentAtlas& input, const compute::SpanTable* spans,
@@ -147,7 +146,8 @@ class StrokeStage {
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.
-    std::unique_ptr<compute::Buffer> raw_runs_, raw_record_, cuts_;
+    compute::Table raw_runs_{device_, purpose::strokes}, raw_record_{device_, purpose::strokes},
+        cuts_{device_, purpose::halos};
     std::uint32_t raw_capacity_ = 0;
     bool is_first_ = true;             ///< no frame has had a line
     std::array<Thinning, 2> thinning_; ///< of visible lines and of hidden ones

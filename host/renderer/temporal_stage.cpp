@@ -35,7 +35,7 @@ bool TemporalStage::wanted(const Frame& frame) {
 }
 
 void TemporalStage::release() {
-    for (auto* buffer : {&alpha_, &offsets_, &ranges_, &positions_}) buffer->reset();
+    for (compute::Table* table : {&alpha_, &offsets_, &ranges_, &positions_}) table->release();
     last_.reset();
 }
 
@@ -46,20 +46,14 @@ void TemporalStage::begin_frame(const Frame& frame) {
 
 void TemporalStage::make_tables(const compute::SegmentTable& table, std::size_t atlas_bytes) {
     if (!offsets_) {
-        const auto words = [&](std::size_t count) {
-            return compute::allocate(device_, count * sizeof(la_uint), purpose::segments);
-        };
         const std::size_t segments = table.segment_count;
-        offsets_ = words(segments + 1);
-        ranges_ = words(segments);
-        positions_ = words(table.candidates.count);
+        offsets_.fit((segments + 1) * sizeof(la_uint));
+        ranges_.fit(segments * sizeof(la_uint));
+        positions_.fit(table.candidates.count * sizeof(la_uint));
         device_.clear(*ranges_, segments * sizeof(la_uint));
         forget_chains(table);
     }
-    if (alpha_ && alpha_->size() == atlas_bytes) return;
-    alpha_.reset(); // it may not fit beside another
-    alpha_ = compute::allocate(device_, atlas_bytes, purpose::atlas);
-    last_.reset();
+    if (alpha_.fit(atlas_bytes)) last_.reset();
 }
 
 void TemporalStage::forget_chains(const compute::SegmentTable& table) {
@@ -89,13 +83,6 @@ void TemporalStage::average(Frame& frame, const compute::SegmentAtlas& atlas,
         if (!last_) last_.emplace();
         last_->take(frame);
     });
-}
-
-std::uint64_t TemporalStage::segment_bytes() const {
-    std::uint64_t sum = 0;
-    for (const auto* buffer : {&offsets_, &ranges_, &positions_})
-        sum += *buffer ? (*buffer)->size() : 0;
-    return sum;
 }
 
 } // namespace lineatlas

@@ -50,8 +50,8 @@ class TemporalStage {
     void average(Frame& frame, const compute::SegmentAtlas& atlas,
                  compute::SilhouetteChains& chains);
 
-    std::uint64_t segment_bytes() const;
-    std::uint64_t sample_bytes() const { return alpha_ ? alpha_->size() : 0; }
+    std::uint64_t segment_bytes() const { return compute::bytes_of(offsets_, ranges_, positions_); }
+    std::uint64_t sample_bytes() const { return alpha_.bytes(); }
 
   private:
     void make_tables(const compute::SegmentTable& table, std::size_t atlas_bytes);
@@ -63,8 +63,9 @@ class TemporalStage {
     std::optional<LastFrame> last_;
     std::optional<float> motion_;
     // What the last frame left:
-    std::unique_ptr<compute::Buffer> alpha_, offsets_, ranges_;
-    std::unique_ptr<compute::Buffer> positions_; ///< of candidates, see ChainOrder
+    compute::Table alpha_{device_, purpose::atlas}, offsets_{device_, purpose::segments},
+        ranges_{device_, purpose::segments};
+    compute::Table positions_{device_, purpose::segments}; ///< of candidates, see ChainOrder
 };
 
 } // namespace lineatlas

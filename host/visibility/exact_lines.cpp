@@ -12,9 +12,9 @@ void ExactLines::release() {
     chains_.release();
     batches_.release();
     visibility_.release();
-    clipped_.reset();
-    arcs_.reset();
-    no_offsets_.reset();
+    clipped_.release();
+    arcs_.release();
+    no_offsets_.release();
 }
 
 void ExactLines::make_tables(std::uint32_t fixed_segments) {
@@ -25,17 +25,17 @@ void ExactLines::make_tables(std::uint32_t fixed_segments) {
 
 void ExactLines::make_room(std::uint32_t segments) {
     std::size_t sums = (std::size_t{segments} + 1) * sizeof(la_uint);
-    if (arcs_ && arcs_->size() >= sums) return;
+    if (arcs_.bytes() >= sums) return;
     if (arcs_) { // the first frame has found them, the next ones find others
         if (silhouettes_grew_) segments = compute::capacity_for<ClippedSegment>(device_, segments);
         silhouettes_grew_ = true;
         sums = (std::size_t{segments} + 1) * sizeof(la_uint);
     }
-    for (auto* buffer : {&clipped_, &arcs_, &no_offsets_})
-        buffer->reset(); // they may not fit beside others
-    clipped_ = compute::allocate(device_, segments * sizeof(ClippedSegment), purpose::segments);
-    arcs_ = compute::allocate(device_, sums, purpose::segments);
-    no_offsets_ = compute::allocate(device_, sums, purpose::segments);
+    for (compute::Table* table : {&clipped_, &arcs_, &no_offsets_})
+        table->release(); // they may not fit beside others
+    clipped_.fit(segments * sizeof(ClippedSegment));
+    arcs_.fit(sums);
+    no_offsets_.fit(sums);
     device_.clear(*no_offsets_, sums);
 }
 

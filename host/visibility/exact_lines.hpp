@@ -84,8 +84,7 @@ class ExactLines {
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
     std::uint64_t segment_bytes() const {
-        return clipped_->size() + arcs_->size() + no_offsets_->size() + visibility_.bytes() +
-               chains_.bytes() + batches_.bytes();
+        return compute::bytes_of(clipped_, arcs_, no_offsets_, visibility_, chains_, batches_);
     }
 
   private:
@@ -99,9 +98,9 @@ class ExactLines {
     compute::SilhouetteChains chains_;
     compute::Batches batches_; ///< of segments
     compute::ExactVisibility visibility_;
-    std::unique_ptr<compute::Buffer> clipped_, arcs_;
-    std::unique_ptr<compute::Buffer> no_offsets_; ///< all 0: no segment has samples
-    bool silhouettes_grew_ = false;               ///< since make_tables()
+    compute::Table clipped_{device_, purpose::segments}, arcs_{device_, purpose::segments};
+    compute::Table no_offsets_{device_, purpose::segments}; ///< all 0: no segment has samples
+    bool silhouettes_grew_ = false;                         ///< since make_tables()
 };
 
 } // namespace lineatlas

@@ -14,14 +14,8 @@ void IntervalTable::begin_frame(bool kept) {
 }
 
 IntervalTable::Room IntervalTable::room() {
-    if (!total_buffer_) {
-        total_buffer_ = compute::allocate(device_, sizeof(std::uint32_t), purpose::intervals);
-    }
-    const std::size_t bytes = std::size_t{capacity_} * sizeof(Interval);
-    if (!table_ || table_->size() < bytes) {
-        table_.reset(); // it may not fit beside another
-        table_ = compute::allocate(device_, bytes, purpose::intervals);
-    }
+    total_buffer_.fit(sizeof(std::uint32_t));
+    table_.fit(std::uint64_t{capacity_} * sizeof(Interval));
     return {*table_, capacity_, *total_buffer_};
 }
 

@@ -42,7 +42,7 @@ class IntervalTable {
 
   private:
     compute::Device& device_;
-    std::unique_ptr<compute::Buffer> table_, total_buffer_;
+    compute::Table table_{device_, purpose::intervals}, total_buffer_{device_, purpose::intervals};
     std::uint32_t capacity_;
     std::uint32_t total_ = 0;
     bool kept_ = false;

@@ -7,8 +7,8 @@
 namespace lineatlas::compute {
 
 void Batches::release() {
-    boxes_.reset();
-    states_.reset();
+    boxes_.release();
+    states_.release();
     forget();
 }
 
@@ -18,12 +18,8 @@ Batches::Step Batches::next(const Of& of) {
         of_ = of;
         made_ = false;
         const std::uint64_t batches = divide_up(of.count, LA_BATCH);
-        if (!boxes_ || boxes_->size() < batches * sizeof(Batch)) {
-            release(); // they may not fit beside others
-            of_ = of;
-            boxes_ = allocate(device_, batches * sizeof(Batch), purpose::segments);
-            states_ = allocate(device_, batches, purpose::segments);
-        }
+        boxes_.fit(batches * sizeof(Batch));
+        states_.fit(batches);
         return Step::wait;
     }
     count_ = of.count;
@@ -46,10 +42,6 @@ bool Batches::has_triangles(const SegmentTable& table) {
                             .count = table.triangle_count});
     if (step == Step::make) stages_.surfaces_boxes(table, this->table());
     return step != Step::wait;
-}
-
-std::uint64_t Batches::bytes() const {
-    return boxes_ ? boxes_->size() + states_->size() : 0;
 }
 
 } // namespace lineatlas::compute

@@ -24,7 +24,7 @@ class Batches {
     bool has_triangles(const SegmentTable& table);
     /// Of the last that there are.
     BatchTable table() const { return {*boxes_, *states_, count_}; }
-    std::uint64_t bytes() const;
+    std::uint64_t bytes() const { return bytes_of(boxes_, states_); }
 
   private:
     /// What boxes are of.
@@ -44,7 +44,7 @@ class Batches {
     Of of_;
     bool made_ = false; ///< of what of_ says
     std::uint32_t count_ = 0;
-    std::unique_ptr<Buffer> boxes_, states_;
+    Table boxes_{device_, purpose::segments}, states_{device_, purpose::segments};
 };
 
 } // namespace lineatlas::compute

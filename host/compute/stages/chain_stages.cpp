@@ -17,7 +17,7 @@ void Stages::contour(const ContourArgs& args) {
     const ContourTables& contours = args.contours;
     const auto corner_count =
         static_cast<std::uint32_t>(contours.corners->size() / sizeof(ContourCorner));
-    Buffer& facing = scratch(corner_facing_, corner_count);
+    Buffer& facing = scratch(Scratch::corner_facing, corner_count);
     ContourParameters parameters{.count = corner_count,
                                  .first_vertex = contours.vertex_count,
                                  .first_number = args.first_number,
@@ -44,7 +44,7 @@ void Stages::contour_places(const ContourPlacesArgs& args) {
                                     {.chosen = args.chosen,
                                      .numbers = args.numbers,
                                      .face_corners = *contours.face_corners,
-                                     .facing = *corner_facing_,
+                                     .facing = scratch_[Scratch::corner_facing],
                                      .faces = *contours.faces,
                                      .corners = *contours.corners,
                                      .edges = *contours.edges,

@@ -30,7 +30,7 @@ struct Seen {
 Buffer& Stages::blank_tiles(const DepthArgs& args) {
     if (args.blank != nullptr) return *args.blank;
     const std::size_t words = divide_up(count_of_tiles(args.size), sizeof(la_uint));
-    Buffer& blank = scratch(depth_blank_, words);
+    Buffer& blank = scratch(Scratch::depth_blank, words);
     device_.clear(blank, words * sizeof(la_uint));
     return blank;
 }
@@ -61,12 +61,13 @@ void Stages::depth(const DepthArgs& args) {
                                .begin = 0,
                                .end = 0,
                                .keeps_depth = 0};
-    Buffer& places = scratch(depth_places_, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
-    Buffer& boxes = scratch(depth_boxes_, std::size_t{4} * stride);
-    Buffer& nearest = scratch(depth_nearest_, stride);
-    Buffer& order = scratch(depth_order_, stride);
-    Buffer& total = scratch(depth_total_, 1);
-    Buffer& next = scratch(depth_next_, 1);
+    Buffer& places =
+        scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
+    Buffer& boxes = scratch(Scratch::depth_boxes, std::size_t{4} * stride);
+    Buffer& nearest = scratch(Scratch::depth_nearest, stride);
+    Buffer& order = scratch(Scratch::depth_order, stride);
+    Buffer& total = scratch(Scratch::depth_total, 1);
+    Buffer& next = scratch(Scratch::depth_next, 1);
     launch<kernels::depth_bin>(model.count, tuning_.local_size, parameters, model, args,
                                Places{places});
     if (tiles.x <= 0 || tiles.y <= 0) return;
@@ -79,8 +80,9 @@ void Stages::depth(const DepthArgs& args) {
     const std::size_t texels =
         keeps_depth ? static_cast<std::size_t>(args.size.x) * static_cast<std::size_t>(args.size.y)
                     : 1;
-    Buffer& depth = args.depth != nullptr ? *args.depth : scratch(depth_unasked_, texels);
-    Buffer& numbers = args.numbers != nullptr ? *args.numbers : scratch(depth_no_numbers_, 1);
+    Buffer& depth = args.depth != nullptr ? *args.depth : scratch(Scratch::depth_unasked, texels);
+    Buffer& numbers =
+        args.numbers != nullptr ? *args.numbers : scratch(Scratch::depth_no_numbers, 1);
     parameters.keeps_depth = keeps_depth ? 1 : 0;
     Buffer& blank = blank_tiles(args);
     const Kernel& kernel = kernel_of<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0);

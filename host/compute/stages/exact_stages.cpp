@@ -153,7 +153,7 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
 
 Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,
                             const SpanTable& spans, const SpansParameters& parameters) {
-    Buffer& counts = scratch(block_counts_, parameters.blocks + 1);
+    Buffer& counts = scratch(Scratch::block_counts, parameters.blocks + 1);
     launch<kernels::spans_count>(parameters.blocks, tuning_.block_local_size, parameters, table,
                                  clipped, spans, Counts{counts});
     scan(counts, parameters.blocks, ScanKind::saturate);

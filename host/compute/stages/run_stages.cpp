@@ -38,7 +38,7 @@ void Stages::compact(const CompactArgs& args) {
                                        .block = tuning_.segment_block,
                                        .blocks = blocks,
                                        .run_capacity = args.run_capacity};
-    Buffer& counts = scratch(block_counts_, blocks + 1);
+    Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
     launch<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
                                    args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
@@ -55,7 +55,7 @@ void Stages::halo(const HaloArgs& args) {
                               .width = args.halo + args.half_width,
                               .tolerance = args.tolerance,
                               .total = 0};
-    Buffer& ends = scratch(halo_ends_, tile_count + std::size_t{1});
+    Buffer& ends = scratch(Scratch::halo_ends, tile_count + std::size_t{1});
     device_.clear(ends, tile_count * sizeof(la_uint));
     launch<kernels::halo_count>(items, tuning_.local_size, parameters, args, Counts{ends});
     scan(ends, tile_count, ScanKind::saturate);
@@ -66,9 +66,9 @@ void Stages::halo(const HaloArgs& args) {
         throw DeviceError(beyond_limit(purpose::halos, "over 4 billion pieces of lines",
                                        "kernels count to 4 billion"));
     }
-    Buffer& lists = for_purpose(purpose::halos, [&]() -> Buffer& {
-        return scratch(halo_lists_, (parameters.total + std::size_t{tuning_.halo_lanes}) * tables);
-    });
+    halo_lists_.make_room((parameters.total + std::uint64_t{tuning_.halo_lanes}) * tables *
+                          sizeof(la_uint));
+    Buffer& lists = *halo_lists_;
     launch<kernels::halo_fill>(items, tuning_.local_size, parameters, args, Lists{ends, lists});
     launch<kernels::halo_cut>(items, tuning_.local_size, parameters, args.table, args.clipped, args,
                               Lists{ends, lists});
@@ -83,7 +83,7 @@ void Stages::filter(const FilterArgs& args) {
                                       .use_cuts = args.cuts != nullptr ? 1U : 0U,
                                       .run_capacity = n,
                                       .filtered_capacity = args.filtered_capacity};
-    Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
+    Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
     Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any: it isn't read
     launch<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
                                   args.atlas.clipped, args.atlas, args, Cuts{cuts}, Counts{counts});
@@ -130,7 +130,7 @@ void Stages::pens(const PensArgs& args) {
                                                      : args.table.segment_count,
                                     .run_capacity = n,
                                     .drawn_capacity = args.drawn_capacity};
-    Buffer& counts = scratch(run_counts_, std::size_t{n} + 1);
+    Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
     launch<kernels::pens_count>(n, tuning_.local_size, parameters, args, outlines, Counts{counts});
     scan(counts, n, ScanKind::saturate);
     launch<kernels::pens_write>(std::max(n, 1U), tuning_.local_size, parameters, args, outlines,
@@ -151,9 +151,9 @@ void Stages::density(const DensityArgs& args) {
                                  .far_limit = args.far_limit,
                                  .again = 0,
                                  .hidden = args.hidden ? 1U : 0U};
-    Buffer& smooth = scratch(density_rows_, planes);
-    Buffer& drawn = scratch(density_drawn_, plane);
-    Buffer& excess = scratch(density_excesses_, plane);
+    Buffer& smooth = scratch(Scratch::density_rows, planes);
+    Buffer& drawn = scratch(Scratch::density_drawn, plane);
+    Buffer& excess = scratch(Scratch::density_excesses, plane);
     if (args.drawn_before.empty())
         device_.clear(args.grid, planes * sizeof(la_uint));
     else

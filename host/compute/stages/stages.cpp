@@ -5,14 +5,6 @@
 
 namespace lineatlas::compute {
 
-Buffer& Stages::scratch(std::unique_ptr<Buffer>& buffer, std::size_t count) {
-    const std::size_t bytes = count * sizeof(la_uint);
-    if (buffer && buffer->size() >= bytes) return *buffer;
-    buffer.reset(); // it may not fit beside another
-    buffer = device_.allocate(room_to_grow(device_, bytes));
-    return *buffer;
-}
-
 void Stages::transform(const TransformArgs& args) {
     launch<kernels::transform>(args.vertex_count, tuning_.local_size, {args.vertex_count}, args);
     launch<kernels::transform_boxes>(args.cluster_count, tuning_.local_size, {args.cluster_count},
@@ -118,7 +110,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
         const std::uint32_t chunks =
             std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
         const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
-        Buffer& sums = scratch(scan_sums_, chunks);
+        Buffer& sums = scratch(Scratch::scan_sums, chunks);
         launch<kernels::scan_chunks_reduce>(chunks, 1, parameters, {values, sums},
                                             kernel_of<kernels::scan_chunks_reduce>(variant));
         launch<kernels::scan_chunks_apply>(chunks, 1, parameters, {values, sums},
@@ -128,7 +120,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
     const std::uint32_t items = divide_up(n, tuning_.scan_per_item);
     const std::uint32_t tiles = divide_up(items, tuning_.scan_tile);
     const ScanParameters parameters{.n = n, .chunk = 0};
-    Buffer& sums = scratch(scan_sums_, tiles);
+    Buffer& sums = scratch(Scratch::scan_sums, tiles);
     launch<kernels::scan_tiles_reduce>(items, tuning_.scan_tile, parameters, {values, sums},
                                        kernel_of<kernels::scan_tiles_reduce>(variant));
     launch<kernels::scan_tiles_sums>(tuning_.scan_tile, tuning_.scan_tile, {.n = tiles, .chunk = 0},

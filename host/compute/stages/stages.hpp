@@ -124,17 +124,37 @@ class Stages {
     /// Of what `wanted` asks for, per block of segments, scanned.
     Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
                         const SpanTable& spans, const SpansParameters& parameters);
-    /// A table of its own for at least `count` uint32, kept from call to call.
-    Buffer& scratch(std::unique_ptr<Buffer>& buffer, std::size_t count);
+    /// What stages keep from call to call, for its memory alone.
+    enum class Scratch {
+        scan_sums,
+        block_counts,
+        run_counts,
+        halo_ends,
+        depth_places,
+        depth_boxes,
+        depth_nearest,
+        depth_order,
+        depth_total,
+        depth_next,
+        depth_unasked,
+        depth_no_numbers,
+        depth_blank,
+        density_rows,
+        density_drawn,
+        density_excesses,
+        corner_facing,
+        count
+    };
+    /// With room for at least `count` uint32.
+    Buffer& scratch(Scratch name, std::size_t count) {
+        scratch_.make_room(name, count * sizeof(la_uint));
+        return scratch_[name];
+    }
 
     Device& device_;
     const Tuning& tuning_; ///< of device_
-    std::unique_ptr<Buffer> scan_sums_, block_counts_, run_counts_, halo_ends_, halo_lists_;
-    std::unique_ptr<Buffer> depth_places_, depth_boxes_, depth_nearest_, depth_order_;
-    std::unique_ptr<Buffer> depth_total_, depth_next_, depth_unasked_, depth_no_numbers_,
-        depth_blank_;
-    std::unique_ptr<Buffer> density_rows_, density_drawn_, density_excesses_;
-    std::unique_ptr<Buffer> corner_facing_;
+    GrowingTables<Scratch> scratch_{device_, purpose::scratch};
+    Table halo_lists_{device_, purpose::halos};
 };
 
 } // namespace lineatlas::compute

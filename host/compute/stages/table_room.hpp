@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "core/limits.hpp"
 #include "lineatlas/compute_device.hpp"
@@ -39,45 +41,81 @@ inline std::unique_ptr<Buffer> allocate(Device& device, std::size_t bytes, const
     return for_purpose(purpose, [&] { return device.allocate(bytes); });
 }
 
-/// The tables of a stage, by the names of an enumeration that ends in `count`: made when a frame
-/// needs them, and made anew when one needs more than they have.
+/// A table on the device alone, made when it is needed, and made anew when more is needed than it
+/// has.
+class Table {
+  public:
+    /// Without any room. `device` and `purpose` must outlive it.
+    Table(Device& device, const Purpose& purpose) : device_(&device), purpose_(&purpose) {}
+
+    /// Makes room for so many bytes; true if the table is new: what stood there is gone.
+    bool fit(std::uint64_t bytes) { return make(bytes, bytes); }
+    /// The same of a table that may have to grow again soon.
+    bool make_room(std::uint64_t bytes) {
+        return make(bytes, buffer_ ? room_to_grow(*device_, bytes) : bytes);
+    }
+    void release() { buffer_.reset(); }
+    explicit operator bool() const { return buffer_ != nullptr; }
+    Buffer& operator*() const { return *buffer_; }
+    Buffer* get() const { return buffer_.get(); }
+    std::uint64_t bytes() const { return buffer_ ? buffer_->size() : 0; }
+
+    /// Makes room for `data`, and it stands at the beginning.
+    template <class T>
+    void upload(std::span<const T> data) {
+        fit(data.size_bytes());
+        device_->upload(*buffer_, std::as_bytes(data));
+    }
+
+  private:
+    bool make(std::uint64_t needed, std::uint64_t bytes) {
+        if (buffer_ && buffer_->size() >= needed) return false;
+        buffer_.reset(); // it may not fit beside another
+        buffer_ = allocate(*device_, bytes, *purpose_);
+        return true;
+    }
+
+    Device* device_;
+    const Purpose* purpose_;
+    std::unique_ptr<Buffer> buffer_;
+};
+
+/// What several tables take.
+template <class... Tables>
+std::uint64_t bytes_of(const Tables&... tables) {
+    return (tables.bytes() + ... + 0);
+}
+
+/// The tables of a stage, by the names of an enumeration that ends in `count`.
 template <class Name>
 class GrowingTables {
   public:
-    /// `device` and `purpose` must outlive it.
-    GrowingTables(Device& device, const Purpose& purpose) : device_(device), purpose_(purpose) {}
+    /// As Table has them.
+    GrowingTables(Device& device, const Purpose& purpose)
+        : tables_(make(device, purpose, std::make_index_sequence<index(Name::count)>{})) {}
 
-    /// Makes room for so many bytes; true if the table is new, and nothing stands in it.
-    bool fit(Name name, std::uint64_t bytes) { return make_room(name, bytes, bytes); }
-    /// The same of a table that may have to grow again soon.
-    bool make_room(Name name, std::uint64_t bytes) {
-        return make_room(name, bytes, has(name) ? room_to_grow(device_, bytes) : bytes);
-    }
+    bool fit(Name name, std::uint64_t bytes) { return tables_[index(name)].fit(bytes); }
+    bool make_room(Name name, std::uint64_t bytes) { return tables_[index(name)].make_room(bytes); }
     Buffer& operator[](Name name) const { return *tables_[index(name)]; }
-    bool has(Name name) const { return tables_[index(name)] != nullptr; }
+    bool has(Name name) const { return static_cast<bool>(tables_[index(name)]); }
     void release() {
-        for (std::unique_ptr<Buffer>& table : tables_) table.reset();
+        for (Table& table : tables_) table.release();
     }
     std::uint64_t bytes() const {
         std::uint64_t sum = 0;
-        for (const std::unique_ptr<Buffer>& table : tables_) sum += table ? table->size() : 0;
+        for (const Table& table : tables_) sum += table.bytes();
         return sum;
     }
 
   private:
     static constexpr std::size_t index(Name name) { return static_cast<std::size_t>(name); }
-
-    bool make_room(Name name, std::uint64_t needed, std::uint64_t bytes) {
-        std::unique_ptr<Buffer>& table = tables_[index(name)];
-        if (table && table->size() >= needed) return false;
-        table.reset(); // it may not fit beside another
-        table = allocate(device_, bytes, purpose_);
-        return true;
+    template <std::size_t... I>
+    static std::array<Table, sizeof...(I)> make(Device& device, const Purpose& purpose,
+                                                std::index_sequence<I...>) {
+        return {(static_cast<void>(I), Table{device, purpose})...};
     }
 
-    Device& device_;
-    const Purpose& purpose_;
-    std::array<std::unique_ptr<Buffer>, index(Name::count)> tables_;
+    std::array<Table, index(Name::count)> tables_;
 };
 
 } // namespace lineatlas::compute

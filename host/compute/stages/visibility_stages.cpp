@@ -79,7 +79,7 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .tolerance = args.depth.tolerance,
                                          .surfaces = args.depth.surface_parameters()};
     const std::uint32_t items = std::max(blocks, 1U); // the first writes the total
-    Buffer& counts = scratch(block_counts_, blocks + 1);
+    Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
     launch<kernels::intervals_count>(items, tuning_.block_local_size, parameters, args.table,
                                      args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
