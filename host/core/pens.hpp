@@ -8,7 +8,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "lineatlas/io.hpp"
+#include "lineatlas/image.hpp"
 
 namespace lineatlas {
 

@@ -8,7 +8,7 @@
 
 #include "glpasses/objects.hpp"
 #include "glpasses/stroke_pass.hpp"
-#include "lineatlas/io.hpp"
+#include "lineatlas/image.hpp"
 
 namespace lineatlas {
 

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "lineatlas/export.hpp"
+#include "lineatlas/image.hpp"
 #include "lineatlas/mesh.hpp"
 #include "lineatlas/progress.hpp"
 
@@ -79,14 +80,6 @@ struct LoadOptions {
 /// the file is in memory and when it is understood.
 LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path,
                                    const LoadOptions& options = {}, const Progress& progress = {});
-
-/// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and
-/// alpha, RGB, or RGB and alpha. Colour is sRGB-coded and not multiplied by alpha, as in PNG files.
-struct Image {
-    glm::ivec2 size{0, 0};              ///< width and height
-    int channels = 4;                   ///< 1 to 4
-    std::vector<std::uint8_t> pixels{}; ///< size.x * size.y * channels values
-};
 
 /// The pixels of a picture to be written, as Image holds them, with 8 or 16 bits per value.
 struct Pixels {

@@ -16,7 +16,7 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/device_options.hpp"
 #include "lineatlas/export.hpp"
-#include "lineatlas/io.hpp"
+#include "lineatlas/image.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/pick.hpp"
 #include "lineatlas/profile.hpp"
