@@ -31,6 +31,14 @@ class Drivers : public Tool {
         const fs::path pocl = "/etc/OpenCL/vendors/pocl.icd";
         return fs::exists(pocl) && fs::copy_file(pocl, path("vendors/b_pocl.icd"));
     }
+    /// Where PoCL keeps what it has compiled, unless it is told otherwise.
+    static std::string usual_pocl_cache() {
+        if (const char* own = std::getenv("POCL_CACHE_DIR")) return own;
+        if (const char* cache = std::getenv("XDG_CACHE_HOME"))
+            return std::string{cache} + "/pocl/kcache";
+        const char* home = std::getenv("HOME");
+        return std::string{home != nullptr ? home : "/tmp"} + "/.cache/pocl/kcache";
+    }
     void use_fake(const char* kind) const {
         ::setenv("OCL_ICD_VENDORS", path("vendors").c_str(), 1);
         ::setenv("LINEATLAS_TEST_DRIVER", kind, 1);
@@ -180,6 +188,8 @@ TEST_F(Drivers, ThatComputeSomethingElseAreNotUsed) {
     if (!add_pocl()) GTEST_SKIP() << "PoCL is not installed";
     fs::remove(path("vendors/a_fake.icd"));
     ::setenv("OCL_ICD_VENDORS", path("vendors").c_str(), 1);
+    // Verdicts are to be new, not all that PoCL has compiled.
+    const EnvironmentVariable compiled{"POCL_CACHE_DIR", usual_pocl_cache()};
     const EnvironmentVariable cache{"XDG_CACHE_HOME", path("cache")};
     const auto draw_here = [&] { return run(draw("--interop copy --method atlas")); };
     const std::string word = "something else than C++: stage strokes differs: kernel strokes_tiles";
