@@ -10,7 +10,6 @@
 
 #include "core/clusters.hpp"
 #include "core/contact.hpp"
-#include "core/contours.hpp"
 #include "core/meshlets.hpp"
 #include "core/part_clusters.hpp"
 #include "core/patches.hpp"
@@ -63,11 +62,10 @@ bool SceneBuffers::is_cut_up() const {
 }
 
 std::uint64_t SceneBuffers::mesh_bytes() const {
-    std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() +
-                        (tables_.moving ? tables_.moving->bytes() : 0);
-    for (const auto* buffer :
-         {&tables_.meshlets, &tables_.vertex_list, &tables_.corners, &tables_.numbers,
-          &tables_.patches, &tables_.colors, &tables_.corner_offsets, &tables_.corner_places}) {
+    std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() + normals_.bytes() +
+                        (tables_.moving ? tables_.moving->bytes() + tables_.drawn->room() : 0);
+    for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners,
+                               &tables_.numbers, &tables_.patches, &tables_.colors}) {
         if (*buffer) sum += (*buffer)->size();
     }
     return sum;
@@ -82,7 +80,7 @@ std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
 }
 
 GLuint SceneBuffers::gl_vertices() {
-    if (tables_.moving) return tables_.moving->gl_vertices();
+    if (tables_.moving) return tables_.drawn->gl();
     if (!gl_vertices_) {
         gl_vertices_ =
             upload_gl(bytes_of(download<glm::vec3>(*tables_.vertices, motion_.vertex_count())),
@@ -116,8 +114,9 @@ compute::MeshletTables SceneBuffers::meshlets() {
 SceneBuffers::Surfaces SceneBuffers::surfaces() {
     if (!tables_.numbers) {
         std::vector<std::uint32_t> numbers(triangle_count_), patches(triangle_count_);
-        const std::vector<std::uint32_t> of_triangles = smooth_patches(
-            download<glm::uvec3>(*tables_.triangles, triangle_count_), download_segments());
+        const std::vector<std::uint32_t> of_triangles =
+            smooth_patches(download<glm::uvec3>(*tables_.triangles, triangle_count_),
+                           download_segments(device(), tables_));
         for (std::uint32_t i = 0; i < triangle_count_; ++i) {
             numbers[triangle_order_[i]] = i;
             patches[i] = of_triangles[triangle_order_[i]];
@@ -141,13 +140,13 @@ SceneBuffers::GlSurfaces SceneBuffers::gl_surfaces() {
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
-    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
+    std::optional<Moving> made = make_moving_once(); // before anything changes
     motion_.set_transforms(world_from_object);
     start_moving(std::move(made));
 }
 
 void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
-    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
+    std::optional<Moving> made = make_moving_once(); // before anything changes
     motion_.set_positions(first, positions);
     start_moving(std::move(made));
     device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
@@ -160,68 +159,49 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
                                .triangles = *tables_.cluster_triangles,
                                .clusters = *tables_.clusters,
                                .count = static_cast<std::uint32_t>(clusters_.size())});
-    expect_normals();
-}
-
-/// Those of contours are to be found anew.
-void SceneBuffers::expect_normals() {
-    if (!contour_chunk().corners) return;
-    if (!tables_.corner_offsets) {
-        const CornerPlaces found =
-            find_corner_places(download_contours().contours, download_segments());
-        auto offsets = upload(device(), bytes_of(found.offsets), purpose::motion);
-        tables_.corner_places = upload(device(), bytes_of(found.places), purpose::motion);
-        tables_.corner_offsets = std::move(offsets);
-    }
-    normals_are_old_ = true;
-}
-
-void SceneBuffers::find_normals() {
-    const LineTables::Chunk& chunk = contour_chunk();
-    stages_->contour_normals({.vertices = *tables_.vertices,
-                              .triangles = *tables_.triangles,
-                              .offsets = *tables_.corner_offsets,
-                              .places = *tables_.corner_places,
-                              .count = chunk.corner_count(),
-                              .corners = *chunk.corners});
-    normals_are_old_ = false;
+    normals_.expect(*stages_, tables_, triangle_count_);
 }
 
 void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
-    std::unique_ptr<MovingTables> made = make_moving_once(); // before anything changes
+    std::optional<Moving> made = make_moving_once(); // before anything changes
     motion_.set_hidden(objects);
     start_moving(std::move(made));
 }
 
-std::unique_ptr<MovingTables> SceneBuffers::make_moving_once() const {
-    return tables_.moving ? nullptr : make_moving(*stages_, *sharing_);
+std::optional<SceneBuffers::Moving> SceneBuffers::make_moving_once() const {
+    if (tables_.moving) return std::nullopt;
+    return make_moving(*stages_, *sharing_);
 }
 
-void SceneBuffers::start_moving(std::unique_ptr<MovingTables> made) {
+void SceneBuffers::start_moving(std::optional<Moving> made) {
     if (made) {
-        tables_.moving = std::move(made);
+        tables_.moving = std::move(made->moving);
+        tables_.drawn = std::move(made->drawn);
         gl_vertices_ = {};
     }
     moved_ = true;
 }
 
-std::unique_ptr<MovingTables> SceneBuffers::make_moving(compute::Stages& stages,
-                                                        interop::Sharing& sharing) const {
-    return std::make_unique<MovingTables>(
-        stages, sharing,
-        MovingTables::Shape{.vertex_count = motion_.vertex_count(),
-                            .objects = motion_.objects(),
-                            .object_room =
-                                followed_ ? followed_->object_room : motion_.objects().size(),
-                            .cluster_objects = cluster_objects_,
-                            .corner_count = contour_chunk().corner_count()});
+SceneBuffers::Moving SceneBuffers::make_moving(compute::Stages& stages,
+                                               interop::Sharing& sharing) const {
+    const std::size_t objects = followed_ ? followed_->object_room : motion_.objects().size();
+    const MovingTables::Shape shape{.vertex_count = motion_.vertex_count(),
+                                    .objects = motion_.objects(),
+                                    .object_room = objects,
+                                    .cluster_objects = cluster_objects_,
+                                    .corner_count = tables_.contour_chunk().corner_count()};
+    Moving made{std::make_unique<MovingTables>(stages, shape),
+                std::make_unique<interop::SharedTable>(sharing, purpose::motion)};
+    made.drawn->fit(motion_.vertex_count() * sizeof(glm::vec3));
+    return made;
 }
 
 void SceneBuffers::move() {
     tables_.moving->place(motion_.transforms());
-    if (normals_are_old_) find_normals();
+    normals_.find(*stages_, tables_);
     tables_.moving->transform(
-        {*tables_.vertices, *tables_.clusters, contour_chunk().corners.get()});
+        {*tables_.vertices, tables_.clusters.get(), tables_.contour_chunk().corners.get()},
+        &tables_.drawn->compute());
     moved_ = false;
     ++tables_.version;
     boxes_are_old_ = true;
@@ -309,58 +289,30 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
         return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
                       purpose::model);
     };
-    if (normals_are_old_) find_normals();
-    const LineSet contours = download_contours();
+    normals_.find(*stages_, tables_);
+    const LineSet contours = download_contours(device(), tables_, triangle_count_);
     std::vector<LineTables::Chunk> chunks =
-        upload_segments(stages.device(), download_segments(), &contours);
+        upload_segments(stages.device(), download_segments(device(), tables_), &contours);
     if (followed_ && chunks.size() == 1) { // lists of parts stand where they are
         chunks.front().end_offsets = copy(*tables_.chunks.front().end_offsets);
         chunks.front().ends = copy(*tables_.chunks.front().ends);
     }
-    return {{.vertices = copy(*tables_.vertices),
-             .triangles = copy(*tables_.triangles),
-             .chunks = std::move(chunks)},
-            copy(*tables_.clusters),
-            tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr,
-            tables_.moving ? make_moving(stages, sharing) : nullptr};
-}
-
-/// A line set that has nothing but these, and as many vertices and triangles as there are.
-LineSet SceneBuffers::download_contours() {
-    LineSet result;
-    const std::optional<compute::ContourTables> tables = contour_chunk().contours();
-    if (!tables) return result;
-    result.vertices.resize(tables->vertex_count);
-    result.triangles.resize(triangle_count_);
-    Contours& contours = result.contours;
-    contours.corners = download<ContourCorner>(*tables->corners, contour_chunk().corner_count());
-    contours.edges.resize(tables->edge_count);
-    const auto corners = download<glm::uvec3>(*tables->face_corners, tables->face_count);
-    for (const compute::ContourFace& face :
-         download<compute::ContourFace>(*tables->faces, tables->face_count)) {
-        const glm::uvec3 own = corners[contours.faces.size()];
-        contours.faces.emplace_back(face.edges[0], face.edges[1], face.edges[2]);
-        if (own.x == own.y) continue; // stands in empty room, see Assembly
-        for (int k = 0; k < 3; ++k)
-            if ((face.edges[k] & LA_CONTOUR_TURNED) == 0)
-                contours.edges[face.edges[k]] = {own[k], own[(k + 1) % 3]};
+    Tables copied{{.vertices = copy(*tables_.vertices),
+                   .triangles = copy(*tables_.triangles),
+                   .chunks = std::move(chunks)},
+                  copy(*tables_.clusters),
+                  tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr};
+    if (tables_.moving) {
+        Moving made = make_moving(stages, sharing);
+        copied.moving = std::move(made.moving);
+        copied.drawn = std::move(made.drawn);
     }
-    contours.replaced = tables->replaced;
-    return result;
-}
-
-std::vector<Segment> SceneBuffers::download_segments() {
-    std::vector<Segment> segments(segment_count_);
-    for (const LineTables::Chunk& chunk : tables_.chunks) {
-        const auto part = std::span{segments}.subspan(chunk.range.first, chunk.range.count);
-        device().download(*chunk.segments, std::as_writable_bytes(part));
-    }
-    return segments;
+    return copied;
 }
 
 gl::SegmentBuffers SceneBuffers::gl_segments() {
     if (!gl_segments_) {
-        gl_segments_ = upload_gl(bytes_of(download_segments()), purpose::spine);
+        gl_segments_ = upload_gl(bytes_of(download_segments(device(), tables_)), purpose::spine);
         // In the order that segments refer to; gl_indices_ may have another.
         gl_table_triangles_ = upload_gl(
             bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)), purpose::spine);
@@ -378,7 +330,7 @@ gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
     kinds &= ~mask_of(LineKind::silhouette); // which edges those are changes from frame to frame
     if (!gl_lines_ || line_kinds_ != kinds) {
         std::vector<std::uint32_t> ends;
-        for (const Segment& segment : download_segments()) {
+        for (const Segment& segment : download_segments(device(), tables_)) {
             if ((kinds & (1U << (segment.tag & LA_TAG_KIND_MASK))) == 0) continue;
             ends.push_back(segment.p);
             ends.push_back(segment.q);

@@ -14,15 +14,17 @@
 #include "core/line_pens.hpp"
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/fill_pass.hpp"
+#include "glpasses/interop/shared_table.hpp"
 #include "glpasses/line_pass.hpp"
 #include "glpasses/objects.hpp"
 #include "glpasses/spine_pass.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
-#include "moving_tables.hpp"
-#include "scene_motion.hpp"
+#include "visibility/contour_normals.hpp"
 #include "visibility/exact_intervals.hpp"
 #include "visibility/line_tables.hpp"
+#include "visibility/moving_tables.hpp"
+#include "visibility/scene_motion.hpp"
 
 namespace lineatlas {
 
@@ -59,8 +61,7 @@ class SceneBuffers {
         std::unique_ptr<compute::Buffer> clusters;
         std::unique_ptr<compute::Buffer> cluster_triangles{}; ///< from the first set_positions() on
         std::unique_ptr<MovingTables> moving{};               ///< of a model that moves; else null
-        /// Of contours, as CornerPlaces; from the first set_positions() on.
-        std::unique_ptr<compute::Buffer> corner_offsets{}, corner_places{};
+        std::unique_ptr<interop::SharedTable> drawn{};        ///< its vertices for GL
         /// What the kernels of `depth` draw; null until first asked for.
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
         /// What probes that know surfaces read; null until first asked for.
@@ -76,6 +77,7 @@ class SceneBuffers {
         stages_ = &stages;
         sharing_ = &sharing;
         tables_ = std::move(tables);
+        normals_.forget();
         select(0);
         moved_ = tables_.moving != nullptr;
     }
@@ -162,21 +164,19 @@ class SceneBuffers {
     void upload_colors(const LineSet& lines);
     template <class T>
     std::vector<T> download(compute::Buffer& buffer, std::size_t count);
-    std::vector<Segment> download_segments();
-    LineSet download_contours();
-    void expect_normals();
-    void find_normals();
-    /// Null if they are there already.
-    std::unique_ptr<MovingTables> make_moving_once() const;
-    void start_moving(std::unique_ptr<MovingTables> made);
-    std::unique_ptr<MovingTables> make_moving(compute::Stages& stages,
-                                              interop::Sharing& sharing) const;
+    /// Where vertices are now, for kernels and for GL, which read them at the same time.
+    struct Moving {
+        std::unique_ptr<MovingTables> moving;
+        std::unique_ptr<interop::SharedTable> drawn;
+    };
+    /// None if they are there already.
+    std::optional<Moving> make_moving_once() const;
+    void start_moving(std::optional<Moving> made);
+    Moving make_moving(compute::Stages& stages, interop::Sharing& sharing) const;
     GLuint gl_vertices();
 
     compute::Device& device() const { return stages_->device(); }
     const LineTables::Chunk& chunk() const { return tables_.chunks[chunk_]; }
-    /// That with all candidates, where contours are, if there are any.
-    const LineTables::Chunk& contour_chunk() const { return tables_.chunks.back(); }
 
     compute::Stages* stages_;
     interop::Sharing* sharing_;
@@ -195,8 +195,8 @@ class SceneBuffers {
     };
     std::optional<Followed> followed_;
     std::vector<Cluster> clusters_;
-    bool boxes_are_old_ = false;   ///< in `clusters_`
-    bool normals_are_old_ = false; ///< of contours: positions have changed
+    bool boxes_are_old_ = false; ///< in `clusters_`
+    ContourNormals normals_;     ///< of contours
     std::vector<std::uint32_t> cluster_objects_;
     std::vector<std::uint32_t> triangle_order_; ///< where each of gl_triangles() stands among the
                                                 ///< line set's

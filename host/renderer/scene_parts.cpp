@@ -71,7 +71,7 @@ void SceneBuffers::follow(const AssemblyState& parts) {
 
 bool SceneBuffers::update_parts(const AssemblyState& parts) {
     if (!followed_ || followed_->layout != parts.layout || tables_.chunks.size() > 1) return false;
-    if (normals_are_old_) find_normals();
+    normals_.find(*stages_, tables_);
     for (; followed_->changes < parts.changes.size(); ++followed_->changes)
         update_part(parts, parts.changes[followed_->changes]);
     diagonal_ = glm::distance(parts.lines.bounds.min, parts.lines.bounds.max);
@@ -80,7 +80,7 @@ bool SceneBuffers::update_parts(const AssemblyState& parts) {
     for (gl::Buffer* buffer :
          {&gl_segments_, &gl_table_triangles_, &gl_lines_, &gl_numbers_, &gl_patches_})
         *buffer = {};
-    tables_.corner_offsets.reset(); // as soon as positions change again
+    normals_.forget(); // as soon as positions change again
     moved_ = true;
     return true;
 }

@@ -84,6 +84,13 @@ void for_each_side(const Contours& contours, Each&& each) {
     }
 }
 
+template <class T>
+std::vector<T> download(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
+    std::vector<T> values(count);
+    device.download(buffer, std::as_writable_bytes(std::span{values}));
+    return values;
+}
+
 } // namespace
 
 EdgeEnds ends_by_vertex(std::span<const Segment> edges, std::size_t offset_count) {
@@ -237,6 +244,41 @@ upload_segments(compute::Device& device, std::span<const Segment> segments, cons
         if (has_contours) add_contours(device, *lines, segments, chunks.back());
     }
     return chunks;
+}
+
+LineSet download_contours(compute::Device& device, const LineTables& lines,
+                          std::uint32_t triangle_count) {
+    LineSet result;
+    const LineTables::Chunk& chunk = lines.contour_chunk();
+    const std::optional<compute::ContourTables> tables = chunk.contours();
+    if (!tables) return result;
+    result.vertices.resize(tables->vertex_count);
+    result.triangles.resize(triangle_count);
+    Contours& contours = result.contours;
+    contours.corners = download<ContourCorner>(device, *tables->corners, chunk.corner_count());
+    contours.edges.resize(tables->edge_count);
+    const auto corners = download<glm::uvec3>(device, *tables->face_corners, tables->face_count);
+    for (const compute::ContourFace& face :
+         download<compute::ContourFace>(device, *tables->faces, tables->face_count)) {
+        const glm::uvec3 own = corners[contours.faces.size()];
+        contours.faces.emplace_back(face.edges[0], face.edges[1], face.edges[2]);
+        if (own.x == own.y) continue; // stands in empty room, see Assembly
+        for (int k = 0; k < 3; ++k)
+            if ((face.edges[k] & LA_CONTOUR_TURNED) == 0)
+                contours.edges[face.edges[k]] = {own[k], own[(k + 1) % 3]};
+    }
+    contours.replaced = tables->replaced;
+    return result;
+}
+
+std::vector<Segment> download_segments(compute::Device& device, const LineTables& lines) {
+    const SegmentRange last = lines.chunks.back().range;
+    std::vector<Segment> segments(last.first + last.count);
+    for (const LineTables::Chunk& chunk : lines.chunks) {
+        const auto part = std::span{segments}.subspan(chunk.range.first, chunk.range.count);
+        device.download(*chunk.segments, std::as_writable_bytes(part));
+    }
+    return segments;
 }
 
 LineTables upload_lines(compute::Device& device, const LineSet& lines) {

@@ -42,6 +42,8 @@ struct LineTables {
     /// What tables per segment must hold before silhouettes are found: of the largest chunk what is
     /// no candidate. Few candidates are silhouettes.
     std::uint32_t most_fixed_segments() const;
+    /// That with all candidates, where contours are, if there are any.
+    const Chunk& contour_chunk() const { return chunks.back(); }
 };
 
 /// A buffer of the device with that content.
@@ -69,6 +71,12 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
 /// Of every triangle the surface that contours run through, named after one of its edges, or
 /// LA_NO_SURFACE. Faces hang together across edges.
 std::vector<std::uint32_t> contour_patches(const LineSet& lines, std::span<const Segment> segments);
+/// The segments of all chunks; waits.
+std::vector<Segment> download_segments(compute::Device& device, const LineTables& lines);
+/// A line set that has nothing but contours, and as many vertices and triangles as there are;
+/// waits.
+LineSet download_contours(compute::Device& device, const LineTables& lines,
+                          std::uint32_t triangle_count);
 /// Throws DeviceError when memory runs out, or where there is more than GL and kernels can count.
 LineTables upload_lines(compute::Device& device, const LineSet& lines);
 

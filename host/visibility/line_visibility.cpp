@@ -11,12 +11,16 @@
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/device_trial.hpp"
+#include "contour_normals.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
 #include "core/contact.hpp"
 #include "core/standard_camera.hpp"
+#include "lineatlas/assembly.hpp"
 #include "lineatlas/error.hpp"
+#include "moving_tables.hpp"
 #include "picking.hpp"
+#include "scene_motion.hpp"
 #include "trial_lines.hpp"
 
 namespace lineatlas {
@@ -50,7 +54,7 @@ class LineVisibility::State {
 
     LineView view_by(const StandardCamera& standard, LineKindMask kinds, float step) const {
         return {.camera = standard.camera,
-                .bounds = bounds_,
+                .bounds = motion_->bounds(),
                 .contact = contact_,
                 .lines = kinds,
                 .step = step};
@@ -59,8 +63,8 @@ class LineVisibility::State {
     /// Looks at the lines.
     template <class Action>
     auto work(const Action& action) {
-        const PlacedLines lines{*tables_, *tables_->vertices, vertex_count_, triangle_count_};
         try {
+            const PlacedLines lines = place();
             if (!work_) work_.emplace(stages_, lines);
             auto result = action(*work_, lines);
             if (one_picture_) work_.reset(); // what comes next takes memory, too
@@ -79,13 +83,32 @@ class LineVisibility::State {
     void set_lines(const LineSet& lines) {
         check_lines(lines);
         tables_.reset();
+        moving_.reset();
+        normals_ = {};
+        moved_ = false;
         work_.reset();
         tables_ = upload_lines(*device_, lines);
-        vertex_count_ = static_cast<std::uint32_t>(lines.vertices.size());
+        motion_.emplace(lines);
         triangle_count_ = static_cast<std::uint32_t>(lines.triangles.size());
         objects_ = lines.objects;
-        bounds_ = lines.bounds;
         contact_ = contact_of(lines);
+    }
+
+    void set_transforms(std::span<const glm::mat4> world_from_object) {
+        motion().set_transforms(world_from_object);
+        moved_ = true;
+    }
+
+    void set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+        motion().set_positions(first, positions);
+        device_->upload(*tables_->vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
+        normals_.expect(stages_, *tables_, triangle_count_);
+        moved_ = true;
+    }
+
+    void set_hidden(std::span<const std::uint32_t> objects) {
+        motion().set_hidden(objects);
+        moved_ = true;
     }
 
     std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options,
@@ -97,7 +120,7 @@ class LineVisibility::State {
                                             .outlines = options.outlines ? &outlines_ : nullptr,
                                             .outline_depth = options.outline_depth};
         return work([&](ExactIntervals& found, const PlacedLines& lines) {
-            const StandardCamera standard = standard_camera(camera, bounds_);
+            const StandardCamera standard = standard_camera(camera, motion_->bounds());
             return found.find(lines, view_by(standard, options.lines, options.step), wanted,
                               {progress, "finding what is visible"});
         });
@@ -108,7 +131,7 @@ class LineVisibility::State {
         check_ready(camera);
         check_pick(position, radius);
         return work([&](ExactIntervals& found, const PlacedLines& lines) {
-            const StandardCamera standard = standard_camera(camera, bounds_);
+            const StandardCamera standard = standard_camera(camera, motion_->bounds());
             return lineatlas::pick(found, *device_, lines, objects_,
                                    view_by(standard, kinds, finest_step), position, radius);
         });
@@ -117,6 +140,34 @@ class LineVisibility::State {
     const std::vector<OutlinePart>& outlines() const { return outlines_; }
 
   private:
+    SceneMotion& motion() {
+        if (!tables_) throw UsageError("visibility: there are no lines to move");
+        return *motion_;
+    }
+
+    /// The lines where they are now.
+    PlacedLines place() {
+        if (moved_) {
+            if (!moving_) {
+                moving_.emplace(
+                    stages_,
+                    MovingTables::Shape{.vertex_count = motion_->vertex_count(),
+                                        .objects = motion_->objects(),
+                                        .object_room = motion_->objects().size(),
+                                        .cluster_objects = {},
+                                        .corner_count = tables_->contour_chunk().corner_count()});
+            }
+            moving_->place(motion_->transforms());
+            normals_.find(stages_, *tables_);
+            moving_->transform(
+                {*tables_->vertices, nullptr, tables_->contour_chunk().corners.get()});
+            ++tables_->version;
+            moved_ = false;
+        }
+        return {*tables_, moving_ ? moving_->vertices() : *tables_->vertices,
+                motion_->vertex_count(), triangle_count_, moving_ ? moving_->corners() : nullptr};
+    }
+
     State(const compute::FoundDevice& found, const DeviceOptions& options)
         : device_(compute::make_device(found, options)), stages_(*device_),
           one_picture_(options.one_picture) {
@@ -127,9 +178,12 @@ class LineVisibility::State {
     compute::Stages stages_;
     bool one_picture_;
     std::optional<LineTables> tables_;
-    std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
+    std::optional<SceneMotion> motion_;  ///< of the lines
+    std::optional<MovingTables> moving_; ///< from the first motion on
+    ContourNormals normals_;
+    bool moved_ = false; ///< since place()
+    std::uint32_t triangle_count_ = 0;
     std::vector<LineObject> objects_;
-    Bounds bounds_;
     float contact_ = 0;
     std::vector<OutlinePart> outlines_;  ///< of the last find()
     std::optional<ExactIntervals> work_; ///< for the lines; made when they are first looked at
@@ -150,6 +204,22 @@ std::string LineVisibility::description() const {
 
 void LineVisibility::set_lines(const LineSet& lines) {
     state_->set_lines(lines);
+}
+
+void LineVisibility::set_lines(const Assembly& parts) {
+    state_->set_lines(parts.lines());
+}
+
+void LineVisibility::set_transforms(std::span<const glm::mat4> world_from_object) {
+    state_->set_transforms(world_from_object);
+}
+
+void LineVisibility::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
+    state_->set_positions(first, positions);
+}
+
+void LineVisibility::set_hidden(std::span<const std::uint32_t> objects) {
+    state_->set_hidden(objects);
 }
 
 const std::vector<OutlinePart>& LineVisibility::outlines() const {

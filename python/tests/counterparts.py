@@ -72,7 +72,8 @@ ELSEWHERE = {
     "Renderer.set_positions()": "Renderer.set_positions()", "move_vertices()": "Renderer.set_positions()",
     "Assembly": "Renderer.add()", "Assembly.add()": "Renderer.add()", "Assembly.remove()": "Renderer.remove()",
     "Assembly.lines()": "Renderer.objects",
-    "Renderer.set_hidden()": "Renderer.hide()", "hide_objects()": "Renderer.hide()",
+    "Renderer.set_hidden()": "Renderer.hide()", "hide_objects()": "Renderer.hide()", "LineVisibility.set_hidden()": "Renderer.hide()",
+    "LineVisibility.set_positions()": "Renderer.set_positions()", "LineVisibility.set_transforms()": "Renderer.set_transforms()",
     "LineOptions.separate_objects": "Renderer(separate_objects)", "LineObject": "Renderer.objects",
     "LineObject.name": "Renderer.objects",
     "Renderer.read_intervals()": "Renderer.intervals()", "Renderer.set_lines()": "Renderer.set_model()",
@@ -136,6 +137,8 @@ NOT_IN_PYTHON = {
     "for those who look after devices, with tools of their own in C++": """
         DeviceOptions.compare_until DeviceOptions.compare_with Renderer.comparison() Renderer.Comparison.*
         Renderer.Samples.* Renderer.read_samples() Renderer.set_device() FrameOptions.cull_hidden""",
+    "for programs in C++ that have OpenMesh themselves": """
+        OpenMeshModel.* OpenMeshNormals.* OpenMeshOptions.* add_polygon()""",
     "said by warnings": "Renderer.note()",
     "figures of a frame, which `lineatlas draw --stats` and --profile give": """
         FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.take_profiles() FrameProfile.*

@@ -4,7 +4,9 @@
 #include "lineatlas/visibility.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -12,6 +14,7 @@
 
 #include "compare.hpp"
 #include "glpasses/headless_context.hpp"
+#include "lineatlas/assembly.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
@@ -39,6 +42,7 @@ class ByRenderer {
         renderer_.draw(camera, frame, 0);
         return renderer_.read_intervals();
     }
+    Renderer& renderer() { return renderer_; }
 
   private:
     gl::HeadlessContext context_;
@@ -105,6 +109,77 @@ TEST_P(OnDevice, TakesOtherKindsStepsAndLines) {
     visibility.set_lines(box);
     EXPECT_TRUE(
         same_bits(visibility.find(camera_on(box)), ByRenderer(box, device()).find(camera_on(box))));
+}
+
+/// A cube and a ball before it, whose silhouettes are smooth: two objects.
+LineSet cube_and_ball() {
+    Mesh mesh = cube();
+    mesh.triangle_object.assign(mesh.triangles.size(), 0);
+    const Mesh ball = sphere(3);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const glm::vec3& p : ball.positions)
+        mesh.positions.push_back(0.5F * p + glm::vec3{1, 1, 2});
+    for (const glm::uvec3& t : ball.triangles) {
+        mesh.triangles.push_back(t + first);
+        mesh.triangle_object.push_back(1);
+    }
+    return extract_lines(mesh, {.separate_objects = true});
+}
+
+TEST_P(OnDevice, MovesAsARendererDoes) {
+    const LineSet lines = cube_and_ball();
+    ASSERT_FALSE(lines.contours.empty());
+    ASSERT_EQ(lines.objects.size(), 2U);
+    const Camera camera = camera_on(lines);
+    LineVisibility visibility{lines, device()};
+    ByRenderer renderer{lines, device()};
+    const VisibilityOptions all{.hidden = true};
+    std::vector<Interval> before = visibility.find(camera, all);
+    ASSERT_TRUE(same_bits(before, renderer.find(camera, all)));
+    const auto expect_change = [&](const char* what, const auto& change) {
+        SCOPED_TRACE(what);
+        change(visibility);
+        change(renderer.renderer());
+        const std::vector<Interval> found = visibility.find(camera, all);
+        EXPECT_FALSE(same_bits(found, before)) << "nothing has changed";
+        EXPECT_TRUE(same_bits(found, renderer.find(camera, all)));
+        before = found;
+    };
+    const glm::mat4 still{1};
+    const std::array there{still, glm::translate(still, {-1, 0.2F, -0.5F})};
+    const std::array turned{glm::rotate(still, 0.4F, {0, 1, 0}), glm::scale(still, {1, 2, 1})};
+    expect_change("transforms", [&](auto& of) { of.set_transforms(there); });
+    expect_change("other transforms", [&](auto& of) { of.set_transforms(turned); });
+    std::vector<glm::vec3> bent = lines.vertices;
+    for (glm::vec3& p : bent) p.x += 0.2F * p.y * p.y;
+    expect_change("positions", [&](auto& of) { of.set_positions(0, bent); });
+    expect_change("hidden", [&](auto& of) { of.set_hidden(std::array{1U}); });
+    expect_change("shown again", [&](auto& of) { of.set_hidden({}); });
+    expect_change("all as it was made", [&](auto& of) { of.set_lines(lines); });
+    EXPECT_TRUE(same_bits(before, LineVisibility(lines, device()).find(camera, all)));
+    EXPECT_THROW(visibility.set_transforms({}), UsageError);
+    EXPECT_THROW(visibility.set_positions(1, bent), UsageError);
+    EXPECT_THROW(visibility.set_hidden(std::array{2U}), UsageError);
+    EXPECT_TRUE(same_bits(visibility.find(camera, all), before))
+        << "what is refused changes nothing";
+    const std::optional<Pick> on_ball = visibility.pick(camera, {200, 150}, 1000);
+    ASSERT_TRUE(on_ball);
+    visibility.set_hidden(std::array{0U, 1U});
+    EXPECT_FALSE(visibility.pick(camera, {200, 150}, 1000)) << "what is hidden is not met";
+}
+
+TEST_P(OnDevice, TakesAssemblies) {
+    Assembly parts;
+    parts.add(extract_lines(cube()));
+    const std::vector<std::uint32_t> ball = parts.add(cube_and_ball());
+    LineVisibility visibility{extract_lines(cube()), device()};
+    const Camera camera = camera_on(parts.lines());
+    const std::size_t one = visibility.find(camera).size();
+    visibility.set_lines(parts);
+    EXPECT_GT(visibility.find(camera).size(), one);
+    for (const std::uint32_t object : ball) parts.remove(object);
+    visibility.set_lines(parts);
+    EXPECT_EQ(visibility.find(camera).size(), one);
 }
 
 TEST_P(OnDevice, OfACubeNineEdgesAreVisibleAndThreeHidden) {

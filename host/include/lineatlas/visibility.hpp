@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include "lineatlas/camera.hpp"
 #include "lineatlas/device_options.hpp"
@@ -14,6 +19,8 @@
 #include "segment_table.h"
 
 namespace lineatlas {
+
+class Assembly;
 
 /// Which pieces of lines LineVisibility finds.
 struct VisibilityOptions {
@@ -49,6 +56,17 @@ class LINEATLAS_API LineVisibility {
 
     /// Other lines and triangles, on the same device. Throws as the constructor does.
     void set_lines(const LineSet& lines);
+
+    /// The same of the parts of an assembly, where they were made.
+    void set_lines(const Assembly& parts);
+
+    /// Moves objects (LineSet::objects) as Renderer::set_transforms() does, and throws as it does.
+    /// find() and pick() see it from then on; other lines stand where they were made.
+    void set_transforms(std::span<const glm::mat4> world_from_object);
+    /// Changes shapes as Renderer::set_positions() does, and throws as it does.
+    void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
+    /// Shows all objects but these as Renderer::set_hidden() does, and throws as it does.
+    void set_hidden(std::span<const std::uint32_t> objects);
 
     /// The visible pieces of the lines that `camera` sees, in order of LineSet::segments and along
     /// each; with VisibilityOptions::hidden the hidden ones too. They are those of

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) 
 
 } // namespace
 
-MovingTables::MovingTables(compute::Stages& stages, interop::Sharing& sharing, const Shape& shape)
+MovingTables::MovingTables(compute::Stages& stages, const Shape& shape)
     : stages_(stages), device_(stages.device()), vertex_count_(shape.vertex_count),
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
       corner_count_(shape.corner_count),
@@ -49,9 +49,7 @@ MovingTables::MovingTables(compute::Stages& stages, interop::Sharing& sharing, c
                                   purpose::motion)),
       jumped_(compute::allocate(device_, shape.object_room, purpose::motion)),
       vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
-      clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)),
-      drawn_(sharing, purpose::motion) {
-    drawn_.fit(vertex_count_ * sizeof(glm::vec3));
+      clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)) {
     if (corner_count_ == 0) return;
     turns_ = compute::allocate(device_, shape.object_room * turn_floats * sizeof(float),
                                purpose::motion);
@@ -78,14 +76,18 @@ void MovingTables::place(std::span<const glm::mat4> world_from_object) {
     device_.upload(*turns_, std::as_bytes(std::span{rows_}));
 }
 
-void MovingTables::transform(const Rest& rest) {
+void MovingTables::transform(const Rest& rest, compute::Buffer* drawn) {
+    if (drawn == nullptr) {
+        unread_.fit(vertex_count_ * sizeof(glm::vec3));
+        drawn = unread_.get();
+    }
     stages_.transform({.rest = rest.vertices,
                        .objects = *objects_,
                        .matrices = *matrices_,
                        .vertex_count = vertex_count_,
                        .vertices = *vertices_,
-                       .drawn = drawn_.compute(),
-                       .rest_clusters = rest.clusters,
+                       .drawn = *drawn,
+                       .rest_clusters = rest.clusters != nullptr ? *rest.clusters : *clusters_,
                        .cluster_objects = *cluster_objects_,
                        .cluster_count = cluster_count_,
                        .clusters = *clusters_});
@@ -109,7 +111,7 @@ void MovingTables::forget(const compute::SegmentTable& table, std::span<const st
 }
 
 std::uint64_t MovingTables::bytes() const {
-    std::uint64_t sum = drawn_.room();
+    std::uint64_t sum = unread_.bytes();
     for (const auto* buffer :
          {&objects_, &cluster_objects_, &matrices_, &jumped_, &vertices_, &clusters_}) {
         sum += (*buffer)->size();

@@ -1,0 +1,36 @@
+#include "contour_normals.hpp"
+
+#include <span>
+
+#include "core/contours.hpp"
+
+namespace lineatlas {
+
+void ContourNormals::expect(compute::Stages& stages, const LineTables& lines,
+                            std::uint32_t triangle_count) {
+    if (!lines.contour_chunk().corners) return;
+    if (!offsets_) {
+        compute::Device& device = stages.device();
+        const CornerPlaces found =
+            find_corner_places(download_contours(device, lines, triangle_count).contours,
+                               download_segments(device, lines));
+        auto offsets = upload(device, std::as_bytes(std::span{found.offsets}), purpose::motion);
+        places_ = upload(device, std::as_bytes(std::span{found.places}), purpose::motion);
+        offsets_ = std::move(offsets);
+    }
+    are_old_ = true;
+}
+
+void ContourNormals::find(compute::Stages& stages, const LineTables& lines) {
+    if (!are_old_) return;
+    const LineTables::Chunk& chunk = lines.contour_chunk();
+    stages.contour_normals({.vertices = *lines.vertices,
+                            .triangles = *lines.triangles,
+                            .offsets = *offsets_,
+                            .places = *places_,
+                            .count = chunk.corner_count(),
+                            .corners = *chunk.corners});
+    are_old_ = false;
+}
+
+} // namespace lineatlas

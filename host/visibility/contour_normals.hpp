@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "line_tables.hpp"
+
+namespace lineatlas {
+
+/// Normals of contours, found anew where positions have changed.
+class ContourNormals {
+  public:
+    /// Positions have changed: find() is to come before anything moves. Nothing for lines without
+    /// contours.
+    void expect(compute::Stages& stages, const LineTables& lines, std::uint32_t triangle_count);
+    /// Finds those that are expected.
+    void find(compute::Stages& stages, const LineTables& lines);
+    /// Where corners stand changes, or the device.
+    void forget() {
+        offsets_.reset();
+        places_.reset();
+    }
+    std::uint64_t bytes() const { return offsets_ ? offsets_->size() + places_->size() : 0; }
+
+  private:
+    std::unique_ptr<compute::Buffer> offsets_, places_; ///< as CornerPlaces
+    bool are_old_ = false;
+};
+
+} // namespace lineatlas
