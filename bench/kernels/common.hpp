@@ -11,6 +11,7 @@
 
 #include "compute/opencl/opencl_backend.hpp"
 #include "compute/stages/stages.hpp"
+#include "compute/transfer.hpp"
 
 namespace lineatlas::bench {
 
@@ -121,19 +122,8 @@ void write(compute::Device& device, compute::Buffer& buffer, const std::vector<T
     device.upload(buffer, std::as_bytes(std::span{values}));
 }
 
-template <class T>
-SharedBuffer to_device(compute::Device& device, const std::vector<T>& values) {
-    SharedBuffer buffer = device.allocate(values.size() * sizeof(T));
-    write(device, *buffer, values);
-    return buffer;
-}
-
-template <class T>
-std::vector<T> read_back(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
+using compute::read_back;
+using compute::to_device;
 
 /// The member `of` of every element, as bytes.
 template <class T>

@@ -8,27 +8,12 @@
 
 #include "compute/cpp/cpp_device.hpp"
 #include "compute/stages/stages.hpp"
+#include "compute/transfer.hpp"
 
 namespace lineatlas::bench {
 
-namespace {
-
-/// A table of the device's, with `values` in it.
-template <class T>
-std::unique_ptr<compute::Buffer> to_device(compute::Device& device, const std::vector<T>& values) {
-    auto buffer = device.allocate(values.size() * sizeof(T));
-    device.upload(*buffer, std::as_bytes(std::span{values}));
-    return buffer;
-}
-
-template <class T>
-std::vector<T> read_back(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
-
-} // namespace
+using compute::read_back;
+using compute::to_device;
 
 ClippedLines clip_lines(const LineSet& lines, const Camera& camera, float step,
                         LineKindMask kinds) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
 
+#include "compute/transfer.hpp"
 #include "core/clusters.hpp"
 #include "core/contact.hpp"
 #include "core/meshlets.hpp"
@@ -72,7 +73,8 @@ std::uint64_t SceneBuffers::mesh_bytes() const {
 }
 
 std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
-    const auto triangles = download<glm::uvec3>(*tables_.triangles, triangle_count_);
+    const auto triangles =
+        compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_);
     std::vector<glm::uvec3> ordered(triangle_count_);
     std::ranges::transform(triangle_order_, ordered.begin(),
                            [&](std::uint32_t place) { return triangles[place]; });
@@ -82,9 +84,9 @@ std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
 GLuint SceneBuffers::gl_vertices() {
     if (tables_.moving) return tables_.drawn->gl();
     if (!gl_vertices_) {
-        gl_vertices_ =
-            upload_gl(bytes_of(download<glm::vec3>(*tables_.vertices, motion_.vertex_count())),
-                      purpose::model);
+        gl_vertices_ = upload_gl(bytes_of(compute::read_back<glm::vec3>(device(), *tables_.vertices,
+                                                                        motion_.vertex_count())),
+                                 purpose::model);
     }
     return gl_vertices_.id();
 }
@@ -114,9 +116,9 @@ compute::MeshletTables SceneBuffers::meshlets() {
 SceneBuffers::Surfaces SceneBuffers::surfaces() {
     if (!tables_.numbers) {
         std::vector<std::uint32_t> numbers(triangle_count_), patches(triangle_count_);
-        const std::vector<std::uint32_t> of_triangles =
-            smooth_patches(download<glm::uvec3>(*tables_.triangles, triangle_count_),
-                           download_segments(device(), tables_));
+        const std::vector<std::uint32_t> of_triangles = smooth_patches(
+            compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_),
+            download_segments(device(), tables_));
         for (std::uint32_t i = 0; i < triangle_count_; ++i) {
             numbers[triangle_order_[i]] = i;
             patches[i] = of_triangles[triangle_order_[i]];
@@ -131,10 +133,12 @@ SceneBuffers::Surfaces SceneBuffers::surfaces() {
 SceneBuffers::GlSurfaces SceneBuffers::gl_surfaces() {
     if (!gl_numbers_) {
         const Surfaces own = surfaces();
-        gl_patches_ = upload_gl(bytes_of(download<std::uint32_t>(own.patches, triangle_count_)),
-                                purpose::model);
-        gl_numbers_ = upload_gl(bytes_of(download<std::uint32_t>(own.numbers, triangle_count_)),
-                                purpose::model);
+        gl_patches_ = upload_gl(
+            bytes_of(compute::read_back<std::uint32_t>(device(), own.patches, triangle_count_)),
+            purpose::model);
+        gl_numbers_ = upload_gl(
+            bytes_of(compute::read_back<std::uint32_t>(device(), own.numbers, triangle_count_)),
+            purpose::model);
     }
     return {gl_numbers_.id(), gl_patches_.id()};
 }
@@ -277,16 +281,10 @@ compute::Buffer* SceneBuffers::colors() {
     return tables_.colors.get();
 }
 
-template <class T>
-std::vector<T> SceneBuffers::download(compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device().download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
-
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::Sharing& sharing) {
     const auto copy = [&](compute::Buffer& buffer) {
-        return upload(stages.device(), bytes_of(download<std::byte>(buffer, buffer.size())),
+        return upload(stages.device(),
+                      bytes_of(compute::read_back<std::byte>(device(), buffer, buffer.size())),
                       purpose::model);
     };
     normals_.find(*stages_, tables_);
@@ -315,7 +313,8 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
         gl_segments_ = upload_gl(bytes_of(download_segments(device(), tables_)), purpose::spine);
         // In the order that segments refer to; gl_indices_ may have another.
         gl_table_triangles_ = upload_gl(
-            bytes_of(download<glm::uvec3>(*tables_.triangles, triangle_count_)), purpose::spine);
+            bytes_of(compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_)),
+            purpose::spine);
     }
     return {.segments = gl_segments_.id(),
             .vertices = gl_vertices(),

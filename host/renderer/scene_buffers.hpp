@@ -162,8 +162,6 @@ class SceneBuffers {
     /// In the order of gl_triangles().
     std::vector<glm::uvec3> ordered_triangles();
     void upload_colors(const LineSet& lines);
-    template <class T>
-    std::vector<T> download(compute::Buffer& buffer, std::size_t count);
     /// Where vertices are now, for kernels and for GL, which read them at the same time.
     struct Moving {
         std::unique_ptr<MovingTables> moving;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "compute/transfer.hpp"
 #include "core/model_limits.hpp"
 #include "core/pair_key.hpp"
 #include "core/vertex_sets.hpp"
@@ -82,13 +83,6 @@ void for_each_side(const Contours& contours, Each&& each) {
         if (face.x == face.y) continue; // stands in empty room, see Assembly
         for (std::uint32_t k = 0; k < 3; ++k) each(i, k, face[static_cast<int>(k)]);
     }
-}
-
-template <class T>
-std::vector<T> download(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
 }
 
 } // namespace
@@ -255,11 +249,13 @@ LineSet download_contours(compute::Device& device, const LineTables& lines,
     result.vertices.resize(tables->vertex_count);
     result.triangles.resize(triangle_count);
     Contours& contours = result.contours;
-    contours.corners = download<ContourCorner>(device, *tables->corners, chunk.corner_count());
+    contours.corners =
+        compute::read_back<ContourCorner>(device, *tables->corners, chunk.corner_count());
     contours.edges.resize(tables->edge_count);
-    const auto corners = download<glm::uvec3>(device, *tables->face_corners, tables->face_count);
+    const auto corners =
+        compute::read_back<glm::uvec3>(device, *tables->face_corners, tables->face_count);
     for (const compute::ContourFace& face :
-         download<compute::ContourFace>(device, *tables->faces, tables->face_count)) {
+         compute::read_back<compute::ContourFace>(device, *tables->faces, tables->face_count)) {
         const glm::uvec3 own = corners[contours.faces.size()];
         contours.faces.emplace_back(face.edges[0], face.edges[1], face.edges[2]);
         if (own.x == own.y) continue; // stands in empty room, see Assembly

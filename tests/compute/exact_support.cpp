@@ -7,24 +7,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "compute/stages/exact_visibility.hpp"
+#include "compute/transfer.hpp"
 #include "core/contact.hpp"
 
 namespace lineatlas::test {
 namespace {
 
-template <class T>
-std::unique_ptr<compute::Buffer> to_device(compute::Device& device, const std::vector<T>& values) {
-    auto buffer = device.allocate(std::max<std::size_t>(values.size(), 1) * sizeof(T));
-    device.upload(*buffer, std::as_bytes(std::span{values}));
-    return buffer;
-}
-
-template <class T>
-std::vector<T> to_host(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
+using compute::read_back;
+using compute::to_device;
 
 } // namespace
 
@@ -69,11 +59,11 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
     } while (exact.grow(no_samples));
 
     const compute::SpanTable spans = exact.spans();
-    result.clipped = to_host<ClippedSegment>(*device, *clipped, n);
-    result.arcs = to_host<std::uint32_t>(*device, *arcs, n + std::size_t{1});
-    result.span_offsets = to_host<std::uint32_t>(*device, spans.span_offsets, n + std::size_t{1});
+    result.clipped = read_back<ClippedSegment>(*device, *clipped, n);
+    result.arcs = read_back<std::uint32_t>(*device, *arcs, n + std::size_t{1});
+    result.span_offsets = read_back<std::uint32_t>(*device, spans.span_offsets, n + std::size_t{1});
     result.spans =
-        to_host<float>(*device, spans.spans, std::size_t{result.span_offsets.back()} * 2);
+        read_back<float>(*device, spans.spans, std::size_t{result.span_offsets.back()} * 2);
     // A visible part, the gaps around it.
     const std::uint32_t capacity = 2 * result.span_offsets.back() + n + 1;
     const auto intervals = device->allocate(capacity * sizeof(Interval));
@@ -87,7 +77,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                            .interval_capacity = capacity,
                            .interval_total = *total});
     result.intervals =
-        to_host<Interval>(*device, *intervals, to_host<la_uint>(*device, *total, 1)[0]);
+        read_back<Interval>(*device, *intervals, read_back<la_uint>(*device, *total, 1)[0]);
     const auto runs = device->allocate(capacity * sizeof(Run));
     const auto record = device->allocate(sizeof(FrameRecord));
     stages.span_runs({.table = table,
@@ -100,7 +90,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                       .run_capacity = capacity,
                       .record = *record});
     result.runs =
-        to_host<Run>(*device, *runs, to_host<FrameRecord>(*device, *record, 1)[0].points[0]);
+        read_back<Run>(*device, *runs, read_back<FrameRecord>(*device, *record, 1)[0].points[0]);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compute/stages/stages.hpp"
+#include "compute/transfer.hpp"
 
 namespace lineatlas::test {
 
@@ -35,19 +36,7 @@ std::vector<TestDevice> test_devices();
 /// Of these each OpenCL device once, in its own tuning; `index`: in list_opencl_devices().
 std::vector<TestDevice> own_opencl_devices();
 
-/// Content of a device buffer.
-template <class T>
-std::vector<T> read_back(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
-
-template <class T>
-std::unique_ptr<compute::Buffer> to_device(compute::Device& device, const std::vector<T>& values) {
-    auto buffer = device.allocate(values.size() * sizeof(T));
-    device.upload(*buffer, std::as_bytes(std::span{values}));
-    return buffer;
-}
+using compute::read_back;
+using compute::to_device;
 
 } // namespace lineatlas::test

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lineatlas/compute_device.hpp"
+
+namespace lineatlas::compute {
+
+/// A buffer of the device with these values, and with some size if there are none.
+template <class T>
+std::unique_ptr<Buffer> to_device(Device& device, const std::vector<T>& values) {
+    auto buffer = device.allocate(std::max<std::size_t>(values.size(), 1) * sizeof(T));
+    device.upload(*buffer, std::as_bytes(std::span{values}));
+    return buffer;
+}
+
+/// The first `count` values of a buffer; waits.
+template <class T>
+std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
+    std::vector<T> values(count);
+    device.download(buffer, std::as_writable_bytes(std::span{values}));
+    return values;
+}
+
+} // namespace lineatlas::compute
