@@ -32,9 +32,10 @@ void draw_turn(int frames) {
         };
         const View view = turned(first, axis, static_cast<double>(frame) / frames);
         const Camera camera = make_camera(view, size, lines.bounds);
-        const std::vector<Interval> found = visibility.find(camera, {}, progress);
-        std::ofstream{"turn." + std::to_string(frame) + ".svg"}
-            << to_svg(make_vector_drawing(lines, camera, found, default_style()));
+        const std::vector<Interval> found =
+            visibility.find(camera, {.hidden = true, .outlines = true}, progress);
+        std::ofstream{"turn." + std::to_string(frame) + ".svg"} << to_svg(make_vector_drawing(
+            lines, camera, found, default_style(), {.outlines = visibility.outlines()}));
     }
 }
 

@@ -63,8 +63,10 @@ TEST_F(Defaults, DrawThePathsOfTheTool) {
     ASSERT_EQ(run(command_ + path("a.svg")).exit_code, 0);
     LineVisibility visibility{lines_};
     const auto draw = [&](const Style& style) {
-        return paths_of(
-            to_svg(make_vector_drawing(lines_, camera_, visibility.find(camera_), style)));
+        const std::vector<Interval> found =
+            visibility.find(camera_, {.hidden = true, .outlines = true});
+        return paths_of(to_svg(make_vector_drawing(lines_, camera_, found, style,
+                                                   {.outlines = visibility.outlines()})));
     };
     const std::vector<std::string> tool = paths_of(read(path("a.svg")));
     EXPECT_GT(tool.size(), 40U);

@@ -452,12 +452,13 @@ TEST(Silhouettes, AreNotMadeBySlivers) {
 }
 
 TEST(Lines, OfAPartThatLooksInwardsAreThoseOfOneThatLooksOutwards) {
-    const LineSet right = extract_lines(test::sphere(3));
+    const LineOptions along_edges{.silhouettes = Silhouettes::mesh};
+    const LineSet right = extract_lines(test::sphere(3), along_edges);
     Mesh mesh = test::sphere(3);
     for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
     const glm::uvec3 marked = mesh.triangles.front();
     mesh.known_edges = {{marked.y, marked.z, KnownEdge::Kind::marked}};
-    const LineSet turned = extract_lines(mesh);
+    const LineSet turned = extract_lines(mesh, along_edges);
     ASSERT_EQ(turned.segments.size(), right.segments.size());
     EXPECT_EQ(count(turned, LineKind::crease), count(right, LineKind::crease) + 1);
     const auto looks_outwards = [](const LineSet& lines, const glm::uvec3& t) {

@@ -50,7 +50,7 @@ device) # CHECK_LINES
     ;;
 headless) # LINEATLAS
     ./headless "$here/cube.obj" headless.ppm
-    "$1" draw "$here/cube.obj" --method atlas --size 800x600 -o tool.ppm
+    "$1" draw "$here/cube.obj" --size 800x600 -o tool.ppm
     cmp headless.ppm tool.ppm
     ;;
 intervals)

@@ -513,8 +513,8 @@ TEST(Contours, AreDrawnByTheAtlasToo) {
 
 TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     const Mesh body = sphere(3);
-    const LineSet edges = extract_lines(body),
-                  contours = extract_lines(body, {.silhouettes = Silhouettes::automatic});
+    const LineSet edges = extract_lines(body, {.silhouettes = Silhouettes::mesh}),
+                  contours = extract_lines(body);
     EXPECT_TRUE(edges.contours.empty());
     EXPECT_EQ(contours.contours.faces.size(), body.triangles.size());
     EXPECT_EQ(contours.contours.replaced, edges.segments.size());

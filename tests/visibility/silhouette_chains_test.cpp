@@ -24,7 +24,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 /// Without creases: all edges of a body are candidates.
-const LineOptions smooth{.crease = pi};
+const LineOptions smooth{.crease = pi, .silhouettes = Silhouettes::mesh};
 
 /// A surface of revolution about y, closed: through (radius, height), rows of `sides` corners. The
 /// first and last radius are 0, or with `ring` the last place joins the first.
