@@ -76,6 +76,15 @@ TEST_P(KernelMessages, ABuildErrorHasTheFileAndTheLine) {
     EXPECT_NE(said_by_launching(kernel).find("the parameters"), std::string::npos) << "mended";
 }
 
+TEST_P(KernelMessages, AWarningIsNotPrinted) {
+    const compute::Kernel& kernel = compute::kernel_of<compute::kernels::atlas>();
+    const PlantedError warning{"atlas.cl", "KERNEL(atlas, ", "\n#warning planted\nKERNEL(atlas, "};
+    testing::internal::CaptureStderr();
+    const std::string said = said_by_launching(kernel);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_NE(said.find("the parameters"), std::string::npos) << "builds: " << said;
+}
+
 TEST_P(KernelMessages, AWrongArgumentHasItsName) {
     const compute::Kernel& kernel = compute::kernel_of<compute::kernels::facing>();
     const auto table = device_->allocate(16);

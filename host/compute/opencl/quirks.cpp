@@ -60,6 +60,12 @@ constexpr Quirk quirks[] = {
                "that is given local memory; docs/devices.md has a small program that shows it",
      .seen_with = "PoCL 3.1 (told noinline) and 7.1",
      .link = "https://github.com/pocl/pocl/issues"},
+    {.platform = pocl,
+     .what = "Building a program prints how many warnings its compiler has (\"4 warnings "
+             "generated.\"), such as those of vectors that a CPU's calls pass otherwise with AVX.",
+     .remedy = "quirk_options: warnings are off",
+     .seen_with = "PoCL 6.0",
+     .link = "https://registry.khronos.org/OpenCL/sdk/3.0/docs/man/html/clBuildProgram.html"},
     {.platform = oclgrind,
      .what = "Optimised programs hold intrinsics of LLVM that it does not know, and their kernels "
              "cannot be made.",
@@ -93,6 +99,7 @@ Tuning within_quirks(Tuning tuning, const OpenClDevice& device) {
 }
 
 std::string quirk_options(const OpenClDevice& device) {
+    if (device.platform_name == pocl) return "-w ";
     return device.platform_name == oclgrind ? "-cl-opt-disable " : "";
 }
 
