@@ -150,7 +150,9 @@ TEST(ViewerProgram, SaysInOneLineWhatTheMachineLacks) {
     const std::string said = (folder.path() / "said").string();
     for (const auto& [machine, cause] :
          {std::pair{"env -u DISPLAY -u WAYLAND_DISPLAY ", "DISPLAY"},
-          {"env MESA_GL_VERSION_OVERRIDE=3.3 ", "the viewer needs OpenGL 4.5"}}) {
+          {"env -u DISPLAY -u XDG_RUNTIME_DIR WAYLAND_DISPLAY=wayland-0 ", "names a display"},
+          {"env -u XDG_RUNTIME_DIR DISPLAY=:999 ", "cannot open a window: X11"},
+          {"env -u XDG_RUNTIME_DIR MESA_GL_VERSION_OVERRIDE=3.3 ", "needs OpenGL 4.5"}}) {
         const std::string command = machine + std::string{LINEATLAS_TOOL} + " view 2> " + said;
         EXPECT_NE(std::system(command.c_str()), 0) << machine;
         EXPECT_NE(text_of(said).find(cause), std::string::npos) << text_of(said);

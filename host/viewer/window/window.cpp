@@ -16,22 +16,40 @@ std::string last_error() {
     return text == nullptr ? "" : std::string{": "} + text;
 }
 
-/// Whether a program can ask for a window at all. Asking without a display lets libraries print
-/// what they miss, each in its own words.
-bool has_display() {
-    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"}) {
-        const char* value = std::getenv(variable);
-        if (value != nullptr && *value != '\0') return true;
-    }
-    const char* folder = std::getenv("XDG_RUNTIME_DIR");
+/// Empty if it is not set.
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+bool has_x11() {
+    return !variable("DISPLAY").empty();
+}
+
+/// As Wayland's own library looks for it.
+bool has_wayland() {
+    if (!variable("WAYLAND_SOCKET").empty()) return true;
+    const std::string display = variable("WAYLAND_DISPLAY");
+    const std::filesystem::path name = display.empty() ? "wayland-0" : display;
+    const std::string folder = variable("XDG_RUNTIME_DIR");
     std::error_code error;
-    return folder != nullptr &&
-           std::filesystem::exists(std::filesystem::path(folder) / "wayland-0", error);
+    return (name.is_absolute() || !folder.empty()) &&
+           std::filesystem::exists(std::filesystem::path(folder) / name, error);
 }
 
 DeviceError no_window(const std::string& cause) {
     return DeviceError("the viewer cannot open a window" + cause +
                        "; it needs X11 or Wayland, `lineatlas draw` does not");
+}
+
+/// Asks for no display that is not there: libraries print what they miss, each in its own words.
+void start_glfw() {
+    if (!has_x11() && !has_wayland())
+        throw no_window(": neither DISPLAY nor WAYLAND_DISPLAY names a display");
+#ifdef GLFW_PLATFORM // since 3.4, which asks Wayland first
+    if (!has_wayland()) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    if (glfwInit() != GLFW_TRUE) throw no_window(last_error());
 }
 
 InputListener* listener_of(GLFWwindow* window) {
@@ -76,8 +94,7 @@ void set_callbacks(GLFWwindow* window) {
 } // namespace
 
 Window::Window(glm::ivec2 size, const std::string& title) {
-    if (!has_display()) throw no_window(": neither DISPLAY nor WAYLAND_DISPLAY names a display");
-    if (glfwInit() != GLFW_TRUE) throw no_window(last_error());
+    start_glfw();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
