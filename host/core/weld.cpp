@@ -7,47 +7,20 @@
 #include <numeric>
 #include <utility>
 
+#include "base/first_seen.hpp"
 #include "check_mesh.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
 
-constexpr std::uint32_t empty_slot = std::numeric_limits<std::uint32_t>::max();
-
-std::uint32_t mix(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    std::uint64_t h =
-        a * 0x9E3779B97F4A7C15ULL ^ (std::uint64_t{b} << 32U | c) * 0xC2B2AE3D27D4EB4FULL;
-    h ^= h >> 29U;
-    h *= 0xBF58476D1CE4E5B9ULL;
-    return static_cast<std::uint32_t>(h >> 32U);
-}
-
-/// An open-addressing table from keys to the index of their first appearance.
-class FirstSeen {
-  public:
-    explicit FirstSeen(std::size_t expected)
-        : slots_(std::bit_ceil(std::max<std::size_t>(16, expected * 2)), empty_slot) {}
-
-    /// The index kept for a key, which `is_key` knows by its index; `fresh` if it is new.
-    template <class IsKey>
-    std::uint32_t find_or_add(std::uint32_t fresh, std::uint32_t hash, const IsKey& is_key) {
-        const std::size_t mask = slots_.size() - 1;
-        for (std::size_t slot = hash & mask;; slot = (slot + 1) & mask) {
-            if (slots_[slot] == empty_slot) return slots_[slot] = fresh;
-            if (is_key(slots_[slot])) return slots_[slot];
-        }
-    }
-
-  private:
-    std::vector<std::uint32_t> slots_;
-};
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// How many vertices there may be: a position is one for each object that uses it.
 std::size_t most_vertices(const Mesh& mesh, const MeshObjects& objects) {
     const std::size_t positions = mesh.positions.size();
     if (objects.names.size() <= 1) return positions;
-    std::vector<std::uint32_t> last_object(positions, empty_slot);
+    std::vector<std::uint32_t> last_object(positions, none);
     std::size_t count = 0;
     const auto use = [&](std::uint32_t position, std::uint32_t object) {
         if (std::exchange(last_object[position], object) != object) ++count;
@@ -65,20 +38,20 @@ class VertexWelder {
   public:
     VertexWelder(const Mesh& mesh, const MeshObjects& objects)
         : mesh_(mesh), has_objects_(objects.names.size() > 1),
-          welded_index_(mesh.positions.size(), empty_slot), table_(most_vertices(mesh, objects)) {}
+          welded_index_(mesh.positions.size(), none), table_(most_vertices(mesh, objects)) {}
 
     std::uint32_t operator()(std::uint32_t index, std::uint32_t object) {
         std::uint32_t& result = welded_index_[index];
-        if (result != empty_slot && object_of(result) == object) return result;
+        if (result != none && object_of(result) == object) return result;
         const glm::vec3 position = mesh_.positions[index] + 0.0F; // -0 becomes 0
         if (!std::isfinite(position.x) || !std::isfinite(position.y) ||
             !std::isfinite(position.z)) {
             throw UsageError("mesh: position " + std::to_string(index) + " is not finite");
         }
         const auto fresh = static_cast<std::uint32_t>(vertices.size());
-        const std::uint32_t hash =
-            mix(std::bit_cast<std::uint32_t>(position.x) + object,
-                std::bit_cast<std::uint32_t>(position.y), std::bit_cast<std::uint32_t>(position.z));
+        const std::uint32_t hash = hash_of(std::bit_cast<std::uint32_t>(position.x) + object,
+                                           std::bit_cast<std::uint32_t>(position.y),
+                                           std::bit_cast<std::uint32_t>(position.z));
         result = table_.find_or_add(fresh, hash, [&](std::uint32_t known) {
             return vertices[known] == position && object_of(known) == object;
         });
@@ -113,7 +86,7 @@ glm::uvec3 sorted(glm::uvec3 t) {
 
 /// Puts the vertices that are used into the mesh: by object, else in their order.
 void take_used_vertices(const VertexWelder& welded, std::size_t object_count, WeldedMesh& mesh) {
-    std::vector<std::uint32_t> index(welded.vertices.size(), empty_slot);
+    std::vector<std::uint32_t> index(welded.vertices.size(), none);
     const auto for_each_index = [&](auto&& visit) {
         for (glm::uvec3& triangle : mesh.triangles) {
             for (int corner = 0; corner < 3; ++corner) visit(triangle[corner]);
@@ -127,7 +100,7 @@ void take_used_vertices(const VertexWelder& welded, std::size_t object_count, We
     next.assign(std::max<std::size_t>(object_count, 1), 0);
     const auto for_each_used = [&](auto&& visit) {
         for (std::uint32_t v = 0; v < index.size(); ++v) {
-            if (index[v] != empty_slot) visit(v, welded.object_of(v));
+            if (index[v] != none) visit(v, welded.object_of(v));
         }
     };
     for_each_used([&](std::uint32_t, std::uint32_t object) { ++next[object]; });
@@ -169,7 +142,7 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
         }
         const auto fresh = static_cast<std::uint32_t>(keys.size());
         const auto is_key = [&](std::uint32_t known) { return keys[known] == key; };
-        if (seen.find_or_add(fresh, mix(key.x, key.y, key.z), is_key) != fresh) {
+        if (seen.find_or_add(fresh, hash_of(key.x, key.y, key.z), is_key) != fresh) {
             ++result.odd.repeated;
             continue;
         }

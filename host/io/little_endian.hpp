@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace lineatlas {
@@ -25,15 +24,6 @@ inline std::uint32_t read_u32(std::string_view bytes, std::size_t place) {
 
 inline float read_f32(std::string_view bytes, std::size_t place) {
     return std::bit_cast<float>(read_u32(bytes, place));
-}
-
-inline void append_u32(std::string& bytes, std::uint32_t value) {
-    for (unsigned shift = 0; shift < 32; shift += 8)
-        bytes.push_back(static_cast<char>(value >> shift & 0xFFU));
-}
-
-inline void append_f32(std::string& bytes, float value) {
-    append_u32(bytes, std::bit_cast<std::uint32_t>(value));
 }
 
 } // namespace lineatlas

@@ -11,14 +11,13 @@
 #include <string_view>
 #include <utility>
 
-#include "checked.hpp"
 #include "extension.hpp"
 #include "gltf_files.hpp"
 #include "isolated.hpp"
+#include "mesh_readers.hpp"
 #include "mesh_source.hpp"
 #include "model_loader.hpp"
 #include "obj.hpp"
-#include "openmesh_import.hpp"
 #include "soup.hpp"
 
 namespace lineatlas {
@@ -37,14 +36,14 @@ Soup read_soup(MeshSource source, const std::string& extension, const LoadOption
     SourceFile& model = source.model;
     if (is_read_by_module(extension))
         return read_by_module(model, extension, source.named, options);
-    if (extension == ".stl") return import_by_openmesh(check_stl(model), extension, model.path);
+    if (extension == ".stl") return read_stl(model);
 
     refuse_other_types(model, extension);
     model.bytes.erase(0, model.bytes.size() - without_utf8_mark(model.bytes).size());
     if (extension == ".obj") return read_obj(std::move(model), source.materials, progress);
-    if (extension == ".ply") return import_by_openmesh(check_ply(model), extension, model.path);
-    if (extension == ".off") return import_by_openmesh(check_off(model), extension, model.path);
-    return import_by_openmesh(check_om(model), extension, model.path);
+    if (extension == ".ply") return read_ply(model);
+    if (extension == ".off") return read_off(model);
+    return read_om(model);
 }
 
 /// Throws UsageError for what can't be.

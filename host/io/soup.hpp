@@ -38,8 +38,10 @@ struct Soup {
 
     void add_face(std::span<const std::uint32_t> face) {
         corners.insert(corners.end(), face.begin(), face.end());
-        face_ends.push_back(corners.size());
+        end_face();
     }
+    /// Makes a face of the corners that have been appended since the last one.
+    void end_face() { face_ends.push_back(corners.size()); }
 };
 
 /// Judges and triangulates. Drops what cannot be drawn with a note each; throws FileError for

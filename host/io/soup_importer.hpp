@@ -10,8 +10,9 @@
 
 namespace lineatlas {
 
-/// Where OpenMesh's readers put what they find. Attributes other than positions are ignored, faces
-/// are taken as they are. OM files describe halfedges; their faces are walked once all of them are
+/// Where OpenMesh's reader puts what it finds: a soup instead of a halfedge mesh, which would drop
+/// or split faces at non-manifold edges. Attributes other than positions are ignored, faces are
+/// taken as they are. OM files describe halfedges; their faces are walked once all of them are
 /// there.
 class SoupImporter final : public OpenMesh::IO::BaseImporter {
     using VertexHandle = OpenMesh::VertexHandle;

@@ -51,9 +51,7 @@ class TextCursor {
     std::string_view next_on_line() {
         while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
         const std::size_t begin = at_;
-        while (at_ < text_.size() && !is_blank(text_[at_]) && !is_line_end(text_[at_]) &&
-               text_[at_] != comment_)
-            ++at_;
+        while (at_ < text_.size() && !is_gap(text_[at_]) && text_[at_] != comment_) ++at_;
         return text_.substr(begin, at_ - begin);
     }
 
@@ -74,6 +72,9 @@ class TextCursor {
         return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
     }
     static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+    static bool is_gap(char c) {
+        return static_cast<unsigned char>(c) <= ' ' && (is_blank(c) || is_line_end(c));
+    }
 
     std::string_view text_;
     std::size_t at_ = 0;

@@ -33,7 +33,7 @@ TEST_F(MeshIo, PlyEncodingsAgree) {
     }
 }
 
-TEST_F(MeshIo, PlyReadsWhatOpenMeshAloneGetsWrong) {
+TEST_F(MeshIo, PlyWithOtherTypesListsAndNan) {
     const LoadedMesh loaded =
         load("odd.ply",
              "ply\r\nformat ascii 1.0\r\nelement camera 1\r\nproperty list int float m\r\n"
@@ -108,6 +108,15 @@ TEST_F(MeshIo, StlBinaryAndAscii) {
              "endloop endfacet\nendsolid\nsolid facet vertex\nendsolid b\n")
             .mesh;
     EXPECT_EQ(ascii.triangles.size(), 1U);
+}
+
+TEST_F(MeshIo, StlWeldsWhatIsZeroBeforeRounding) {
+    const std::vector<std::array<float, 9>> facets{{0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                                   {1, 1e-40F, 0, 1, 1, 0, -0.0F, 1, -1e-40F}};
+    const Mesh mesh = load("a.stl", binary_stl(2, facets)).mesh;
+    ASSERT_EQ(mesh.triangles.size(), 2U);
+    EXPECT_EQ(mesh.positions.size(), 4U);
+    EXPECT_EQ(mesh.triangles[1], glm::uvec3(1, 3, 2));
 }
 
 TEST_F(MeshIo, StlErrors) {

@@ -3,7 +3,7 @@
 
 #include <OpenMesh/Core/IO/OMFormat.hh>
 
-#include "checked.hpp"
+#include "checked_om.hpp"
 #include "little_endian.hpp"
 
 namespace lineatlas {
@@ -45,7 +45,7 @@ class OmFile {
   public:
     explicit OmFile(const SourceFile& source) : source_(source), bytes_(source.bytes) {}
 
-    CheckedMesh check() {
+    CheckedOm check() {
         header();
         while (at_ + 2 <= bytes_.size() && !done_) chunk();
         if (!has_positions_ || (checked_.faces > 0 && !has_faces_) ||
@@ -188,12 +188,12 @@ class OmFile {
     bool has_positions_ = false;
     bool has_halfedges_ = false;
     bool has_faces_ = false;
-    CheckedMesh checked_;
+    CheckedOm checked_;
 };
 
 } // namespace
 
-CheckedMesh check_om(const SourceFile& source) {
+CheckedOm check_om(const SourceFile& source) {
     return OmFile(source).check();
 }
 

@@ -1,30 +1,28 @@
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include "checked.hpp"
+#include "mesh_readers.hpp"
 #include "text_cursor.hpp"
 
 namespace lineatlas {
 
 namespace {
 
-/// OpenMesh finds neither a keyword behind comments nor counts beside it, takes a missing edge
-/// count from the first vertex, stops at `nan`, and reads on behind the end of the file. It gets
-/// plain `OFF` with three zeros a vertex and bare indices a face.
+/// Takes of each vertex its place and of each face its corners; what else stands on their lines,
+/// normals, colours and texture coordinates, is left.
 class OffText {
   public:
     explicit OffText(const SourceFile& source) : source_(source), cursor_(source.bytes, '#') {}
 
-    CheckedMesh check() {
+    Soup read() {
         header();
-        checked_.bytes.reserve(source_.bytes.size() + 64);
-        checked_.bytes = "OFF\n" + std::to_string(checked_.vertices) + ' ' +
-                         std::to_string(checked_.faces) + " 0\n";
-        for (std::size_t i = 0; i < checked_.vertices; ++i) vertex(i);
-        for (std::size_t i = 0; i < checked_.faces; ++i) face(i);
-        return std::move(checked_);
+        soup_.positions.reserve(vertices_);
+        soup_.face_ends.reserve(faces_);
+        soup_.corners.reserve(std::min(3 * faces_, most_numbers()));
+        for (std::size_t i = 0; i < vertices_; ++i) vertex(i);
+        for (std::size_t i = 0; i < faces_; ++i) face(i);
+        return std::move(soup_);
     }
 
   private:
@@ -58,16 +56,16 @@ class OffText {
         if (word == "BINARY")
             throw read_error(source_.path,
                              "it is a binary OFF file; convert it to text OFF or PLY");
-        checked_.vertices = count(word);
-        checked_.faces = count(cursor_.next_on_line());
+        vertices_ = count(word);
+        faces_ = count(cursor_.next_on_line());
         cursor_.skip_line();
 
         constexpr std::size_t shortest_vertex = sizeof("0 0 0") - 1;
         const std::size_t room = cursor_.bytes_left() / shortest_vertex + 1;
-        if (checked_.vertices > room || checked_.faces > cursor_.bytes_left())
+        if (vertices_ > room || faces_ > cursor_.bytes_left())
             throw read_error(source_.path, "its header promises " +
-                                               counted(checked_.vertices, "vertex", "vertices") +
-                                               " and " + counted(checked_.faces, "face", "faces") +
+                                               counted(vertices_, "vertex", "vertices") + " and " +
+                                               counted(faces_, "face", "faces") +
                                                ", more than the file has room for");
     }
 
@@ -79,11 +77,14 @@ class OffText {
         return static_cast<std::size_t>(*value);
     }
 
+    /// How many numbers the rest of the file has room for.
+    std::size_t most_numbers() const { return cursor_.bytes_left() / 2 + 1; }
+
     void vertex(std::size_t number) {
-        glm::dvec3 point{0};
+        glm::dvec3& point = soup_.positions.emplace_back(0);
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = cursor_.next();
-            if (word.empty()) throw truncated("vertex", number, checked_.vertices);
+            if (word.empty()) throw truncated("vertex", number, vertices_);
             const auto value = parse_number(word);
             if (!value)
                 throw error_in("vertex", number,
@@ -91,56 +92,46 @@ class OffText {
             point[axis] = *value;
         }
         cursor_.skip_line();
-        checked_.exact.push_back(point);
-        checked_.bytes += "0 0 0\n"; // all that OpenMesh's floats are for is to be counted
     }
 
     void face(std::size_t number) {
         const long long corners = face_number(number);
         const auto promised = static_cast<std::size_t>(corners);
-        if (corners < 0 || promised > cursor_.bytes_left() / 2 + 1)
+        if (corners < 0 || promised > most_numbers())
             throw error_in("face", number,
                            "claims " + std::to_string(corners) +
                                " corners, more than the file has");
-        append_number(corners);
         for (std::size_t i = 0; i < promised; ++i) {
             const long long index = face_number(number);
-            if (index < 0 || static_cast<std::size_t>(index) >= checked_.vertices)
+            if (index < 0 || static_cast<std::size_t>(index) >= vertices_)
                 throw error_in("face", number,
                                "refers to vertex " + std::to_string(index) +
                                    ", the file has 0 to " +
-                                   std::to_string(static_cast<long long>(checked_.vertices) - 1));
-            append_number(index);
+                                   std::to_string(static_cast<long long>(vertices_) - 1));
+            soup_.corners.push_back(static_cast<std::uint32_t>(index));
         }
+        soup_.end_face();
         cursor_.skip_line();
-        checked_.bytes.back() = '\n';
     }
 
     long long face_number(std::size_t number) {
         const std::string_view word = cursor_.next();
-        if (word.empty()) throw truncated("face", number, checked_.faces);
+        if (word.empty()) throw truncated("face", number, faces_);
         const auto value = parse_integer(word);
         if (!value) throw error_in("face", number, "has \"" + printable(word) + "\" for an index");
         return *value;
     }
 
-    template <typename Number>
-    void append_number(Number number) {
-        char text[32];
-        const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-        checked_.bytes.append(text, end);
-        checked_.bytes.push_back(' ');
-    }
-
     const SourceFile& source_;
     TextCursor cursor_;
-    CheckedMesh checked_;
+    std::size_t vertices_ = 0, faces_ = 0; // as the header says
+    Soup soup_;
 };
 
 } // namespace
 
-CheckedMesh check_off(const SourceFile& source) {
-    return OffText(source).check();
+Soup read_off(const SourceFile& source) {
+    return OffText(source).read();
 }
 
 } // namespace lineatlas

@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <array>
-#include <cctype>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <string_view>
+#include <utility>
 
 #include "base/exact_bounds.hpp"
-#include "checked.hpp"
+#include "base/first_seen.hpp"
 #include "little_endian.hpp"
+#include "mesh_readers.hpp"
 #include "text_cursor.hpp"
 
 namespace lineatlas {
@@ -15,28 +19,68 @@ namespace {
 constexpr std::size_t header_size = 84;
 constexpr std::size_t facet_size = 50;
 
-std::string empty_binary_stl() {
-    return std::string(80, ' ') + std::string(4, '\0');
+using Corners = std::array<glm::vec3, 3>;
+
+/// What is less than any normal float counts as zero, as -0 does: the rest of a sum that was meant
+/// to be nothing.
+float without_rest(float value) {
+    return std::abs(value) < std::numeric_limits<float>::min() ? 0.0F : value;
 }
 
-void set_facet_count(CheckedMesh& checked) {
-    std::string count;
-    append_u32(count, static_cast<std::uint32_t>(checked.faces));
-    checked.bytes.replace(80, 4, count);
+glm::vec3 place_of(glm::vec3 corner) {
+    return {without_rest(corner.x), without_rest(corner.y), without_rest(corner.z)};
 }
 
-/// OpenMesh's reader welds through an ordered map, and one NaN breaks the order of all of it.
-void add_facet(CheckedMesh& checked, const std::array<float, 9>& coordinates) {
-    for (const float value : coordinates) {
-        if (std::isfinite(value)) continue;
-        ++checked.not_finite_faces;
-        return;
+std::uint32_t hash_at(glm::vec3 place) {
+    return hash_of(std::bit_cast<std::uint32_t>(place.x), std::bit_cast<std::uint32_t>(place.y),
+                   std::bit_cast<std::uint32_t>(place.z));
+}
+
+/// Facets as faces of a soup, in which equal corners are one.
+class FacetWelder {
+  public:
+    explicit FacetWelder(std::size_t facets) : seen_(vertices_of_closed(facets)) {
+        soup_.corners.reserve(3 * facets);
+        soup_.face_ends.reserve(facets);
     }
-    checked.bytes.append(12, '\0');
-    for (const float value : coordinates) append_f32(checked.bytes, value);
-    checked.bytes.append(2, '\0');
-    ++checked.faces;
-}
+
+    void add(const Corners& facet) {
+        for (const glm::vec3& corner : facet) {
+            if (is_finite(corner)) continue;
+            ++soup_.not_finite_faces;
+            return;
+        }
+        for (const glm::vec3& corner : facet) soup_.corners.push_back(weld(corner));
+        soup_.end_face();
+    }
+
+    Soup take() { return std::move(soup_); }
+
+  private:
+    static std::size_t vertices_of_closed(std::size_t facets) { return facets / 2; }
+
+    std::uint32_t weld(glm::vec3 corner) {
+        const glm::vec3 place = place_of(corner);
+        const auto fresh = static_cast<std::uint32_t>(soup_.positions.size());
+        if (fresh == seen_.room()) make_room();
+        const std::uint32_t vertex =
+            seen_.find_or_add(fresh, hash_at(place), [&](std::uint32_t known) {
+                return place_of(soup_.positions[known]) == place;
+            });
+        if (vertex == fresh) soup_.positions.emplace_back(corner);
+        return vertex;
+    }
+
+    void make_room() {
+        seen_ = FirstSeen(2 * soup_.positions.size());
+        for (std::uint32_t i = 0; i < soup_.positions.size(); ++i)
+            seen_.find_or_add(i, hash_at(place_of(soup_.positions[i])),
+                              [](std::uint32_t) { return false; });
+    }
+
+    Soup soup_;
+    FirstSeen seen_;
+};
 
 /// Where nothing but whole facets follows those that the header promises, its count is wrong.
 std::size_t facets_to_read(std::size_t bytes, std::size_t promised,
@@ -54,7 +98,11 @@ std::size_t facets_to_read(std::size_t bytes, std::size_t promised,
     return present;
 }
 
-CheckedMesh check_binary(const SourceFile& source) {
+glm::vec3 read_corner(std::string_view bytes, std::size_t place) {
+    return {read_f32(bytes, place), read_f32(bytes, place + 4), read_f32(bytes, place + 8)};
+}
+
+Soup read_binary(const SourceFile& source) {
     const std::string_view bytes = source.bytes;
     const std::size_t promised = read_u32(bytes, 80);
     const std::size_t present = (bytes.size() - header_size) / facet_size;
@@ -67,36 +115,36 @@ CheckedMesh check_binary(const SourceFile& source) {
                                           std::to_string(present) + " follow");
     if (promised == 0) throw read_error(source.path, "it holds no face");
 
-    CheckedMesh checked;
-    checked.bytes = empty_binary_stl();
-    checked.bytes.reserve(bytes.size());
-    const std::size_t read = facets_to_read(bytes.size(), promised, checked.notes);
-    for (std::size_t i = 0; i < read; ++i) {
-        std::array<float, 9> coordinates{};
-        for (std::size_t c = 0; c < 9; ++c)
-            coordinates[c] = read_f32(bytes, header_size + i * facet_size + 12 + 4 * c);
-        add_facet(checked, coordinates);
+    std::vector<std::string> notes;
+    const std::size_t count = facets_to_read(bytes.size(), promised, notes);
+    FacetWelder welder(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        constexpr std::size_t normal_size = 12, corner_size = 12;
+        const std::size_t place = header_size + i * facet_size + normal_size;
+        welder.add({read_corner(bytes, place), read_corner(bytes, place + corner_size),
+                    read_corner(bytes, place + 2 * corner_size)});
     }
-    set_facet_count(checked);
-    return checked;
+    Soup soup = welder.take();
+    soup.notes = std::move(notes);
+    return soup;
 }
 
-bool same_word(std::string_view token, std::string_view lower) {
-    if (token.size() != lower.size()) return false;
-    for (std::size_t i = 0; i < token.size(); ++i)
-        if (std::tolower(static_cast<unsigned char>(token[i])) != lower[i]) return false;
-    return true;
+char lower(char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+bool same_word(std::string_view token, std::string_view lower_case) {
+    return std::ranges::equal(token, lower_case, {}, lower);
 }
 
 using Facet = std::array<glm::dvec3, 3>;
 
-/// Walks keywords rather than lines: OpenMesh expects one `vertex` on each of the three lines
-/// after `outer`, and takes anything else for zeros.
+/// Walks keywords, wherever lines end.
 class AsciiStl {
   public:
     explicit AsciiStl(const SourceFile& source) : source_(source), cursor_(source.bytes) {}
 
-    CheckedMesh check() {
+    Soup read() {
         bool in_solid = false;
         for (std::string_view word = cursor_.next(); !word.empty(); word = cursor_.next()) {
             if (same_word(word, "solid") || same_word(word, "endsolid")) {
@@ -114,25 +162,18 @@ class AsciiStl {
     }
 
   private:
-    /// OpenMesh welds floats, which must be able to tell the corners apart.
-    CheckedMesh about_origin() const {
+    /// Floats are welded, which must be able to tell the corners apart.
+    Soup about_origin() const {
         ExactBounds bounds;
         for (const Facet& facet : facets_)
             for (const glm::dvec3& corner : facet)
                 if (is_drawable(corner)) bounds.add(corner);
-        CheckedMesh checked;
-        checked.bytes = empty_binary_stl();
-        checked.origin = origin_for(bounds);
-        for (const Facet& facet : facets_) {
-            std::array<float, 9> coordinates{};
-            for (std::size_t i = 0; i < coordinates.size(); ++i) {
-                const auto axis = static_cast<int>(i % 3);
-                coordinates[i] = static_cast<float>(facet[i / 3][axis] - checked.origin[axis]);
-            }
-            add_facet(checked, coordinates);
-        }
-        set_facet_count(checked);
-        return checked;
+        const glm::dvec3 origin = origin_for(bounds);
+        FacetWelder welder(facets_.size());
+        for (const auto& [a, b, c] : facets_) welder.add({a - origin, b - origin, c - origin});
+        Soup soup = welder.take();
+        soup.origin = origin;
+        return soup;
     }
 
     FileError truncated() const {
@@ -187,19 +228,19 @@ bool starts_with_solid(std::string_view bytes) {
 
 } // namespace
 
-CheckedMesh check_stl(const SourceFile& source) {
+Soup read_stl(const SourceFile& source) {
     const std::string_view bytes = source.bytes;
     const bool has_header = bytes.size() >= header_size;
     // "solid" proves nothing: many exporters put it into the free text of a binary header.
     const bool exact = has_header && bytes.size() == header_size + facet_size * read_u32(bytes, 80);
     const bool has_zero_byte = bytes.substr(0, 1024).find('\0') != bytes.npos;
-    if (!exact && starts_with_solid(bytes) && !has_zero_byte) return AsciiStl(source).check();
+    if (!exact && starts_with_solid(bytes) && !has_zero_byte) return AsciiStl(source).read();
     if (!exact) refuse_other_types(source, ".stl");
     if (!has_header)
         throw read_error(source.path,
                          "it is neither binary STL (too short for its header) nor ASCII "
                          "STL (does not start with \"solid\")");
-    return check_binary(source);
+    return read_binary(source);
 }
 
 } // namespace lineatlas

@@ -1,15 +1,13 @@
-#include "openmesh_import.hpp"
-
 #include <mutex>
 #include <sstream>
+#include <utility>
 
 #include <OpenMesh/Core/IO/IOManager.hh>
-#include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/OMReader.hh>
-#include <OpenMesh/Core/IO/reader/PLYReader.hh>
-#include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 
+#include "checked_om.hpp"
+#include "mesh_readers.hpp"
 #include "soup_importer.hpp"
 
 namespace lineatlas {
@@ -69,7 +67,7 @@ bool SoupImporter::add_halfedge_faces() {
 
 namespace {
 
-/// The readers keep their state in singletons and talk to global streams.
+/// The reader keeps its state in a singleton and talks to global streams.
 class ReaderLock {
   public:
     ReaderLock() : lock_(mutex()), errors_(omerr().is_enabled()), log_(omlog().is_enabled()) {
@@ -94,44 +92,24 @@ class ReaderLock {
     bool log_;
 };
 
-OpenMesh::IO::BaseReader& reader_for(std::string_view extension) {
-    if (extension == ".ply") return OpenMesh::IO::PLYReader();
-    if (extension == ".stl") return OpenMesh::IO::STLReader();
-    if (extension == ".off") return OpenMesh::IO::OFFReader();
-    return OpenMesh::IO::OMReader();
-}
-
 } // namespace
 
-Soup import_by_openmesh(CheckedMesh checked, std::string_view extension,
-                        const std::filesystem::path& path) {
+Soup read_om(const SourceFile& source) {
+    CheckedOm checked = check_om(source);
     SoupImporter importer;
     {
         const ReaderLock lock;
         OpenMesh::IO::Options options;
-        if (extension == ".stl") options += OpenMesh::IO::Options::Binary;
         std::istringstream stream(std::move(checked.bytes));
-        stream.unsetf(extension == ".om" ? std::ios::skipws : std::ios::fmtflags());
-        if (!reader_for(extension).read(stream, importer, options))
-            throw read_error(path, "OpenMesh refuses it");
+        stream.unsetf(std::ios::skipws);
+        if (!OpenMesh::IO::OMReader().read(stream, importer, options))
+            throw read_error(source.path, "OpenMesh refuses it");
     }
-    // The STL reader welds equal positions and leaves out facets that lose their area by that.
-    const std::size_t found = importer.n_faces();
-    const bool welds = extension == ".stl";
-    if ((!welds && (importer.n_vertices() != checked.vertices || found != checked.faces)) ||
-        found > checked.faces || !importer.add_halfedge_faces())
-        throw read_error(path,
+    if (importer.n_vertices() != checked.vertices || importer.n_faces() != checked.faces ||
+        !importer.add_halfedge_faces())
+        throw read_error(source.path,
                          "OpenMesh finds other numbers of vertices and faces than its header");
-
-    Soup soup = importer.take();
-    if (!checked.exact.empty()) soup.positions = std::move(checked.exact);
-    soup.origin = checked.origin;
-    soup.not_finite_faces = checked.not_finite_faces;
-    soup.notes = std::move(checked.notes);
-    if (welds && found < checked.faces)
-        soup.notes.push_back(counted(checked.faces - found, "face", "faces") +
-                             " with equal corners dropped");
-    return soup;
+    return importer.take();
 }
 
 } // namespace lineatlas

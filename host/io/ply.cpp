@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "checked.hpp"
 #include "little_endian.hpp"
+#include "mesh_readers.hpp"
 #include "ply_header.hpp"
 #include "text_cursor.hpp"
 
@@ -60,9 +60,8 @@ class PlyValues {
     TextCursor text_;
 };
 
-/// OpenMesh reads counts it cannot check, takes integer coordinates for zeros, knows four of the
-/// eight list types, loses its place behind any list but the corners, and stops at `nan` in text.
-/// It gets binary with three floats a vertex and one list of ints a face.
+/// Takes x, y and z of each vertex and the first list of corners of each face; what else there is
+/// is walked over.
 class PlyFile {
   public:
     PlyFile(const SourceFile& source, const PlyHeader& header)
@@ -70,20 +69,11 @@ class PlyFile {
           values_(std::string_view(source.bytes).substr(header.size), header.encoding,
                   header.lines + 1) {}
 
-    CheckedMesh check() {
+    Soup read() {
         for (const PlyElement& element : header_.elements)
-            if (element.name == "vertex")
-                checked_.vertices = element.count;
-            else if (element.name == "face")
-                checked_.faces = element.count;
-        checked_.bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                         std::to_string(checked_.vertices) +
-                         "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                         std::to_string(checked_.faces) +
-                         "\nproperty list int int vertex_indices\nend_header\n";
+            if (element.name == "vertex") vertices_ = element.count;
         for (const PlyElement& element : header_.elements) walk(element);
-        checked_.bytes += faces_;
-        return std::move(checked_);
+        return std::move(soup_);
     }
 
   private:
@@ -99,22 +89,23 @@ class PlyFile {
                                                " \"" + printable(element.name) +
                                                "\", it has room for " +
                                                std::to_string((values_.bytes_left() + 1) / least));
-        for (std::size_t i = 0; i < element.count; ++i) {
-            if (element.name == "vertex")
-                vertex(element, i);
-            else if (element.name == "face")
-                face(element, i);
-            else
-                skip(element, i);
-        }
+        if (element.name == "vertex")
+            vertices(element);
+        else if (element.name == "face")
+            faces(element);
+        else
+            for (std::size_t i = 0; i < element.count; ++i) skip(element, i);
     }
 
-    bool has_more_than_floats(const PlyElement& element) const {
-        return header_.encoding == PlyEncoding::ascii ||
-               std::ranges::any_of(element.properties, [](const PlyProperty& property) {
-                   return is_coordinate(property) &&
-                          (property.type.kind != PlyKind::floating || property.type.size != 4);
-               });
+    void vertices(const PlyElement& element) {
+        soup_.positions.reserve(element.count);
+        for (std::size_t i = 0; i < element.count; ++i) vertex(element, i);
+    }
+
+    void faces(const PlyElement& element) {
+        soup_.face_ends.reserve(element.count);
+        soup_.corners.reserve(std::min(3 * element.count, values_.bytes_left()));
+        for (std::size_t i = 0; i < element.count; ++i) face(element, i);
     }
 
     static bool is_coordinate(const PlyProperty& property) {
@@ -122,20 +113,15 @@ class PlyFile {
     }
 
     void vertex(const PlyElement& element, std::size_t number) {
-        std::array<double, 3> point{};
+        glm::dvec3& point = soup_.positions.emplace_back(0);
         for (const PlyProperty& property : element.properties) {
             if (property.count_type) {
                 skip_list(property, element, number);
                 continue;
             }
             const double value = next(property.type, element, number);
-            if (is_coordinate(property))
-                point[static_cast<std::size_t>(property.name[0] - 'x')] = value;
+            if (is_coordinate(property)) point[property.name[0] - 'x'] = value;
         }
-        if (has_more_than_floats(element))
-            checked_.exact.emplace_back(point[0], point[1], point[2]);
-        for (const double coordinate : point)
-            append_f32(checked_.bytes, static_cast<float>(coordinate));
     }
 
     void face(const PlyElement& element, std::size_t number) {
@@ -150,20 +136,19 @@ class PlyFile {
                 found = true;
             }
         }
-        if (!found) append_u32(faces_, 0);
+        soup_.end_face();
     }
 
     void corners(const PlyProperty& property, const PlyElement& element, std::size_t number) {
         const std::size_t count = list_count(property, element, number);
-        append_u32(faces_, static_cast<std::uint32_t>(count));
         for (std::size_t i = 0; i < count; ++i) {
             const double index = next(property.type, element, number);
-            if (!is_whole_below(index, checked_.vertices))
+            if (!is_whole_below(index, vertices_))
                 throw read_error(source_.path,
                                  "face " + std::to_string(number) + " refers to vertex " +
                                      shortest(index) + ", the file has " +
-                                     counted(checked_.vertices, "vertex", "vertices") + " from 0");
-            append_u32(faces_, static_cast<std::uint32_t>(index));
+                                     counted(vertices_, "vertex", "vertices") + " from 0");
+            soup_.corners.push_back(static_cast<std::uint32_t>(index));
         }
     }
 
@@ -215,15 +200,15 @@ class PlyFile {
     const SourceFile& source_;
     const PlyHeader& header_;
     PlyValues values_;
-    CheckedMesh checked_;
-    std::string faces_; // kept apart, since a file may have its faces before its vertices
+    std::size_t vertices_ = 0; // as the header says: a file may have its faces before them
+    Soup soup_;
 };
 
 } // namespace
 
-CheckedMesh check_ply(const SourceFile& source) {
+Soup read_ply(const SourceFile& source) {
     const PlyHeader header = read_ply_header(source);
-    return PlyFile(source, header).check();
+    return PlyFile(source, header).read();
 }
 
 } // namespace lineatlas
