@@ -6,6 +6,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/exact_arrays.hpp"
 #include "lineatlas/mesh.hpp"
+#include "polygon/polygon.hpp"
 
 namespace lineatlas {
 namespace {
@@ -118,6 +119,16 @@ ExactMesh make_mesh(const ExactArrays& arrays) {
     add_triangles(made.mesh, corners);
     add_groups(made.mesh, arrays.materials);
     return made;
+}
+
+void add_polygon(Mesh& mesh, std::span<const std::uint32_t> corners) {
+    for (const std::uint32_t corner : corners) {
+        if (corner < mesh.positions.size()) continue;
+        throw UsageError("mesh: a polygon has the index " + std::to_string(corner) +
+                         ", but there are " + std::to_string(mesh.positions.size()) +
+                         " positions, counted from 0");
+    }
+    if (corners.size() >= 3) triangulate(mesh.positions, corners, mesh.triangles);
 }
 
 void add_polyline(Mesh& mesh, std::span<const glm::vec3> points) {

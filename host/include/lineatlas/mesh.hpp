@@ -97,6 +97,12 @@ struct MeshArrays {
 /// or two floats after the last vertex.
 LINEATLAS_API Mesh make_mesh(const MeshArrays& arrays);
 
+/// Adds the triangles of a polygon, in its winding; it may be concave, and need not be flat. Its
+/// corners are indices into Mesh::positions; fewer than three add nothing. Groups, objects and
+/// normals of the new triangles are the caller's to add. Throws UsageError when an index is out of
+/// range.
+LINEATLAS_API void add_polygon(Mesh& mesh, std::span<const std::uint32_t> corners);
+
 /// Adds a line of the program's own, drawn from point to point (LineKind::file).
 LINEATLAS_API void add_polyline(Mesh& mesh, std::span<const glm::vec3> points);
 
