@@ -45,8 +45,7 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, c
     : stages_(&stages), sharing_(&sharing), tables_{upload_lines(stages.device(), lines), nullptr},
       motion_(lines), classes_(line_classes(lines)),
       diagonal_(glm::distance(lines.bounds.min, lines.bounds.max)), contact_(contact_of(lines)),
-      triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())),
-      segment_count_(static_cast<std::uint32_t>(lines.segments.size())) {
+      triangle_count_(static_cast<std::uint32_t>(lines.triangles.size())) {
     TriangleClusters made = parts != nullptr ? all_part_clusters(*parts)
                                              : build_clusters(lines.vertices, lines.triangles,
                                                               cluster_size, lines.objects);
@@ -320,7 +319,7 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
             .vertices = gl_vertices(),
             .triangles = gl_table_triangles_.id(),
             .numbers = 0,
-            .segment_count = segment_count_,
+            .segment_count = segment_count(),
             .vertex_count = motion_.vertex_count(),
             .triangle_count = triangle_count_};
 }

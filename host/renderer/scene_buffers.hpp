@@ -141,15 +141,16 @@ class SceneBuffers {
     float diagonal() const { return diagonal_; }
     float contact() const { return contact_; } ///< contact_of() it
     std::uint32_t triangle_count() const { return triangle_count_; }
-    std::uint32_t segment_count() const { return segment_count_; } ///< of all chunks
+    std::uint32_t segment_count() const { return tables_.segment_count(); }
     std::uint32_t most_elements() const {
-        return std::max({motion_.vertex_count(), triangle_count_, segment_count_});
+        return std::max({motion_.vertex_count(), triangle_count_, segment_count()});
     }
     std::uint64_t mesh_bytes() const;
-    std::uint64_t segment_bytes() const { return std::uint64_t{segment_count_} * sizeof(Segment); }
+    std::uint64_t segment_bytes() const { return std::uint64_t{segment_count()} * sizeof(Segment); }
 
   private:
     // Of parts: host/renderer/scene_parts.cpp.
+    bool has_rooms_of(const AssemblyState& parts) const;
     void follow(const AssemblyState& parts);
     void update_part(const AssemblyState& parts, const AssemblyState::Change& change);
     void upload_part_lines(const AssemblyState& parts, const PartRooms& rooms);
@@ -207,7 +208,6 @@ class SceneBuffers {
     LineKindMask line_kinds_ = 0;        ///< that `gl_lines_` holds
     std::uint32_t line_count_ = 0;
     std::uint32_t triangle_count_;
-    std::uint32_t segment_count_;
 };
 
 } // namespace lineatlas

@@ -49,8 +49,13 @@ EdgeEnds ends_of(const PartRooms& rooms, const LineSet& part) {
 
 } // namespace
 
+/// Whether all segments of the parts are in one table, those for contours, too.
+bool SceneBuffers::has_rooms_of(const AssemblyState& parts) const {
+    return tables_.chunks.size() == 1 && segment_count() == parts.lines.segments.size();
+}
+
 void SceneBuffers::follow(const AssemblyState& parts) {
-    if (tables_.chunks.size() > 1) return; // then they are made anew for every change
+    if (!has_rooms_of(parts)) return; // then they are made anew for every change
     followed_ = {parts.layout, parts.changes.size(), parts.object_room};
     std::vector<std::uint32_t> offsets(parts.lines.vertices.size() + 1, 0);
     std::vector<std::uint32_t> ends(2 * std::size_t{parts.first_replaced - parts.first_candidate},
@@ -70,7 +75,7 @@ void SceneBuffers::follow(const AssemblyState& parts) {
 }
 
 bool SceneBuffers::update_parts(const AssemblyState& parts) {
-    if (!followed_ || followed_->layout != parts.layout || tables_.chunks.size() > 1) return false;
+    if (!followed_ || followed_->layout != parts.layout || !has_rooms_of(parts)) return false;
     normals_.find(*stages_, tables_);
     for (; followed_->changes < parts.changes.size(); ++followed_->changes)
         update_part(parts, parts.changes[followed_->changes]);

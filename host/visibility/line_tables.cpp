@@ -23,11 +23,13 @@ std::span<const Segment> candidates_of(std::span<const Segment> segments) {
     return segments.subspan(first);
 }
 
-/// Whether the device has buffers for contours as the line set has them: what frames add is as
-/// much as there are silhouettes.
-bool has_room_for_contours(const LineSet& lines, std::uint64_t largest_buffer) {
+/// Whether the device has buffers for contours as the line set has them, and for all candidates
+/// together: what frames add is as much as there are silhouettes.
+bool has_room_for_contours(const LineSet& lines, std::span<const Segment> segments,
+                           std::uint64_t largest_buffer) {
     const Contours& contours = lines.contours;
-    return contours.faces.size() * sizeof(compute::ContourFace) <= largest_buffer &&
+    return candidates_of(segments).size_bytes() <= largest_buffer &&
+           contours.faces.size() * sizeof(compute::ContourFace) <= largest_buffer &&
            contours.corners.size() * sizeof(ContourCorner) <= largest_buffer;
 }
 
@@ -222,21 +224,24 @@ upload_segments(compute::Device& device, std::span<const Segment> segments, cons
     // chunk shall fit too: some per segment, where all are visible and hidden in parts.
     constexpr std::uint64_t runs_per_segment = 4;
     const std::uint64_t largest = device.largest_buffer();
+    const bool has_contours = lines != nullptr && !lines->contours.empty() &&
+                              has_room_for_contours(*lines, segments, largest);
+    // Without them no candidate stands for a triangle.
+    if (lines != nullptr && !has_contours)
+        segments = segments.first(segments.size() - lines->contours.faces.size());
     const bool is_whole = segments.size() <= largest / sizeof(ClippedSegment);
     std::vector<LineTables::Chunk> chunks;
     const std::vector<SegmentRange> ranges =
         is_whole ? cut_segments(segments, segments.size())
                  : cut_into_chunks(segments, largest / (runs_per_segment * sizeof(Run)), largest);
-    const std::size_t candidates = candidates_of(segments).size();
     for (const SegmentRange& range : ranges) {
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
-        const bool has_contours = lines != nullptr && !lines->contours.empty() &&
-                                  candidates_of(part).size() == candidates &&
-                                  has_room_for_contours(*lines, largest);
+        const bool is_last = range.first + range.count == segments.size();
         chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
-        add_candidates(device, part, has_contours ? &lines->contours : nullptr, chunks.back());
-        if (has_contours) add_contours(device, *lines, segments, chunks.back());
+        add_candidates(device, part, has_contours && is_last ? &lines->contours : nullptr,
+                       chunks.back());
     }
+    if (has_contours) add_contours(device, *lines, segments, chunks.back());
     return chunks;
 }
 
@@ -268,8 +273,7 @@ LineSet download_contours(compute::Device& device, const LineTables& lines,
 }
 
 std::vector<Segment> download_segments(compute::Device& device, const LineTables& lines) {
-    const SegmentRange last = lines.chunks.back().range;
-    std::vector<Segment> segments(last.first + last.count);
+    std::vector<Segment> segments(lines.segment_count());
     for (const LineTables::Chunk& chunk : lines.chunks) {
         const auto part = std::span{segments}.subspan(chunk.range.first, chunk.range.count);
         device.download(*chunk.segments, std::as_writable_bytes(part));

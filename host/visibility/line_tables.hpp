@@ -42,6 +42,10 @@ struct LineTables {
     /// What tables per segment must hold before silhouettes are found: of the largest chunk what is
     /// no candidate. Few candidates are silhouettes.
     std::uint32_t most_fixed_segments() const;
+    /// Of all chunks. Without room for contours there are fewer than the line set has.
+    std::uint32_t segment_count() const {
+        return chunks.back().range.first + chunks.back().range.count;
+    }
     /// That with all candidates, where contours are, if there are any.
     const Chunk& contour_chunk() const { return chunks.back(); }
 };

@@ -1,6 +1,7 @@
 // Devices that are too small: what is drawn nevertheless, and what is said where nothing can be.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <utility>
@@ -292,7 +293,8 @@ TEST_P(Chunks, OfTheExactMethodMakeTheSame) {
 
 TEST_P(Chunks, KeepChainsOfSilhouettesWhole) {
     use({"clevis", {160, 120}, {}});
-    lines_ = extract_lines(sphere(5)); // 12,288 candidates, as many as 8 chunks hold
+    // 12,288 candidates, as many as 8 chunks hold
+    lines_ = extract_lines(sphere(5), {.silhouettes = Silhouettes::mesh});
     camera_ = make_camera({.eye = {1, 2, 3}, .target = {}}, {160, 120}, lines_.bounds);
     expect_the_same(by_paths(Method::atlas), 500 * kib);
 }
@@ -311,6 +313,34 @@ TEST_P(Chunks, KeepSmoothSilhouettesWhole) {
     expect_the_same(options, 800 * kib); // 20,480 candidates, creases by themselves
     options.method = Method::exact;
     expect_the_same(options, 800 * kib);
+}
+
+TEST_P(Chunks, WithoutRoomForContoursSilhouettesRunAlongEdges) {
+    use({"clevis", {160, 120}, {}});
+    struct Seen {
+        double length = 0;
+        bool on_triangles = false; ///< some
+    };
+    const auto seen = [&](Silhouettes silhouettes, std::uint64_t bytes) {
+        lines_ = extract_lines(sphere(5), {.silhouettes = silhouettes});
+        camera_ = make_camera({.eye = {1, 2, 3}, .target = {}}, {160, 120}, lines_.bounds);
+        const std::size_t edges = lines_.segments.size() - lines_.contours.faces.size();
+        opencl_faults().largest_buffer = bytes;
+        Seen result;
+        for (const Interval& one : drawn(*make_renderer(), by_paths(Method::atlas)).intervals) {
+            if ((one.flags & LA_INTERVAL_VISIBLE) != 0)
+                result.length += one.end_arc - one.start_arc;
+            if (one.segment >= edges) result.on_triangles = true;
+        }
+        opencl_faults().largest_buffer = 0;
+        return result;
+    };
+    const double along_edges = seen(Silhouettes::mesh, 500 * kib).length;
+    EXPECT_GT(along_edges, 100);
+    const Seen without_room = seen(Silhouettes::smooth, 500 * kib);
+    EXPECT_NEAR(without_room.length, along_edges, 1e-3 * along_edges);
+    EXPECT_FALSE(without_room.on_triangles);
+    EXPECT_TRUE(seen(Silhouettes::smooth, 0).on_triangles) << "there is no room for anything";
 }
 
 TEST_P(Chunks, GoByTilesToo) {
