@@ -30,14 +30,15 @@ bool receive_all(int socket, std::span<std::byte> bytes) {
 }
 
 bool Patience::wait_for(int socket, short events) {
-    constexpr std::chrono::milliseconds part{100};
+    constexpr std::chrono::milliseconds longest{100};
     while (!is_over()) {
+        const auto part = std::min(longest, std::chrono::ceil<std::chrono::milliseconds>(left_));
         pollfd waiting{.fd = socket, .events = events, .revents = 0};
         const int ready = ::poll(&waiting, 1, static_cast<int>(part.count()));
         const Clock::time_point now = Clock::now();
-        left_ -= std::min<std::chrono::nanoseconds>(now - last_, 2 * part);
+        left_ -= std::min<std::chrono::nanoseconds>(now - last_, 2 * longest);
         last_ = now;
-        if (ready > 0) return true;
+        if (ready > 0) return !is_over(); // what comes too late is not taken
     }
     return false;
 }
