@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <locale>
+#include <sstream>
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -125,14 +126,16 @@ std::vector<glm::vec3> points_to_frame(const LineSet& lines, const std::optional
 }
 
 std::string note_of(const FarPart& far) {
-    const std::string parts =
-        fmt::format("{} of {} triangles and lines lie far from all others", far.count, far.total);
+    std::ostringstream note;
+    note.imbue(std::locale::classic());
+    note.precision(3);
+    note << far.count << " of " << far.total << " triangles and lines lie far from all others";
     if (is_left_out(far))
-        return fmt::format("{}; they are not framed, which would make the picture {:.3g} times as "
-                           "wide",
-                           parts, far.ratio);
-    return fmt::format("{}, and the picture is {:.3g} times as wide for their sake", parts,
-                       far.ratio);
+        note << "; they are not framed, which would make the picture " << far.ratio
+             << " times as wide";
+    else
+        note << ", and the picture is " << far.ratio << " times as wide for their sake";
+    return note.str();
 }
 
 Framing framing_of(const LineSet& lines) {
