@@ -9,6 +9,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "base/file_descriptor.hpp"
+
 namespace lineatlas {
 
 namespace {
@@ -56,20 +58,14 @@ void check(long result) {
     if (result < 0) throw std::system_error(errno, std::generic_category(), "Landlock");
 }
 
-class Descriptor {
-  public:
-    explicit Descriptor(long number) : number_(static_cast<int>(number)) { check(number); }
-    ~Descriptor() { ::close(number_); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
+/// What a system call has opened.
+FileDescriptor opened(long number) {
+    check(number);
+    return FileDescriptor{static_cast<int>(number)};
+}
 
-  private:
-    int number_;
-};
-
-void allow_reading(const Descriptor& ruleset) {
-    const Descriptor root{::open("/", O_PATH | O_CLOEXEC)};
+void allow_reading(const FileDescriptor& ruleset) {
+    const FileDescriptor root = opened(::open("/", O_PATH | O_CLOEXEC));
     const FolderRule rule{.allowed = read_file | read_folder, .folder = root.number()};
     check(::syscall(SYS_landlock_add_rule, ruleset.number(), rule_of_folder, &rule, 0));
 }
@@ -84,8 +80,8 @@ int landlock_version() {
 void restrict_files(Files allowed) {
     const int version = landlock_version();
     const Ruleset rules = everything(version);
-    const Descriptor ruleset{
-        ::syscall(SYS_landlock_create_ruleset, &rules, size_of_ruleset(version), 0)};
+    const FileDescriptor ruleset =
+        opened(::syscall(SYS_landlock_create_ruleset, &rules, size_of_ruleset(version), 0));
     if (allowed == Files::read) allow_reading(ruleset);
     check(::syscall(SYS_landlock_restrict_self, ruleset.number(), 0));
 }

@@ -9,26 +9,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_descriptor.hpp"
+
 namespace lineatlas::compute {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    bool is_open() const { return number_ >= 0; }
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 bool write_all(int descriptor, std::span<const unsigned char> content) {
     while (!content.empty()) {
@@ -69,7 +55,7 @@ void make_folders(const fs::path& folder) {
 std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
                                                           std::uintmax_t most_bytes) {
     // Not to block on a pipe that someone put there.
-    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    const FileDescriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat status {};
     if (!file.is_open() || ::fstat(file.number(), &status) != 0 || !is_own(status) ||
         static_cast<std::uintmax_t>(status.st_size) > most_bytes) {
@@ -84,7 +70,7 @@ void write_cache_file(const fs::path& path, std::string_view part_extension,
                       std::span<const unsigned char> content) {
     make_folders(path.parent_path());
     std::string part = (path.parent_path() / "XXXXXX").string() + std::string{part_extension};
-    const Descriptor file{
+    const FileDescriptor file{
         ::mkostemps(part.data(), static_cast<int>(part_extension.size()), O_CLOEXEC)};
     if (!file.is_open()) return;
     std::error_code error;
