@@ -76,6 +76,17 @@ void allocate(const Renderbuffer& buffer, GLenum format, glm::ivec2 size, const 
             [&] { glNamedRenderbufferStorage(buffer.id(), format, size.x, size.y); });
 }
 
+void import(const Buffer& buffer, std::size_t bytes, int descriptor, std::size_t whole,
+            const Purpose& purpose) {
+    checked(purpose, bytes, [&] {
+        GLuint memory = 0;
+        glCreateMemoryObjectsEXT(1, &memory);
+        glImportMemoryFdEXT(memory, whole, GL_HANDLE_TYPE_OPAQUE_FD_EXT, descriptor);
+        glNamedBufferStorageMemEXT(buffer.id(), static_cast<GLsizeiptr>(bytes), memory, 0);
+        glDeleteMemoryObjectsEXT(1, &memory); // the buffer has it
+    });
+}
+
 void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, const Purpose& purpose) {
     void* memory = glMapNamedBufferRange(buffer.id(), 0, static_cast<GLsizeiptr>(bytes), access);
     if (memory == nullptr) {

@@ -20,6 +20,11 @@ void refill(const Buffer& buffer, std::size_t bytes, const void* data, const Pur
 void allocate(const Texture2D& texture, GLenum format, glm::ivec2 size, const Purpose& purpose);
 void allocate(const Renderbuffer& buffer, GLenum format, glm::ivec2 size, const Purpose& purpose);
 
+/// A buffer of the first `bytes` of memory that another API has exported, all in all `whole` bytes
+/// (GL_EXT_memory_object_fd). Takes the descriptor.
+void import(const Buffer& buffer, std::size_t bytes, int descriptor, std::size_t whole,
+            const Purpose& purpose);
+
 /// The first `bytes` of a buffer as host memory. Throws as above.
 void* map(const Buffer& buffer, std::size_t bytes, GLbitfield access, const Purpose& purpose);
 

@@ -39,6 +39,7 @@ std::vector<Part> all_parts(const std::filesystem::path& scratch) {
          seconds{60}},
         test("sharing_modes_test", seconds{60}),
         interop("gl-sharing"),
+        interop("external-memory"),
         interop("host-pointer"),
         interop("copy"),
         frames("clevis"),

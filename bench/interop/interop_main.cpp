@@ -26,10 +26,10 @@ void print(const HandoverReport& report) {
     for (const HandoverCost& cost : report.costs) {
         if (cost.device != device) {
             device = cost.device;
-            fmt::print("\n{}\n{:<13} {:>9} {:>11} {:>9} {:>9} {:>9}\n", device, "mode", "KiB",
+            fmt::print("\n{}\n{:<15} {:>9} {:>11} {:>9} {:>9} {:>9}\n", device, "mode", "KiB",
                        "to compute", "to GL", "order", "memcpy");
         }
-        fmt::print("{:<13} {:>9} {:>11.3f} {:>9.3f} {:>9.3f} {:>9.3f}{}\n", cost.mode,
+        fmt::print("{:<15} {:>9} {:>11.3f} {:>9.3f} {:>9.3f} {:>9.3f}{}\n", cost.mode,
                    cost.bytes / kib, cost.to_compute, cost.to_gl, cost.order_only, cost.host_memcpy,
                    cost.right ? "" : "  WRONG CONTENT");
     }
@@ -63,15 +63,15 @@ void write_json(const std::filesystem::path& path, const HandoverReport& report)
 int run(int argc, char** argv) {
     CLI::App app{"Measures what handing buffers over between GL and OpenCL costs",
                  "lineatlas-bench-interop"};
-    HandoverOptions options{.device = {},
-                            .modes = {"gl-sharing", "host-pointer", "copy"},
-                            .sizes = {64, 256, 1024, 4096, 16384, 65536},
-                            .rounds = 30};
+    HandoverOptions options{
+        .device = {}, .modes = {}, .sizes = {64, 256, 1024, 4096, 16384, 65536}, .rounds = 30};
+    for (const interop::SharingMode mode : interop::all_modes)
+        options.modes.emplace_back(name_of(mode));
     std::filesystem::path json;
     app.add_option("--device", options.device, "opencl:<platform>[:<device>]; default every one");
     app.add_option("--modes", options.modes, "Modes to measure where they work")
         ->delimiter(',')
-        ->check(CLI::IsMember({"gl-sharing", "host-pointer", "copy"}))
+        ->check(CLI::IsMember(options.modes))
         ->capture_default_str();
     app.add_option("--sizes", options.sizes, "Of buffers, in KiB")
         ->delimiter(',')

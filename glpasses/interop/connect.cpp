@@ -43,6 +43,7 @@ void refuse_collision(const compute::OpenClDevice& device) {
 std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
     if (collides(device)) return collision;
     if (mode == SharingMode::gl_sharing) return gl_sharing_obstacle(device);
+    if (mode == SharingMode::external_memory) return external_memory_obstacle(device);
     if (mode == SharingMode::host_pointer) {
         if (!device.is_cpu) return "the device is not a CPU";
         if (!gl_is_software()) return "GL does not run on the CPU";
@@ -54,6 +55,8 @@ std::string_view success(SharingMode mode) {
     switch (mode) {
     case SharingMode::gl_sharing:
         return "the context was accepted and a round trip succeeded";
+    case SharingMode::external_memory:
+        return "both import memory of a Vulkan device; a round trip succeeded";
     case SharingMode::host_pointer:
         return "device and GL share memory; a round trip succeeded";
     case SharingMode::copy:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,10 +17,6 @@ struct ModeReport {
     bool works;
     std::string reason; ///< why it does, or why not
 };
-
-/// All modes, best first.
-inline constexpr std::array all_modes{SharingMode::gl_sharing, SharingMode::host_pointer,
-                                      SharingMode::copy};
 
 /// Tries a mode with a round trip. Needs a current GL context. A driver that does not keep its
 /// word may crash or hang in here: `lineatlas devices` calls it in a child process.

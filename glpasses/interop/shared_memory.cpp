@@ -37,6 +37,26 @@ class GlSharingMemory final : public SharedMemory {
     std::unique_ptr<compute::OpenClBuffer> compute_;
 };
 
+/// Memory of a Vulkan device that both have imported.
+class ExternalMemory final : public SharedMemory {
+  public:
+    ExternalMemory(const ExternalObjects& objects, std::size_t bytes, const Purpose& purpose)
+        : SharedMemory(bytes), gl_(gl::Buffer::create()) {
+        ExportedMemory memory = objects.allocate(bytes);
+        gl::import(gl_, bytes, memory.for_gl.release(), memory.bytes, purpose);
+        compute_ = objects.open(memory.for_compute, bytes);
+    }
+
+    GLuint gl() const override { return gl_.id(); }
+    compute::Buffer& compute() override { return *compute_; }
+
+  private:
+    _cl_mem* opened() const override { return compute_->memory(); }
+
+    gl::Buffer gl_;
+    std::unique_ptr<compute::OpenClBuffer> compute_;
+};
+
 /// Runs what may fail with a device that is lost, where nothing can be done about that.
 template <class Action>
 void quietly(Action&& action) {
@@ -135,6 +155,8 @@ std::unique_ptr<SharedMemory> make_shared_memory(const Sharing& sharing, std::si
             }
             return std::make_unique<GlSharingMemory>(*opencl, bytes, purpose);
         }
+        case SharingMode::external_memory:
+            return std::make_unique<ExternalMemory>(*sharing.external(), bytes, purpose);
         case SharingMode::host_pointer:
             return std::make_unique<HostPointerMemory>(device, bytes, purpose);
         case SharingMode::copy:

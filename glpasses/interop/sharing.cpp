@@ -1,26 +1,40 @@
 #include "sharing.hpp"
 
-#include <string>
+#include <algorithm>
 
-#include "compute/opencl/opencl_backend.hpp"
+#include "gl_objects.hpp"
+#include "handover_error.hpp"
 #include "lineatlas/error.hpp"
 #include "shared_table.hpp"
 
 namespace lineatlas::interop {
 namespace {
 
-void check(cl_int status, const char* call) {
+std::unique_ptr<OpenedObjects> objects_for(compute::Device& device, SharingMode mode) {
+    const auto* opencl = dynamic_cast<compute::OpenClBackend*>(&device);
+    if (mode == SharingMode::external_memory && opencl == nullptr)
+        throw DeviceError(device.description() +
+                          " has no external-memory; use DeviceOptions::interop copy");
+    if (mode == SharingMode::external_memory) return std::make_unique<ExternalObjects>(*opencl);
+    if (mode == SharingMode::gl_sharing && opencl != nullptr)
+        return std::make_unique<GlObjects>(*opencl);
+    return nullptr;
+}
+
+} // namespace
+
+void check_handover(int status, const char* call) {
     if (status == CL_SUCCESS) return;
     throw DeviceError(std::string{"handing over between GL and OpenCL failed: "} + call +
                       " returned " + std::to_string(status) + "; use DeviceOptions::interop copy");
 }
 
-} // namespace
-
 std::string_view name_of(SharingMode mode) {
     switch (mode) {
     case SharingMode::gl_sharing:
         return "gl-sharing";
+    case SharingMode::external_memory:
+        return "external-memory";
     case SharingMode::host_pointer:
         return "host-pointer";
     case SharingMode::copy:
@@ -29,20 +43,33 @@ std::string_view name_of(SharingMode mode) {
     return "unknown";
 }
 
+std::optional<SharingMode> mode_of(std::string_view name) {
+    const auto found = std::ranges::find(all_modes, name, name_of);
+    if (found == all_modes.end()) return std::nullopt;
+    return *found;
+}
+
+std::string mode_names() {
+    std::string names;
+    for (const SharingMode mode : all_modes)
+        names += (names.empty() ? "" : ", ") + std::string{name_of(mode)};
+    return names;
+}
+
 Sharing::Sharing(compute::Device& device, SharingMode mode)
-    : device_(device), mode_(mode), opencl_(dynamic_cast<compute::OpenClBackend*>(&device)),
-      events_(opencl_) {}
+    : device_(device), mode_(mode), objects_(objects_for(device, mode)),
+      external_(dynamic_cast<const ExternalObjects*>(objects_.get())) {}
 
 void Sharing::to_compute(Shared& one) {
     if (!one.with_gl_) return;
     if (timer_ != nullptr) timer_->begin_handover();
     _cl_mem* const object = one.opened();
-    const bool ordered = events_.usable() && object != nullptr;
+    const bool ordered = object != nullptr && objects_->are_ordered();
     if (gl_works_ && !ordered) {
         glFinish();
         gl_works_ = false;
     }
-    if (object != nullptr) acquire(object);
+    if (object != nullptr) objects_->acquire(object);
     one.enter_compute();
     one.with_gl_ = false;
     if (timer_ != nullptr) timer_->end_handover();
@@ -69,30 +96,14 @@ void Sharing::pass_to_gl() {
         if (_cl_mem* object = one->opened()) opened_.push_back(object);
         one->leave_compute();
     }
-    release();
-    if (!events_.usable() || opened_.size() != going_.size()) device_.finish();
+    if (!opened_.empty()) objects_->release(opened_);
+    const bool ordered = opened_.size() == going_.size() && objects_->are_ordered();
+    if (!ordered) device_.finish();
     for (Shared* one : going_) {
         one->enter_gl();
         one->with_gl_ = true;
     }
     if (timer_ != nullptr) timer_->end_handover();
-}
-
-void Sharing::acquire(_cl_mem* object) {
-    const cl::Event after = events_.usable() ? events_.gl_commands_so_far() : cl::Event{};
-    const cl_event handle = after();
-    check(clEnqueueAcquireGLObjects(opencl_->queue()(), 1, &object, handle != nullptr ? 1 : 0,
-                                    handle != nullptr ? &handle : nullptr, nullptr),
-          "clEnqueueAcquireGLObjects");
-}
-
-void Sharing::release() {
-    if (opened_.empty()) return;
-    check(clEnqueueReleaseGLObjects(opencl_->queue()(), static_cast<cl_uint>(opened_.size()),
-                                    opened_.data(), 0, nullptr, nullptr),
-          "clEnqueueReleaseGLObjects");
-    // With cl_khr_gl_event, GL commands from here on wait for what is submitted.
-    if (events_.usable()) check(clFlush(opencl_->queue()()), "clFlush");
 }
 
 } // namespace lineatlas::interop

@@ -1,24 +1,41 @@
 #pragma once
 
+#include <array>
 #include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "compute/stages/stages.hpp"
-#include "gl_events.hpp"
+#include "external_objects.hpp"
 #include "shared.hpp"
 
 namespace lineatlas::interop {
 
 /// How a table is seen by both GL and the compute device.
 enum class SharingMode {
-    gl_sharing,   ///< one GL buffer, opened by OpenCL (cl_khr_gl_sharing): no copy
+    gl_sharing,      ///< one GL buffer, opened by OpenCL (cl_khr_gl_sharing): no copy
+    external_memory, ///< memory of a Vulkan device, imported by GL and by OpenCL
+                     ///< (cl_khr_external_memory): no copy
     host_pointer, ///< one piece of host memory, persistently mapped by GL and wrapped by compute:
                   ///< no copy
     copy,         ///< one buffer on each side; content is copied over at each hand-over
 };
 
-std::string_view name_of(SharingMode mode); ///< "gl-sharing", "host-pointer", "copy"
+/// All modes, best first.
+inline constexpr std::array all_modes{SharingMode::gl_sharing, SharingMode::external_memory,
+                                      SharingMode::host_pointer, SharingMode::copy};
+
+std::string_view name_of(SharingMode mode);                ///< "gl-sharing", "copy" and so on
+std::optional<SharingMode> mode_of(std::string_view name); ///< none: there is no such mode
+std::string mode_names();                                  ///< "gl-sharing, ..., copy"
+
+/// Whether one device alone can have a table: comparing two takes another mode.
+constexpr bool is_for_one_device(SharingMode mode) {
+    return mode == SharingMode::gl_sharing || mode == SharingMode::external_memory;
+}
 
 class SharedTable;
 
@@ -28,13 +45,15 @@ class SharedTable;
 /// has opened needs neither wait.
 class Sharing {
   public:
-    /// `device` must outlive it.
+    /// `device` must outlive it. Throws DeviceError where external_memory can't be.
     Sharing(compute::Device& device, SharingMode mode);
     Sharing(const Sharing&) = delete;
     Sharing& operator=(const Sharing&) = delete;
 
     compute::Device& device() const { return device_; }
     SharingMode mode() const { return mode_; }
+    /// What opens the memory of SharingMode::external_memory; null in other modes.
+    const ExternalObjects* external() const { return external_; }
 
     /// GL gets commands: before it is done with them, compute may take nothing that it had.
     void gl_works() { gl_works_ = true; }
@@ -59,14 +78,12 @@ class Sharing {
     void time_by(Timer* timer) { timer_ = timer; }
 
   private:
-    void acquire(_cl_mem* object);
     void pass_to_gl();
-    void release();
 
     compute::Device& device_;
     SharingMode mode_;
-    compute::OpenClBackend* opencl_; ///< null for other devices, which open nothing
-    GlEvents events_;
+    std::unique_ptr<OpenedObjects> objects_; ///< null where OpenCL opens nothing
+    const ExternalObjects* external_ = nullptr;
     bool gl_works_ = true; ///< since the last glFinish
     Timer* timer_ = nullptr;
     std::vector<Shared*> going_;   ///< kept for their memory

@@ -49,7 +49,7 @@ nlohmann::ordered_json describe(const compute::OpenClDevice& device, bool is_def
 /// Prints whether something works, and returns it for a file.
 nlohmann::ordered_json show(std::string_view what, const Probe& probe) {
     print_output(
-        fmt::format("    {:<13} {:<3}  {}\n", what, probe.works ? "yes" : "no", probe.reason));
+        fmt::format("    {:<16} {:<3}  {}\n", what, probe.works ? "yes" : "no", probe.reason));
     return {{"works", probe.works}, {"reason", probe.reason}};
 }
 
@@ -145,7 +145,7 @@ void list_devices(const DevicesOptions& options) {
 
 Command setup_devices(CLI::App& app) {
     app.footer("For every OpenCL device: whether it can share buffers with OpenGL in each of the "
-               "three modes,\nand why or why not. Each answer is tried, not guessed, in a process "
+               "four modes,\nand why or why not. Each answer is tried, not guessed, in a process "
                "of its own, since some\ndrivers crash.");
     const auto options = std::make_shared<DevicesOptions>();
     app.add_option("--wait", options->wait, "Seconds to wait for a driver's answer")

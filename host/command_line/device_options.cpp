@@ -12,8 +12,9 @@ void declare_device(CLI::App& app, DeviceOptions& options, const std::string& gr
                    "OpenCL device: opencl:<platform>[:<device>], any part of the names; see "
                    "`lineatlas devices`")
         ->group(group);
-    app.add_option("--interop", options.interop,
-                   "How buffers are shared with GL: gl-sharing, host-pointer or copy")
+    app.add_option(
+           "--interop", options.interop,
+           "How buffers are shared with GL: gl-sharing, external-memory, host-pointer or copy")
         ->group(group);
 }
 

@@ -39,22 +39,17 @@ namespace {
 interop::ConnectOptions connect_options(const DeviceOptions& options) {
     interop::ConnectOptions result{.kind = options.compute,
                                    .device = options.device,
-                                   .mode = std::nullopt,
+                                   .mode = interop::mode_of(options.interop),
                                    .compare_with = options.compare_with,
                                    .compare_until = options.compare_until,
                                    .one_picture = options.one_picture};
-    for (const auto mode : {interop::SharingMode::gl_sharing, interop::SharingMode::host_pointer,
-                            interop::SharingMode::copy}) {
-        if (options.interop == interop::name_of(mode)) result.mode = mode;
-    }
     if (!options.interop.empty() && !result.mode) {
-        throw UsageError("unknown interop \"" + options.interop +
-                         "\"; there is gl-sharing, host-pointer, copy");
+        throw UsageError("unknown interop \"" + options.interop + "\"; there is " +
+                         interop::mode_names());
     }
     if (!options.compare_with.empty()) {
-        // Two devices cannot open one GL buffer.
         if (!result.mode) result.mode = interop::SharingMode::copy;
-        if (result.mode == interop::SharingMode::gl_sharing) {
+        if (interop::is_for_one_device(*result.mode)) {
             throw UsageError("comparing devices needs interop host-pointer or copy");
         }
     }

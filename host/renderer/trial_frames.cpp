@@ -30,8 +30,7 @@ void draw(const DeviceOptions& options) {
 } // namespace
 
 bool try_frames(const compute::Device& device, interop::SharingMode mode) {
-    // Two devices cannot open one GL buffer.
-    if (mode == interop::SharingMode::gl_sharing) mode = interop::SharingMode::copy;
+    if (interop::is_for_one_device(mode)) mode = interop::SharingMode::copy;
     const std::string sharing{interop::name_of(mode)};
     return compute::try_device(device, "frames by " + sharing, [&](DeviceOptions options) {
         options.interop = sharing;

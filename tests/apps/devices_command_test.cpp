@@ -199,8 +199,8 @@ TEST_F(Drivers, ThatComputeSomethingElseAreNotUsed) {
                                         "(uchar)pixels[y * STROKE_STRIDE + x]=>(uchar)0"};
         const Result devices = run("devices --wait 120");
         EXPECT_EQ(devices.exit_code, 0) << devices.output;
-        EXPECT_EQ(lines_with(devices.output, "    kernels       yes"), 1U) << devices.output;
-        EXPECT_EQ(lines_with(devices.output, "    frames        no"), 1U) << devices.output;
+        EXPECT_EQ(lines_with(devices.output, "    kernels          yes"), 1U) << devices.output;
+        EXPECT_EQ(lines_with(devices.output, "    frames           no"), 1U) << devices.output;
         EXPECT_NE(devices.output.find(word), std::string::npos) << devices.output;
         EXPECT_NE(devices.output.find("No device passes"), std::string::npos) << devices.output;
         expect_refused(draw("--device opencl:portable --method atlas"), 1, word);

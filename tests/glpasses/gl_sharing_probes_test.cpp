@@ -64,6 +64,27 @@ TEST_F(GlSharingProbes, AsksBeforeItCreatesAContext) {
     EXPECT_EQ(take_counts().contexts, 0U);
 }
 
+TEST_F(GlSharingProbes, SharesExternalMemory) {
+    behave("external");
+    take_counts();
+    const ModeReport found = interop::probe_mode(device(), SharingMode::external_memory);
+    EXPECT_TRUE(found.works) << found.reason;
+    EXPECT_EQ(take_counts().violations, 0U);
+    EXPECT_EQ(interop::connect({}).sharing->mode(), SharingMode::external_memory);
+}
+
+TEST_F(GlSharingProbes, SaysWhyExternalMemoryIsNotShared) {
+    const auto reason = [] {
+        const ModeReport found = interop::probe_mode(device(), SharingMode::external_memory);
+        EXPECT_FALSE(found.works);
+        return found.reason;
+    };
+    EXPECT_EQ(reason(), "the device does not list cl_khr_external_memory_opaque_fd");
+    behave("external stale");
+    EXPECT_EQ(reason(), "a round trip returned other data");
+    EXPECT_EQ(interop::connect({}).sharing->mode(), SharingMode::host_pointer);
+}
+
 TEST_F(UsesLayer, NothingIsSharedWithoutAGlContext) {
     EXPECT_TRUE(interop::current_gl_properties().empty());
     EXPECT_EQ(interop::gl_sharing_obstacle(device()), "no GL context is current");
@@ -86,20 +107,20 @@ class GlSharingTool : public Tool {
 };
 
 TEST_F(GlSharingTool, ListsADriverThatShares) {
-    expect_line(devices(""), "gl-sharing    yes");
+    expect_line(devices(""), "gl-sharing       yes");
 }
 
 TEST_F(GlSharingTool, SurvivesADriverThatCrashes) {
     const Result result = devices("crash");
-    expect_line(result, "gl-sharing    no   the driver crashed (Segmentation fault)");
-    expect_line(result, "host-pointer  yes");
+    expect_line(result, "gl-sharing       no   the driver crashed (Segmentation fault)");
+    expect_line(result, "host-pointer     yes");
 }
 
 TEST_F(GlSharingTool, SurvivesADriverThatHangs) {
     const auto start = std::chrono::steady_clock::now();
     const Result result = devices("hang", "--wait 10");
-    expect_line(result, "gl-sharing    no   no answer within 10 seconds");
-    expect_line(result, "host-pointer  yes");
+    expect_line(result, "gl-sharing       no   no answer within 10 seconds");
+    expect_line(result, "host-pointer     yes");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds{60});
 }
 

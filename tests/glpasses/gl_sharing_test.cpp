@@ -31,10 +31,12 @@ TEST_F(GlSharing, TheLayerListsTheExtensions) {
 struct Counted {
     static constexpr std::uint32_t n = 4095;
 
-    explicit Counted(const compute::OpenClDevice& device)
-        : opencl(compute::make_opencl_backend(device, interop::current_gl_properties())),
-          stages(*opencl), sharing(*opencl, SharingMode::gl_sharing),
-          table(sharing, purpose::scratch) {
+    explicit Counted(const compute::OpenClDevice& device,
+                     SharingMode mode = SharingMode::gl_sharing)
+        : opencl(mode == SharingMode::gl_sharing
+                     ? compute::make_opencl_backend(device, interop::current_gl_properties())
+                     : compute::make_opencl_backend(device)),
+          stages(*opencl), sharing(*opencl, mode), table(sharing, purpose::scratch) {
         table.fit((n + 1) * sizeof(std::uint32_t));
         const std::uint32_t one = 1;
         glClearNamedBufferData(table.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT,
@@ -85,6 +87,36 @@ TEST_F(GlSharing, NeitherSideIsWaitedForWithEvents) {
     EXPECT_EQ(counts.cl_waits, 0U);
     EXPECT_EQ(counts.fences, 1U);
     EXPECT_EQ(counts.violations, 0U);
+}
+
+TEST_F(GlSharing, BothSidesOfExternalMemoryAreWaitedFor) {
+    behave("external");
+    Counted counted{device(), SharingMode::external_memory};
+    take_counts();
+    counted.count();
+    counted.table.gl();
+    const LayerCounts counts = take_counts();
+    EXPECT_TRUE(equal(counted.seen(), Counted::expected()));
+    EXPECT_EQ(counts.gl_waits, 1U);
+    EXPECT_EQ(counts.cl_waits, 1U);
+    EXPECT_EQ(counts.acquired, 1U);
+    EXPECT_EQ(counts.released, 1U);
+    EXPECT_EQ(counts.violations, 0U);
+}
+
+TEST_F(GlSharing, ExternalMemoryOfAnySizeArrives) {
+    behave("external");
+    Counted counted{device(), SharingMode::external_memory};
+    for (const std::size_t bytes : {1U, 64U, 4095U, 4096U, 70'000U, 5'000'000U}) {
+        interop::SharedTable table{counted.sharing, purpose::scratch};
+        std::vector<std::byte> written(bytes), seen(bytes);
+        for (std::size_t i = 0; i < bytes; ++i) written[i] = static_cast<std::byte>(i % 251);
+        table.fit(bytes);
+        table.upload(written);
+        glGetNamedBufferSubData(table.gl(), 0, static_cast<GLsizeiptr>(bytes), seen.data());
+        EXPECT_EQ(seen, written) << bytes;
+    }
+    EXPECT_EQ(take_counts().violations, 0U);
 }
 
 TEST_F(GlSharing, SeveralTablesWaitOnce) {
@@ -245,7 +277,7 @@ TEST_F(GlSharingByHand, ReleaseWithoutAcquireIsNoticed) {
     opencl_->finish();
 }
 
-/// With and without cl_khr_gl_event.
+/// With and without cl_khr_gl_event, and by external memory.
 class GlSharingPictures : public GlSharing, public testing::WithParamInterface<const char*> {
   protected:
     std::vector<std::uint8_t> draw(Renderer& renderer, const Camera& camera,
@@ -256,7 +288,7 @@ class GlSharingPictures : public GlSharing, public testing::WithParamInterface<c
         return canvas_.read();
     }
     void expect_same(const char* scene, const std::vector<FrameOptions>& all) {
-        Renderer shared{{.interop = "gl-sharing"}};
+        Renderer shared{{.interop = mode_}};
         Renderer copied{{.interop = "copy"}};
         shared.set_lines(scene_lines(scene));
         copied.set_lines(scene_lines(scene));
@@ -273,11 +305,13 @@ class GlSharingPictures : public GlSharing, public testing::WithParamInterface<c
         EXPECT_EQ(counts.violations, 0U);
     }
 
+    std::string mode_;
     gl::Canvas canvas_{{400, 300}};
 };
 
 TEST_P(GlSharingPictures, EqualThoseOfCopies) {
     behave(GetParam());
+    mode_ = GetParam() == std::string_view{"external"} ? "external-memory" : "gl-sharing";
     FrameOptions styled{
         .style = {.filter = {.fill_holes = 4, .drop_runs = 4, .overshoot = 12, .halo = 3}}};
     styled.style.density.limit = 0.2F;
@@ -292,7 +326,7 @@ TEST_P(GlSharingPictures, EqualThoseOfCopies) {
     for (const char* scene : {"clevis", "ship"}) expect_same(scene, all);
 }
 
-INSTANTIATE_TEST_SUITE_P(Driver, GlSharingPictures, testing::Values("", "events"),
+INSTANTIATE_TEST_SUITE_P(Driver, GlSharingPictures, testing::Values("", "events", "external"),
                          [](const auto& name) {
                              return std::string{*name.param == '\0' ? "waits" : name.param};
                          });

@@ -52,10 +52,12 @@ TEST_P(SharingModes, DrawWhatCopyingDraws) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Mode, SharingModes,
-                         testing::Values(SharingMode::gl_sharing, SharingMode::host_pointer),
+                         testing::Values(SharingMode::gl_sharing, SharingMode::external_memory,
+                                         SharingMode::host_pointer),
                          [](const auto& info) {
-                             return info.param == SharingMode::gl_sharing ? "GlSharing"
-                                                                          : "HostPointer";
+                             std::string name{name_of(info.param)};
+                             std::ranges::replace(name, '-', '_');
+                             return name;
                          });
 
 } // namespace

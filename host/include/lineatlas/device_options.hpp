@@ -10,12 +10,13 @@ struct DeviceOptions {
     /// no driver works, which Renderer::note() says then; for a LineVisibility cpp.
     std::string compute{};
     std::string device{}; ///< "opencl:<platform>[:<device>]"; see `lineatlas devices`
-    /// "gl-sharing", "host-pointer", "copy" or "": chosen. Not for LineVisibility, which shares
-    /// nothing.
+    /// "gl-sharing", "external-memory", "host-pointer", "copy" or "": chosen. Not for
+    /// LineVisibility, which shares nothing.
     std::string interop{};
     /// For finding errors, slow: every kernel runs with the same input on this backend or OpenCL
     /// device too ("cpp", "opencl:<platform>[:<device>]"), and the first that differs ends
-    /// the frame with MismatchError. Not with gl-sharing. Empty: nothing is compared.
+    /// the frame with MismatchError. Not with gl-sharing or external-memory. Empty: nothing is
+    /// compared.
     std::string compare_with{};
     std::string compare_until{}; ///< the last stage to compare, e.g. "scan"; empty: all
     /// For a Renderer that draws one picture. Where nothing is said above, the environment names no

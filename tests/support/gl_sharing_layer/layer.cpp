@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "gl_watch.hpp"
@@ -10,12 +11,14 @@
 #include "sharing.hpp"
 #include "state.hpp"
 
-// How LINEATLAS_TEST_LAYER says the driver behaves; without it, as it should.
+// How LINEATLAS_TEST_LAYER says the driver behaves, by one word or several; without it, as it
+// should.
+//   external      lists cl_khr_external_memory in place of cl_khr_gl_sharing
 //   events        also lists cl_khr_gl_event, and GL sees what is released without clFinish
 //   crash, hang   in clCreateContext with a GL context
 //   refuse        clCreateContext fails
 //   lie           clCreateContext succeeds, but no buffer can be opened
-//   stale         buffers can be opened, but acquiring them brings nothing
+//   stale         objects can be opened, but acquiring them brings nothing
 //   buffers-only  textures cannot be opened
 //   other-device  clGetGLContextInfoKHR names no device
 //   no-query      there is no clGetGLContextInfoKHR
@@ -29,7 +32,7 @@ State& state() {
 
 bool behaves(std::string_view name) {
     const char* value = std::getenv("LINEATLAS_TEST_LAYER");
-    return value != nullptr && name == value;
+    return value != nullptr && std::string_view{value}.find(name) != std::string_view::npos;
 }
 
 void violation(const std::string& message) {
@@ -56,7 +59,8 @@ cl_int CL_API_CALL get_device_info(cl_device_id device, cl_device_info name, siz
     std::string extensions(length, '\0');
     driver.clGetDeviceInfo(device, name, length, extensions.data(), nullptr);
     extensions.resize(std::strlen(extensions.c_str()));
-    extensions += " cl_khr_gl_sharing";
+    extensions += behaves("external") ? " cl_khr_external_memory cl_khr_external_memory_opaque_fd"
+                                      : " cl_khr_gl_sharing";
     if (behaves("events")) extensions += " cl_khr_gl_event";
     if (size_needed != nullptr) *size_needed = extensions.size() + 1;
     if (value == nullptr) return CL_SUCCESS;
@@ -66,10 +70,7 @@ cl_int CL_API_CALL get_device_info(cl_device_id device, cl_device_info name, siz
 }
 
 void* CL_API_CALL get_function(cl_platform_id platform, const char* name) {
-    const std::string_view wanted = name;
-    if (wanted == "clGetGLContextInfoKHR" || wanted == "clCreateEventFromGLsyncKHR") {
-        return sharing_function(name);
-    }
+    if (is_sharing_function(name)) return sharing_function(name);
     return state().driver->clGetExtensionFunctionAddressForPlatform(platform, name);
 }
 

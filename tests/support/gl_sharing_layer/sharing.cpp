@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstring>
 #include <span>
 
 #include <dlfcn.h>
 #include <unistd.h>
 
 #include "gl_watch.hpp"
+#include "imported_memory.hpp"
 #include "state.hpp"
 
 namespace lineatlas::test {
@@ -154,14 +156,47 @@ cl_mem CL_API_CALL create_from_texture(cl_context context, cl_mem_flags flags, c
     return memory;
 }
 
+cl_mem CL_API_CALL create_with_properties(cl_context context, const cl_mem_properties* properties,
+                                          cl_mem_flags flags, size_t size, void* host,
+                                          cl_int* result) {
+    const cl_icd_dispatch& driver = *state().driver;
+    if (properties == nullptr || properties[0] != CL_EXTERNAL_MEMORY_HANDLE_OPAQUE_FD_KHR)
+        return driver.clCreateBufferWithProperties(context, properties, flags, size, host, result);
+    const Unwatched own;
+    std::shared_ptr<std::byte> imported = import(static_cast<int>(properties[1]), size);
+    if (imported == nullptr) {
+        if (result != nullptr) *result = CL_INVALID_VALUE;
+        return nullptr;
+    }
+    std::vector<std::byte> content = garbage(size);
+    cl_mem memory =
+        driver.clCreateBuffer(context, flags | CL_MEM_COPY_HOST_PTR, size, content.data(), result);
+    if (memory != nullptr) {
+        state().opened[memory] = {.gl = 0,
+                                  .bytes = size,
+                                  .width = 0,
+                                  .height = 0,
+                                  .format = 0,
+                                  .type = 0,
+                                  .acquired = false,
+                                  .in_flight = false,
+                                  .content = std::move(content),
+                                  .imported = std::move(imported)};
+    }
+    return memory;
+}
+
 constexpr std::size_t origin[3] = {0, 0, 0};
 
 void copy_to_compute(cl_command_queue queue, cl_mem memory, Opened& object) {
     const Unwatched own;
     const cl_icd_dispatch& driver = *state().driver;
     if (object.width == 0) {
-        glGetNamedBufferSubData(object.gl, 0, static_cast<GLsizeiptr>(object.bytes),
-                                object.content.data());
+        if (object.imported != nullptr)
+            std::memcpy(object.content.data(), object.imported.get(), object.bytes);
+        else
+            glGetNamedBufferSubData(object.gl, 0, static_cast<GLsizeiptr>(object.bytes),
+                                    object.content.data());
         driver.clEnqueueWriteBuffer(queue, memory, CL_TRUE, 0, object.bytes, object.content.data(),
                                     0, nullptr, nullptr);
         return;
@@ -187,7 +222,9 @@ void copy_from_compute(cl_command_queue queue, cl_mem memory, Opened& object) {
 
 void copy_to_gl(const Opened& object) {
     const Unwatched own;
-    if (object.width == 0) {
+    if (object.imported != nullptr) {
+        std::memcpy(object.imported.get(), object.content.data(), object.bytes);
+    } else if (object.width == 0) {
         glNamedBufferSubData(object.gl, 0, static_cast<GLsizeiptr>(object.bytes),
                              object.content.data());
     } else {
@@ -251,15 +288,29 @@ void add_sharing(cl_icd_dispatch& table) {
     table.clEnqueueAcquireGLObjects = acquire;
     table.clEnqueueReleaseGLObjects = release;
     table.clCreateEventFromGLsyncKHR = create_event;
+    table.clCreateBufferWithProperties = create_with_properties;
 }
 
-void* sharing_function(const char* name) {
-    const std::string_view wanted = name;
-    if (wanted == "clGetGLContextInfoKHR") {
-        return behaves("no-query") ? nullptr : reinterpret_cast<void*>(get_gl_context_info);
-    }
-    if (wanted == "clCreateEventFromGLsyncKHR") return reinterpret_cast<void*>(create_event);
-    return nullptr;
+namespace {
+
+const std::map<std::string_view, void*>& functions() {
+    static const std::map<std::string_view, void*> all{
+        {"clGetGLContextInfoKHR", reinterpret_cast<void*>(get_gl_context_info)},
+        {"clCreateEventFromGLsyncKHR", reinterpret_cast<void*>(create_event)},
+        {"clEnqueueAcquireExternalMemObjectsKHR", reinterpret_cast<void*>(acquire)},
+        {"clEnqueueReleaseExternalMemObjectsKHR", reinterpret_cast<void*>(release)}};
+    return all;
+}
+
+} // namespace
+
+bool is_sharing_function(std::string_view name) {
+    return functions().contains(name);
+}
+
+void* sharing_function(std::string_view name) {
+    const bool lacks = name == "clGetGLContextInfoKHR" && behaves("no-query");
+    return lacks ? nullptr : functions().at(name);
 }
 
 void arrive_in_gl() {

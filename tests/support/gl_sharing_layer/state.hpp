@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,7 @@
 
 namespace lineatlas::test {
 
-/// A GL buffer or texture that was opened, and its copy in OpenCL.
+/// A GL buffer or texture that was opened, or memory that was imported, and its copy in OpenCL.
 struct Opened {
     GLuint gl;
     std::size_t bytes;
@@ -23,7 +24,8 @@ struct Opened {
     bool acquired;
     bool in_flight; ///< released, but GL would not see it yet
     std::vector<std::byte> content;
-    unsigned references = 1; ///< the program's
+    unsigned references = 1;               ///< the program's
+    std::shared_ptr<std::byte> imported{}; ///< where that memory is; null for GL's objects
 };
 
 struct State {
@@ -35,7 +37,7 @@ struct State {
 };
 State& state();
 
-/// LINEATLAS_TEST_LAYER is `name`.
+/// LINEATLAS_TEST_LAYER names it.
 bool behaves(std::string_view name);
 
 void violation(const std::string& message);

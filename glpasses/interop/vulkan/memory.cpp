@@ -1,0 +1,206 @@
+#include "glpasses/interop/vulkan_memory.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <dlfcn.h>
+#include <vulkan/vulkan_core.h>
+
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::interop {
+namespace {
+
+constexpr const char* file = "libvulkan.so.1";
+constexpr VkExternalMemoryHandleTypeFlagBits opaque = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
+constexpr std::array extensions{VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME};
+
+// llvmpipe takes no memory for a buffer without some behind it.
+constexpr std::size_t room_behind = 4096;
+
+void check(VkResult result, const char* call) {
+    if (result != VK_SUCCESS)
+        throw DeviceError(std::string{call} + " returned " + std::to_string(result));
+}
+
+/// The library's only symbol, which finds all others. The library stays: drivers that it has loaded
+/// do not bear its end.
+PFN_vkGetInstanceProcAddr load() {
+    static void* const library = ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw DeviceError(std::string{"there is no "} + file);
+    return reinterpret_cast<PFN_vkGetInstanceProcAddr>(::dlsym(library, "vkGetInstanceProcAddr"));
+}
+
+class Device final : public VulkanMemory {
+  public:
+    Device() = default;
+    ~Device() override {
+        if (device_ != nullptr) of_device<PFN_vkDestroyDevice>("vkDestroyDevice")(device_, nullptr);
+        if (instance_ != nullptr)
+            of_instance<PFN_vkDestroyInstance>("vkDestroyInstance")(instance_, nullptr);
+    }
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    /// Throws DeviceError if there is no device of that name, or it does not export memory.
+    void open(const DeviceUuid& uuid) {
+        make_instance();
+        const VkPhysicalDevice physical = find(uuid);
+        make_device(physical);
+        choose_type(physical);
+    }
+
+    ExportedMemory allocate(std::size_t bytes) const override {
+        VkExportMemoryAllocateInfo exported{};
+        exported.sType = VK_STRUCTURE_TYPE_EXPORT_MEMORY_ALLOCATE_INFO;
+        exported.handleTypes = opaque;
+        VkMemoryAllocateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+        info.pNext = &exported;
+        info.allocationSize = (bytes + room_behind + alignment_ - 1) / alignment_ * alignment_;
+        info.memoryTypeIndex = type_;
+        VkDeviceMemory memory = VK_NULL_HANDLE;
+        const auto allocate = of_device<PFN_vkAllocateMemory>("vkAllocateMemory");
+        check(allocate(device_, &info, nullptr, &memory), "vkAllocateMemory");
+        ExportedMemory result{info.allocationSize, descriptor_of(memory), descriptor_of(memory)};
+        // Descriptors hold what is behind it.
+        of_device<PFN_vkFreeMemory>("vkFreeMemory")(device_, memory, nullptr);
+        if (!result.for_gl.is_open() || !result.for_compute.is_open())
+            throw DeviceError("vkGetMemoryFdKHR failed");
+        return result;
+    }
+
+  private:
+    template <class Function>
+    Function of_instance(const char* name) const {
+        return reinterpret_cast<Function>(load()(instance_, name));
+    }
+    template <class Function>
+    Function of_device(const char* name) const {
+        const auto get = of_instance<PFN_vkGetDeviceProcAddr>("vkGetDeviceProcAddr");
+        return reinterpret_cast<Function>(get(device_, name));
+    }
+
+    void make_instance() {
+        VkApplicationInfo application{};
+        application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+        application.apiVersion = VK_API_VERSION_1_1;
+        VkInstanceCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+        info.pApplicationInfo = &application;
+        check(of_instance<PFN_vkCreateInstance>("vkCreateInstance")(&info, nullptr, &instance_),
+              "vkCreateInstance");
+    }
+
+    VkPhysicalDevice find(const DeviceUuid& uuid) const {
+        const auto list = of_instance<PFN_vkEnumeratePhysicalDevices>("vkEnumeratePhysicalDevices");
+        const auto describe =
+            of_instance<PFN_vkGetPhysicalDeviceProperties2>("vkGetPhysicalDeviceProperties2");
+        std::uint32_t count = 0;
+        check(list(instance_, &count, nullptr), "vkEnumeratePhysicalDevices");
+        std::vector<VkPhysicalDevice> devices(count);
+        check(list(instance_, &count, devices.data()), "vkEnumeratePhysicalDevices");
+        for (const VkPhysicalDevice device : devices) {
+            VkPhysicalDeviceIDProperties id{};
+            id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES;
+            VkPhysicalDeviceProperties2 properties{};
+            properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+            properties.pNext = &id;
+            describe(device, &properties);
+            if (std::ranges::equal(id.deviceUUID, uuid)) return device;
+        }
+        throw DeviceError("Vulkan has no device that is GL's");
+    }
+
+    void make_device(VkPhysicalDevice physical) {
+        constexpr float priority = 1;
+        VkDeviceQueueCreateInfo queue{}; // a device must have one
+        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        queue.queueCount = 1;
+        queue.pQueuePriorities = &priority;
+        VkDeviceCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+        info.queueCreateInfoCount = 1;
+        info.pQueueCreateInfos = &queue;
+        info.enabledExtensionCount = extensions.size();
+        info.ppEnabledExtensionNames = extensions.data();
+        check(of_instance<PFN_vkCreateDevice>("vkCreateDevice")(physical, &info, nullptr, &device_),
+              "vkCreateDevice");
+    }
+
+    /// The device's own memory, as buffers take it.
+    void choose_type(VkPhysicalDevice physical) {
+        const VkMemoryRequirements wanted = requirements();
+        VkPhysicalDeviceMemoryProperties memory{};
+        of_instance<PFN_vkGetPhysicalDeviceMemoryProperties>("vkGetPhysicalDeviceMemoryProperties")(
+            physical, &memory);
+        alignment_ = wanted.alignment;
+        for (type_ = 0; type_ < memory.memoryTypeCount; ++type_) {
+            const bool fits = (wanted.memoryTypeBits >> type_ & 1U) != 0;
+            const bool is_own = (memory.memoryTypes[type_].propertyFlags &
+                                 VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT) != 0;
+            if (fits && is_own) return;
+        }
+        throw DeviceError("Vulkan exports no memory of the device");
+    }
+
+    VkMemoryRequirements requirements() const {
+        VkExternalMemoryBufferCreateInfo external{};
+        external.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO;
+        external.handleTypes = opaque;
+        VkBufferCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+        info.pNext = &external;
+        info.size = 1U << 20U;
+        info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                     VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        VkBuffer buffer = VK_NULL_HANDLE;
+        check(of_device<PFN_vkCreateBuffer>("vkCreateBuffer")(device_, &info, nullptr, &buffer),
+              "vkCreateBuffer");
+        VkMemoryRequirements result{};
+        of_device<PFN_vkGetBufferMemoryRequirements>("vkGetBufferMemoryRequirements")(
+            device_, buffer, &result);
+        of_device<PFN_vkDestroyBuffer>("vkDestroyBuffer")(device_, buffer, nullptr);
+        return result;
+    }
+
+    /// -1 where that fails.
+    FileDescriptor descriptor_of(VkDeviceMemory memory) const {
+        VkMemoryGetFdInfoKHR info{};
+        info.sType = VK_STRUCTURE_TYPE_MEMORY_GET_FD_INFO_KHR;
+        info.memory = memory;
+        info.handleType = opaque;
+        int number = -1;
+        const auto get = of_device<PFN_vkGetMemoryFdKHR>("vkGetMemoryFdKHR");
+        return FileDescriptor{get(device_, &info, &number) == VK_SUCCESS ? number : -1};
+    }
+
+    VkInstance instance_ = nullptr;
+    VkDevice device_ = nullptr;
+    std::uint32_t type_ = 0;
+    std::size_t alignment_ = 1;
+};
+
+} // namespace
+
+std::shared_ptr<const VulkanMemory> vulkan_memory(const DeviceUuid& uuid) {
+    struct Known {
+        DeviceUuid uuid;
+        std::weak_ptr<const VulkanMemory> memory;
+    };
+    static std::mutex mutex;
+    static std::vector<Known> all;
+    const std::scoped_lock lock{mutex};
+    std::erase_if(all, [](const Known& known) { return known.memory.expired(); });
+    for (const Known& known : all)
+        if (known.uuid == uuid)
+            if (std::shared_ptr<const VulkanMemory> memory = known.memory.lock()) return memory;
+    auto device = std::make_shared<Device>();
+    device->open(uuid);
+    all.push_back({uuid, device});
+    return device;
+}
+
+} // namespace lineatlas::interop

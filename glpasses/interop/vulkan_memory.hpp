@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "base/file_descriptor.hpp"
+
+namespace lineatlas::interop {
+
+/// How GL, OpenCL and Vulkan name one and the same device.
+using DeviceUuid = std::array<std::uint8_t, 16>;
+
+/// Memory that a Vulkan device exports (VK_KHR_external_memory_fd), for others to import.
+struct ExportedMemory {
+    std::size_t bytes;
+    /// The same memory. Each is an importer's own; the memory is there as long as anybody has it.
+    FileDescriptor for_gl, for_compute;
+};
+
+/// A Vulkan device, for its memory alone. Vulkan's library is loaded when the first is made.
+class VulkanMemory {
+  public:
+    virtual ~VulkanMemory() = default;
+    /// At least so many bytes. Throws DeviceError.
+    virtual ExportedMemory allocate(std::size_t bytes) const = 0;
+};
+
+/// Of the device of that name; one for all that ask. Throws DeviceError where Vulkan has no such
+/// device, or none that exports memory.
+std::shared_ptr<const VulkanMemory> vulkan_memory(const DeviceUuid& uuid);
+
+} // namespace lineatlas::interop
