@@ -20,11 +20,13 @@ class Shared {
     friend class Sharing;
     /// What OpenCL has opened of GL and must acquire and release; null where there is nothing.
     virtual _cl_mem* opened() const { return nullptr; }
+    /// Lets GL bring along what compute needs of it; true if it got commands. glFinish comes after.
+    virtual bool leave_gl() { return false; }
     /// GL is done (glFinish was called); compute takes over.
     virtual void enter_compute() {}
     /// Submits what must follow the kernels before GL may look; clFinish comes after.
     virtual void leave_compute() {}
-    /// Kernels are done; brings the content to GL where that takes a copy.
+    /// Kernels are done; lets GL take the content where that takes a copy.
     virtual void enter_gl() {}
 
     bool with_gl_ = true;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "compute/opencl/opencl_backend.hpp"
 #include "glpasses/storage.hpp"
@@ -101,42 +100,58 @@ class HostPointerMemory final : public SharedMemory {
     std::unique_ptr<compute::Buffer> compute_;
 };
 
-/// A buffer on each side and a staging area on the host between them.
+/// A buffer on each side, and host memory between them that GL keeps mapped. Drivers pin such
+/// memory: both sides copy at the bus's speed, and nobody waits for a single table.
 class CopiedMemory final : public SharedMemory {
   public:
     CopiedMemory(compute::Device& device, std::size_t bytes, const Purpose& purpose)
-        : SharedMemory(bytes), device_(device), gl_(gl::Buffer::create()),
+        : SharedMemory(bytes), device_(device), purpose_(purpose), gl_(gl::Buffer::create()),
           compute_(device.allocate(bytes)) {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
+    }
+    ~CopiedMemory() override {
+        if (!between_.empty()) quietly([&] { device_.finish(); }); // may be on its way from there
     }
 
     GLuint gl() const override { return gl_.id(); }
     compute::Buffer& compute() override { return *compute_; }
 
   private:
-    std::span<std::byte> staging(std::size_t bytes) {
-        if (staging_.size() < bytes) staging_.resize(bytes);
-        return std::span{staging_}.first(bytes);
+    std::span<std::byte> between(std::size_t bytes) {
+        if (bytes > 0 && between_.empty()) {
+            constexpr GLbitfield access =
+                GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+            mapped_ = gl::Buffer::create();
+            gl::allocate(mapped_, size(), nullptr, access | GL_CLIENT_STORAGE_BIT, purpose_);
+            void* memory = gl::map(mapped_, size(), access, purpose_);
+            between_ = {static_cast<std::byte*>(memory), size()};
+        }
+        return between_.first(bytes);
     }
-    void enter_compute() override {
-        const std::size_t bytes = written_by_gl();
-        if (bytes == 0) return;
-        const std::span<std::byte> area = staging(bytes);
-        glGetNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
-        device_.upload(*compute_, area);
+    bool leave_gl() override {
+        crossing_ = between(written_by_gl());
+        if (!crossing_.empty()) copy(gl_, mapped_);
+        return !crossing_.empty();
+    }
+    void enter_compute() override { device_.begin_upload(*compute_, crossing_); }
+    void leave_compute() override {
+        crossing_ = between(written_by_compute());
+        device_.begin_download(*compute_, crossing_);
     }
     void enter_gl() override {
-        const std::size_t bytes = written_by_compute();
-        if (bytes == 0) return;
-        const std::span<std::byte> area = staging(bytes);
-        device_.download(*compute_, area);
-        glNamedBufferSubData(gl_.id(), 0, static_cast<GLsizeiptr>(bytes), area.data());
+        if (!crossing_.empty()) copy(mapped_, gl_);
+    }
+    void copy(const gl::Buffer& from, const gl::Buffer& to) const {
+        glCopyNamedBufferSubData(from.id(), to.id(), 0, 0,
+                                 static_cast<GLsizeiptr>(crossing_.size()));
     }
 
     compute::Device& device_;
-    gl::Buffer gl_;
+    const Purpose& purpose_;
+    gl::Buffer gl_, mapped_;
     std::unique_ptr<compute::Buffer> compute_;
-    std::vector<std::byte> staging_;
+    std::span<std::byte> between_;  ///< all of mapped_; empty until something crosses
+    std::span<std::byte> crossing_; ///< what is on its way
 };
 
 } // namespace

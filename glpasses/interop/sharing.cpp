@@ -65,6 +65,7 @@ void Sharing::to_compute(Shared& one) {
     if (timer_ != nullptr) timer_->begin_handover();
     _cl_mem* const object = one.opened();
     const bool ordered = object != nullptr && objects_->are_ordered();
+    if (one.leave_gl()) gl_works_ = true;
     if (gl_works_ && !ordered) {
         glFinish();
         gl_works_ = false;
@@ -103,6 +104,7 @@ void Sharing::pass_to_gl() {
         one->enter_gl();
         one->with_gl_ = true;
     }
+    gl_works_ = true; // it may have taken copies
     if (timer_ != nullptr) timer_->end_handover();
 }
 

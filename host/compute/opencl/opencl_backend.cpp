@@ -68,18 +68,17 @@ class Implementation final : public OpenClBackend {
     }
 
     void upload(Buffer& buffer, std::span<const std::byte> data, std::size_t offset) override {
-        if (data.empty()) return;
-        guarded("writing a buffer", [&] {
-            queue_.enqueueWriteBuffer(memory_of(buffer), CL_TRUE, offset, data.size(), data.data(),
-                                      nullptr, logged({"write", data.size()}));
-        });
+        write(buffer, data, offset, CL_TRUE);
     }
     void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
         if (data.empty()) return finish();
-        guarded("reading a buffer", [&] {
-            queue_.enqueueReadBuffer(memory_of(buffer), CL_TRUE, offset, data.size(), data.data(),
-                                     nullptr, logged({"read", data.size()}));
-        });
+        read(buffer, data, offset, CL_TRUE);
+    }
+    void begin_upload(Buffer& buffer, std::span<const std::byte> data) override {
+        write(buffer, data, 0, CL_FALSE);
+    }
+    void begin_download(Buffer& buffer, std::span<std::byte> data) override {
+        if (!data.empty()) read(buffer, data, 0, CL_FALSE);
     }
     void copy(Buffer& from, Buffer& to, std::size_t bytes) override {
         guarded("copying a buffer", [&] {
@@ -137,6 +136,20 @@ class Implementation final : public OpenClBackend {
                 memory_.check(error.err(), size);
                 throw;
             }
+        });
+    }
+
+    void write(Buffer& buffer, std::span<const std::byte> data, std::size_t offset, cl_bool waits) {
+        if (data.empty()) return;
+        guarded("writing a buffer", [&] {
+            queue_.enqueueWriteBuffer(memory_of(buffer), waits, offset, data.size(), data.data(),
+                                      nullptr, logged({"write", data.size()}));
+        });
+    }
+    void read(Buffer& buffer, std::span<std::byte> data, std::size_t offset, cl_bool waits) {
+        guarded("reading a buffer", [&] {
+            queue_.enqueueReadBuffer(memory_of(buffer), waits, offset, data.size(), data.data(),
+                                     nullptr, logged({"read", data.size()}));
         });
     }
 

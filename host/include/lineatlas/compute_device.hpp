@@ -179,6 +179,14 @@ class LINEATLAS_API Device {
                         std::size_t offset = 0) = 0;
     /// Out of it; waits.
     virtual void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0) = 0;
+    /// As upload() and download() of the first bytes, but may return at once: `data` must stay,
+    /// and, where it is read, stay the same, until finish(). Nothing happens if it is empty.
+    virtual void begin_upload(Buffer& buffer, std::span<const std::byte> data) {
+        if (!data.empty()) upload(buffer, data);
+    }
+    virtual void begin_download(Buffer& buffer, std::span<std::byte> data) {
+        if (!data.empty()) download(buffer, data);
+    }
     /// The first `bytes` bytes of one buffer into another.
     virtual void copy(Buffer& from, Buffer& to, std::size_t bytes) = 0;
     /// Sets the first `bytes` bytes, a multiple of 4, to 0.
