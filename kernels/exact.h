@@ -44,6 +44,11 @@ typedef struct TileFace {
     float doubt;
 } TileFace;
 
+/* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
+static bool lists_fit(const ExactParameters* args, const uint entries, const uint groups) {
+    return entries <= args->entry_capacity && groups <= args->group_capacity;
+}
+
 static float least_in(const Linear f, const float size) {
     return f.c + fmin(f.a, 0.0f) * size + fmin(f.b, 0.0f) * size;
 }

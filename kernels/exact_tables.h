@@ -14,8 +14,11 @@ typedef struct ScreenFace {
 typedef struct Entry {
     la_uint face;   /* triangle */
     float nearness; /* the greatest in the tile */
-    la_uint key;    /* by which the list is sorted, see tile_lists_arrange */
+    la_uint key;    /* by which the list is sorted, or before that the tile (tile_lists.cl) */
 } Entry;
+
+/* By which faces of a tile are sorted. */
+#define LA_LIST_KEYS 256u
 
 /* Faces of a tile's list that stand together: LA_ENTRY_FLOATS rows of LA_GROUP numbers. */
 #define LA_GROUP 16u
@@ -50,7 +53,7 @@ typedef struct ExactParameters {
     float depth_rate; /* of a parallel view: clip z per model unit; of a perspective one 0 */
     float rounding;   /* most that rounding changes the depth coordinate in clip space */
     la_uint chunk;    /* triangles per work-item of tile_lists */
-    la_uint chunks;
+    la_uint chunks;   /* of them; 1: each is a triangle, and counts are those of a tile */
     la_uint entry_capacity, group_capacity, span_capacity;
     /* The clipped segments are so many ways beside each segment that `seen` lists, see
      * outline_push; all that is over them hides them. 0: they are the segments. */
@@ -137,11 +140,26 @@ typedef struct SpansParameters {
 #define tile_lists_groups_tables(in, out, inout, unordered) in(uint, offsets) out(uint, groups)
 #define tile_lists_fill_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
-    in(uint, occluders) in(uchar, states) inout(uint, ends) out(Entry, entries)
+    in(uint, occluders) in(uchar, states) inout(uint, ends) unordered(Entry, entries) \
+    inout(uint, ranges)
 #define tile_lists_arrange_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
     in(uint, ends) inout(Entry, entries) in(uint, groups) out(float, blocks) \
     out(float, boxes)
+#define tile_lists_keys_tables(in, out, inout, unordered) \
+    in(ScreenFace, faces) in(uint, ends) in(uint, groups) in(uint, ranges) \
+    inout(Entry, entries) inout(uint, keys)
+#define tile_lists_place_tables(in, out, inout, unordered) \
+    in(uint, ends) in(uint, groups) in(Entry, entries) inout(uint, keys) unordered(Entry, sorted)
+#define tile_lists_sort_tables(in, out, inout, unordered) \
+    in(uint, ends) in(uint, groups) in(uint, keys) inout(Entry, sorted)
+#define tile_lists_write_tables(in, out, inout, unordered) \
+    EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
+    in(uint, ends) in(uint, groups) in(Entry, sorted) out(float, blocks)
+#define tile_lists_boxes_tables(in, out, inout, unordered) \
+    in(uint, ends) in(uint, groups) in(float, blocks) out(float, boxes)
+#define tile_lists_behind_tables(in, out, inout, unordered) \
+    in(uint, ends) in(uint, groups) inout(float, boxes)
 #define visible_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, seen) in(ClippedSegment, clipped) in(uint, arcs) \
     in(uint, patches) EXACT_LIST_TABLES(in) out(uint, counts) out(float, kept)

@@ -308,6 +308,12 @@ typedef struct IntervalsParameters {
     kernel(tile_lists, tile_lists_groups, ExactParameters) \
     kernel(tile_lists, tile_lists_fill, ExactParameters) \
     kernel(tile_lists, tile_lists_arrange, ExactParameters) \
+    kernel(tile_lists, tile_lists_keys, ExactParameters) \
+    kernel(tile_lists, tile_lists_place, ExactParameters) \
+    kernel(tile_lists, tile_lists_sort, ExactParameters) \
+    kernel(tile_lists, tile_lists_write, ExactParameters) \
+    kernel(tile_lists, tile_lists_boxes, ExactParameters) \
+    kernel(tile_lists, tile_lists_behind, ExactParameters) \
     kernel(visible, visible_count, ExactParameters) \
     kernel(visible, visible_write, ExactParameters) \
     kernel(spans, spans_count, SpansParameters) \

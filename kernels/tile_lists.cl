@@ -1,23 +1,39 @@
 /* tile_lists: for every tile of the screen the faces that may hide something in it, nearest first,
- * in groups of LA_GROUP with a box around each.
+ * in groups of LA_GROUP with a box around each. Faces of one key are in the order of the model, so
+ * that lists are equal on every device.
  *
  * tile_lists_count, tile_lists_fill: one work-item per chunk of triangles. Between them a scan of
- * the counts, whose order (tile, then chunk) makes lists equal on every device.
- * tile_lists_groups, tile_lists_arrange: one work-item per tile; between them a scan of the
- * numbers of groups. */
+ * the counts, of each tile and chunk; where chunks are triangles, of each tile alone, and the
+ * entries of a tile stand in any order.
+ *
+ * Then one work-item per tile (tile_lists_arrange), or, where chunks are triangles, one per entry
+ * (tile_lists_keys, a scan, tile_lists_place, tile_lists_write), per key (tile_lists_sort), per
+ * group (tile_lists_boxes) and per tile (tile_lists_behind), which does the same. */
 
 #include "exact.h"
 
 /* Keys by which a list is sorted: buckets of depth, and cells of the tile within each. */
 #define DEPTH_BUCKETS 16
 #define CELLS_ACROSS 4
-#define KEYS (DEPTH_BUCKETS * CELLS_ACROSS * CELLS_ACROSS)
+#define KEYS LA_LIST_KEYS
 
-/* Enters face t into its tiles: counts, or writes where `ends` says, which it moves on. */
+/* Grows with a float, as an uint. */
+static uint ordered(const float x) {
+    const uint bits = as_uint(x);
+    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+}
+
+static float from_ordered(const uint x) {
+    return as_float((x & 0x80000000u) != 0 ? x & 0x7FFFFFFFu : ~x);
+}
+
+/* Enters face t into its tiles: counts, or writes where `ends` says, which it moves on, and how
+ * near and how far entries are. */
 static void enter(const ExactParameters* args, const uint t, const uint chunk, const ScreenFace box,
                   __global const float* vertices, __global const uint* triangles,
                   __global const float* screen, __global const float* planes,
-                  __global const uint* occluders, __global uint* ends, __global Entry* entries) {
+                  __global const uint* occluders, __global uint* ends, __global Entry* entries,
+                  __global uint* ranges) {
     const int4 range = tiles_of(args, box);
     const int columns = to_int2(args->tiles).x;
     const bool few = (range.z - range.x) + (range.w - range.y) < 2;
@@ -35,12 +51,22 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
                 nearness = nearness_in_tile(args, &face, nearness);
                 if (nearness < as_float(occluders[tile]) || nearness < 0.0f) continue;
             }
-            __global uint* end = ends + (tile * args->chunks + chunk);
-            if (entries != 0) {
-                entries[*end].face = t;
-                entries[*end].nearness = nearness;
+            if (args->chunks > 1) {
+                __global uint* end = ends + (tile * args->chunks + chunk);
+                if (entries != 0) {
+                    entries[*end].face = t;
+                    entries[*end].nearness = nearness;
+                }
+                *end += 1u;
+                continue;
             }
-            *end += 1u;
+            const uint place = atomic_inc(ends + tile);
+            if (entries == 0) continue;
+            entries[place].face = t;
+            entries[place].nearness = nearness;
+            entries[place].key = tile;
+            atomic_max(ranges + 2 * tile, ordered(nearness));
+            atomic_max(ranges + 2 * tile + 1, ~ordered(nearness));
         }
     }
 }
@@ -48,7 +74,6 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
 /* counts: per tile, per chunk; all 0 before. */
 KERNEL(tile_lists_count, ExactParameters) {
     const uint chunk = (uint)get_global_id(0);
-    if (chunk >= args.chunks) return;
     const uint first = chunk * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     for (uint t = first; t < last; ++t) {
@@ -58,19 +83,19 @@ KERNEL(tile_lists_count, ExactParameters) {
         }
         const ScreenFace box = faces[t];
         if (box.kind == FACE_UNSEEN) continue;
-        enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, counts, 0);
+        enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, counts, 0, 0);
     }
 }
 
 /* ends: the scanned counts, and behind them the number of all entries. Afterwards each says where
  * its part of the list ends. If there are more than fit, nothing is written; the host sees how
- * many, enlarges the table and does the frame again. */
+ * many, enlarges the table and does the frame again. ranges: per tile, all 0 before. */
 KERNEL(tile_lists_fill, ExactParameters) {
     const uint chunk = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
-    if (chunk >= args.chunks || ends[tiles * args.chunks] > args.entry_capacity) return;
     const uint first = chunk * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
+    if (first >= last || ends[tiles * args.chunks] > args.entry_capacity) return;
     for (uint t = first; t < last; ++t) {
         if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
             t |= LA_BATCH - 1u; /* on to the next batch */
@@ -78,7 +103,8 @@ KERNEL(tile_lists_fill, ExactParameters) {
         }
         const ScreenFace box = faces[t];
         if (box.kind == FACE_UNSEEN) continue;
-        enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, ends, entries);
+        enter(&args, t, chunk, box, vertices, triangles, screen, planes, occluders, ends, entries,
+              ranges);
     }
 }
 
@@ -129,9 +155,9 @@ static void write_entry(const TileFace* face, const ScreenFace box, const float 
     to[LA_ENTRY_DOUBT * LA_GROUP] = face->doubt;
 }
 
-/* The box around a group, and the nearest that anything in it and behind it in the list comes. */
+/* The box around a group. Returns the nearest that anything in it comes. */
 static float enclose_group(const ExactParameters* args, __global const float* group, const uint g,
-                           const float behind, __global float* boxes) {
+                           __global float* boxes) {
     float low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
     float nearest = -1.0f;
     for (uint lane = 0; lane < LA_GROUP; ++lane) {
@@ -148,31 +174,65 @@ static float enclose_group(const ExactParameters* args, __global const float* gr
     boxes[LA_ENTRY_HIGH_X * stride + g] = high_x;
     boxes[LA_ENTRY_HIGH_Y * stride + g] = high_y;
     boxes[LA_ENTRY_NEAREST * stride + g] = nearest;
+    return nearest;
+}
+
+/* The nearest that anything in a group and behind it in the list comes. */
+static float note_behind(const ExactParameters* args, const uint g, const float nearest,
+                         const float behind, __global float* boxes) {
     const float all = fmax(nearest, behind);
-    boxes[LA_BOX_BEHIND * stride + g] = all;
+    boxes[LA_BOX_BEHIND * (args->group_capacity + LA_GROUP) + g] = all;
     return all;
+}
+
+/* How many keys there are to a unit of nearness. */
+static float buckets_per_nearness(const float nearest, const float farthest) {
+    return nearest > farthest ? (float)DEPTH_BUCKETS / (nearest - farthest) : 0.0f;
+}
+
+static float2 origin_of(const ExactParameters* args, const uint tile) {
+    const uint columns = (uint)args->tiles.v[0];
+    return float2((float)(tile % columns), (float)(tile / columns)) * args->tile_size;
+}
+
+/* Writes an entry out as lines and a plane, at its place in its tile's list. */
+static void write_place(const ExactParameters* args, const Entry entry, const uint place,
+                        const float2 origin, __global const ScreenFace* faces,
+                        __global const float* planes, __global const float* vertices,
+                        __global const uint* triangles, __global const float* screen,
+                        __global float* blocks) {
+    const ScreenFace box = faces[entry.face];
+    __global float* group = blocks + (size_t)(place / LA_GROUP) * LA_GROUP_FLOATS;
+    group[LA_ENTRY_FACE * LA_GROUP + place % LA_GROUP] = as_float(entry.face);
+    TileFace face;
+    if (face_in_tile(args, entry.face, box.kind, planes[4 * entry.face + 3], vertices, triangles,
+                     screen, origin, &face))
+        write_entry(&face, box, entry.nearness, origin, group, place % LA_GROUP);
+    else
+        write_nothing(group, place % LA_GROUP);
+}
+
+/* Fills up the last group of a list of so many entries. */
+static void write_rest(const uint count, __global float* blocks) {
+    for (uint place = count; place % LA_GROUP != 0; ++place)
+        write_nothing(blocks + (size_t)(place / LA_GROUP) * LA_GROUP_FLOATS, place % LA_GROUP);
 }
 
 /* Sorts a tile's entries (stably, by counting) and writes them out as lines and planes. */
 KERNEL(tile_lists_arrange, ExactParameters) {
     const uint tile = (uint)get_global_id(0);
-    const int columns = args.tiles.v[0];
-    const uint tiles = (uint)(columns * args.tiles.v[1]);
-    if (tile >= tiles || ends[tiles * args.chunks] > args.entry_capacity ||
-        groups[tiles] > args.group_capacity)
-        return;
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (tile >= tiles || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const uint first = tile > 0 ? ends[tile * args.chunks - 1] : 0;
     const uint last = ends[(tile + 1) * args.chunks - 1];
     if (first == last) return;
-    const float2 origin =
-        float2((float)(tile % (uint)columns), (float)(tile / (uint)columns)) * args.tile_size;
+    const float2 origin = origin_of(&args, tile);
     float nearest = 0.0f, farthest = INFINITY;
     for (uint i = first; i < last; ++i) {
         nearest = fmax(nearest, entries[i].nearness);
         farthest = fmin(farthest, entries[i].nearness);
     }
-    const float per_bucket =
-        nearest > farthest ? (float)DEPTH_BUCKETS / (nearest - farthest) : 0.0f;
+    const float per_bucket = buckets_per_nearness(nearest, farthest);
     uint places[KEYS];
     for (uint k = 0; k < KEYS; ++k) places[k] = 0;
     for (uint i = first; i < last; ++i) {
@@ -188,24 +248,97 @@ KERNEL(tile_lists_arrange, ExactParameters) {
         sum += count;
     }
     __global float* own_blocks = blocks + (size_t)groups[tile] * LA_GROUP_FLOATS;
-    for (uint i = first; i < last; ++i) {
-        const Entry entry = entries[i];
-        const ScreenFace box = faces[entry.face];
-        const uint place = places[entry.key]++;
-        __global float* group = own_blocks + (size_t)(place / LA_GROUP) * LA_GROUP_FLOATS;
-        group[LA_ENTRY_FACE * LA_GROUP + place % LA_GROUP] = as_float(entry.face);
-        TileFace face;
-        if (face_in_tile(&args, entry.face, box.kind, planes[4 * entry.face + 3], vertices,
-                         triangles, screen, origin, &face))
-            write_entry(&face, box, entry.nearness, origin, group, place % LA_GROUP);
-        else
-            write_nothing(group, place % LA_GROUP);
-    }
-    const uint group_count = groups[tile + 1] - groups[tile];
-    for (uint place = last - first; place < group_count * LA_GROUP; ++place)
-        write_nothing(own_blocks + (size_t)(place / LA_GROUP) * LA_GROUP_FLOATS, place % LA_GROUP);
+    for (uint i = first; i < last; ++i)
+        write_place(&args, entries[i], places[entries[i].key]++, origin, faces, planes, vertices,
+                    triangles, screen, own_blocks);
+    write_rest(last - first, own_blocks);
     float behind = -1.0f;
-    for (uint g = group_count; g > 0; --g)
-        behind = enclose_group(&args, own_blocks + (size_t)(g - 1) * LA_GROUP_FLOATS,
-                               groups[tile] + g - 1, behind, boxes);
+    for (uint g = groups[tile + 1]; g > groups[tile]; --g) {
+        const float in_group =
+            enclose_group(&args, blocks + (size_t)(g - 1) * LA_GROUP_FLOATS, g - 1, boxes);
+        behind = note_behind(&args, g - 1, in_group, behind, boxes);
+    }
+}
+
+/* The key of an entry among those of all tiles, and how many each has. keys: all 0 before. */
+KERNEL(tile_lists_keys, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (i >= ends[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    const Entry entry = entries[i];
+    const float nearest = fmax(0.0f, from_ordered(ranges[2 * entry.key]));
+    const float farthest = from_ordered(~ranges[2 * entry.key + 1]);
+    const uint key = entry.key * KEYS + key_of(faces[entry.face], entry.nearness, nearest,
+                                               buckets_per_nearness(nearest, farthest),
+                                               origin_of(&args, entry.key), args.tile_size);
+    entries[i].key = key;
+    atomic_inc(keys + key);
+}
+
+/* By keys: these are scanned, and say afterwards where their entries end. */
+KERNEL(tile_lists_place, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (i >= ends[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    sorted[atomic_inc(keys + entries[i].key)] = entries[i];
+}
+
+/* Lets the first of `count` entries, if it does not belong there, sink to where it does: below a
+ * place i are those of 2 i + 1 and 2 i + 2, and none has a later face than what is above it. */
+static void sink(__global Entry* heap, uint i, const uint count) {
+    const Entry sinking = heap[i];
+    for (uint below = 2 * i + 1; below < count; below = 2 * i + 1) {
+        if (below + 1 < count && heap[below + 1].face > heap[below].face) ++below;
+        if (heap[below].face <= sinking.face) break;
+        heap[i] = heap[below];
+        i = below;
+    }
+    heap[i] = sinking;
+}
+
+/* Sorts the entries of each key by faces: most have a few, some very many. */
+KERNEL(tile_lists_sort, ExactParameters) {
+    const uint key = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (key >= tiles * KEYS || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    const uint first = key > 0 ? keys[key - 1] : 0;
+    const uint count = keys[key] - first;
+    if (count < 2) return;
+    __global Entry* own = sorted + first;
+    for (uint i = count / 2; i > 0; --i) sink(own, i - 1, count);
+    for (uint i = count - 1; i > 0; --i) {
+        const Entry last = own[0];
+        own[0] = own[i];
+        own[i] = last;
+        sink(own, 0, i);
+    }
+}
+
+KERNEL(tile_lists_write, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (i >= ends[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    const uint tile = sorted[i].key / KEYS;
+    const uint first = tile > 0 ? ends[tile - 1] : 0;
+    __global float* own_blocks = blocks + (size_t)groups[tile] * LA_GROUP_FLOATS;
+    write_place(&args, sorted[i], i - first, origin_of(&args, tile), faces, planes, vertices,
+                triangles, screen, own_blocks);
+    if (i + 1 == ends[tile]) write_rest(i + 1 - first, own_blocks);
+}
+
+KERNEL(tile_lists_boxes, ExactParameters) {
+    const uint g = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (g >= groups[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    enclose_group(&args, blocks + (size_t)g * LA_GROUP_FLOATS, g, boxes);
+}
+
+KERNEL(tile_lists_behind, ExactParameters) {
+    const uint tile = (uint)get_global_id(0);
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    if (tile >= tiles || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    const uint stride = args.group_capacity + LA_GROUP;
+    float behind = -1.0f;
+    for (uint g = groups[tile + 1]; g > groups[tile]; --g)
+        behind = note_behind(&args, g - 1, boxes[LA_ENTRY_NEAREST * stride + g - 1], behind, boxes);
 }

@@ -418,11 +418,6 @@ static uint segment_of(const ExactParameters* args, const uint i, __global const
     return args->beside != 0 ? seen[i / args->beside] : i;
 }
 
-/* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
-static bool lists_fit(const ExactParameters* args, const uint entries, const uint groups) {
-    return entries <= args->entry_capacity && groups <= args->group_capacity;
-}
-
 #define LISTS                                                                                      \
     { vertices, triangles, faces, planes, occluders, groups, blocks, boxes, patches }
 

@@ -47,6 +47,7 @@ depth_clusters = 4294967295
 halo_lanes = 1
 face_lanes = 1
 face_chunks = 1024
+face_lists = true
 segment_block = 4
 program_cache = true
 )";

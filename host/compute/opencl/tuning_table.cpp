@@ -55,6 +55,7 @@ std::span<const TuningField> tuning_fields() {
         {"halo_lanes", &Tuning::halo_lanes, {1, 8, 16}},
         {"face_lanes", &Tuning::face_lanes, {1, 4, 8, 16}},
         {"face_chunks", &Tuning::face_chunks, {}, 4096},
+        {"face_lists", &Tuning::face_lists},
         {"segment_block", &Tuning::segment_block, {}, largest_block},
         {"program_cache", &Tuning::program_cache},
     };

@@ -21,9 +21,12 @@ struct ExactArgs {
     Buffer& faces;              ///< `ScreenFace` per triangle
     Buffer& planes;             ///< 4 floats per triangle
     Buffer& occluders;          ///< a uint32 per tile
-    Buffer& ends;               ///< face_chunks uint32 per tile, and the number of entries
+    Buffer& ends;               ///< list_columns() uint32 per tile, and the number of entries
     Buffer& groups;             ///< a uint32 per tile, and the number of groups
     Buffer& entries;            ///< `Entry` each, entry_capacity of them
+    Buffer& sorted;             ///< the same where Tuning::face_lists
+    Buffer& ranges;             ///< 2 uint32 per tile, likewise
+    Buffer& keys;               ///< LA_LIST_KEYS uint32 per tile and one more, likewise
     Buffer& blocks;             ///< LA_GROUP_FLOATS floats per group, group_capacity of them
     Buffer& boxes;              ///< LA_BOX_FLOATS floats for group_capacity + LA_GROUP groups
     Buffer& kept;               ///< 4 floats per segment
@@ -34,6 +37,11 @@ struct ExactArgs {
     /// Of ways beside segments (ExactParameters::beside): OutlineArgs::seen.
     Buffer* seen = nullptr;
 };
+
+/// How many ends a tile's list has while it is filled.
+inline std::uint32_t list_columns(const Tuning& tuning) {
+    return tuning.face_lists ? 1 : tuning.face_chunks;
+}
 
 /// The visible parts of all segments, as `visible` leaves them.
 struct SpanTable {

@@ -25,8 +25,10 @@ ExactTables may_be_absent(const ExactArgs& args) {
 ExactParameters in_chunks(const ExactArgs& args, const Tuning& tuning) {
     ExactParameters parameters = args.parameters;
     parameters.batched = args.batches != nullptr ? args.batches->count : 0;
-    parameters.chunks = tuning.face_chunks;
-    parameters.chunk = std::max(divide_up(parameters.triangle_count, tuning.face_chunks), 1U);
+    parameters.chunks = list_columns(tuning);
+    parameters.chunk = tuning.face_lists
+                           ? 1
+                           : std::max(divide_up(parameters.triangle_count, tuning.face_chunks), 1U);
     return parameters;
 }
 
@@ -65,17 +67,33 @@ void Stages::tile_lists(const ExactArgs& args) {
     const ExactParameters parameters = in_chunks(args, tuning_);
     const std::uint32_t tiles = tiles_of(parameters);
     const std::uint32_t counts = tiles * parameters.chunks;
+    const std::uint32_t chunks = divide_up(parameters.triangle_count, parameters.chunk);
     device_.clear(args.ends, counts * sizeof(la_uint));
-    launch<kernels::tile_lists_count>(parameters.chunks, tuning_.block_local_size, parameters,
-                                      args.table, args, may_be_absent(args), Counts{args.ends});
+    launch<kernels::tile_lists_count>(chunks, tuning_.block_local_size, parameters, args.table,
+                                      args, may_be_absent(args), Counts{args.ends});
     scan(args.ends, counts, ScanKind::saturate);
     launch<kernels::tile_lists_groups>(tiles, tuning_.local_size, parameters, args,
                                        Offsets{args.ends});
     scan(args.groups, tiles, ScanKind::saturate);
-    launch<kernels::tile_lists_fill>(parameters.chunks, tuning_.block_local_size, parameters,
-                                     args.table, args, may_be_absent(args));
+    if (tuning_.face_lists) device_.clear(args.ranges, 2 * tiles * sizeof(la_uint));
+    launch<kernels::tile_lists_fill>(chunks, tuning_.block_local_size, parameters, args.table, args,
+                                     may_be_absent(args));
+    if (tuning_.face_lists) return arrange_by_entries(args, parameters);
     launch<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters, args.table,
                                         args);
+}
+
+void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters) {
+    const std::uint32_t tiles = tiles_of(parameters), entries = parameters.entry_capacity;
+    const std::uint32_t keys = tiles * LA_LIST_KEYS, group = tuning_.local_size;
+    device_.clear(args.keys, keys * sizeof(la_uint));
+    launch<kernels::tile_lists_keys>(entries, group, parameters, args);
+    scan(args.keys, keys, ScanKind::saturate);
+    launch<kernels::tile_lists_place>(entries, group, parameters, args);
+    launch<kernels::tile_lists_sort>(keys, group, parameters, args);
+    launch<kernels::tile_lists_write>(entries, group, parameters, args.table, args);
+    launch<kernels::tile_lists_boxes>(parameters.group_capacity, group, parameters, args);
+    launch<kernels::tile_lists_behind>(tiles, group, parameters, args);
 }
 
 void Stages::visible(const ExactArgs& args) {

@@ -60,8 +60,11 @@ class ExactVisibility {
         occluders,
         ends,
         groups,
+        ranges,
+        keys,
         // That grow:
         entries,
+        sorted,
         blocks,
         boxes,
         spans,

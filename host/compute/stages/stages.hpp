@@ -100,6 +100,8 @@ class Stages {
     void draw_strokes(const StrokeArgs& args);
 
   private:
+    /// What tile_lists_arrange does, where Tuning::face_lists.
+    void arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters);
     /// Launches `items` work-items in groups of `group`; nothing if there are none. Each table is
     /// that of its name in the first of `groups` that has one.
     template <class K, class... Groups>

@@ -112,6 +112,7 @@ struct Tuning {
     std::uint32_t halo_lanes = 16;      ///< lines tested at a time: 1, 8 or 16
     std::uint32_t face_lanes = 16;      ///< faces tested at a time: 1, 4, 8 or 16
     std::uint32_t face_chunks = 64;     ///< chunks of faces that go into tiles at the same time
+    bool face_lists = false;            ///< each face does by itself, and lists are sorted by entry
     std::uint32_t segment_block = 4096; ///< segments per work-item of compact
     bool program_cache = false;         ///< built programs are kept in the user's cache
 };
