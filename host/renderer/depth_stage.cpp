@@ -43,7 +43,9 @@ DepthStage::DepthStage(const interop::Connection& connection)
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     surfaces_.set_scene();
-    seen_.assign(scene.clusters().size(), 1); // nothing is known yet: the first frame draws all
+    // Nothing is known yet: the first frame draws all.
+    const bool culls = scene.triangle_count() >= fewest_culled_triangles();
+    seen_.assign(culls ? scene.clusters().size() : 0, 1);
     clusters_ = scene.all_clusters();
     appeared_.resize(clusters_.size());
     ranges_.reserve(clusters_.size()); // frames allocate nothing

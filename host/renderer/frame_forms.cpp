@@ -14,6 +14,15 @@ namespace {
 // No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
 constexpr float longest_mitre = 4;
 
+// Handing depth over for the judgement of clusters, and back, takes half a millisecond beyond what
+// it costs, in which a GPU draws about as many triangles (docs/benchmarks.md).
+constexpr std::uint32_t fewest_culled_by_gpus = 1U << 20U;
+
+/// Whether the device's launch parameters are those of a CPU.
+bool is_processor(const compute::Device& device) {
+    return device.tuning().depth_lanes > 1;
+}
+
 bool is_constant(const Profile& profile) {
     return profile.size() == 1 && profile[0] == 1;
 }
@@ -28,7 +37,15 @@ bool is_even(const std::string& mark) {
 } // namespace
 
 bool kernels_are_faster(const compute::Device& device) {
-    return interop::gl_is_software() && device.tuning().depth_lanes > 1;
+    return interop::gl_is_software() && is_processor(device);
+}
+
+bool gl_samples_faster(const compute::Device& device) {
+    return !interop::gl_is_software() && is_processor(device);
+}
+
+std::uint32_t fewest_culled_triangles() {
+    return interop::gl_is_software() ? 0 : fewest_culled_by_gpus;
 }
 
 bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster) {

@@ -12,6 +12,12 @@ namespace lineatlas {
 /// Whether kernels draw depth, fills and strokes faster than GL: where both run on the CPU. In the
 /// current GL context.
 bool kernels_are_faster(const compute::Device& device);
+/// Whether GL computes samples faster than kernels, with all that has to cross: where it has a GPU
+/// and kernels have none.
+bool gl_samples_faster(const compute::Device& device);
+/// The fewest triangles of which GL draws those alone that may be seen. A GPU has drawn fewer
+/// before it is known which.
+std::uint32_t fewest_culled_triangles();
 
 /// Whether depth, and a fill by it, is drawn by kernels, where the frame draws any.
 bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster);
