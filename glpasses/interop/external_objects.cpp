@@ -56,7 +56,7 @@ Function ExternalObjects::function(const char* name) const {
 ExternalObjects::ExternalObjects(const compute::OpenClBackend& device) : device_(device) {
     if (const std::string why = external_memory_obstacle(device.device()); !why.empty())
         throw DeviceError(why + "; use DeviceOptions::interop copy");
-    vulkan_ = vulkan_memory(uuid_of_gl());
+    vulkan_ = &vulkan_memory(uuid_of_gl());
     acquire_ = function<Handover>("clEnqueueAcquireExternalMemObjectsKHR");
     release_ = function<Handover>("clEnqueueReleaseExternalMemObjectsKHR");
     create_ = reinterpret_cast<CreateBuffer>(

@@ -37,7 +37,7 @@ class ExternalObjects final : public OpenedObjects {
     Function function(const char* name) const;
 
     const compute::OpenClBackend& device_;
-    std::shared_ptr<const VulkanMemory> vulkan_;
+    const VulkanMemory* vulkan_;
     CreateBuffer create_;
     Handover acquire_, release_;
 };

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 #include "base/file_descriptor.hpp"
 
@@ -27,8 +26,8 @@ class VulkanMemory {
     virtual ExportedMemory allocate(std::size_t bytes) const = 0;
 };
 
-/// Of the device of that name; one for all that ask. Throws DeviceError where Vulkan has no such
-/// device, or none that exports memory.
-std::shared_ptr<const VulkanMemory> vulkan_memory(const DeviceUuid& uuid);
+/// Of the device of that name; the same for all that ask, until the process ends. Throws
+/// DeviceError where Vulkan has no such device, or none that exports memory.
+const VulkanMemory& vulkan_memory(const DeviceUuid& uuid);
 
 } // namespace lineatlas::interop

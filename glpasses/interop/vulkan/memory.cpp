@@ -1,8 +1,11 @@
 #include "glpasses/interop/vulkan_memory.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -185,22 +188,18 @@ class Device final : public VulkanMemory {
 
 } // namespace
 
-std::shared_ptr<const VulkanMemory> vulkan_memory(const DeviceUuid& uuid) {
-    struct Known {
-        DeviceUuid uuid;
-        std::weak_ptr<const VulkanMemory> memory;
-    };
+const VulkanMemory& vulkan_memory(const DeviceUuid& uuid) {
     static std::mutex mutex;
-    static std::vector<Known> all;
+    // Never ended: where NVIDIA's driver was, no GL context was current any more.
+    static auto& all = *new std::map<DeviceUuid, std::unique_ptr<Device>>;
     const std::scoped_lock lock{mutex};
-    std::erase_if(all, [](const Known& known) { return known.memory.expired(); });
-    for (const Known& known : all)
-        if (known.uuid == uuid)
-            if (std::shared_ptr<const VulkanMemory> memory = known.memory.lock()) return memory;
-    auto device = std::make_shared<Device>();
-    device->open(uuid);
-    all.push_back({uuid, device});
-    return device;
+    std::unique_ptr<Device>& device = all[uuid];
+    if (device == nullptr) {
+        auto opened = std::make_unique<Device>();
+        opened->open(uuid);
+        device = std::move(opened);
+    }
+    return *device;
 }
 
 } // namespace lineatlas::interop
