@@ -61,6 +61,13 @@ CurrentContext require_context() {
     return current;
 }
 
+bool is_software() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    if (name == nullptr) return false;
+    const std::string_view renderer = name;
+    return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
+}
+
 void require_alive() {
     const GLenum status = glGetGraphicsResetStatus();
     if (status == GL_NO_ERROR) return;

@@ -20,6 +20,9 @@ CurrentContext current_context();
 /// is too old.
 CurrentContext require_context();
 
+/// Whether the current context renders on the CPU.
+bool is_software();
+
 /// Throws DeviceError if the current context was lost (GL_KHR_robustness): a driver that was reset,
 /// a GPU that was taken out. Only contexts that were made robust are told.
 void require_alive();

@@ -1,32 +1,10 @@
 #include "depth_pass.hpp"
 
-#include <algorithm>
-
 #include "segment_table.h"
 #include "storage.hpp"
 #include "viewport.hpp"
 
 namespace lineatlas::gl {
-
-void copy_texels(GLuint texture, GLenum format, GLenum type, glm::ivec2 whole,
-                 const TexelRectangle& part, GLuint buffer) {
-    const glm::ivec2 size = part.size();
-    if (size.x <= 0 || size.y <= 0) return;
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glPixelStorei(GL_PACK_ROW_LENGTH, whole.x);
-    const std::size_t row = static_cast<std::size_t>(whole.x) * sizeof(float);
-    const std::size_t left = static_cast<std::size_t>(part.low.x) * sizeof(float);
-    const int most_rows = rows_at_once(row);
-    for (int low = part.low.y; low < part.high.y; low += most_rows) {
-        const int rows = std::min(part.high.y - low, most_rows);
-        glGetTextureSubImage(texture, 0, part.low.x, low, 0, size.x, rows, 1, format, type,
-                             static_cast<GLsizei>(row * static_cast<std::size_t>(rows) - left),
-                             reinterpret_cast<void*>(row * static_cast<std::size_t>(low) + left));
-    }
-    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-}
 
 DepthPass::DepthPass()
     : programs_({"depth.vert", "depth.frag"}), vertex_array_(VertexArray::create()),
@@ -149,12 +127,12 @@ void DepthPass::load_numbers(GLuint buffer, glm::ivec2 size, const TexelRectangl
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
-void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
-    copy_texels(texture_.id(), GL_DEPTH_COMPONENT, GL_FLOAT, size_, part, buffer);
+void DepthPass::copy_to(GLuint buffer, const TexelRectangle& part) {
+    copy_.copy(texture_.id(), GL_DEPTH_COMPONENT, GL_FLOAT, size_, part, buffer);
 }
 
-void DepthPass::copy_numbers_to(GLuint buffer, const TexelRectangle& part) const {
-    copy_texels(numbers_.id(), GL_RED_INTEGER, GL_UNSIGNED_INT, numbers_size_, part, buffer);
+void DepthPass::copy_numbers_to(GLuint buffer, const TexelRectangle& part) {
+    copy_.copy(numbers_.id(), GL_RED_INTEGER, GL_UNSIGNED_INT, numbers_size_, part, buffer);
 }
 
 } // namespace lineatlas::gl

@@ -12,6 +12,7 @@
 #include "objects.hpp"
 #include "program.hpp"
 #include "range_commands.hpp"
+#include "texel_copy.hpp"
 
 namespace lineatlas::gl {
 
@@ -21,11 +22,6 @@ struct TriangleBuffers {
     GLuint indices;  ///< 3 uint32 per triangle
     std::uint32_t triangle_count;
 };
-
-/// Copies a rectangle of a texture of `size` texels to its place in a buffer for all of it: rows
-/// from the lower left. `format`: GL_DEPTH_COMPONENT, GL_RED or GL_RED_INTEGER; `type`: of 4 bytes.
-void copy_texels(GLuint texture, GLenum format, GLenum type, glm::ivec2 size,
-                 const TexelRectangle& part, GLuint buffer);
 
 /// `depth`: draws triangles into a depth texture of its own, larger than the viewport by `scale`
 /// per axis (§3.2). Without a polygon offset: probes know the planes of a line's own faces
@@ -48,9 +44,9 @@ class DepthPass {
 
     /// Copies a rectangle of the depth of the last draw to its place in a buffer for all of it:
     /// floats, rows from the lower left.
-    void copy_to(GLuint buffer, const TexelRectangle& part) const;
+    void copy_to(GLuint buffer, const TexelRectangle& part);
     /// The same of the numbers: uint32, LA_NO_FACE where there is no triangle.
-    void copy_numbers_to(GLuint buffer, const TexelRectangle& part) const;
+    void copy_numbers_to(GLuint buffer, const TexelRectangle& part);
 
     GLuint texture() const { return texture_.id(); }
     GLuint numbers() const { return numbers_.id(); }
@@ -65,6 +61,7 @@ class DepthPass {
     ProgramVariants programs_;
     VertexArray vertex_array_, numbered_array_;
     Framebuffer framebuffer_, numbered_framebuffer_;
+    TexelCopy copy_;
     Texture2D texture_;
     Texture2D numbers_; ///< made when first asked for
     glm::ivec2 size_{0, 0}, numbers_size_{0, 0};

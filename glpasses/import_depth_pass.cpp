@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "depth_pass.hpp"
 #include "lineatlas/error.hpp"
 #include "storage.hpp"
 #include "viewport.hpp"
@@ -115,8 +114,8 @@ void ImportDepthPass::draw(GLuint depth, glm::ivec2 origin, glm::ivec2 size,
     glBindSampler(0, 0);
 }
 
-void ImportDepthPass::copy_to(GLuint buffer, const TexelRectangle& part) const {
-    copy_texels(texture_.id(), GL_RED, GL_FLOAT, size_, part, buffer);
+void ImportDepthPass::copy_to(GLuint buffer, const TexelRectangle& part) {
+    copy_.copy(texture_.id(), GL_RED, GL_FLOAT, size_, part, buffer);
 }
 
 } // namespace lineatlas::gl

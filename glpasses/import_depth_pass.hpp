@@ -6,6 +6,7 @@
 #include "core/standard_camera.hpp"
 #include "objects.hpp"
 #include "program.hpp"
+#include "texel_copy.hpp"
 
 namespace lineatlas::gl {
 
@@ -23,7 +24,7 @@ class ImportDepthPass {
     void draw(GLuint depth, glm::ivec2 origin, glm::ivec2 size, const TexelRectangle& part,
               const DepthMapping& mapping);
     /// As DepthPass::copy_to().
-    void copy_to(GLuint buffer, const TexelRectangle& part) const;
+    void copy_to(GLuint buffer, const TexelRectangle& part);
 
     GLuint texture() const { return texture_.id(); }
     glm::ivec2 size() const { return size_; }
@@ -35,6 +36,7 @@ class ImportDepthPass {
     VertexArray vertex_array_; ///< without attributes
     Sampler sampler_;          ///< in place of the texture's own, which may compare
     Framebuffer framebuffer_;
+    TexelCopy copy_;
     Texture2D texture_;
     glm::ivec2 size_{0, 0};
 };

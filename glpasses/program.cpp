@@ -20,6 +20,7 @@ using Shader = Object<ShaderTraits>;
 GLenum stage_of(std::string_view file) {
     if (file.ends_with(".vert")) return GL_VERTEX_SHADER;
     if (file.ends_with(".geom")) return GL_GEOMETRY_SHADER;
+    if (file.ends_with(".comp")) return GL_COMPUTE_SHADER;
     return GL_FRAGMENT_SHADER;
 }
 

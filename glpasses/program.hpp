@@ -19,9 +19,9 @@ namespace lineatlas::gl {
 /// A linked program. Uniforms are set by name; one that the linker has removed is ignored.
 class Program {
   public:
-    /// Builds a program from shader files; the extension tells the stage: .vert, .geom or .frag.
-    /// Throws DeviceError with the compiler's log.
-    /// `defines`: names separated by spaces, defined in all of them.
+    /// Builds a program from shader files; the extension tells the stage: .vert, .geom, .frag or
+    /// .comp. Throws DeviceError with the compiler's log. `defines`: names separated by spaces,
+    /// defined in all of them.
     explicit Program(const std::vector<std::string_view>& files, std::string_view defines = {});
 
     void use() const { glUseProgram(program_.id()); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 
 #include <epoxy/gl.h>
 
@@ -12,6 +11,7 @@
 #include "compute/opencl/quirks.hpp"
 #include "core/memory_limit.hpp"
 #include "gl_context.hpp"
+#include "glpasses/current_context.hpp"
 #include "lineatlas/error.hpp"
 #include "round_trip.hpp"
 
@@ -29,7 +29,7 @@ constexpr const char* collision =
 
 /// Whether the device and the driver of the current context do not live in one process.
 bool collides(const compute::OpenClDevice& device) {
-    return compute::collides_with_llvmpipe(device) && gl_is_software();
+    return compute::collides_with_llvmpipe(device) && gl::is_software();
 }
 
 void refuse_collision(const compute::OpenClDevice& device) {
@@ -46,7 +46,7 @@ std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
     if (mode == SharingMode::external_memory) return external_memory_obstacle(device);
     if (mode == SharingMode::host_pointer) {
         if (!device.is_cpu) return "the device is not a CPU";
-        if (!gl_is_software()) return "GL does not run on the CPU";
+        if (!gl::is_software()) return "GL does not run on the CPU";
     }
     return {};
 }
@@ -129,13 +129,13 @@ Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMod
 bool starts_too_late(const ConnectOptions& options, const compute::WantedDevice& wanted) {
     return options.one_picture && wanted.kind.empty() && wanted.device.empty() && !options.mode &&
            options.compare_with.empty() && std::getenv("LINEATLAS_KERNEL_DIR") == nullptr &&
-           !memory_limit() && gl_is_software();
+           !memory_limit() && gl::is_software();
 }
 
 /// A device whose memory is the host's: a software GL can have it too.
 Chosen choose_other(const std::string& kind, const std::string& device,
                     std::optional<SharingMode> wanted) {
-    const bool shares_memory = kind == "cpp" && gl_is_software();
+    const bool shares_memory = kind == "cpp" && gl::is_software();
     return {compute::make_device(kind, device),
             wanted.value_or(shares_memory ? SharingMode::host_pointer : SharingMode::copy)};
 }
@@ -192,15 +192,8 @@ ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode) {
     return {mode, works, tried.reason};
 }
 
-bool gl_is_software() {
-    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    if (renderer == nullptr) return false;
-    return std::strstr(renderer, "llvmpipe") != nullptr ||
-           std::strstr(renderer, "softpipe") != nullptr;
-}
-
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
-    const bool software_gl = gl_is_software();
+    const bool software_gl = gl::is_software();
     const auto best =
         std::ranges::min_element(devices, {}, [&](const compute::OpenClDevice& device) {
             return rank(device, software_gl);

@@ -47,9 +47,6 @@ struct Connection {
     std::optional<ConnectOptions> otherwise{};
 };
 
-/// Whether the current GL context renders on the CPU.
-bool gl_is_software();
-
 /// Of the devices, the one to use by default: the first that can share with the current GL context,
 /// else one that shares memory with it, else a GPU, else any. `devices` must not be empty.
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);

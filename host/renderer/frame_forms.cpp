@@ -6,7 +6,7 @@
 
 #include "core/line_pens.hpp"
 #include "core/pens.hpp"
-#include "glpasses/interop/connect.hpp"
+#include "glpasses/current_context.hpp"
 
 namespace lineatlas {
 namespace {
@@ -37,15 +37,15 @@ bool is_even(const std::string& mark) {
 } // namespace
 
 bool kernels_are_faster(const compute::Device& device) {
-    return interop::gl_is_software() && is_processor(device);
+    return gl::is_software() && is_processor(device);
 }
 
 bool gl_samples_faster(const compute::Device& device) {
-    return !interop::gl_is_software() && is_processor(device);
+    return !gl::is_software() && is_processor(device);
 }
 
 std::uint32_t fewest_culled_triangles() {
-    return interop::gl_is_software() ? 0 : fewest_culled_by_gpus;
+    return gl::is_software() ? 0 : fewest_culled_by_gpus;
 }
 
 bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster) {

@@ -389,7 +389,7 @@ class Renderer::State {
 
     std::optional<ProfileRecorder::Frame> begin_profile(const FrameOptions& options) {
         if (!options.profile) return std::nullopt;
-        if (!recorder_) recorder_.emplace(connection_.stages->device(), interop::gl_is_software());
+        if (!recorder_) recorder_.emplace(connection_.stages->device(), gl::is_software());
         return std::optional<ProfileRecorder::Frame>{std::in_place, *recorder_};
     }
 
