@@ -52,8 +52,9 @@ typedef struct ExactParameters {
     float slack;
     float depth_rate; /* of a parallel view: clip z per model unit; of a perspective one 0 */
     float rounding;   /* most that rounding changes the depth coordinate in clip space */
+    la_uint slices;   /* work-items that share the rows of tiles of each triangle; 1: chunks do */
     la_uint chunk;    /* triangles per work-item of tile_lists */
-    la_uint chunks;   /* of them; 1: each is a triangle, and counts are those of a tile */
+    la_uint chunks;   /* of them; 1: counts are of each tile alone */
     la_uint entry_capacity, group_capacity, span_capacity;
     /* The clipped segments are so many ways beside each segment that `seen` lists, see
      * outline_push; all that is over them hides them. 0: they are the segments. */
@@ -166,6 +167,22 @@ typedef struct SpansParameters {
 #define visible_write_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, seen) in(ClippedSegment, clipped) in(uint, patches) \
     EXACT_LIST_TABLES(in) in(uint, offsets) in(float, kept) out(float, spans)
+#define PIECE_TABLES(in) \
+    in(Segment, segments) in(uint, seen) in(ClippedSegment, clipped) in(uint, patches) \
+    EXACT_LIST_TABLES(in)
+#define visible_pieces_tables(in, out, inout, unordered) \
+    PIECE_TABLES(in) in(uint, arcs) out(uint, counts)
+#define visible_cut_tables(in, out, inout, unordered) \
+    PIECE_TABLES(in) in(uint, piece_offsets) out(uint, counts) out(float, piece_kept)
+#define visible_parts_tables(in, out, inout, unordered) \
+    PIECE_TABLES(in) in(uint, piece_offsets) in(uint, part_offsets) in(float, piece_kept) \
+    out(float, raw_parts)
+#define visible_join_tables(in, out, inout, unordered) \
+    in(ClippedSegment, clipped) in(uint, piece_offsets) in(uint, part_offsets) \
+    in(float, raw_parts) out(uint, counts)
+#define visible_spans_tables(in, out, inout, unordered) \
+    in(ClippedSegment, clipped) in(uint, piece_offsets) in(uint, part_offsets) \
+    in(float, raw_parts) in(uint, offsets) out(float, spans)
 #define spans_count_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, arcs) in(uint, span_offsets) in(float, spans) out(uint, counts)
 #define spans_runs_tables(in, out, inout, unordered) \

@@ -316,6 +316,11 @@ typedef struct IntervalsParameters {
     kernel(tile_lists, tile_lists_behind, ExactParameters) \
     kernel(visible, visible_count, ExactParameters) \
     kernel(visible, visible_write, ExactParameters) \
+    kernel(visible, visible_pieces, ExactParameters) \
+    kernel(visible, visible_cut, ExactParameters) \
+    kernel(visible, visible_parts, ExactParameters) \
+    kernel(visible, visible_join, ExactParameters) \
+    kernel(visible, visible_spans, ExactParameters) \
     kernel(spans, spans_count, SpansParameters) \
     kernel(spans, spans_runs, SpansParameters) \
     kernel(spans, spans_intervals, SpansParameters) \

@@ -140,15 +140,15 @@ static float surely_hides(const TileFace* face, const float size) {
 
 /* Of tiles that the face covers alone, or with its partner: nothing that is farther than they are
  * everywhere in them is seen, or hides what is. */
-static void cover_tiles(const ExactParameters* args, const uint t, const ScreenFace box,
-                        const float reach, const Partner partner, __global const float* vertices,
-                        __global const uint* triangles, __global const float* screen,
-                        __global uint* occluders) {
+static void cover_tiles(const ExactParameters* args, const uint t, const uint slice,
+                        const ScreenFace box, const float reach, const Partner partner,
+                        __global const float* vertices, __global const uint* triangles,
+                        __global const float* screen, __global uint* occluders) {
     const int4 range = tiles_of(args, box);
     const float size = args->tile_size;
     const int columns = to_int2(args->tiles).x;
     TileFace face, other;
-    for (int y = range.y; y <= range.w; ++y) {
+    for (int y = range.y + (int)slice; y <= range.w; y += (int)args->slices) {
         for (int x = range.x; x <= range.z; ++x) {
             const float2 origin = float2((float)x, (float)y) * size;
             if (!face_in_tile(args, t, FACE_PLAIN, reach, vertices, triangles, screen, origin,
@@ -207,15 +207,15 @@ static bool may_cover(const ExactParameters* args, const ScreenFace face) {
            face.high[1] - face.low[1] > args->tile_size;
 }
 
-static void find_occluders(const ExactParameters* args, const uint t, const ScreenFace face,
-                           const float reach, __global const float* vertices,
+static void find_occluders(const ExactParameters* args, const uint t, const uint slice,
+                           const ScreenFace face, const float reach, __global const float* vertices,
                            __global const uint* triangles, __global const float* screen,
                            __global uint* occluders) {
     if (!(reach > 0.0f)) return;
     Partner partner = partner_of(args, t, t + 1u, vertices, triangles, screen);
     if (partner.face == LA_NO_FACE)
         partner = partner_of(args, t, t - 1u, vertices, triangles, screen);
-    cover_tiles(args, t, face, reach, partner, vertices, triangles, screen, occluders);
+    cover_tiles(args, t, slice, face, reach, partner, vertices, triangles, screen, occluders);
 }
 
 /* Most pixels that anything of one model unit is long on the screen, in the picture and as far as
@@ -229,10 +229,13 @@ static float pixels_per_unit(const ExactParameters* args, const float least_w) {
     return fmax(x * half_size.x, y * half_size.y) / least_w;
 }
 
-/* Finds what faces of a batch cover. Of two that cover a tile together the one that has more of it
- * is half as wide as the tile at least; a batch of narrower ones is passed over. */
+/* Finds what faces of a batch cover: one work-item per batch, or per slice of each face. Of two
+ * that cover a tile together the one that has more of it is half as wide as the tile at least; a
+ * batch of narrower ones is passed over. */
 KERNEL(surfaces_occluders, ExactParameters) {
-    const uint b = (uint)get_global_id(0);
+    const bool in_batches = args.slices == 1;
+    const uint i = (uint)get_global_id(0), slice = i % args.slices;
+    const uint b = in_batches ? i : i / args.slices / LA_BATCH;
     if (b >= args.count) return;
     const BatchOnScreen box =
         batch_on_screen(to_matrix(args.clip_from_world), to_float2(args.viewport), batches + b);
@@ -240,20 +243,23 @@ KERNEL(surfaces_occluders, ExactParameters) {
     if (box.is_bounded &&
         batches[b].widest * pixels_per_unit(&args, box.least_w) < 0.5f * args.tile_size)
         return;
-    const uint last = min((b + 1u) * LA_BATCH, args.triangle_count);
-    for (uint t = b * LA_BATCH; t < last; ++t) {
+    const uint first = in_batches ? b * LA_BATCH : i / args.slices;
+    const uint last = min(in_batches ? first + LA_BATCH : first + 1u, args.triangle_count);
+    for (uint t = first; t < last; ++t) {
         const ScreenFace face = face_on_screen(&args, t, vertices, triangles, screen);
         if (!may_cover(&args, face)) continue;
-        find_occluders(&args, t, face, plane_of_face(&args, t, vertices, triangles).w, vertices,
-                       triangles, screen, occluders);
+        find_occluders(&args, t, slice, face, plane_of_face(&args, t, vertices, triangles).w,
+                       vertices, triangles, screen, occluders);
     }
 }
 
-/* planes: four numbers a triangle, see plane_of; 0 where it hides nothing. states: of batches of
- * the first `batched` triangles; of those that are not seen nothing but that is written. */
+/* One work-item per slice of each triangle. planes: four numbers a triangle, see plane_of; 0 where
+ * it hides nothing. states: of batches of the first `batched` triangles; of those that are not seen
+ * nothing but that is written. */
 KERNEL(surfaces_faces, ExactParameters) {
-    const uint t = (uint)get_global_id(0);
-    if (t >= args.triangle_count) return;
+    const uint t = (uint)get_global_id(0) / args.slices;
+    const uint slice = (uint)get_global_id(0) % args.slices;
+    if (t >= args.triangle_count || (t < args.batched && slice > 0)) return;
     if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
         faces[t].kind = FACE_UNSEEN;
         return;
@@ -262,10 +268,12 @@ KERNEL(surfaces_faces, ExactParameters) {
     float4 plane = float4(0.0f, 0.0f, 0.0f, 0.0f);
     if (face.kind != FACE_UNSEEN) plane = plane_of_face(&args, t, vertices, triangles);
     if (!(plane.w > 0.0f)) face.kind = FACE_UNSEEN;
-    faces[t] = face;
-    vstore4(plane, t, planes);
+    if (slice == 0) {
+        faces[t] = face;
+        vstore4(plane, t, planes);
+    }
     if (t >= args.batched && may_cover(&args, face))
-        find_occluders(&args, t, face, plane.w, vertices, triangles, screen, occluders);
+        find_occluders(&args, t, slice, face, plane.w, vertices, triangles, screen, occluders);
 }
 
 /* The least distance of a corner of a triangle from the opposite side. */

@@ -3,10 +3,10 @@
  * that lists are equal on every device.
  *
  * tile_lists_count, tile_lists_fill: one work-item per chunk of triangles. Between them a scan of
- * the counts, of each tile and chunk; where chunks are triangles, of each tile alone, and the
- * entries of a tile stand in any order.
+ * the counts, of each tile and chunk. Or one per slice of each triangle, every so many rows of its
+ * tiles; then counts are of each tile alone, and the entries of a tile stand in any order.
  *
- * Then one work-item per tile (tile_lists_arrange), or, where chunks are triangles, one per entry
+ * Then one work-item per tile (tile_lists_arrange), or, where triangles have slices, one per entry
  * (tile_lists_keys, a scan, tile_lists_place, tile_lists_write), per key (tile_lists_sort), per
  * group (tile_lists_boxes) and per tile (tile_lists_behind), which does the same. */
 
@@ -27,8 +27,8 @@ static float from_ordered(const uint x) {
     return as_float((x & 0x80000000u) != 0 ? x & 0x7FFFFFFFu : ~x);
 }
 
-/* Enters face t into its tiles: counts, or writes where `ends` says, which it moves on, and how
- * near and how far entries are. */
+/* Enters face t into its tiles, or those of a slice: counts, or writes where `ends` says, which it
+ * moves on, and how near and how far entries are. */
 static void enter(const ExactParameters* args, const uint t, const uint chunk, const ScreenFace box,
                   __global const float* vertices, __global const uint* triangles,
                   __global const float* screen, __global const float* planes,
@@ -38,7 +38,9 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
     const int columns = to_int2(args->tiles).x;
     const bool few = (range.z - range.x) + (range.w - range.y) < 2;
     TileFace face;
-    for (int y = range.y; y <= range.w; ++y) {
+    const bool in_chunks = args->slices == 1;
+    const int step = (int)args->slices;
+    for (int y = range.y + (in_chunks ? 0 : (int)(chunk % args->slices)); y <= range.w; y += step) {
         for (int x = range.x; x <= range.z; ++x) {
             const uint tile = (uint)(y * columns + x);
             float nearness = box.nearest;
@@ -51,7 +53,7 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
                 nearness = nearness_in_tile(args, &face, nearness);
                 if (nearness < as_float(occluders[tile]) || nearness < 0.0f) continue;
             }
-            if (args->chunks > 1) {
+            if (in_chunks) {
                 __global uint* end = ends + (tile * args->chunks + chunk);
                 if (entries != 0) {
                     entries[*end].face = t;
@@ -74,7 +76,7 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
 /* counts: per tile, per chunk; all 0 before. */
 KERNEL(tile_lists_count, ExactParameters) {
     const uint chunk = (uint)get_global_id(0);
-    const uint first = chunk * args.chunk;
+    const uint first = chunk / args.slices * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     for (uint t = first; t < last; ++t) {
         if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
@@ -93,7 +95,7 @@ KERNEL(tile_lists_count, ExactParameters) {
 KERNEL(tile_lists_fill, ExactParameters) {
     const uint chunk = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
-    const uint first = chunk * args.chunk;
+    const uint first = chunk / args.slices * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     if (first >= last || ends[tiles * args.chunks] > args.entry_capacity) return;
     for (uint t = first; t < last; ++t) {

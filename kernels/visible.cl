@@ -5,6 +5,10 @@
  * segment, and keep the first two parts of it; from the scanned counts on, write all parts. The few
  * segments with more parts are done again.
  *
+ * Or one per piece, a segment in a tile (Tuning::face_lists), since a GPU would wait for the
+ * longest segment: visible_pieces counts them, visible_cut counts their parts, visible_parts writes
+ * these, and visible_join and visible_spans put those of a segment together.
+ *
  * FACE_LANES: how many faces are looked at in one go, 1 on GPUs. */
 
 #define LANES FACE_LANES
@@ -330,40 +334,64 @@ static float leaves_at(const float p, const float way, const int tile, const flo
     return 2.0f;
 }
 
+/* A way along a segment, tile by tile: it has come to `tile`, where the segment is from `from` to
+ * `to`. */
+typedef struct Walk {
+    int2 tile, next;
+    float from, to;
+} Walk;
+
+static Walk begin_walk(const ExactParameters* args, const Line* line) {
+    Walk walk;
+    walk.next = clamp(convert_int2_rtn(line->p * (1.0f / args->tile_size)), int2(0, 0),
+                      to_int2(args->tiles) - 1);
+    walk.tile = walk.next;
+    walk.from = walk.to = 0.0f;
+    return walk;
+}
+
+/* Goes on to the next tile that has more of the segment than a point; false if there is none. */
+static bool walk_on(const ExactParameters* args, const Line* line, Walk* walk) {
+    const int2 tiles = to_int2(args->tiles);
+    while (walk->to < 1.0f) {
+        walk->tile = walk->next;
+        const float x = leaves_at(line->p.x, line->way.x, walk->tile.x, args->tile_size);
+        const float y = leaves_at(line->p.y, line->way.y, walk->tile.y, args->tile_size);
+        if (x <= y)
+            walk->next.x += line->way.x > 0.0f ? 1 : -1;
+        else
+            walk->next.y += line->way.y > 0.0f ? 1 : -1;
+        const bool outside = walk->next.x < 0 || walk->next.y < 0 || walk->next.x >= tiles.x ||
+                             walk->next.y >= tiles.y;
+        const float end = outside ? 1.0f : fmin(fmin(x, y), 1.0f);
+        if (!(end > walk->to)) continue;
+        walk->from = walk->to;
+        walk->to = end;
+        return true;
+    }
+    return false;
+}
+
 /* What is visible of the segment, tile by tile. */
 static void find_visible(const ExactParameters* args, const Lists* lists, const Line* line,
                          const Line* lifted, Found* found) {
-    const int2 tiles = to_int2(args->tiles);
-    const float size = args->tile_size;
-    int2 tile = clamp(convert_int2_rtn(line->p * (1.0f / size)), int2(0, 0), tiles - 1);
-    float s = 0.0f;
-    while (s < 1.0f) {
-        const float x = leaves_at(line->p.x, line->way.x, tile.x, size);
-        const float y = leaves_at(line->p.y, line->way.y, tile.y, size);
-        int2 next = tile;
-        if (x <= y)
-            next.x += line->way.x > 0.0f ? 1 : -1;
-        else
-            next.y += line->way.y > 0.0f ? 1 : -1;
-        const bool outside = next.x < 0 || next.y < 0 || next.x >= tiles.x || next.y >= tiles.y;
-        const float end = outside ? 1.0f : fmin(fmin(x, y), 1.0f);
-        if (end > s) {
-            find_in_tile(args, lists, line, lifted, tile, s, end, found);
-            s = end;
-        }
-        tile = next;
-    }
+    Walk walk = begin_walk(args, line);
+    while (walk_on(args, line, &walk))
+        find_in_tile(args, lists, line, lifted, walk.tile, walk.from, walk.to, found);
     close_part(found);
+}
+
+static float2 window_place(const ExactParameters* args, const float4 clip) {
+    return (xy(clip) / clip.w + 1.0f) * (to_float2(args->viewport) * 0.5f);
 }
 
 /* A segment between its clipped ends; at_p, at_q: its vertices. */
 static Line line_between(const ExactParameters* args, __global const Segment* segment,
                          __global const ClippedSegment* clipped, const float4 p, const float4 q,
                          const float3 at_p, const float3 at_q) {
-    const float2 half_size = to_float2(args->viewport) * 0.5f;
     Line line;
-    line.p = (xy(p) / p.w + 1.0f) * half_size;
-    line.way = (xy(q) / q.w + 1.0f) * half_size - line.p;
+    line.p = window_place(args, p);
+    line.way = window_place(args, q) - line.p;
     line.nearness_p = nearness_of(args, p);
     const float nearness_q = nearness_of(args, q);
     line.nearness_way = nearness_q - line.nearness_p;
@@ -418,6 +446,13 @@ static uint segment_of(const ExactParameters* args, const uint i, __global const
     return args->beside != 0 ? seen[i / args->beside] : i;
 }
 
+/* Whether nothing is to be found of clipped segment i. */
+static bool is_absent(const ExactParameters* args, const uint i, __global const Segment* segment,
+                      __global const ClippedSegment* clipped, __global const uint* arcs) {
+    const bool absent = args->beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
+    return absent || (segment->tag & LA_TAG_BURIED) != 0;
+}
+
 #define LISTS                                                                                      \
     { vertices, triangles, faces, planes, occluders, groups, blocks, boxes, patches }
 
@@ -427,11 +462,10 @@ KERNEL(visible_count, ExactParameters) {
     if (i >= args.count) return;
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
     counts[i] = 0;
-    const bool absent = args.beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
-    if (absent || !lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
+    if (!lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
     const Lists lists = LISTS;
     __global const Segment* segment = segments + segment_of(&args, i, seen);
-    if ((segment->tag & LA_TAG_BURIED) != 0) return;
+    if (is_absent(&args, i, segment, clipped, arcs)) return;
     const Line line = line_of(&args, &lists, segment, clipped + i);
     const bool contour = is_contour(&args, segment);
     const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;
@@ -461,4 +495,106 @@ KERNEL(visible_write, ExactParameters) {
     const Line lifted = contour ? lifted_line(&args, &lists, segment, clipped + i, &line) : line;
     Found found = nothing_found(line.way, out);
     find_visible(&args, &lists, &line, contour ? &lifted : 0, &found);
+}
+
+/* counts: pieces of each segment. */
+KERNEL(visible_pieces, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
+    counts[i] = 0;
+    if (!lists_fit(&args, ends[tiles * args.chunks], groups[tiles])) return;
+    const Lists lists = LISTS;
+    __global const Segment* segment = segments + segment_of(&args, i, seen);
+    if (is_absent(&args, i, segment, clipped, arcs)) return;
+    const Line line = line_of(&args, &lists, segment, clipped + i);
+    uint count = 0;
+    for (Walk walk = begin_walk(&args, &line); walk_on(&args, &line, &walk);) ++count;
+    counts[i] = count;
+}
+
+/* Which of `count` segments has piece k: the last whose pieces begin there or before. */
+static uint segment_with_piece(const uint k, const uint count, __global const uint* piece_offsets) {
+    uint low = 0, high = count;
+    while (high - low > 1u) {
+        const uint middle = low + (high - low) / 2u;
+        if (piece_offsets[middle] <= k)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Parts of a piece as they are, neither joined nor moved to the ends of the segment. */
+static Found find_in_piece(const ExactParameters* args, const Lists* lists, const uint k,
+                           __global const Segment* segments, __global const uint* seen,
+                           __global const ClippedSegment* clipped,
+                           __global const uint* piece_offsets, __global float* out) {
+    const uint i = segment_with_piece(k, args->count, piece_offsets);
+    __global const Segment* segment = segments + segment_of(args, i, seen);
+    const Line line = line_of(args, lists, segment, clipped + i);
+    const bool contour = is_contour(args, segment);
+    const Line lifted = contour ? lifted_line(args, lists, segment, clipped + i, &line) : line;
+    Walk walk = begin_walk(args, &line);
+    for (uint left = k - piece_offsets[i] + 1u; left > 0; --left) walk_on(args, &line, &walk);
+    Found found = nothing_found(line.way, out);
+    found.gap = -1.0f;
+    find_in_tile(args, lists, &line, contour ? &lifted : 0, walk.tile, walk.from, walk.to, &found);
+    close_part(&found);
+    return found;
+}
+
+/* counts: parts of each piece; piece_kept: the first two of them. */
+KERNEL(visible_cut, ExactParameters) {
+    const uint k = (uint)get_global_id(0);
+    if (k >= piece_offsets[args.count]) return;
+    const Lists lists = LISTS;
+    const Found found = find_in_piece(&args, &lists, k, segments, seen, clipped, piece_offsets, 0);
+    counts[k] = found.count;
+    vstore4(found.kept, k, piece_kept);
+}
+
+/* raw_parts: of all pieces, in their order. */
+KERNEL(visible_parts, ExactParameters) {
+    const uint k = (uint)get_global_id(0);
+    if (k >= piece_offsets[args.count]) return;
+    const uint first = part_offsets[k], count = part_offsets[k + 1] - first;
+    if (count == 0) return;
+    __global float* out = raw_parts + 2 * (size_t)first;
+    const float4 two = vload4(k, piece_kept);
+    vstore2(xy(two), 0, out);
+    if (count == 2) vstore2(zw(two), 1, out);
+    if (count <= 2) return;
+    const Lists lists = LISTS;
+    find_in_piece(&args, &lists, k, segments, seen, clipped, piece_offsets, out);
+}
+
+/* Joins the parts of clipped segment i; null: counts alone. */
+static uint join_parts(const ExactParameters* args, const uint i,
+                       __global const ClippedSegment* clipped, __global const uint* piece_offsets,
+                       __global const uint* part_offsets, __global const float* raw_parts,
+                       __global float* out) {
+    const uint first = part_offsets[piece_offsets[i]], last = part_offsets[piece_offsets[i + 1]];
+    if (first == last) return 0;
+    const float2 p = window_place(args, vload4(0, clipped[i].p));
+    Found found = nothing_found(window_place(args, vload4(0, clipped[i].q)) - p, out);
+    for (uint k = first; k < last; ++k) add_part(&found, vload2(k, raw_parts));
+    close_part(&found);
+    return found.count;
+}
+
+/* counts: visible parts of each segment. */
+KERNEL(visible_join, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count) return;
+    counts[i] = join_parts(&args, i, clipped, piece_offsets, part_offsets, raw_parts, 0);
+}
+
+/* spans: as visible_write leaves them. */
+KERNEL(visible_spans, ExactParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count || offsets[args.count] > args.span_capacity) return;
+    join_parts(&args, i, clipped, piece_offsets, part_offsets, raw_parts,
+               spans + 2 * (size_t)offsets[i]);
 }

@@ -7,7 +7,7 @@
 namespace lineatlas::compute {
 
 /// No kernel has more tables than that.
-inline constexpr std::size_t most_tables = 16;
+inline constexpr std::size_t most_tables = 17;
 
 /// What a launch reads and writes if it touches its tables once: their sizes, those that are both
 /// read and written twice.

@@ -24,9 +24,6 @@ struct ExactArgs {
     Buffer& ends;               ///< list_columns() uint32 per tile, and the number of entries
     Buffer& groups;             ///< a uint32 per tile, and the number of groups
     Buffer& entries;            ///< `Entry` each, entry_capacity of them
-    Buffer& sorted;             ///< the same where Tuning::face_lists
-    Buffer& ranges;             ///< 2 uint32 per tile, likewise
-    Buffer& keys;               ///< LA_LIST_KEYS uint32 per tile and one more, likewise
     Buffer& blocks;             ///< LA_GROUP_FLOATS floats per group, group_capacity of them
     Buffer& boxes;              ///< LA_BOX_FLOATS floats for group_capacity + LA_GROUP groups
     Buffer& kept;               ///< 4 floats per segment

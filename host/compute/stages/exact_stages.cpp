@@ -7,6 +7,10 @@
 namespace lineatlas::compute {
 namespace {
 
+/// Work-items that share the rows of tiles of a triangle, where each triangle has work-items of its
+/// own: else all wait for the face that covers the picture.
+constexpr std::uint32_t face_slices = 8;
+
 std::uint32_t tiles_of(const ExactParameters& parameters) {
     return static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y);
 }
@@ -22,9 +26,26 @@ ExactTables may_be_absent(const ExactArgs& args) {
             .states = args.batches != nullptr ? args.batches->states : args.screen};
 }
 
+/// What lists are sorted by, where their entries are.
+struct ListRanges {
+    Buffer& ranges;
+};
+struct SortedLists {
+    Buffer &keys, &sorted;
+};
+
+/// What is visible of segments in each tile, before it is joined.
+struct PieceTables {
+    Buffer &piece_offsets, &part_offsets, &piece_kept;
+};
+struct RawParts {
+    Buffer& raw_parts;
+};
+
 ExactParameters in_chunks(const ExactArgs& args, const Tuning& tuning) {
     ExactParameters parameters = args.parameters;
     parameters.batched = args.batches != nullptr ? args.batches->count : 0;
+    parameters.slices = tuning.face_lists ? face_slices : 1;
     parameters.chunks = list_columns(tuning);
     parameters.chunk = tuning.face_lists
                            ? 1
@@ -42,12 +63,14 @@ void Stages::surfaces(const ExactArgs& args) {
     if (args.batches != nullptr) {
         ExactParameters by_batch = parameters;
         by_batch.count = args.batches->batches();
-        launch<kernels::surfaces_occluders>(by_batch.count, tuning_.local_size, by_batch,
+        const std::uint32_t items = parameters.slices > 1 ? LA_BATCH * parameters.slices : 1;
+        launch<kernels::surfaces_occluders>(by_batch.count * items, tuning_.local_size, by_batch,
                                             args.table, args, BatchBoxes{args.batches->boxes});
         surfaces_batches(args, *args.batches, true);
     }
-    launch<kernels::surfaces_faces>(parameters.triangle_count, tuning_.local_size, parameters,
-                                    args.table, args, may_be_absent(args));
+    launch<kernels::surfaces_faces>(parameters.triangle_count * parameters.slices,
+                                    tuning_.local_size, parameters, args.table, args,
+                                    may_be_absent(args));
 }
 
 void Stages::surfaces_boxes(const SegmentTable& table, const BatchTable& batches) {
@@ -67,7 +90,8 @@ void Stages::tile_lists(const ExactArgs& args) {
     const ExactParameters parameters = in_chunks(args, tuning_);
     const std::uint32_t tiles = tiles_of(parameters);
     const std::uint32_t counts = tiles * parameters.chunks;
-    const std::uint32_t chunks = divide_up(parameters.triangle_count, parameters.chunk);
+    const std::uint32_t chunks =
+        divide_up(parameters.triangle_count, parameters.chunk) * parameters.slices;
     device_.clear(args.ends, counts * sizeof(la_uint));
     launch<kernels::tile_lists_count>(chunks, tuning_.block_local_size, parameters, args.table,
                                       args, may_be_absent(args), Counts{args.ends});
@@ -75,38 +99,81 @@ void Stages::tile_lists(const ExactArgs& args) {
     launch<kernels::tile_lists_groups>(tiles, tuning_.local_size, parameters, args,
                                        Offsets{args.ends});
     scan(args.groups, tiles, ScanKind::saturate);
-    if (tuning_.face_lists) device_.clear(args.ranges, 2 * tiles * sizeof(la_uint));
+    const std::size_t ranged = tuning_.face_lists ? std::size_t{2} * tiles : 1;
+    Buffer& ranges = scratch(Scratch::list_ranges, ranged);
+    device_.clear(ranges, ranged * sizeof(la_uint));
     launch<kernels::tile_lists_fill>(chunks, tuning_.block_local_size, parameters, args.table, args,
-                                     may_be_absent(args));
-    if (tuning_.face_lists) return arrange_by_entries(args, parameters);
+                                     may_be_absent(args), ListRanges{ranges});
+    if (tuning_.face_lists) return arrange_by_entries(args, parameters, ranges);
     launch<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters, args.table,
                                         args);
 }
 
-void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters) {
+void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters,
+                                Buffer& ranges) {
     const std::uint32_t tiles = tiles_of(parameters), entries = parameters.entry_capacity;
     const std::uint32_t keys = tiles * LA_LIST_KEYS, group = tuning_.local_size;
-    device_.clear(args.keys, keys * sizeof(la_uint));
-    launch<kernels::tile_lists_keys>(entries, group, parameters, args);
-    scan(args.keys, keys, ScanKind::saturate);
-    launch<kernels::tile_lists_place>(entries, group, parameters, args);
-    launch<kernels::tile_lists_sort>(keys, group, parameters, args);
-    launch<kernels::tile_lists_write>(entries, group, parameters, args.table, args);
+    const SortedLists lists{
+        scratch(Scratch::list_keys, std::size_t{keys} + 1),
+        scratch(Scratch::list_sorted, entries * sizeof(Entry) / sizeof(la_uint))};
+    device_.clear(lists.keys, keys * sizeof(la_uint));
+    launch<kernels::tile_lists_keys>(entries, group, parameters, args, lists, ListRanges{ranges});
+    scan(lists.keys, keys, ScanKind::saturate);
+    launch<kernels::tile_lists_place>(entries, group, parameters, args, lists);
+    launch<kernels::tile_lists_sort>(keys, group, parameters, args, lists);
+    launch<kernels::tile_lists_write>(entries, group, parameters, args.table, args, lists);
     launch<kernels::tile_lists_boxes>(parameters.group_capacity, group, parameters, args);
     launch<kernels::tile_lists_behind>(tiles, group, parameters, args);
+}
+
+std::uint32_t Stages::read(Buffer& values, std::size_t index) {
+    std::uint32_t value = 0;
+    device_.download(values, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(value));
+    return value;
 }
 
 void Stages::visible(const ExactArgs& args) {
     const ExactParameters parameters = in_chunks(args, tuning_);
     const std::uint32_t n = parameters.count;
-    launch<kernels::visible_count>(n, tuning_.local_size, parameters, args.table, args.clipped,
-                                   args, may_be_absent(args), Counts{args.span_offsets});
+    if (tuning_.face_lists)
+        count_pieces(args, parameters);
+    else
+        launch<kernels::visible_count>(n, tuning_.local_size, parameters, args.table, args.clipped,
+                                       args, may_be_absent(args), Counts{args.span_offsets});
     scan(args.span_offsets, n, ScanKind::saturate);
     visible_write(args);
 }
 
+void Stages::count_pieces(const ExactArgs& args, const ExactParameters& parameters) {
+    const std::uint32_t n = parameters.count, group = tuning_.local_size;
+    const ExactTables absent = may_be_absent(args);
+    Buffer& offsets = scratch(Scratch::piece_offsets, std::size_t{n} + 1);
+    launch<kernels::visible_pieces>(n, group, parameters, args.table, args.clipped, args, absent,
+                                    Counts{offsets});
+    scan(offsets, n, ScanKind::saturate);
+    const std::uint32_t count = read(offsets, n);
+    const PieceTables pieces{offsets, scratch(Scratch::piece_parts, std::size_t{count} + 1),
+                             scratch(Scratch::piece_kept, std::size_t{4} * count)};
+    launch<kernels::visible_cut>(count, group, parameters, args.table, args.clipped, args, absent,
+                                 pieces, Counts{pieces.part_offsets});
+    scan(pieces.part_offsets, count, ScanKind::saturate);
+    const RawParts raw{
+        scratch(Scratch::raw_parts, std::size_t{2} * read(pieces.part_offsets, count))};
+    launch<kernels::visible_parts>(count, group, parameters, args.table, args.clipped, args, absent,
+                                   pieces, raw);
+    launch<kernels::visible_join>(n, group, parameters, args.clipped, pieces, raw,
+                                  Counts{args.span_offsets});
+}
+
 void Stages::visible_write(const ExactArgs& args) {
     const ExactParameters parameters = in_chunks(args, tuning_);
+    if (tuning_.face_lists) {
+        const PieceTables pieces{scratch_[Scratch::piece_offsets], scratch_[Scratch::piece_parts],
+                                 scratch_[Scratch::piece_kept]};
+        return launch<kernels::visible_spans>(parameters.count, tuning_.local_size, parameters,
+                                              Offsets{args.span_offsets}, args.clipped, pieces,
+                                              args, RawParts{scratch_[Scratch::raw_parts]});
+    }
     launch<kernels::visible_write>(parameters.count, tuning_.local_size, parameters,
                                    Offsets{args.span_offsets}, args.table, args.clipped, args,
                                    may_be_absent(args));

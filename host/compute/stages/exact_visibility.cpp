@@ -74,6 +74,7 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
             .depth_rate = parallel ? glm::length(glm::vec3{depth}) : 0,
             .rounding =
                 sum_rounding * (glm::dot(glm::abs(glm::vec3{depth}), farthest) + std::abs(depth.w)),
+            .slices = 0,
             .chunk = 0,
             .chunks = 0,
             .entry_capacity = 0,
@@ -118,11 +119,8 @@ void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, con
     tables_.fit(Table::planes, parameters_.triangle_count * four);
     make_room_for_segments();
     tables_.fit(Table::occluders, std::uint64_t{tiles()} * sizeof(la_uint));
-    const Tuning& tuning = device_.tuning();
-    tables_.fit(Table::ends, (std::uint64_t{tiles()} * list_columns(tuning) + 1) * sizeof(la_uint));
-    const std::uint64_t sorted_tiles = tuning.face_lists ? tiles() : 0;
-    tables_.fit(Table::ranges, sorted_tiles * 2 * sizeof(la_uint));
-    tables_.fit(Table::keys, (sorted_tiles * LA_LIST_KEYS + 1) * sizeof(la_uint));
+    tables_.fit(Table::ends,
+                (std::uint64_t{tiles()} * list_columns(device_.tuning()) + 1) * sizeof(la_uint));
     tables_.fit(Table::groups, (std::uint64_t{tiles()} + 1) * sizeof(la_uint));
     make_lists();
     tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
@@ -142,9 +140,7 @@ void ExactVisibility::go_on(const SegmentTable& table) {
 
 void ExactVisibility::make_lists() {
     const std::uint64_t groups = parameters_.group_capacity;
-    const std::uint64_t entries = std::uint64_t{parameters_.entry_capacity} * sizeof(Entry);
-    tables_.fit(Table::entries, entries);
-    tables_.fit(Table::sorted, device_.tuning().face_lists ? entries : 0);
+    tables_.fit(Table::entries, std::uint64_t{parameters_.entry_capacity} * sizeof(Entry));
     tables_.fit(Table::blocks, groups * LA_GROUP_FLOATS * sizeof(float));
     tables_.fit(Table::boxes, (groups + LA_GROUP) * LA_BOX_FLOATS * sizeof(float));
 }
@@ -166,9 +162,6 @@ ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParamete
             .ends = tables_[Table::ends],
             .groups = tables_[Table::groups],
             .entries = tables_[Table::entries],
-            .sorted = tables_[Table::sorted],
-            .ranges = tables_[Table::ranges],
-            .keys = tables_[Table::keys],
             .blocks = tables_[Table::blocks],
             .boxes = tables_[Table::boxes],
             .kept = kept,

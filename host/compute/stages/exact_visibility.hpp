@@ -60,11 +60,8 @@ class ExactVisibility {
         occluders,
         ends,
         groups,
-        ranges,
-        keys,
         // That grow:
         entries,
-        sorted,
         blocks,
         boxes,
         spans,

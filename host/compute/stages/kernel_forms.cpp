@@ -34,11 +34,14 @@ KernelForm form_of(const Kernel& kernel, const Tuning& tuning) {
 bool is_launched(const Kernel& kernel, std::uint32_t probes, const Tuning& tuning) {
     if (kernel.name == "scan_list") return kernel.defines == first_variant("scan_list").defines;
     if (kernel.stage == "scan") return kernel.has_barriers == tuning.scan_tiles;
-    if (kernel.name == "tile_lists_arrange") return !tuning.face_lists;
-    constexpr std::string_view by_entries[] = {"tile_lists_keys",  "tile_lists_place",
-                                               "tile_lists_sort",  "tile_lists_write",
-                                               "tile_lists_boxes", "tile_lists_behind"};
-    if (is_among(by_entries, kernel.name)) return tuning.face_lists;
+    constexpr std::string_view without_face_lists[] = {"tile_lists_arrange", "visible_count",
+                                                       "visible_write"};
+    constexpr std::string_view with_face_lists[] = {
+        "tile_lists_keys",  "tile_lists_place",  "tile_lists_sort", "tile_lists_write",
+        "tile_lists_boxes", "tile_lists_behind", "visible_pieces",  "visible_cut",
+        "visible_parts",    "visible_join",      "visible_spans"};
+    if (is_among(without_face_lists, kernel.name)) return !tuning.face_lists;
+    if (is_among(with_face_lists, kernel.name)) return tuning.face_lists;
     if (kernel.name == "depth_tiles") return kernel.defines == "-DNUMBERED";
     if (kernel.name == "atlas")
         return kernel.defines == "-DPROBES_PER_AXIS=" + std::to_string(probes);

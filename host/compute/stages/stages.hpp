@@ -79,7 +79,7 @@ class Stages {
     /// or, where `drops_hidden`, behind faces that cover whole tiles.
     void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
     void tile_lists(const ExactArgs& args);
-    void visible(const ExactArgs& args);
+    void visible(const ExactArgs& args); ///< waits where Tuning::face_lists
     /// The last step of visible(), alone: where the table of spans was too small for it.
     void visible_write(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
@@ -100,8 +100,12 @@ class Stages {
     void draw_strokes(const StrokeArgs& args);
 
   private:
-    /// What tile_lists_arrange does, where Tuning::face_lists.
-    void arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters);
+    // Where Tuning::face_lists. What tile_lists_arrange does:
+    void arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters,
+                            Buffer& ranges);
+    /// What visible_count does, piece by piece: of each segment in each tile. Waits.
+    void count_pieces(const ExactArgs& args, const ExactParameters& parameters);
+    std::uint32_t read(Buffer& values, std::size_t index);
     /// Launches `items` work-items in groups of `group`; nothing if there are none. Each table is
     /// that of its name in the first of `groups` that has one.
     template <class K, class... Groups>
@@ -145,6 +149,14 @@ class Stages {
         density_drawn,
         density_excesses,
         corner_facing,
+        // Of the method exact where Tuning::face_lists:
+        list_ranges,
+        list_keys,
+        list_sorted,
+        piece_offsets,
+        piece_parts,
+        piece_kept,
+        raw_parts,
         count
     };
     /// With room for at least `count` uint32.
