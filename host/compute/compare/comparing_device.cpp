@@ -52,7 +52,12 @@ class Implementation final : public ComparingDevice {
     Summary summary() const override { return summary_; }
 
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
-        return std::make_unique<PairBuffer>(first_->allocate(bytes), second_->allocate(bytes));
+        auto made = std::make_unique<PairBuffer>(first_->allocate(bytes), second_->allocate(bytes));
+        // What a kernel leaves as it was is compared, too, and memory is what drivers left in it.
+        const std::size_t whole = made->size() / sizeof(std::uint32_t) * sizeof(std::uint32_t);
+        first_->clear(*made->first, whole);
+        second_->clear(*made->second, whole);
+        return made;
     }
     std::uint64_t largest_buffer() const override {
         return std::min(first_->largest_buffer(), second_->largest_buffer());
