@@ -13,6 +13,7 @@
 #include "command_line/program.hpp"
 #include "lineatlas/error.hpp"
 #include "machine.hpp"
+#include "markdown.hpp"
 #include "report.hpp"
 
 namespace lineatlas::bench {
@@ -51,7 +52,7 @@ bool has_gl() {
 
 struct Options {
     fs::path bundle = ".", json = "check.json";
-    unsigned minutes = 8;
+    unsigned minutes = 5;
     unsigned limit = 240;           ///< seconds
     std::vector<std::string> parts; ///< empty: all
 };
@@ -69,7 +70,7 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
     }
     const fs::path written = scratch / "part";
     fs::remove(written);
-    if (part.name != "draw") part.arguments.push_back(output_option(part.kind, written));
+    if (part.kind != PartKind::output) part.arguments.push_back(output_option(part.kind, written));
     ChildResult result;
     try {
         result = run_child(part.program, part.arguments, part.limit, Captured::output_and_errors);
@@ -89,6 +90,7 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
 
 bool check(const Options& options) {
     const fs::path json = fs::absolute(options.json);
+    const fs::path markdown = fs::path{json}.replace_extension(".md");
     fs::current_path(options.bundle); // where tests look for files
     const Scratch scratch;
     const auto end = Clock::now() + std::chrono::minutes{options.minutes};
@@ -102,9 +104,10 @@ bool check(const Options& options) {
         part.limit = std::min(part.limit, std::chrono::seconds{options.limit});
         all = run_part(part, end, scratch.folder, report) && all;
         write_report(json, report); // again after each, so that nothing is lost
+        write_markdown(markdown, report);
     }
-    fmt::print("\n{} All figures: {}\n", all ? "All parts passed." : "Some parts failed.",
-               json.string());
+    fmt::print("\n{} For people: {}; all figures: {}\n",
+               all ? "All parts passed." : "Some parts failed.", markdown.string(), json.string());
     return all;
 }
 
@@ -113,7 +116,8 @@ int run(int argc, char** argv) {
                  "lineatlas-check"};
     Options options;
     app.add_option("--bundle", options.bundle, "The folder of the bundle")->capture_default_str();
-    app.add_option("--json", options.json, "File to write")->capture_default_str();
+    app.add_option("--json", options.json, "File to write, and beside it one for people (.md)")
+        ->capture_default_str();
     app.add_option("--minutes", options.minutes, "What is not begun by then is left out")
         ->check(CLI::Range(1, 600))
         ->capture_default_str();

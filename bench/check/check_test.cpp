@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,11 @@ class Check : public testing::Test {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     Json result() const { return Json::parse(std::ifstream{json_}); }
+    /// The report for people.
+    std::string markdown() const {
+        std::ifstream file{fs::path{json_}.replace_extension(".md")};
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
     Json part(const std::string& name) const {
         const Json all = result();
         for (const Json& part : all["parts"]) {
@@ -64,7 +70,9 @@ TEST_F(Check, SurvivesPartsThatFailCrashOrAreMissing) {
     EXPECT_EQ(part("sharing_modes_test")["output"], "boom\n");
     EXPECT_EQ(part("interop copy")["outcome"], "crashed (Segmentation fault)");
     EXPECT_NE(part("compute_test")["outcome"], "ok") << "it is not there";
-    EXPECT_EQ(result()["parts"].size(), 14U);
+    EXPECT_EQ(result()["parts"].size(), 21U);
+    EXPECT_NE(markdown().find("| interop copy | crashed (Segmentation fault) |"),
+              std::string::npos);
 }
 
 TEST_F(Check, SaysWhatFailedWithItsFirstMessageAndWhatWasSkippedWhy) {
@@ -93,6 +101,31 @@ TEST_F(Check, PassesWhereAllPartsDo) {
     EXPECT_EQ(run("--part devices --part 'interop copy'"), 0);
     EXPECT_EQ(result()["parts"].size(), 2U);
     EXPECT_EQ(part("interop copy")["figures"]["gl"]["renderer"], "none");
+}
+
+TEST_F(Check, TellsPeopleWhatBenchmarksMeasured) {
+    script("bin/lineatlas", write_figures);
+    script("bin/lineatlas-bench-frames", R"(for last; do :; done
+cat > "${last#--json=}" <<'END'
+{"scenes": {"ship": {"methods": {"OGL": {"ms": 1.5, "stages": {"depth": 1.25}},
+                                 "SAhi": {"ms": 2.0, "stages": {"depth": 0.5, "atlas": 0.125}}}}}}
+END)");
+    script("bin/lineatlas-bench-interop", R"(for last; do :; done
+cat > "${last#--json=}" <<'END'
+{"handovers": [{"device": "one", "mode": "copy", "bytes": 65536, "to_compute_ms": 0.25,
+                "to_gl_ms": 0.5, "memcpy_ms": 0.125}]}
+END)");
+    script("bin/lineatlas-bench-kernels", R"(for last; do :; done
+cat > "${last#--json=}" <<'END'
+{"benchmarks": [{"name": "scan/ours/4194304/manual_time", "real_time": 87.0,
+                 "bytes_per_second": 4e11, "share_of_copy": 0.5}]}
+END)");
+    EXPECT_EQ(run("--part devices --part 'frames ship' --part 'interop copy' --part kernels"), 0);
+    const std::string text = markdown();
+    for (const char* row :
+         {"| ship | SAhi | 2 | 0.75 | depth 0.5, atlas 0.125 |", "| one | copy | 64 | 0.25 | 0.5 |",
+          "| scan/ours | 87 | 400 | 0.5 |", "| frames ship | ok |"})
+        EXPECT_NE(text.find(row), std::string::npos) << row << " in " << text;
 }
 
 TEST_F(Check, EndsAPartThatHangs) {

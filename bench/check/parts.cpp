@@ -25,31 +25,54 @@ std::vector<Part> all_parts(const std::filesystem::path& scratch) {
     };
     // A slow machine leaves figures of the scenes that it got through.
     const auto frames = [&](const std::string& scene) {
-        return figures("frames " + scene, "frames",
-                       {"--scenes", scene, "--methods", "OGL", "SAlo", "SAhi", "--frames", "10"},
-                       seconds{100});
+        return figures(
+            "frames " + scene, "frames",
+            {"--scenes", scene, "--methods", "OGL", "SAlo", "SAhi", "EX", "--frames", "10"},
+            seconds{100});
     };
     const std::string picture = (scratch / "ship.png").string();
+    const auto drawn = [&](const std::string& name, const std::vector<std::string>& options,
+                           seconds limit) {
+        std::vector<std::string> arguments{"draw", "--scene", "ship", "-o", picture};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return Part{name, PartKind::output, "bin/lineatlas", std::move(arguments), limit};
+    };
+    // Every kernel's tables, beside those of C++. Smooth silhouettes are what scans have.
+    const auto compared = [&](const std::string& method) {
+        return drawn("compared " + method,
+                     {"--size", "512x384", "--method", method, "--silhouettes", "smooth",
+                      "--compute", "opencl", "--compare-with", "cpp"},
+                     seconds{60});
+    };
+    const auto profiled = [&](const std::string& method, const std::string& depth,
+                              const std::string& strokes) {
+        std::vector<std::string> options{"--method", method, "--size",    "1024x768",
+                                         "--repeat", "10",   "--profile", "-",
+                                         "--depth",  depth,  "--strokes", strokes};
+        return drawn("forms " + method + " " + depth + " " + strokes, options, seconds{60});
+    };
     return {
         {"devices", PartKind::devices, "bin/lineatlas", {"devices", "--wait", "15"}, seconds{100}},
-        {"draw",
-         PartKind::figures,
-         "bin/lineatlas",
-         {"draw", "--scene", "ship", "-o", picture},
-         seconds{60}},
-        test("sharing_modes_test", seconds{60}),
+        drawn("draw", {}, seconds{60}),
+        compared("atlas"),
+        compared("exact"),
+        frames("ship"),
+        frames("office"),
+        frames("clevis"),
+        frames("house"),
+        profiled("atlas", "raster", "raster"),
+        profiled("atlas", "compute", "raster"),
+        profiled("atlas", "compute", "compute"),
+        profiled("exact", "auto", "auto"),
         interop("gl-sharing"),
         interop("external-memory"),
         interop("host-pointer"),
         interop("copy"),
-        frames("clevis"),
-        frames("house"),
-        frames("ship"),
-        frames("office"),
-        test("stages_test", seconds{240}),
+        test("sharing_modes_test", seconds{60}),
         figures("kernels", "kernels",
                 {"--benchmark_filter=(ours|copy|device_.*)/4194304/", "--benchmark_min_time=0.05"},
                 seconds{180}),
+        test("stages_test", seconds{240}),
         test("compute_test", seconds{90}),
         test("pictures_test", seconds{90}, "*clevis*"),
     };

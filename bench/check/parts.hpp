@@ -7,7 +7,9 @@
 
 namespace lineatlas::bench {
 
-enum class PartKind { devices, figures, tests };
+/// What a part leaves: answers of `lineatlas devices`, figures of a benchmark, results of tests, or
+/// nothing but what it prints.
+enum class PartKind { devices, figures, tests, output };
 
 /// One program that a check runs.
 struct Part {

@@ -47,7 +47,7 @@ Json summary_of_tests(const std::filesystem::path& path) {
 }
 
 std::string end_of(const std::string& text) {
-    constexpr std::size_t most = 4000;
+    constexpr std::size_t most = 12000;
     return text.size() <= most ? text : text.substr(text.size() - most);
 }
 
@@ -67,7 +67,8 @@ Json describe_part(const Part& part, const ChildResult& result, const std::files
               {"seconds", result.took.count()}};
     if (part.kind == PartKind::tests) json["tests"] = summary_of_tests(file);
     if (part.kind == PartKind::figures) json["figures"] = read_json(file);
-    if (outcome(part, result) != "ok") json["output"] = end_of(result.output);
+    if (outcome(part, result) != "ok" || part.kind == PartKind::output)
+        json["output"] = end_of(result.output);
     return json;
 }
 
