@@ -2,10 +2,12 @@
 // extensions to compilers of three kinds, and no work-group needs more local memory than each
 // device has. clang stands for compilers of drivers that are not here. Of their quirks one can be
 // seen in the sources: functions that are given local memory must be inlined.
+// What kernels need of a GPU's processors is known here, too.
 
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -20,6 +22,7 @@
 
 #include "compute/kernels.hpp"
 #include "compute/opencl/tuning_table.hpp"
+#include "compute/stages/kernel_forms.hpp"
 #include "planted_error.hpp"
 #include "sources/sources.hpp"
 #include "temporary_folder.hpp"
@@ -158,6 +161,72 @@ std::map<std::string, std::size_t> local_memory(std::string_view stage = {}) {
     return result;
 }
 
+/// What a work-item of a kernel needs of a GPU: vector registers, and bytes of private memory that
+/// did not go into them.
+struct Needs {
+    unsigned registers = 0, memory = 0;
+};
+
+/// OpenCL's own functions for a GPU of AMD's, as clang links them.
+constexpr const char* functions_of_opencl = "/usr/lib/clc/gfx900-amdgcn-mesa-mesa3d.bc";
+
+/// The most that any variant needs of those that a GPU of no name launches.
+std::map<std::string, Needs> needs_of_gpus(std::string_view stage = {}) {
+    compute::OpenClDevice gpu;
+    gpu.is_gpu = true;
+    const compute::Tuning tuning = compute::tuning_for(gpu);
+    std::set<std::string> launched;
+    for (const compute::KernelForm& form : compute::kernel_forms(compute::stage_names(), 3, tuning))
+        launched.emplace(form.kernel->name);
+    std::map<std::string, Needs> result;
+    for (const auto& [program, output] :
+         compile(programs({compute::compiler_options(tuning)}, stage),
+                 std::string{"-O2 -S -o - --target=amdgcn-mesa-mesa3d -mcpu=gfx900 -Xclang "
+                             "-mlink-builtin-bitcode -Xclang "} +
+                     functions_of_opencl)) {
+        if (!output.good) throw Error(program + " does not compile: " + output.text);
+        std::istringstream lines{output.text};
+        std::string function;
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t end = line.find(':');
+            if (end == line.npos) continue;
+            const std::string name = line.substr(0, end);
+            if (name.find_first_of(" ;.") == name.npos) function = name;
+            if (!launched.contains(function)) continue;
+            Needs& needs = result[function];
+            const auto more = [&](unsigned& most) {
+                most = std::max(most, static_cast<unsigned>(std::stoul(line.substr(end + 1))));
+            };
+            if (name == "; NumVgprs") more(needs.registers);
+            if (name == "; ScratchSize") more(needs.memory);
+        }
+    }
+    return result;
+}
+
+constexpr unsigned most_registers = 96; // as many leave room for two waves on a processor
+
+/// Kernels that need more registers than that, or private memory: how much at most, and why.
+struct Exception {
+    const char* kernel;
+    Needs most;
+    const char* why;
+};
+constexpr Exception exceptions[] = {
+    {"depth_order", {96, 4104}, "one work-item sorts all clusters; there are few"},
+    {"depth_tiles", {168, 2976}, "made for CPUs; beside a GPU GL draws the depth"},
+    {"planes", {96, 2504}, "the vertices of a cluster, each placed once"},
+    {"fill_colors", {96, 2504}, "the vertices of a cluster, each placed once"},
+    {"chain_link", {96, 144}, "the segments that meet at a vertex"},
+    {"filter_count", {136, 144}, "the runs of a line that may still change"},
+    {"filter_write", {136, 144}, "the runs of a line that may still change"},
+    {"halo_cut", {96, 80}, "the pieces that a run is cut into"},
+    {"project_clip", {96, 8}, "two registers that are spilled"},
+    {"surfaces_occluders", {104, 0}, "two faces and a tile at the same time"},
+    {"visible_cut", {176, 256}, "the visible parts of a piece"},
+    {"visible_parts", {176, 256}, "the visible parts of a piece"},
+};
+
 /// Functions that are given local memory, be it in a struct, and are not INLINED.
 std::set<std::string> not_inlined() {
     static const std::regex structs{R"(typedef struct (\w+) \{[^{}]*__local[^{}]*\})"};
@@ -214,6 +283,41 @@ TEST_F(KernelCompilers, NeedNoMoreLocalMemoryThanEveryDeviceHas) {
         most = std::max(most, bytes);
     }
     EXPECT_GT(most, least_local_memory / 4) << "tiles have been measured";
+}
+
+class KernelNeeds : public KernelCompilers {
+  protected:
+    void SetUp() override {
+        KernelCompilers::SetUp();
+        if (!std::filesystem::exists(functions_of_opencl))
+            GTEST_SKIP() << "there is no " << functions_of_opencl << " (apt install libclc-14)";
+    }
+};
+
+TEST_F(KernelNeeds, AreWhatAGpuHas) {
+    const std::map<std::string, Needs> needs = needs_of_gpus();
+    EXPECT_GT(needs.size(), 60U);
+    for (const auto& [kernel, own] : needs) {
+        const auto* const known = std::ranges::find(exceptions, kernel, &Exception::kernel);
+        const Needs most = known != std::end(exceptions) ? known->most : Needs{most_registers, 0};
+        EXPECT_LE(own.registers, most.registers) << kernel;
+        EXPECT_LE(own.memory, most.memory) << kernel;
+    }
+    for (const Exception& exception : exceptions) {
+        const auto found = needs.find(exception.kernel);
+        ASSERT_NE(found, needs.end()) << exception.kernel;
+        EXPECT_TRUE(found->second.registers > most_registers || found->second.memory > 0)
+            << exception.kernel << " needs no exception any more: " << exception.why;
+    }
+}
+
+TEST_F(KernelNeeds, AnArrayThatIsNotInRegistersIsSeen) {
+    const PlantedError error{"facing.cl", "    const uint i =",
+                             "    uint many[100];\n"
+                             "    for (uint k = 0; k < 100; ++k) many[k] = triangles[k];\n"
+                             "    if (many[triangles[0] % 100] == 77) front[1] = 1;\n"
+                             "    const uint i ="};
+    EXPECT_GE(needs_of_gpus("facing")["facing"].memory, 400U);
 }
 
 TEST_F(KernelCompilers, RefuseWhatOpenClDoesNotHave) {
