@@ -151,12 +151,12 @@ typedef struct SpansParameters {
     in(ScreenFace, faces) in(uint, ends) in(uint, groups) in(uint, ranges) \
     inout(Entry, entries) inout(uint, keys)
 #define tile_lists_place_tables(in, out, inout, unordered) \
-    in(uint, ends) in(uint, groups) in(Entry, entries) inout(uint, keys) unordered(Entry, sorted)
+    in(uint, ends) in(uint, groups) in(Entry, entries) inout(uint, keys) unordered(Entry, placed)
 #define tile_lists_sort_tables(in, out, inout, unordered) \
-    in(uint, ends) in(uint, groups) in(uint, keys) inout(Entry, sorted)
+    in(uint, ends) in(uint, groups) in(uint, keys) in(Entry, placed) out(Entry, entries)
 #define tile_lists_write_tables(in, out, inout, unordered) \
     EXACT_MODEL_TABLES(in) in(float, screen) in(ScreenFace, faces) in(float, planes) \
-    in(uint, ends) in(uint, groups) in(Entry, sorted) out(float, blocks)
+    in(uint, ends) in(uint, groups) in(Entry, entries) out(float, blocks)
 #define tile_lists_boxes_tables(in, out, inout, unordered) \
     in(uint, ends) in(uint, groups) in(float, blocks) out(float, boxes)
 #define tile_lists_behind_tables(in, out, inout, unordered) \

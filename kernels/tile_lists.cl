@@ -7,8 +7,8 @@
  * tiles; then counts are of each tile alone, and the entries of a tile stand in any order.
  *
  * Then one work-item per tile (tile_lists_arrange), or, where triangles have slices, one per entry
- * (tile_lists_keys, a scan, tile_lists_place, tile_lists_write), per key (tile_lists_sort), per
- * group (tile_lists_boxes) and per tile (tile_lists_behind), which does the same. */
+ * (tile_lists_keys, a scan, tile_lists_place, tile_lists_sort, tile_lists_write), per group
+ * (tile_lists_boxes) and per tile (tile_lists_behind), which does the same. */
 
 #include "exact.h"
 
@@ -282,48 +282,31 @@ KERNEL(tile_lists_place, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
     if (i >= ends[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
-    sorted[atomic_inc(keys + entries[i].key)] = entries[i];
+    placed[atomic_inc(keys + entries[i].key)] = entries[i];
 }
 
-/* Lets the first of `count` entries, if it does not belong there, sink to where it does: below a
- * place i are those of 2 i + 1 and 2 i + 2, and none has a later face than what is above it. */
-static void sink(__global Entry* heap, uint i, const uint count) {
-    const Entry sinking = heap[i];
-    for (uint below = 2 * i + 1; below < count; below = 2 * i + 1) {
-        if (below + 1 < count && heap[below + 1].face > heap[below].face) ++below;
-        if (heap[below].face <= sinking.face) break;
-        heap[i] = heap[below];
-        i = below;
-    }
-    heap[i] = sinking;
-}
-
-/* Sorts the entries of each key by faces: most have a few, some very many. */
+/* Puts each entry behind those of its key whose faces stand before its own. Keys have a few
+ * entries, where thousands of faces lie behind each other as many; to sort those alone, one after
+ * the other, all would wait for. */
 KERNEL(tile_lists_sort, ExactParameters) {
-    const uint key = (uint)get_global_id(0);
+    const uint i = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
-    if (key >= tiles * KEYS || !lists_fit(&args, ends[tiles], groups[tiles])) return;
-    const uint first = key > 0 ? keys[key - 1] : 0;
-    const uint count = keys[key] - first;
-    if (count < 2) return;
-    __global Entry* own = sorted + first;
-    for (uint i = count / 2; i > 0; --i) sink(own, i - 1, count);
-    for (uint i = count - 1; i > 0; --i) {
-        const Entry last = own[0];
-        own[0] = own[i];
-        own[i] = last;
-        sink(own, 0, i);
-    }
+    if (i >= ends[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
+    const Entry own = placed[i];
+    const uint first = own.key > 0 ? keys[own.key - 1] : 0, last = keys[own.key];
+    uint place = first;
+    for (uint k = first; k < last; ++k) place += placed[k].face < own.face ? 1u : 0u;
+    entries[place] = own;
 }
 
 KERNEL(tile_lists_write, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
     if (i >= ends[tiles] || !lists_fit(&args, ends[tiles], groups[tiles])) return;
-    const uint tile = sorted[i].key / KEYS;
+    const uint tile = entries[i].key / KEYS;
     const uint first = tile > 0 ? ends[tile - 1] : 0;
     __global float* own_blocks = blocks + (size_t)groups[tile] * LA_GROUP_FLOATS;
-    write_place(&args, sorted[i], i - first, origin_of(&args, tile), faces, planes, vertices,
+    write_place(&args, entries[i], i - first, origin_of(&args, tile), faces, planes, vertices,
                 triangles, screen, own_blocks);
     if (i + 1 == ends[tile]) write_rest(i + 1 - first, own_blocks);
 }

@@ -11,6 +11,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "compare.hpp"
+#include "compute/cpp/cpp_device.hpp"
 #include "constants.h"
 #include "devices.hpp"
 #include "exact_support.hpp"
@@ -83,7 +85,13 @@ class ExactTest : public testing::TestWithParam<TestDevice> {
     static inline std::map<std::string, std::unique_ptr<compute::Device>> devices_;
 };
 
-INSTANTIATE_TEST_SUITE_P(OnDevice, ExactTest, testing::ValuesIn(test_devices()),
+std::vector<TestDevice> devices_in_both_forms() {
+    std::vector<TestDevice> devices = test_devices();
+    devices.push_back(cpp_with_face_lists());
+    return devices;
+}
+
+INSTANTIATE_TEST_SUITE_P(OnDevice, ExactTest, testing::ValuesIn(devices_in_both_forms()),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(ExactTest, APostBehindAPanel) {
@@ -446,6 +454,20 @@ void expect_exact(const Compared& compared, double at_least) {
     EXPECT_GT(compared.looked_at, at_least);
     EXPECT_LT(compared.excess, 0);
     EXPECT_LT(compared.worst, exactly);
+}
+
+TEST_P(ExactTest, FindsWhatOthersFindBitByBit) {
+    if (GetParam().slow) GTEST_SKIP() << "on the other devices";
+    const auto cpp = compute::make_cpp_device();
+    for (const char* name : {"clevis", "house"}) {
+        const Scene scene = make_scene(name);
+        const LineSet lines = extract_lines(scene.mesh);
+        const Camera camera = make_camera(scene.view(0.3F), {640, 480}, lines.bounds);
+        const ExactResult own = find(lines, camera), other = find_exactly(*cpp, lines, camera);
+        EXPECT_GT(own.spans.size(), 100U);
+        EXPECT_TRUE(equal(own.span_offsets, other.span_offsets)) << name;
+        EXPECT_TRUE(equal(own.spans, other.spans)) << name;
+    }
 }
 
 TEST_P(ExactTest, EveryFaceOfAScene) {

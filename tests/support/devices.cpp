@@ -55,6 +55,11 @@ std::vector<TestDevice> test_devices() {
     return result;
 }
 
+TestDevice cpp_with_face_lists() {
+    return {"cpp_face_lists",
+            [](std::size_t) { return compute::make_cpp_device({.face_lists = true}); }, 0};
+}
+
 std::vector<TestDevice> own_opencl_devices() {
     std::vector<TestDevice> result = test_devices();
     std::erase_if(result, [](const TestDevice& device) { return device.make_at != make_own; });

@@ -33,6 +33,9 @@ struct TestDevice {
 /// `Devices.OpenClIsThere` fails, so that nobody takes `cpp` alone for all.
 std::vector<TestDevice> test_devices();
 
+/// `cpp` with the lists of faces of a GPU.
+TestDevice cpp_with_face_lists();
+
 /// Of these each OpenCL device once, in its own tuning; `index`: in list_opencl_devices().
 std::vector<TestDevice> own_opencl_devices();
 

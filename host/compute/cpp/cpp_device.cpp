@@ -65,6 +65,8 @@ class CppLog final : public CommandLog {
 
 class CppDevice final : public Device {
   public:
+    explicit CppDevice(const Tuning& tuning) : tuning_(tuning) {}
+
     std::string description() const override {
         return "cpp (" + std::string{host_instruction_set()} + ")";
     }
@@ -151,14 +153,14 @@ class CppDevice final : public Device {
         std::int64_t start_;
     };
 
-    Tuning tuning_;
+    const Tuning tuning_;
     std::shared_ptr<CppLog> log_; ///< while one is kept
 };
 
 } // namespace
 
-std::unique_ptr<Device> make_cpp_device() {
-    return std::make_unique<CppDevice>();
+std::unique_ptr<Device> make_cpp_device(const Tuning& tuning) {
+    return std::make_unique<CppDevice>(tuning);
 }
 
 } // namespace lineatlas::compute

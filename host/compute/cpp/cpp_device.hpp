@@ -6,7 +6,8 @@
 
 namespace lineatlas::compute {
 
-/// The kernels as C++ on all cores (oneTBB), in the calling process: needs no driver.
-std::unique_ptr<Device> make_cpp_device();
+/// The kernels as C++ on all cores (oneTBB), in the calling process: needs no driver. `tuning`:
+/// with chunks in scans, and what kernels are compiled for as it is by default.
+std::unique_ptr<Device> make_cpp_device(const Tuning& tuning = {});
 
 } // namespace lineatlas::compute

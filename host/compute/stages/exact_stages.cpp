@@ -30,8 +30,8 @@ ExactTables may_be_absent(const ExactArgs& args) {
 struct ListRanges {
     Buffer& ranges;
 };
-struct SortedLists {
-    Buffer &keys, &sorted;
+struct KeyTables {
+    Buffer &keys, &placed;
 };
 
 /// What is visible of segments in each tile, before it is joined.
@@ -113,15 +113,14 @@ void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& pa
                                 Buffer& ranges) {
     const std::uint32_t tiles = tiles_of(parameters), entries = parameters.entry_capacity;
     const std::uint32_t keys = tiles * LA_LIST_KEYS, group = tuning_.local_size;
-    const SortedLists lists{
-        scratch(Scratch::list_keys, std::size_t{keys} + 1),
-        scratch(Scratch::list_sorted, entries * sizeof(Entry) / sizeof(la_uint))};
+    const KeyTables lists{scratch(Scratch::list_keys, std::size_t{keys} + 1),
+                          scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
     device_.clear(lists.keys, keys * sizeof(la_uint));
     launch<kernels::tile_lists_keys>(entries, group, parameters, args, lists, ListRanges{ranges});
     scan(lists.keys, keys, ScanKind::saturate);
     launch<kernels::tile_lists_place>(entries, group, parameters, args, lists);
-    launch<kernels::tile_lists_sort>(keys, group, parameters, args, lists);
-    launch<kernels::tile_lists_write>(entries, group, parameters, args.table, args, lists);
+    launch<kernels::tile_lists_sort>(entries, group, parameters, args, lists);
+    launch<kernels::tile_lists_write>(entries, group, parameters, args.table, args);
     launch<kernels::tile_lists_boxes>(parameters.group_capacity, group, parameters, args);
     launch<kernels::tile_lists_behind>(tiles, group, parameters, args);
 }

@@ -152,7 +152,7 @@ class Stages {
         // Of the method exact where Tuning::face_lists:
         list_ranges,
         list_keys,
-        list_sorted,
+        list_placed,
         piece_offsets,
         piece_parts,
         piece_kept,
