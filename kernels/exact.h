@@ -49,6 +49,11 @@ static bool lists_fit(const ExactParameters* args, const uint entries, const uin
     return entries <= args->entry_capacity && groups <= args->group_capacity;
 }
 
+/* Where there is nothing to do, 0 stands there. */
+static uint slices_of(const ExactParameters* args) {
+    return max(args->slices, 1u);
+}
+
 static float least_in(const Linear f, const float size) {
     return f.c + fmin(f.a, 0.0f) * size + fmin(f.b, 0.0f) * size;
 }

@@ -52,7 +52,7 @@ typedef struct ExactParameters {
     float slack;
     float depth_rate; /* of a parallel view: clip z per model unit; of a perspective one 0 */
     float rounding;   /* most that rounding changes the depth coordinate in clip space */
-    la_uint slices;   /* work-items that share the rows of tiles of each triangle; 1: chunks do */
+    la_uint slices;   /* work-items that share the rows of tiles of each triangle */
     la_uint chunk;    /* triangles per work-item of tile_lists */
     la_uint chunks;   /* of them; 1: counts are of each tile alone */
     la_uint entry_capacity, group_capacity, span_capacity;

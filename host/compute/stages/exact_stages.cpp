@@ -7,9 +7,12 @@
 namespace lineatlas::compute {
 namespace {
 
-/// Work-items that share the rows of tiles of a triangle, where each triangle has work-items of its
-/// own: else all wait for the face that covers the picture.
-constexpr std::uint32_t face_slices = 8;
+/// Work-items that share the rows of tiles of a triangle, where triangles have work-items of their
+/// own: else all wait for the face that covers the picture. Of very many triangles few are large.
+std::uint32_t face_slices(std::uint32_t triangles) {
+    constexpr std::uint32_t most = 8, most_items = 1U << 22U;
+    return std::clamp(most_items / std::max(triangles, 1U), 1U, most);
+}
 
 std::uint32_t tiles_of(const ExactParameters& parameters) {
     return static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y);
@@ -45,7 +48,7 @@ struct RawParts {
 ExactParameters in_chunks(const ExactArgs& args, const Tuning& tuning) {
     ExactParameters parameters = args.parameters;
     parameters.batched = args.batches != nullptr ? args.batches->count : 0;
-    parameters.slices = tuning.face_lists ? face_slices : 1;
+    parameters.slices = tuning.face_lists ? face_slices(parameters.triangle_count) : 1;
     parameters.chunks = list_columns(tuning);
     parameters.chunk = tuning.face_lists
                            ? 1
