@@ -46,9 +46,9 @@ class PoorSurroundings : public Tool {
     Result devices(const std::string& before, const std::string& options = "") const {
         return shell("bash -c '" + before + " " LINEATLAS_TOOL " devices " + options + "' 2>&1");
     }
-    /// The first device runs one kernel, as `devices` has it try the second mode in a process of
-    /// its own: to compile all of them anew takes PoCL 10 seconds.
-    Result one_kernel(const std::string& before) const { return devices(before, "--probe 0 1"); }
+    /// The first device runs one kernel, as `devices` has it try the mode host-pointer in a process
+    /// of its own: to compile all of them anew takes PoCL 10 seconds.
+    Result one_kernel(const std::string& before) const { return devices(before, "--probe 0 2"); }
     static bool ran_a_kernel(const Result& result) {
         return result.exit_code == 0 &&
                result.output.find("a round trip succeeded") != std::string::npos;
