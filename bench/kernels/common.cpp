@@ -23,12 +23,18 @@ Devices make_devices(std::unique_ptr<compute::OpenClBackend> opencl) {
     return devices;
 }
 
-Devices open_devices(std::string name) {
+Devices open_devices(std::string name, const std::string& form) {
     if (name.empty()) {
         if (const char* variable = std::getenv("LINEATLAS_DEVICE")) name = variable;
     }
     if (name.empty()) name = "opencl";
-    return make_devices(compute::make_opencl_backend(compute::find_opencl_devices(name).front()));
+    const compute::OpenClDevice device = compute::find_opencl_devices(name).front();
+    compute::OpenClDevice launched_as = device;
+    if (!form.empty()) {
+        launched_as.is_cpu = form == "cpu";
+        launched_as.is_gpu = form == "gpu";
+    }
+    return make_devices(compute::make_opencl_backend(device, {}, compute::tuning_for(launched_as)));
 }
 
 Rows all_rows(const Devices& devices) {

@@ -24,8 +24,9 @@ struct Devices {
 
 Devices make_devices(std::unique_ptr<compute::OpenClBackend> opencl);
 
-/// The device is `name`, else LINEATLAS_DEVICE, else the first. Throws as find_opencl_devices does.
-Devices open_devices(std::string name);
+/// The device is `name`, else LINEATLAS_DEVICE, else the first. `form`: "cpu" or "gpu", whose
+/// launch parameters are taken; empty: the device's own. Throws as find_opencl_devices does.
+Devices open_devices(std::string name, const std::string& form = {});
 
 /// Integers, which are equal bit by bit on every device, or floats, which are nearly.
 using Result = std::variant<std::vector<std::uint8_t>, std::vector<float>>;

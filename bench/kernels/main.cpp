@@ -104,9 +104,11 @@ void measure_all(const Devices& devices) {
 int run(int argc, char** argv) {
     CLI::App app{"Times every kernel beside its rivals, from 2^14 to 2^24 elements",
                  "lineatlas-bench-kernels"};
-    std::string device, json;
+    std::string device, form, json;
     bool only_list = false;
     app.add_option("--device", device, "opencl:<platform>[:<device>]; else LINEATLAS_DEVICE");
+    app.add_option("--form", form, "Launch parameters of a cpu or a gpu; else the device's own")
+        ->check(CLI::IsMember({"cpu", "gpu"}));
     app.add_flag("--list", only_list, "Print the names of the rows, and measure nothing");
     app.add_option("--json", json, "Figures to write");
     app.allow_extras();
@@ -128,7 +130,7 @@ int run(int argc, char** argv) {
     int count = static_cast<int>(pointers.size());
     benchmark::Initialize(&count, pointers.data());
     if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-    const Devices devices = open_devices(device);
+    const Devices devices = open_devices(device, form);
     only_list ? list(devices) : measure_all(devices);
     return any_failed ? 1 : 0;
 }

@@ -20,25 +20,32 @@ void add_kernels(compute::CommandLog& log, Names& names) {
     for (const compute::CommandTime& command : log.read()) names.insert(std::string{command.name});
 }
 
-Devices devices_here() {
+Devices devices_here(bool face_lists = false) {
     compute::OpenClDevice device = compute::find_opencl_devices("opencl").front();
     compute::Tuning tuning = compute::tuning_for(device);
     tuning.scan_tiles = true; // C++ runs the chunks
+    tuning.face_lists = face_lists;
     return make_devices(compute::make_opencl_backend(device, {}, tuning));
 }
 
-TEST(Rows, EveryRowRunsAndEveryKernelIsInOne) {
-    const Devices devices = devices_here();
+/// Adds the kernels that rows launch.
+void run(const Devices& devices, const Rows& rows, Names& seen) {
     const auto opencl_log = devices.opencl->begin_log(), cpp_log = devices.cpp->begin_log();
-    for (const Row& row : all_rows(devices)) {
+    for (const Row& row : rows) {
         SCOPED_TRACE(row.name);
         EXPECT_NO_THROW(seconds_of(row.prepare(1U << 14U)));
     }
-    Names seen;
     add_kernels(*opencl_log, seen);
     add_kernels(*cpp_log, seen);
     devices.opencl->end_log();
     devices.cpp->end_log();
+}
+
+TEST(Rows, EveryRowRunsAndEveryKernelIsInOne) {
+    Names seen;
+    const Devices devices = devices_here(), of_gpu = devices_here(true);
+    run(devices, all_rows(devices), seen);
+    run(of_gpu, exact_rows(of_gpu), seen);
     for (const compute::Kernel& kernel : compute::all_kernels()) {
         EXPECT_TRUE(seen.contains(std::string{kernel.name})) << kernel.name;
     }

@@ -180,11 +180,13 @@ class LINEATLAS_API Device {
                         std::size_t offset = 0) = 0;
     /// Out of it; waits.
     virtual void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0) = 0;
-    /// As upload() and download() of the first bytes, but may return at once: `data` must stay,
-    /// and, where it is read, stay the same, until finish(). Nothing happens if it is empty.
+    /// As upload() of the first bytes, but may return at once: `data` must stay the same until
+    /// finish(). Nothing happens if it is empty.
     virtual void begin_upload(Buffer& buffer, std::span<const std::byte> data) {
         if (!data.empty()) upload(buffer, data);
     }
+    /// As download() of the first bytes, but may return at once: `data` must stay until finish(),
+    /// and holds them then. Nothing happens if it is empty.
     virtual void begin_download(Buffer& buffer, std::span<std::byte> data) {
         if (!data.empty()) download(buffer, data);
     }
