@@ -32,7 +32,7 @@ std::uint32_t longest_segment(const Frame& frame) {
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
-      prefers_raster_(gl_samples_faster(device_)), depth_(connection), fill_(connection),
+      prefers_raster_(gl_samples_faster(device_.tuning())), depth_(connection), fill_(connection),
       chains_(stages_, compute::SilhouetteChains::Contours::lifted), carried_(stages_),
       batches_(stages_), temporal_(stages_), outlines_(stages_),
       clipped_(sharing_, purpose::segments), offsets_(sharing_, purpose::segments),

@@ -18,9 +18,9 @@ constexpr float longest_mitre = 4;
 // it costs, in which a GPU draws about as many triangles (docs/benchmarks.md).
 constexpr std::uint32_t fewest_culled_by_gpus = 1U << 20U;
 
-/// Whether the device's launch parameters are those of a CPU.
-bool is_processor(const compute::Device& device) {
-    return device.tuning().depth_lanes > 1;
+/// Whether launch parameters are those of a CPU.
+bool is_processor(const compute::Tuning& tuning) {
+    return tuning.depth_lanes > 1;
 }
 
 bool is_constant(const Profile& profile) {
@@ -36,12 +36,23 @@ bool is_even(const std::string& mark) {
 
 } // namespace
 
-bool kernels_are_faster(const compute::Device& device) {
-    return gl::is_software() && is_processor(device);
+bool kernels_are_faster(const compute::Tuning& tuning) {
+    return gl::is_software() && is_processor(tuning);
 }
 
-bool gl_samples_faster(const compute::Device& device) {
-    return !gl::is_software() && is_processor(device);
+bool gl_samples_faster(const compute::Tuning& tuning) {
+    return !gl::is_software() && is_processor(tuning);
+}
+
+std::string_view describe_forms(const compute::Tuning& tuning) {
+    if (kernels_are_faster(tuning))
+        return "depth, samples and strokes by kernels, which are faster than GL on a CPU";
+    if (gl_samples_faster(tuning))
+        return "depth, samples and strokes by GL, which has a GPU where kernels have none";
+    return gl::is_software()
+               ? "samples by kernels; depth and strokes by GL, since kernels are in a "
+                 "GPU's form"
+               : "samples by kernels; depth and strokes by GL, which has a GPU";
 }
 
 std::uint32_t fewest_culled_triangles() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/renderer.hpp"
@@ -11,10 +12,12 @@ namespace lineatlas {
 
 /// Whether kernels draw depth, fills and strokes faster than GL: where both run on the CPU. In the
 /// current GL context.
-bool kernels_are_faster(const compute::Device& device);
+bool kernels_are_faster(const compute::Tuning& tuning);
 /// Whether GL computes samples faster than kernels, with all that has to cross: where it has a GPU
 /// and kernels have none.
-bool gl_samples_faster(const compute::Device& device);
+bool gl_samples_faster(const compute::Tuning& tuning);
+/// Which forms `automatic` takes with such a device, and why: a few words.
+std::string_view describe_forms(const compute::Tuning& tuning);
 /// The fewest triangles of which GL draws those alone that may be seen. A GPU has drawn fewer
 /// before it is known which.
 std::uint32_t fewest_culled_triangles();

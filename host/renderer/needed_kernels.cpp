@@ -88,7 +88,7 @@ Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
 
 std::vector<compute::KernelForm> needed_kernels(const FrameOptions& options,
                                                 const compute::Device& device) {
-    const Stages stages = needed_stages(options, kernels_are_faster(device));
+    const Stages stages = needed_stages(options, kernels_are_faster(device.tuning()));
     return compute::kernel_forms(stages, probes_per_axis(options.probes), device.tuning());
 }
 

@@ -45,7 +45,8 @@ std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
 
 StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
-      kernels_are_faster_(kernels_are_faster(device_)), lists_{Lists{device_}, Lists{device_}},
+      kernels_are_faster_(kernels_are_faster(device_.tuning())), lists_{Lists{device_},
+                                                                        Lists{device_}},
       coverage_(sharing_, purpose::strokes), shown_(sharing_, purpose::strokes) {}
 
 bool StrokeCoverage::wants(const Frame& frame) const {

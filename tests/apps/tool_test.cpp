@@ -106,7 +106,8 @@ TEST_F(Tool, DrawsAModelWithEveryOption) {
 TEST_F(Tool, ListsDevicesAndHelps) {
     const Result devices = run("devices");
     EXPECT_EQ(devices.exit_code, 0);
-    for (const char* word : {"gl-sharing", "host-pointer", "copy", "cpp", "* opencl:"}) {
+    for (const char* word :
+         {"gl-sharing", "external-memory", "host-pointer", "copy", "forms", "cpp", "* opencl:"}) {
         EXPECT_NE(devices.output.find(word), std::string::npos) << word << "\n" << devices.output;
     }
     const Result help = run("draw --help");

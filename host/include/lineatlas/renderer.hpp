@@ -49,7 +49,7 @@ enum class StageForm {
 /// the picture is the same but for rounding.
 struct StageForms {
     /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples; `automatic`:
-    /// compute beside a software GL, else raster.
+    /// compute, or raster where GL has a GPU and kernels have none.
     StageForm atlas = StageForm::automatic;
     /// Depth (§3.2), and a fill by it; both forms cover the same texels but for a few in 100,000.
     /// Methods atlas and spine, exact for its fill. `automatic`: compute beside a software GL where
