@@ -2,12 +2,14 @@
 
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include "compute/opencl/devices.hpp"
 #include "glpasses/headless_context.hpp"
+#include "glpasses/interop/connect.hpp"
 #include "support/gl_sharing_layer/layer.hpp"
 
 namespace lineatlas::test {
@@ -45,6 +47,18 @@ class UsesLayer : public testing::Test {
 
 /// With a GL context made by EGL.
 class GlSharing : public UsesLayer {
+  protected:
+    /// Why there is no Vulkan device that exports memory to GL, or nothing.
+    static std::string missing_vulkan() {
+        behave("external");
+        const std::string reason =
+            interop::probe_mode(device(), interop::SharingMode::external_memory).reason;
+        return reason.find("ulkan") != std::string::npos &&
+                       reason.find("round trip succeeded") == std::string::npos
+                   ? reason
+                   : std::string{};
+    }
+
   private:
     gl::HeadlessContext context_;
 };

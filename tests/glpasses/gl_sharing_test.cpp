@@ -90,7 +90,7 @@ TEST_F(GlSharing, NeitherSideIsWaitedForWithEvents) {
 }
 
 TEST_F(GlSharing, BothSidesOfExternalMemoryAreWaitedFor) {
-    behave("external");
+    if (const std::string why = missing_vulkan(); !why.empty()) GTEST_SKIP() << why;
     Counted counted{device(), SharingMode::external_memory};
     take_counts();
     counted.count();
@@ -105,7 +105,7 @@ TEST_F(GlSharing, BothSidesOfExternalMemoryAreWaitedFor) {
 }
 
 TEST_F(GlSharing, ExternalMemoryOfAnySizeArrives) {
-    behave("external");
+    if (const std::string why = missing_vulkan(); !why.empty()) GTEST_SKIP() << why;
     Counted counted{device(), SharingMode::external_memory};
     for (const std::size_t bytes : {1U, 64U, 4095U, 4096U, 70'000U, 5'000'000U}) {
         interop::SharedTable table{counted.sharing, purpose::scratch};
@@ -310,8 +310,12 @@ class GlSharingPictures : public GlSharing, public testing::WithParamInterface<c
 };
 
 TEST_P(GlSharingPictures, EqualThoseOfCopies) {
+    mode_ = "gl-sharing";
+    if (GetParam() == std::string_view{"external"}) {
+        if (const std::string why = missing_vulkan(); !why.empty()) GTEST_SKIP() << why;
+        mode_ = "external-memory";
+    }
     behave(GetParam());
-    mode_ = GetParam() == std::string_view{"external"} ? "external-memory" : "gl-sharing";
     FrameOptions styled{
         .style = {.filter = {.fill_holes = 4, .drop_runs = 4, .overshoot = 12, .halo = 3}}};
     styled.style.density.limit = 0.2F;
