@@ -54,6 +54,15 @@ static uint slices_of(const ExactParameters* args) {
     return max(args->slices, 1u);
 }
 
+/* What work-item i has a slice of, and which: a CPU, which has no slices, need not divide. */
+static uint sliced(const ExactParameters* args, const uint i) {
+    return args->slices > 1u ? i / args->slices : i;
+}
+
+static uint slice_of(const ExactParameters* args, const uint i) {
+    return args->slices > 1u ? i % args->slices : 0;
+}
+
 static float least_in(const Linear f, const float size) {
     return f.c + fmin(f.a, 0.0f) * size + fmin(f.b, 0.0f) * size;
 }

@@ -233,9 +233,9 @@ static float pixels_per_unit(const ExactParameters* args, const float least_w) {
  * that cover a tile together the one that has more of it is half as wide as the tile at least; a
  * batch of narrower ones is passed over. */
 KERNEL(surfaces_occluders, ExactParameters) {
-    const uint i = (uint)get_global_id(0), slices = slices_of(&args), slice = i % slices;
-    const bool in_batches = slices == 1;
-    const uint b = in_batches ? i : i / slices / LA_BATCH;
+    const uint i = (uint)get_global_id(0), slice = slice_of(&args, i);
+    const bool in_batches = slices_of(&args) == 1;
+    const uint b = in_batches ? i : sliced(&args, i) / LA_BATCH;
     if (b >= args.count) return;
     const BatchOnScreen box =
         batch_on_screen(to_matrix(args.clip_from_world), to_float2(args.viewport), batches + b);
@@ -243,7 +243,7 @@ KERNEL(surfaces_occluders, ExactParameters) {
     if (box.is_bounded &&
         batches[b].widest * pixels_per_unit(&args, box.least_w) < 0.5f * args.tile_size)
         return;
-    const uint first = in_batches ? b * LA_BATCH : i / slices;
+    const uint first = in_batches ? b * LA_BATCH : sliced(&args, i);
     const uint last = min(in_batches ? first + LA_BATCH : first + 1u, args.triangle_count);
     for (uint t = first; t < last; ++t) {
         const ScreenFace face = face_on_screen(&args, t, vertices, triangles, screen);
@@ -257,8 +257,8 @@ KERNEL(surfaces_occluders, ExactParameters) {
  * it hides nothing. states: of batches of the first `batched` triangles; of those that are not seen
  * nothing but that is written. */
 KERNEL(surfaces_faces, ExactParameters) {
-    const uint t = (uint)get_global_id(0) / slices_of(&args);
-    const uint slice = (uint)get_global_id(0) % slices_of(&args);
+    const uint t = sliced(&args, (uint)get_global_id(0));
+    const uint slice = slice_of(&args, (uint)get_global_id(0));
     if (t >= args.triangle_count || (t < args.batched && slice > 0)) return;
     if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
         faces[t].kind = FACE_UNSEEN;

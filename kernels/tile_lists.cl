@@ -29,18 +29,18 @@ static float from_ordered(const uint x) {
 
 /* Enters face t into its tiles, or those of a slice: counts, or writes where `ends` says, which it
  * moves on, and how near and how far entries are. */
-static void enter(const ExactParameters* args, const uint t, const uint chunk, const ScreenFace box,
-                  __global const float* vertices, __global const uint* triangles,
-                  __global const float* screen, __global const float* planes,
-                  __global const uint* occluders, __global uint* ends, __global Entry* entries,
-                  __global uint* ranges) {
+INLINED void enter(const ExactParameters* args, const uint t, const uint chunk,
+                   const ScreenFace box, __global const float* vertices,
+                   __global const uint* triangles, __global const float* screen,
+                   __global const float* planes, __global const uint* occluders,
+                   __global uint* ends, __global Entry* entries, __global uint* ranges) {
     const int4 range = tiles_of(args, box);
     const int columns = to_int2(args->tiles).x;
     const bool few = (range.z - range.x) + (range.w - range.y) < 2;
     TileFace face;
     const bool in_chunks = args->chunks > 1;
     const int step = (int)slices_of(args);
-    for (int y = range.y + (int)(chunk % slices_of(args)); y <= range.w; y += step) {
+    for (int y = range.y + (int)slice_of(args, chunk); y <= range.w; y += step) {
         for (int x = range.x; x <= range.z; ++x) {
             const uint tile = (uint)(y * columns + x);
             float nearness = box.nearest;
@@ -76,7 +76,7 @@ static void enter(const ExactParameters* args, const uint t, const uint chunk, c
 /* counts: per tile, per chunk; all 0 before. */
 KERNEL(tile_lists_count, ExactParameters) {
     const uint chunk = (uint)get_global_id(0);
-    const uint first = chunk / slices_of(&args) * args.chunk;
+    const uint first = sliced(&args, chunk) * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     for (uint t = first; t < last; ++t) {
         if (t < args.batched && states[t / LA_BATCH] != LA_BATCH_SEEN) {
@@ -95,7 +95,7 @@ KERNEL(tile_lists_count, ExactParameters) {
 KERNEL(tile_lists_fill, ExactParameters) {
     const uint chunk = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
-    const uint first = chunk / slices_of(&args) * args.chunk;
+    const uint first = sliced(&args, chunk) * args.chunk;
     const uint last = min(first + args.chunk, args.triangle_count);
     if (first >= last || ends[tiles * args.chunks] > args.entry_capacity) return;
     for (uint t = first; t < last; ++t) {
