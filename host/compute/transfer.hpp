@@ -26,4 +26,12 @@ std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
     return values;
 }
 
+/// One value of a buffer of them; waits.
+template <class T>
+T read_one(Device& device, Buffer& buffer, std::size_t index = 0) {
+    T value;
+    device.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(T));
+    return value;
+}
+
 } // namespace lineatlas::compute

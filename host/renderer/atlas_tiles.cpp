@@ -2,6 +2,7 @@
 // whole picture; only depth with the samples that need it, and strokes, are drawn tile by tile.
 #include "atlas_method.hpp"
 #include "backdrop.hpp"
+#include "compute/transfer.hpp"
 #include "core/tiles.hpp"
 #include "lineatlas/error.hpp"
 #include "tile_loop.hpp"
@@ -63,10 +64,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         begin_chunk(frame, chunk);
         project(frame);
         // Counted first: drawing all depth again because the atlas was too small would take long.
-        std::uint32_t samples = 0;
-        device_.download(offsets_.compute(), std::as_writable_bytes(std::span{&samples, 1}),
-                         segment_count_ * sizeof(samples));
-        grow_atlas(samples);
+        grow_atlas(compute::read_one<la_uint>(device_, offsets_.compute(), segment_count_));
         bool sampled = false;
         do {
             if (!sampled) sample_tiles(frame, target, part);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compute/transfer.hpp"
 #include "core/line_pens.hpp"
 
 namespace lineatlas {
@@ -33,9 +34,8 @@ compute::OutlineTable OutlineStage::find(Frame& frame, const compute::SegmentAtl
                                      .part_offsets = tables_[Table::offsets],
                                      .parts = tables_[Table::parts],
                                      .part_capacity = capacity_});
-            std::uint32_t parts = 0;
-            device.download(tables_[Table::offsets], std::as_writable_bytes(std::span{&parts, 1}),
-                            segments.segment_count * sizeof(la_uint));
+            const auto parts =
+                compute::read_one<la_uint>(device, tables_[Table::offsets], segments.segment_count);
             again = parts > capacity_;
             if (again) capacity_ = compute::capacity_for<Part>(device, parts);
         }

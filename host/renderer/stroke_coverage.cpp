@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compute/transfer.hpp"
 #include "core/pens.hpp"
 #include "frame_forms.hpp"
 #include "glpasses/storage.hpp"
@@ -86,8 +87,7 @@ void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs
                           .viewport = frame.viewport(),
                           .half_width = half_width,
                           .lists = tables(hidden)});
-    device_.download(*own.ends, std::as_writable_bytes(std::span{&own.total, 1}),
-                     (ends - 1) * sizeof(la_uint));
+    own.total = compute::read_one<la_uint>(device_, *own.ends, ends - 1);
 }
 
 bool StrokeCoverage::grow() {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "compute/transfer.hpp"
 #include "core/picture_size.hpp"
 #include "core/ray.hpp"
 #include "core/tiles.hpp"
@@ -61,13 +62,6 @@ glm::vec3 world_of(const Interval& interval, float along, const glm::mat4& clip_
 }
 
 template <class T>
-T read_one(compute::Device& device, compute::Buffer& buffer, std::size_t index) {
-    T value;
-    device.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(T));
-    return value;
-}
-
-template <class T>
 std::vector<T> read_all(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
     std::vector<T> values(count);
     if (count > 0) device.download(buffer, std::as_writable_bytes(std::span{values}));
@@ -78,7 +72,7 @@ Segment segment_at(compute::Device& device, const LineTables& tables, std::uint3
     const auto after = std::ranges::upper_bound(
         tables.chunks, segment, {}, [](const auto& chunk) { return chunk.range.first; });
     const LineTables::Chunk& chunk = *(after - 1);
-    return read_one<Segment>(device, *chunk.segments, segment - chunk.range.first);
+    return compute::read_one<Segment>(device, *chunk.segments, segment - chunk.range.first);
 }
 
 /// From the near plane on, through a window position.

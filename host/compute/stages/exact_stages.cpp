@@ -1,6 +1,7 @@
 // The exact method: what is visible of lines by cutting them against faces.
 #include <algorithm>
 
+#include "compute/transfer.hpp"
 #include "divide_up.hpp"
 #include "stages.hpp"
 
@@ -128,12 +129,6 @@ void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& pa
     launch<kernels::tile_lists_behind>(tiles, group, parameters, args);
 }
 
-std::uint32_t Stages::read(Buffer& values, std::size_t index) {
-    std::uint32_t value = 0;
-    device_.download(values, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(value));
-    return value;
-}
-
 void Stages::visible(const ExactArgs& args) {
     const ExactParameters parameters = in_chunks(args, tuning_);
     const std::uint32_t n = parameters.count;
@@ -153,14 +148,14 @@ void Stages::count_pieces(const ExactArgs& args, const ExactParameters& paramete
     launch<kernels::visible_pieces>(n, group, parameters, args.table, args.clipped, args, absent,
                                     Counts{offsets});
     scan(offsets, n, ScanKind::saturate);
-    const std::uint32_t count = read(offsets, n);
+    const auto count = read_one<la_uint>(device_, offsets, n);
     const PieceTables pieces{offsets, scratch(Scratch::piece_parts, std::size_t{count} + 1),
                              scratch(Scratch::piece_kept, std::size_t{4} * count)};
     launch<kernels::visible_cut>(count, group, parameters, args.table, args.clipped, args, absent,
                                  pieces, Counts{pieces.part_offsets});
     scan(pieces.part_offsets, count, ScanKind::saturate);
-    const RawParts raw{
-        scratch(Scratch::raw_parts, std::size_t{2} * read(pieces.part_offsets, count))};
+    const std::size_t parts = read_one<la_uint>(device_, pieces.part_offsets, count);
+    const RawParts raw{scratch(Scratch::raw_parts, 2 * parts)};
     launch<kernels::visible_parts>(count, group, parameters, args.table, args.clipped, args, absent,
                                    pieces, raw);
     launch<kernels::visible_join>(n, group, parameters, args.clipped, pieces, raw,

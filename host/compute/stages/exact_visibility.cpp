@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "compute/transfer.hpp"
 #include "core/screen_bounds.hpp"
 #include "core/surface_view.hpp"
 #include "lineatlas/error.hpp"
@@ -200,12 +201,6 @@ std::uint32_t ExactVisibility::grown(std::uint32_t needed, std::size_t element) 
     return static_cast<std::uint32_t>(std::min(room, uncountable - 1));
 }
 
-std::uint32_t ExactVisibility::read(Buffer& buffer, std::size_t index) const {
-    std::uint32_t value = 0;
-    device_.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(value));
-    return value;
-}
-
 void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t seen,
                                   std::uint32_t ways, Beside& beside) {
     const std::uint64_t count = std::uint64_t{seen} * ways;
@@ -223,7 +218,7 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t see
                     tables_[beside.kept], tables_[beside.offsets], tables_[beside.spans]);
     };
     stages_.visible(arguments());
-    const std::uint32_t found = read(tables_[beside.offsets], count);
+    const auto found = read_one<la_uint>(device_, tables_[beside.offsets], count);
     if (found <= beside.capacity) return;
     beside.capacity = grown(found, 2 * sizeof(float));
     stages_.visible_write(arguments());
@@ -237,7 +232,7 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                           .clipped = clipped,
                           .spans = spans(),
                           .numbers = tables_[Table::numbers]});
-    const std::uint32_t seen = read(tables_[Table::numbers], segments);
+    const auto seen = read_one<la_uint>(device_, tables_[Table::numbers], segments);
     const std::uint64_t ways = LA_OUTLINE_WITHIN * std::uint64_t{seen};
     if (ways >= std::numeric_limits<std::uint32_t>::max()) {
         throw DeviceError(beyond_limit(purpose::exact, "over 1 billion lines with outlines",
@@ -273,7 +268,7 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
              .part_offsets = tables_[Table::part_offsets],
              .parts = tables_[Table::parts],
              .part_capacity = part_capacity_});
-        const std::uint32_t found = read(tables_[Table::part_offsets], segments);
+        const auto found = read_one<la_uint>(device_, tables_[Table::part_offsets], segments);
         again = found > part_capacity_;
         if (again) part_capacity_ = grown(found, 2 * sizeof(float));
     }
@@ -281,10 +276,10 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
 }
 
 bool ExactVisibility::grow(const ClippedTable& clipped) {
-    const std::uint32_t entries =
-        read(tables_[Table::ends], std::size_t{tiles()} * list_columns(device_.tuning()));
-    const std::uint32_t groups = read(tables_[Table::groups], tiles());
-    const std::uint32_t spans = read(tables_[Table::span_offsets], parameters_.count);
+    const auto entries = read_one<la_uint>(device_, tables_[Table::ends],
+                                           std::size_t{tiles()} * list_columns(device_.tuning()));
+    const auto groups = read_one<la_uint>(device_, tables_[Table::groups], tiles());
+    const auto spans = read_one<la_uint>(device_, tables_[Table::span_offsets], parameters_.count);
     bool again = false;
     if (entries > parameters_.entry_capacity) {
         parameters_.entry_capacity = grown(entries, sizeof(Entry));

@@ -87,7 +87,6 @@ class ExactVisibility {
     /// How many elements a table gets that must hold `needed`: of the first lines that are looked
     /// at no more, since a still has no others.
     std::uint32_t grown(std::uint32_t needed, std::size_t element) const;
-    std::uint32_t read(Buffer& buffer, std::size_t index) const;
     std::uint32_t tiles() const {
         return static_cast<std::uint32_t>(parameters_.tiles.x * parameters_.tiles.y);
     }

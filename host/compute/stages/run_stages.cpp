@@ -1,6 +1,7 @@
 // Runs of visible samples, and what a style makes of them.
 #include <algorithm>
 
+#include "compute/transfer.hpp"
 #include "divide_up.hpp"
 #include "lineatlas/error.hpp"
 #include "stages.hpp"
@@ -59,8 +60,7 @@ void Stages::halo(const HaloArgs& args) {
     device_.clear(ends, tile_count * sizeof(la_uint));
     launch<kernels::halo_count>(items, tuning_.local_size, parameters, args, Counts{ends});
     scan(ends, tile_count, ScanKind::saturate);
-    device_.download(ends, std::as_writable_bytes(std::span{&parameters.total, 1}),
-                     tile_count * sizeof(la_uint));
+    parameters.total = read_one<la_uint>(device_, ends, tile_count);
     constexpr std::size_t tables = 7;      // of struct Lists
     if (parameters.total == 0xFFFFFFFFU) { // where sums stop
         throw DeviceError(beyond_limit(purpose::halos, "over 4 billion pieces of lines",

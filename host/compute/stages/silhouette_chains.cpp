@@ -1,4 +1,5 @@
 #include "silhouette_chains.hpp"
+#include "compute/transfer.hpp"
 
 namespace lineatlas::compute {
 
@@ -31,8 +32,7 @@ void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
     tables_.make_room(Table::positions, table.candidates.count * sizeof(la_uint));
     first_ = table.candidates.first;
     stages_.silhouette({.table = table, .front = front, .numbers = tables_[Table::numbers]});
-    device_.download(tables_[Table::numbers], std::as_writable_bytes(std::span{&count_, 1}),
-                     table.candidates.drawable() * sizeof(la_uint));
+    count_ = read_one<la_uint>(device_, tables_[Table::numbers], table.candidates.drawable());
     has_order_ = true;
     if (count_ == 0) return;
     tables_.make_room(Table::chosen, std::uint64_t{count_} * sizeof(la_uint));

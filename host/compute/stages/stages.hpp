@@ -105,7 +105,6 @@ class Stages {
                             Buffer& ranges);
     /// What visible_count does, piece by piece: of each segment in each tile. Waits.
     void count_pieces(const ExactArgs& args, const ExactParameters& parameters);
-    std::uint32_t read(Buffer& values, std::size_t index);
     /// Launches `items` work-items in groups of `group`; nothing if there are none. Each table is
     /// that of its name in the first of `groups` that has one.
     template <class K, class... Groups>
