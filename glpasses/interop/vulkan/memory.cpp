@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -28,6 +26,14 @@ void check(VkResult result, const char* call) {
         throw DeviceError(std::string{call} + " returned " + std::to_string(result));
 }
 
+/// A struct of Vulkan's, empty but for what says which it is.
+template <class Struct>
+Struct empty(VkStructureType type) {
+    Struct result{};
+    result.sType = type;
+    return result;
+}
+
 /// The library's only symbol, which finds all others. The library stays: drivers that it has loaded
 /// do not bear its end.
 PFN_vkGetInstanceProcAddr load() {
@@ -36,17 +42,10 @@ PFN_vkGetInstanceProcAddr load() {
     return reinterpret_cast<PFN_vkGetInstanceProcAddr>(::dlsym(library, "vkGetInstanceProcAddr"));
 }
 
+/// Its objects stay until the process ends: where NVIDIA's driver had ended an instance, no GL
+/// context was current any more.
 class Device final : public VulkanMemory {
   public:
-    Device() = default;
-    ~Device() override {
-        if (device_ != nullptr) of_device<PFN_vkDestroyDevice>("vkDestroyDevice")(device_, nullptr);
-        if (instance_ != nullptr)
-            of_instance<PFN_vkDestroyInstance>("vkDestroyInstance")(instance_, nullptr);
-    }
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
-
     /// Throws DeviceError if there is no device of that name, or it does not export memory.
     void open(const DeviceUuid& uuid) {
         make_instance();
@@ -56,11 +55,10 @@ class Device final : public VulkanMemory {
     }
 
     ExportedMemory allocate(std::size_t bytes) const override {
-        VkExportMemoryAllocateInfo exported{};
-        exported.sType = VK_STRUCTURE_TYPE_EXPORT_MEMORY_ALLOCATE_INFO;
+        auto exported =
+            empty<VkExportMemoryAllocateInfo>(VK_STRUCTURE_TYPE_EXPORT_MEMORY_ALLOCATE_INFO);
         exported.handleTypes = opaque;
-        VkMemoryAllocateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+        auto info = empty<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
         info.pNext = &exported;
         info.allocationSize = (bytes + room_behind + alignment_ - 1) / alignment_ * alignment_;
         info.memoryTypeIndex = type_;
@@ -87,11 +85,9 @@ class Device final : public VulkanMemory {
     }
 
     void make_instance() {
-        VkApplicationInfo application{};
-        application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+        auto application = empty<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
         application.apiVersion = VK_API_VERSION_1_1;
-        VkInstanceCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+        auto info = empty<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
         info.pApplicationInfo = &application;
         check(of_instance<PFN_vkCreateInstance>("vkCreateInstance")(&info, nullptr, &instance_),
               "vkCreateInstance");
@@ -106,10 +102,10 @@ class Device final : public VulkanMemory {
         std::vector<VkPhysicalDevice> devices(count);
         check(list(instance_, &count, devices.data()), "vkEnumeratePhysicalDevices");
         for (const VkPhysicalDevice device : devices) {
-            VkPhysicalDeviceIDProperties id{};
-            id.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES;
-            VkPhysicalDeviceProperties2 properties{};
-            properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+            auto id = empty<VkPhysicalDeviceIDProperties>(
+                VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES);
+            auto properties =
+                empty<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
             properties.pNext = &id;
             describe(device, &properties);
             if (std::ranges::equal(id.deviceUUID, uuid)) return device;
@@ -119,12 +115,11 @@ class Device final : public VulkanMemory {
 
     void make_device(VkPhysicalDevice physical) {
         constexpr float priority = 1;
-        VkDeviceQueueCreateInfo queue{}; // a device must have one
-        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        auto queue = empty<VkDeviceQueueCreateInfo>(
+            VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO); // a device must have one
         queue.queueCount = 1;
         queue.pQueuePriorities = &priority;
-        VkDeviceCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+        auto info = empty<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
         info.queueCreateInfoCount = 1;
         info.pQueueCreateInfos = &queue;
         info.enabledExtensionCount = extensions.size();
@@ -150,11 +145,10 @@ class Device final : public VulkanMemory {
     }
 
     VkMemoryRequirements requirements() const {
-        VkExternalMemoryBufferCreateInfo external{};
-        external.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO;
+        auto external = empty<VkExternalMemoryBufferCreateInfo>(
+            VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO);
         external.handleTypes = opaque;
-        VkBufferCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+        auto info = empty<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
         info.pNext = &external;
         info.size = 1U << 20U;
         info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
@@ -171,8 +165,7 @@ class Device final : public VulkanMemory {
 
     /// -1 where that fails.
     FileDescriptor descriptor_of(VkDeviceMemory memory) const {
-        VkMemoryGetFdInfoKHR info{};
-        info.sType = VK_STRUCTURE_TYPE_MEMORY_GET_FD_INFO_KHR;
+        auto info = empty<VkMemoryGetFdInfoKHR>(VK_STRUCTURE_TYPE_MEMORY_GET_FD_INFO_KHR);
         info.memory = memory;
         info.handleType = opaque;
         int number = -1;
@@ -189,17 +182,24 @@ class Device final : public VulkanMemory {
 } // namespace
 
 const VulkanMemory& vulkan_memory(const DeviceUuid& uuid) {
+    struct Known {
+        Device device;
+        std::string failure{};
+    };
     static std::mutex mutex;
-    // Never ended: where NVIDIA's driver was, no GL context was current any more.
-    static auto& all = *new std::map<DeviceUuid, std::unique_ptr<Device>>;
+    static auto& all = *new std::map<DeviceUuid, Known>; // see Device
     const std::scoped_lock lock{mutex};
-    std::unique_ptr<Device>& device = all[uuid];
-    if (device == nullptr) {
-        auto opened = std::make_unique<Device>();
-        opened->open(uuid);
-        device = std::move(opened);
+    const auto [found, is_new] = all.try_emplace(uuid);
+    Known& known = found->second;
+    if (is_new) {
+        try {
+            known.device.open(uuid);
+        } catch (const DeviceError& error) {
+            known.failure = error.what();
+        }
     }
-    return *device;
+    if (!known.failure.empty()) throw DeviceError(known.failure);
+    return known.device;
 }
 
 } // namespace lineatlas::interop
