@@ -5,7 +5,6 @@
 #include <epoxy/gl.h>
 
 #include "compute/opencl/loader.hpp"
-#include "handover_error.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::interop {

@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include "handover_error.hpp"
-
 namespace lineatlas::interop {
 
 GlObjects::GlObjects(const compute::OpenClBackend& device) : device_(device) {

@@ -6,6 +6,9 @@ struct _cl_mem;
 
 namespace lineatlas::interop {
 
+/// Throws DeviceError, with the way out, unless a call of OpenCL's returned CL_SUCCESS.
+void check_handover(int status, const char* call);
+
 /// How OpenCL takes and gives back what it has opened of another API's objects.
 class OpenedObjects {
   public:

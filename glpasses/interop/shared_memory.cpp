@@ -10,50 +10,47 @@
 namespace lineatlas::interop {
 namespace {
 
+/// What OpenCL has opened.
+class OpenedMemory : public SharedMemory {
+  protected:
+    using SharedMemory::SharedMemory;
+    void open(std::unique_ptr<compute::OpenClBuffer> buffer) {
+        opened_ = buffer->memory();
+        compute_ = std::move(buffer);
+    }
+
+  private:
+    _cl_mem* opened() const override { return opened_; }
+
+    _cl_mem* opened_ = nullptr;
+};
+
 /// One GL buffer opened by OpenCL.
-class GlSharingMemory final : public SharedMemory {
+class GlSharingMemory final : public OpenedMemory {
   public:
     GlSharingMemory(const compute::OpenClBackend& device, std::size_t bytes, const Purpose& purpose)
-        : SharedMemory(bytes), gl_(gl::Buffer::create()) {
+        : OpenedMemory(bytes) {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
         try {
             cl::BufferGL opened{device.context(), CL_MEM_READ_WRITE, gl_.id()};
-            compute_ = std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes);
+            open(std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes));
         } catch (const cl::Error& error) {
             throw DeviceError(std::string{"sharing a GL buffer failed: "} + error.what() +
                               " returned " + std::to_string(error.err()) +
                               "; use DeviceOptions::interop copy");
         }
     }
-
-    GLuint gl() const override { return gl_.id(); }
-    compute::Buffer& compute() override { return *compute_; }
-
-  private:
-    _cl_mem* opened() const override { return compute_->memory(); }
-
-    gl::Buffer gl_;
-    std::unique_ptr<compute::OpenClBuffer> compute_;
 };
 
 /// Memory of a Vulkan device that both have imported.
-class ExternalMemory final : public SharedMemory {
+class ExternalMemory final : public OpenedMemory {
   public:
     ExternalMemory(const ExternalObjects& objects, std::size_t bytes, const Purpose& purpose)
-        : SharedMemory(bytes), gl_(gl::Buffer::create()) {
+        : OpenedMemory(bytes) {
         ExportedMemory memory = objects.allocate(bytes);
         gl::import(gl_, bytes, memory.for_gl.release(), memory.bytes, purpose);
-        compute_ = objects.open(memory.for_compute, bytes);
+        open(objects.open(memory.for_compute, bytes));
     }
-
-    GLuint gl() const override { return gl_.id(); }
-    compute::Buffer& compute() override { return *compute_; }
-
-  private:
-    _cl_mem* opened() const override { return compute_->memory(); }
-
-    gl::Buffer gl_;
-    std::unique_ptr<compute::OpenClBuffer> compute_;
 };
 
 /// Runs what may fail with a device that is lost, where nothing can be done about that.
@@ -66,16 +63,21 @@ void quietly(Action&& action) {
     }
 }
 
+/// Gives the buffer memory of the host, which GL keeps mapped.
+std::span<std::byte> map_for_good(const gl::Buffer& buffer, std::size_t bytes, GLbitfield flags,
+                                  const Purpose& purpose) {
+    constexpr GLbitfield access =
+        GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    gl::allocate(buffer, bytes, nullptr, access | flags, purpose);
+    return {static_cast<std::byte*>(gl::map(buffer, bytes, access, purpose)), bytes};
+}
+
 /// Host memory that GL keeps mapped and compute wraps.
 class HostPointerMemory final : public SharedMemory {
   public:
     HostPointerMemory(compute::Device& device, std::size_t bytes, const Purpose& purpose)
-        : SharedMemory(bytes), device_(device), gl_(gl::Buffer::create()) {
-        constexpr GLbitfield access =
-            GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-        gl::allocate(gl_, bytes, nullptr, access | GL_DYNAMIC_STORAGE_BIT, purpose);
-        void* memory = gl::map(gl_, bytes, access, purpose);
-        compute_ = device.wrap({static_cast<std::byte*>(memory), bytes});
+        : SharedMemory(bytes), device_(device) {
+        compute_ = device.wrap(map_for_good(gl_, bytes, GL_DYNAMIC_STORAGE_BIT, purpose));
         device.begin_host_access(*compute_);
     }
     ~HostPointerMemory() override {
@@ -88,16 +90,11 @@ class HostPointerMemory final : public SharedMemory {
         if (!gl::ForgetObjects::active()) glUnmapNamedBuffer(gl_.id());
     }
 
-    GLuint gl() const override { return gl_.id(); }
-    compute::Buffer& compute() override { return *compute_; }
-
   private:
     void enter_compute() override { device_.end_host_access(*compute_); }
     void leave_compute() override { device_.begin_host_access(*compute_); }
 
     compute::Device& device_;
-    gl::Buffer gl_;
-    std::unique_ptr<compute::Buffer> compute_;
 };
 
 /// A buffer on each side, and host memory between them that GL keeps mapped. Drivers pin such
@@ -105,26 +102,19 @@ class HostPointerMemory final : public SharedMemory {
 class CopiedMemory final : public SharedMemory {
   public:
     CopiedMemory(compute::Device& device, std::size_t bytes, const Purpose& purpose)
-        : SharedMemory(bytes), device_(device), purpose_(purpose), gl_(gl::Buffer::create()),
-          compute_(device.allocate(bytes)) {
+        : SharedMemory(bytes), device_(device), purpose_(purpose) {
+        compute_ = device.allocate(bytes);
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
     }
     ~CopiedMemory() override {
         if (!between_.empty()) quietly([&] { device_.finish(); }); // may be on its way from there
     }
 
-    GLuint gl() const override { return gl_.id(); }
-    compute::Buffer& compute() override { return *compute_; }
-
   private:
     std::span<std::byte> between(std::size_t bytes) {
         if (bytes > 0 && between_.empty()) {
-            constexpr GLbitfield access =
-                GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
             mapped_ = gl::Buffer::create();
-            gl::allocate(mapped_, size(), nullptr, access | GL_CLIENT_STORAGE_BIT, purpose_);
-            void* memory = gl::map(mapped_, size(), access, purpose_);
-            between_ = {static_cast<std::byte*>(memory), size()};
+            between_ = map_for_good(mapped_, size(), GL_CLIENT_STORAGE_BIT, purpose_);
         }
         return between_.first(bytes);
     }
@@ -148,8 +138,7 @@ class CopiedMemory final : public SharedMemory {
 
     compute::Device& device_;
     const Purpose& purpose_;
-    gl::Buffer gl_, mapped_;
-    std::unique_ptr<compute::Buffer> compute_;
+    gl::Buffer mapped_;
     std::span<std::byte> between_;  ///< all of mapped_; empty until something crosses
     std::span<std::byte> crossing_; ///< what is on its way
 };

@@ -9,6 +9,7 @@
 
 #include "compute/stages/stages.hpp"
 #include "core/limits.hpp"
+#include "glpasses/objects.hpp"
 #include "sharing.hpp"
 
 namespace lineatlas::interop {
@@ -16,9 +17,9 @@ namespace lineatlas::interop {
 /// The memory of a SharedTable, on both sides.
 class SharedMemory : public Shared {
   public:
-    std::size_t size() const { return size_; } ///< bytes
-    virtual GLuint gl() const = 0;             ///< for GL, while GL has it
-    virtual compute::Buffer& compute() = 0;    ///< for stages, while compute has it
+    std::size_t size() const { return size_; }       ///< bytes
+    GLuint gl() const { return gl_.id(); }           ///< for GL, while GL has it
+    compute::Buffer& compute() { return *compute_; } ///< for stages, while compute has it
 
     // What crosses where each side has memory of its own: the first `used` bytes, once they have
     // been written. What kernels write is counted by their launches.
@@ -34,6 +35,9 @@ class SharedMemory : public Shared {
         const bool kernels = std::exchange(seen_, compute().writes()) != compute().writes();
         return std::exchange(host_wrote, false) || kernels ? used : 0;
     }
+
+    gl::Buffer gl_ = gl::Buffer::create();
+    std::unique_ptr<compute::Buffer> compute_; ///< made by the mode
 
   private:
     std::size_t size_;

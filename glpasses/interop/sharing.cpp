@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "gl_objects.hpp"
-#include "handover_error.hpp"
 #include "lineatlas/error.hpp"
 #include "shared_table.hpp"
 
@@ -57,8 +56,7 @@ std::string mode_names() {
 }
 
 Sharing::Sharing(compute::Device& device, SharingMode mode)
-    : device_(device), mode_(mode), objects_(objects_for(device, mode)),
-      external_(dynamic_cast<const ExternalObjects*>(objects_.get())) {}
+    : device_(device), mode_(mode), objects_(objects_for(device, mode)) {}
 
 void Sharing::to_compute(Shared& one) {
     if (!one.with_gl_) return;

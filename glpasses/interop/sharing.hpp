@@ -53,7 +53,9 @@ class Sharing {
     compute::Device& device() const { return device_; }
     SharingMode mode() const { return mode_; }
     /// What opens the memory of SharingMode::external_memory; null in other modes.
-    const ExternalObjects* external() const { return external_; }
+    const ExternalObjects* external() const {
+        return dynamic_cast<const ExternalObjects*>(objects_.get());
+    }
 
     /// GL gets commands: before it is done with them, compute may take nothing that it had.
     void gl_works() { gl_works_ = true; }
@@ -83,8 +85,7 @@ class Sharing {
     compute::Device& device_;
     SharingMode mode_;
     std::unique_ptr<OpenedObjects> objects_; ///< null where OpenCL opens nothing
-    const ExternalObjects* external_ = nullptr;
-    bool gl_works_ = true; ///< since the last glFinish
+    bool gl_works_ = true;                   ///< since the last glFinish
     Timer* timer_ = nullptr;
     std::vector<Shared*> going_;   ///< kept for their memory
     std::vector<_cl_mem*> opened_; ///< of them
