@@ -23,7 +23,7 @@ constexpr std::size_t room_behind = 4096;
 
 void check(VkResult result, const char* call) {
     if (result != VK_SUCCESS)
-        throw DeviceError(std::string{call} + " returned " + std::to_string(result));
+        throw DeviceError("Vulkan's " + std::string{call} + " returned " + std::to_string(result));
 }
 
 /// A struct of Vulkan's, empty but for what says which it is.
@@ -69,7 +69,7 @@ class Device final : public VulkanMemory {
         // Descriptors hold what is behind it.
         of_device<PFN_vkFreeMemory>("vkFreeMemory")(device_, memory, nullptr);
         if (!result.for_gl.is_open() || !result.for_compute.is_open())
-            throw DeviceError("vkGetMemoryFdKHR failed");
+            throw DeviceError("Vulkan's vkGetMemoryFdKHR failed");
         return result;
     }
 
