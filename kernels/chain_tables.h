@@ -33,9 +33,9 @@ typedef struct ChainPlace {
 
 #define LA_NO_SURFACE 0xFFFFFFFFu /* of a triangle that contours don't run through */
 
-/* Places of contours are lifted off the surface by so much of the edge's length times the angle
- * between its normals. An eighth is how far an arc rises over its chord. */
-#define LA_CONTOUR_LIFT 0.25f
+/* Places of contours are lifted off the surface by so much of how far corners of their triangle lie
+ * off its surface's tangents. A quarter is how far an arc rises over its chord. */
+#define LA_CONTOUR_LIFT 0.5f
 
 /* The triangles beside an edge that contours may cross, whatever surface they are of, as in
  * Segment. */

@@ -112,26 +112,36 @@ KERNEL(contour_facing, ContourParameters) {
                           to_float4(args.eye));
 }
 
+/* How far a triangle's corners lie off its surface's tangents at the others: four times what an arc
+ * rises over its chord, and more where normals are no arc's, as of rough triangles. */
+static float rise_of(const ContourCorner* own, const float3* at) {
+    float most = 0.0f;
+    for (uint k = 0; k < 3; ++k) {
+        const uint next = k == 2 ? 0 : k + 1;
+        const float3 way = at[next] - at[k];
+        most = fmax(most, fmax(fabs(dot_of(way, vload3(0, own[k].normal))),
+                               fabs(dot_of(way, vload3(0, own[next].normal)))));
+    }
+    return most;
+}
+
 /* Where a contour crosses the edge between two corners that differ in how they face the eye: the
  * place, and the same lifted. edge: a border's triangles; null: the surface goes on there. */
 static void put_places(const ContourCorner* from, const ContourCorner* to, const float at_a,
                        const float at_b, __global const ContourEdge* edge,
                        __global const uint* triangles, __global const uchar* front,
-                       const uint vertex, __global float* vertices) {
+                       const float lift, const uint vertex, __global float* vertices) {
     const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
     const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
     const float t = at_a / (at_a - at_b), s = 1.0f - t;
     const float3 way = b - a;
-    const float3 bend_a = normal_a * dot_of(way, normal_a),
-                 bend_b = normal_b * dot_of(way, normal_b);
+    const float rise_a = dot_of(way, normal_a), rise_b = dot_of(way, normal_b);
     float3 place = a + way * t;
     /* The cubic less the chord: its inner points are moved by a third of these. */
     if (edge == 0)
-        place += (bend_b * t - bend_a * s) * (s * t);
+        place += (normal_b * (rise_b * t) - normal_a * (rise_a * s)) * (s * t);
     else if (turns_away(edge, normal_a + normal_b, triangles, vertices, front))
         place = at_a >= 0.0f ? a : b;
-    const float3 turn = normal_b - normal_a;
-    const float lift = LA_CONTOUR_LIFT * sqrt(dot_of(way, way) * dot_of(turn, turn));
     const float3 normal = unit_of(normal_a * s + normal_b * t);
     vstore3(place, vertex, vertices);
     vstore3(place + normal * lift, vertex + 1, vertices);
@@ -179,6 +189,7 @@ KERNEL(contour_places, ContourParameters) {
         faces_eye[k] = facing[corner];
     }
     ContourCrossing crossing;
+    const float lift = LA_CONTOUR_LIFT * rise_of(own, at);
     crossing.underside = shows_back(at, faces_eye, to_float4(args.eye)) ? 1 : 0;
     for (uint k = 0; k < 3; ++k) {
         const uint next = k == 2 ? 0 : k + 1;
@@ -192,8 +203,8 @@ KERNEL(contour_places, ContourParameters) {
             vertex = args.first_vertex + 4 * other + (falls ? 2u : 0u);
         else
             put_places(own + k, own + next, faces_eye[k], faces_eye[next],
-                       across == LA_NO_FACE ? edges + face.edges[k] : 0, triangles, front, vertex,
-                       vertices);
+                       across == LA_NO_FACE ? edges + face.edges[k] : 0, triangles, front, lift,
+                       vertex, vertices);
         if (falls) {
             crossing.p = vertex;
             crossing.before = other;

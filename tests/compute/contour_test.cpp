@@ -138,7 +138,7 @@ TEST_P(ContourStage, CrossesTheArcWhereItTurnsAway) {
     EXPECT_NEAR(found.x, 0, fourth);
     EXPECT_NEAR(found.z, 0, 1e-6);
     const float chord = 2 * std::sin(half);
-    EXPECT_NEAR(glm::distance(lifted, found), LA_CONTOUR_LIFT * chord * chord, 1e-5);
+    EXPECT_NEAR(glm::distance(lifted, found), LA_CONTOUR_LIFT * 0.5 * chord * chord, 1e-5);
     EXPECT_GT(lifted.y, found.y);
     EXPECT_NEAR(all.vertices[6].y, 1, 2e-3); // runs aslant over the arc
     EXPECT_NEAR(all.vertices[6].x, 0, 1e-2);
