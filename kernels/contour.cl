@@ -18,10 +18,24 @@ static float dot_of(const float3 a, const float3 b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-/* How much a corner faces the eye: above 0 if it shows its front. */
+/* How much a corner faces the eye: above 0 if it shows its front. A tip does not say. */
+#define TIP_FACING 3.0e38f
 static float facing_of(const float3 at, const float3 normal, const float4 eye) {
+    if (dot_of(normal, normal) == 0.0f) return TIP_FACING;
     const float3 to_eye = xyz(eye) - at * eye.w;
     return dot_of(normal, to_eye) - LA_EDGE_ON * sqrt(dot_of(to_eye, to_eye));
+}
+
+/* How the corners of a triangle face the eye. A tip does as the next corner: what crosses the side
+ * across runs into the tip. Returns which corner is a tip, or 3. */
+static uint facing_at(__global const uint* own, __global const float* facing, float* faces_eye) {
+    uint tip = 3;
+    for (uint k = 0; k < 3; ++k) {
+        faces_eye[k] = facing[own[k]];
+        if (faces_eye[k] == TIP_FACING) tip = k;
+    }
+    if (tip < 3) faces_eye[tip] = faces_eye[tip == 2 ? 0 : tip + 1];
+    return tip;
 }
 
 static float3 unit_of(const float3 v) {
@@ -147,11 +161,22 @@ static void put_places(const ContourCorner* from, const ContourCorner* to, const
     vstore3(place + normal * lift, vertex + 1, vertices);
 }
 
+/* The tip that a contour runs into: it is not lifted, for it is the end. */
+static void put_tip(const ContourCorner* tip, const uint vertex, __global float* vertices) {
+    const float3 place = vload3(tip->vertex, vertices);
+    vstore3(place, vertex, vertices);
+    vstore3(place, vertex + 1, vertices);
+}
+
 /* Whether the surface turns its front away from the eye as it comes nearer along the triangle with
  * these corners, by how much they face the eye: then a contour is seen from the back, and of a
  * solid not at all (its radial curvature is negative: Koenderink 1984, "What does the occluding
- * contour tell us about solid shape?"). */
-static bool shows_back(const float3* at, const float* facing, const float4 eye) {
+ * contour tell us about solid shape?"). tip: which corner is one. */
+static bool shows_back(const float3* at, const float* corners, const uint tip, const float4 eye) {
+    float facing[3];
+    for (uint k = 0; k < 3; ++k) facing[k] = corners[k];
+    if (tip < 3) /* along the lines to a tip nothing changes */
+        facing[tip] = 0.5f * (corners[tip == 0 ? 2 : tip - 1] + corners[tip == 2 ? 0 : tip + 1]);
     const float3 u = at[1] - at[0], v = at[2] - at[0];
     const float3 to_eye = xyz(eye) - (at[0] + at[1] + at[2]) * (eye.w / 3.0f);
     const float uu = dot_of(u, u), uv = dot_of(u, v), vv = dot_of(v, v);
@@ -166,9 +191,10 @@ static bool shows_back(const float3* at, const float* facing, const float4 eye) 
 KERNEL(contour_cross, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
-    __global const uint* own = face_corners + 3 * i;
-    const uint fronts = (facing[own[0]] >= 0.0f ? 1u : 0u) + (facing[own[1]] >= 0.0f ? 1u : 0u) +
-                        (facing[own[2]] >= 0.0f ? 1u : 0u);
+    float own[3];
+    facing_at(face_corners + 3 * i, facing, own);
+    const uint fronts =
+        (own[0] >= 0.0f ? 1u : 0u) + (own[1] >= 0.0f ? 1u : 0u) + (own[2] >= 0.0f ? 1u : 0u);
     numbers[args.first_number + i] = fronts == 1 || fronts == 2 ? 1u : 0u;
 }
 
@@ -179,27 +205,29 @@ KERNEL(contour_places, ContourParameters) {
     if (n >= args.count || chosen[n] < args.contours) return;
     const uint i = chosen[n] - args.contours;
     const ContourFace face = faces[i];
+    float faces_eye[3];
+    const uint tip = facing_at(face_corners + 3 * i, facing, faces_eye);
     ContourCorner own[3];
     float3 at[3];
-    float faces_eye[3];
     for (uint k = 0; k < 3; ++k) {
-        const uint corner = face_corners[3 * i + k];
-        own[k] = corners[corner];
+        own[k] = corners[face_corners[3 * i + k]];
         at[k] = vload3(own[k].vertex, vertices);
-        faces_eye[k] = facing[corner];
     }
     ContourCrossing crossing;
     const float lift = LA_CONTOUR_LIFT * rise_of(own, at);
-    crossing.underside = shows_back(at, faces_eye, to_float4(args.eye)) ? 1 : 0;
+    crossing.underside = shows_back(at, faces_eye, tip, to_float4(args.eye)) ? 1 : 0;
     for (uint k = 0; k < 3; ++k) {
         const uint next = k == 2 ? 0 : k + 1;
         const bool falls = faces_eye[k] >= 0.0f; /* there it is p, beyond the edge q */
         if (falls == (faces_eye[next] >= 0.0f)) continue;
-        const uint across = face.across[k];
+        const bool at_tip = k == tip || next == tip;
+        const uint across = at_tip ? LA_NO_FACE : face.across[k];
         const uint other =
             across == LA_NO_FACE ? LA_NO_SILHOUETTE : numbers[args.first_number + across];
         uint vertex = args.first_vertex + 4 * n + (falls ? 0u : 2u);
-        if ((face.edges[k] & LA_CONTOUR_TURNED) != 0)
+        if (at_tip)
+            put_tip(own + tip, vertex, vertices);
+        else if ((face.edges[k] & LA_CONTOUR_TURNED) != 0)
             vertex = args.first_vertex + 4 * other + (falls ? 2u : 0u);
         else
             put_places(own + k, own + next, faces_eye[k], faces_eye[next],

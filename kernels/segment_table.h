@@ -31,7 +31,7 @@ typedef struct Segment {
 /** A corner of triangles of a smooth surface, which have it in common. */
 typedef struct ContourCorner {
     la_uint vertex;  /**< index into the vertex table */
-    float normal[3]; /**< of length 1 */
+    float normal[3]; /**< of length 1; 0 at a tip, as a cone has one */
 } ContourCorner;
 
 /* A segment after projection and clipping; written only where its sample count is above 0. */

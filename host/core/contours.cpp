@@ -20,7 +20,8 @@ constexpr double most_flat = 0.3;       ///< of a patch's faces: more than half 
 constexpr double least_altitude = 0.25; ///< of the longest edge, in the middle of all faces
 constexpr double least_steadiness = 1.0 / 3;
 constexpr double sharp_bend = 15 * degree;
-constexpr double most_sharp = 0.1; ///< of a patch's edges
+constexpr double most_sharp = 0.1;      ///< of a patch's edges
+constexpr double tip_agreement = 0.999; ///< of normals about a corner, by their mean's length
 
 /// A side of a triangle: from corner k to the next.
 struct Side {
@@ -147,18 +148,27 @@ class ContourFinder {
     }
 
     /// Normals of corners: the surface's own where the file has them, else those of the triangles
-    /// about them, by the angles that they have there.
+    /// about them, by the angles that they have there. A tip, about which the surface's own do not
+    /// agree, has none.
     void add_normals() {
         normals_.assign(corners_size(), glm::dvec3{0});
+        std::vector<double> known_angles(corners_size(), 0);
         for (std::uint32_t c = 0; c < corners_size(); ++c) {
             if (!is_smooth(c / 3)) continue;
             const std::uint32_t next = next_corner(c), last = next_corner(next);
-            normals_[corners_.find(c)] +=
+            const glm::dvec3 normal =
                 normal_by_angle(place(next) - place(c), place(last) - place(c), known_normal(c));
+            const std::uint32_t set = corners_.find(c);
+            normals_[set] += normal;
+            if (knows_normals(c / 3)) known_angles[set] += glm::length(normal);
         }
-        for (glm::dvec3& normal : normals_) {
+        for (std::uint32_t set = 0; set < corners_size(); ++set) {
+            glm::dvec3& normal = normals_[set];
             const double length = glm::length(normal);
-            if (length > 0) normal /= length;
+            if (length < tip_agreement * known_angles[set])
+                normal = glm::dvec3{0};
+            else if (length > 0)
+                normal /= length;
         }
     }
 

@@ -1,7 +1,9 @@
 #include "strips.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <set>
 #include <span>
 #include <unordered_map>
 
@@ -25,7 +27,11 @@ struct Own {
 
 class StripMaker {
   public:
-    StripMaker(const LineSet& lines, const Pieces& pieces) : lines_(lines), pieces_(pieces) {}
+    StripMaker(const LineSet& lines, const Pieces& pieces) : lines_(lines), pieces_(pieces) {
+        for (const ContourCorner& corner : lines.contours.corners)
+            if (std::ranges::all_of(corner.normal, [](float x) { return x == 0; }))
+                tips_.insert(as_array(lines.vertices[corner.vertex]));
+    }
 
     std::vector<Strip> make() {
         collect_segments();
@@ -87,9 +93,9 @@ class StripMaker {
             silhouettes.push_back(i);
             const bool contour = is_contour(lines_, pieces_.list[owns_[i].first].segment);
             const ScreenSegment& seen = screen(i);
-            edges_.push_back({.p = contour ? node(node_of_end_, seen.end_p, seen.p)
+            edges_.push_back({.p = contour ? contour_node(seen.end_p, seen.p)
                                            : node(node_of_vertex_, segment(i).p, seen.p),
-                              .q = contour ? node(node_of_end_, seen.end_q, seen.q)
+                              .q = contour ? contour_node(seen.end_q, seen.q)
                                            : node(node_of_vertex_, segment(i).q, seen.q),
                               .kind = LA_KIND_SILHOUETTE});
         }
@@ -106,15 +112,24 @@ class StripMaker {
 
     using Nodes = std::unordered_map<std::uint64_t, std::uint32_t>;
 
+    std::uint32_t add_node(const VectorPoint& point) {
+        nodes_.emplace_back(static_cast<float>(point.at.x), static_cast<float>(point.at.y), 0.0F);
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
+
     std::uint32_t node(Nodes& nodes, std::uint64_t name, const VectorPoint& point) {
-        const auto fresh = static_cast<std::uint32_t>(nodes_.size());
-        const auto [known, is_new] = nodes.emplace(name, fresh);
-        if (is_new) {
-            nodes_.emplace_back(static_cast<float>(point.at.x), static_cast<float>(point.at.y),
-                                0.0F);
-        }
+        const auto [known, is_new] = nodes.emplace(name, 0);
+        if (is_new) known->second = add_node(point);
         return known->second;
     }
+
+    /// At a tip each contour ends.
+    std::uint32_t contour_node(std::uint64_t name, const VectorPoint& point) {
+        return tips_.contains(as_array(glm::vec3{point.world})) ? add_node(point)
+                                                                : node(node_of_end_, name, point);
+    }
+
+    static std::array<float, 3> as_array(glm::vec3 at) { return {at.x, at.y, at.z}; }
 
     /// Until it is finished, a step's segment is an index into `owns_`.
     void add_step(Strip& strip, std::uint32_t own, bool reversed) const {
@@ -192,6 +207,7 @@ class StripMaker {
     std::vector<ChainEdge> edges_;
     std::vector<glm::vec3> nodes_;
     Nodes node_of_vertex_, node_of_end_;
+    std::set<std::array<float, 3>> tips_; ///< their places
 };
 
 } // namespace

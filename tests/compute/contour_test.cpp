@@ -186,6 +186,40 @@ TEST_P(ContourStage, EndsWhereTheLineOfABorderDoes) {
     EXPECT_NEAR(place({0, 1}, true).y, height, 1e-6);
 }
 
+TEST_P(ContourStage, EndsAtATip) {
+    // A cone of half a right angle around z, whose tip has no normal: two triangles from the rim to
+    // it, of which the eye at +x sees one on either side of its outline, and one beside.
+    const auto on_rim = [](std::uint32_t vertex, float angle) {
+        const float slant = std::sqrt(0.5F);
+        return ContourCorner{vertex, {slant * std::cos(angle), slant * std::sin(angle), slant}};
+    };
+    const std::array<float, 3> angle{1.4F, 1.7F, 2.0F};
+    ContourModel model{.vertices = {{0, 0, 1}},
+                       .triangles = {{1, 2, 0}, {2, 3, 0}},
+                       .corners = {{0, {0, 0, 0}}},
+                       .edges = {{0, LA_NO_FACE}, {0, 1}, {0, 1}, {1, LA_NO_FACE}, {1, 1}},
+                       .face_corners = {{1, 2, 0}, {2, 3, 0}},
+                       .faces = {{{0, 1, 2}, {LA_NO_FACE, 1, LA_NO_FACE}},
+                                 {{3, 4, 1 | LA_CONTOUR_TURNED}, {LA_NO_FACE, LA_NO_FACE, 0}}}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        model.vertices.push_back({std::cos(angle[i]), std::sin(angle[i]), 0});
+        model.corners.push_back(on_rim(i + 1, angle[i]));
+    }
+    const FoundContour found = find_contour(model, {1, 0, 0, 0}, {1, 1});
+    EXPECT_EQ(found.is_crossed, (std::vector<std::uint32_t>{1, 0}));
+    ASSERT_EQ(found.crossings.size(), 1U);
+    const compute::ContourCrossing& crossing = found.crossings[0];
+    EXPECT_EQ(crossing.before, LA_NO_SILHOUETTE);
+    EXPECT_EQ(crossing.after, LA_NO_SILHOUETTE);
+    const std::uint32_t own = 4;
+    // It runs from the rim to the tip, which is no higher where it is lifted, or the other way.
+    const std::uint32_t at_tip = crossing.underside != 0 ? crossing.p : crossing.q;
+    const std::uint32_t at_rim = crossing.p + crossing.q - at_tip;
+    EXPECT_EQ(found.vertices.at(at_tip - own), model.vertices[0]);
+    EXPECT_EQ(found.vertices.at(at_tip - own + 1), model.vertices[0]);
+    EXPECT_NEAR(found.vertices.at(at_rim - own).x, 0, 1e-3);
+}
+
 TEST_P(ContourStage, LeavesOutWhatIsSeenWhole) {
     const FoundContour found =
         find_contour({.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},

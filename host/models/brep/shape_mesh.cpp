@@ -135,14 +135,12 @@ class Stitcher {
     /// Normals of the face at the corners of a triangle.
     static std::array<glm::dvec3, 3>
     normals_of(const Geom_Surface& surface, const std::array<gp_Pnt2d, 3>& corners, double sign) {
-        const gp_XY middle = (corners[0].XY() + corners[1].XY() + corners[2].XY()) / 3;
         std::array<glm::dvec3, 3> normals{};
         for (std::size_t i = 0; i < 3; ++i) {
-            // Where parameters meet, what is right is what the surface has beside it, on this side.
-            constexpr double beside = 1e-3;
             std::optional<gp_Vec> normal = normal_of(surface, corners[i]);
             if (!normal)
-                normal = normal_of(surface, corners[i].XY() * (1 - beside) + middle * beside);
+                normal = normal_beside(surface, corners[i],
+                                       (corners[(i + 1) % 3].XY() + corners[(i + 2) % 3].XY()) / 2);
             if (normal) normals[i] = sign * glm::dvec3{normal->X(), normal->Y(), normal->Z()};
         }
         return normals;

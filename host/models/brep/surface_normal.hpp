@@ -12,4 +12,9 @@ namespace lineatlas::brep {
 /// tip of a cone, or where its parameters meet, as at the pole of a sphere.
 std::optional<gp_Vec> normal_of(const Geom_Surface& surface, const gp_Pnt2d& at);
 
+/// The same where parameters meet in one point, as at a pole or a tip, on the side of `towards`,
+/// which is a place beside it.
+std::optional<gp_Vec> normal_beside(const Geom_Surface& surface, const gp_Pnt2d& at,
+                                    const gp_Pnt2d& towards);
+
 } // namespace lineatlas::brep
