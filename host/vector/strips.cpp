@@ -177,26 +177,33 @@ class StripMaker {
         return open ? LA_END_PATH : LA_END_CLIPPED;
     }
 
-    /// Also joins neighbours that are both visible, or both hidden.
     static void drop_flickers(Strip& strip) {
-        std::vector<Stroke> kept;
+        join_neighbours(strip);
+        std::erase_if(strip.strokes, [](const Stroke& one) { return one.length() < shortest; });
+        join_neighbours(strip);
+    }
+
+    /// Those that are both visible, or both hidden.
+    static void join_neighbours(Strip& strip) {
+        std::vector<Stroke> joined;
         for (const Stroke& stroke : strip.strokes) {
-            if (stroke.length() < shortest) continue;
-            const bool goes_on = !kept.empty() && kept.back().visible == stroke.visible &&
-                                 stroke.from - kept.back().to < same_place;
+            const bool goes_on = !joined.empty() && joined.back().visible == stroke.visible &&
+                                 stroke.from - joined.back().to < same_place;
             if (goes_on) {
-                extend(kept.back(), stroke);
+                extend(joined.back(), stroke);
             } else {
-                kept.push_back(stroke);
+                joined.push_back(stroke);
             }
         }
-        strip.strokes = std::move(kept);
+        strip.strokes = std::move(joined);
     }
 
     static void extend(Stroke& stroke, const Stroke& next) {
         const auto length = static_cast<float>(stroke.length());
         const auto next_length = static_cast<float>(next.length());
-        stroke.alpha = (stroke.alpha * length + next.alpha * next_length) / (length + next_length);
+        if (length + next_length > 0)
+            stroke.alpha =
+                (stroke.alpha * length + next.alpha * next_length) / (length + next_length);
         stroke.to = next.to;
         stroke.end_kind = next.end_kind;
     }
