@@ -92,7 +92,8 @@ class ContourFinder {
             if (end - side == 2) {
                 if (in_.bends[i] < flat_bend)
                     for (auto one = side; one != end; ++one) is_flat_[one->corner / 3] = true;
-                if (is_within(i) && vertex(side[0].corner) != vertex(side[1].corner))
+                if (is_within(i) && vertex(side[0].corner) != vertex(side[1].corner) &&
+                    knows_normals(side[0].corner / 3) == knows_normals(side[1].corner / 3))
                     join(i, side[0].corner, side[1].corner);
             }
             side = end;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Polygon3D.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -41,6 +42,20 @@ glm::dvec3 point_of(const gp_Pnt& point, const TopLoc_Location& location) {
     const gp_Pnt moved =
         location.IsIdentity() ? point : point.Transformed(location.Transformation());
     return {moved.X(), moved.Y(), moved.Z()};
+}
+
+/// Whether a surface may bend in kinks, as only those do that are made of curves.
+bool may_have_kinks(const Handle(Geom_Surface) & surface) {
+    switch (GeomAdaptor_Surface(surface).GetType()) {
+    case GeomAbs_Plane:
+    case GeomAbs_Cylinder:
+    case GeomAbs_Cone:
+    case GeomAbs_Sphere:
+    case GeomAbs_Torus:
+        return false;
+    default:
+        return true;
+    }
 }
 
 /// Takes the triangulations of faces together along the edges that they share.
@@ -168,6 +183,7 @@ class Stitcher {
                        const std::vector<std::uint32_t>& positions, const TopoDS_Face& face) {
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
         const bool has_normals = !surface.IsNull() && triangulation.HasUVNodes();
+        const bool may_kink = has_normals && may_have_kinks(surface);
         bool has_kinks = false; // then normals between corners say nothing of the surface there
         const std::size_t first = mesh_.normals.size();
         const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
@@ -191,8 +207,8 @@ class Stitcher {
                 *surface,
                 {triangulation.UVNode(a), triangulation.UVNode(b), triangulation.UVNode(c)},
                 reversed ? -1 : 1);
-            has_kinks =
-                has_kinks || !lies_along(corners, mesh_.normals.back(), triangulation.Deflection());
+            if (may_kink && !lies_along(corners, mesh_.normals.back(), triangulation.Deflection()))
+                has_kinks = true;
         }
         has_kinks_ = has_kinks_ || has_kinks;
         if (has_kinks)
