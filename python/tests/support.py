@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -40,6 +41,17 @@ def png_rows(path: pathlib.Path) -> bytes:
         rows += body if kind == b"IDAT" else b""
         at += length + 12
     return header + zlib.decompress(rows)
+
+
+def inflated(pdf: bytes) -> bytes:
+    """A PDF and what its compressed streams hold: newer versions of cairo write objects there."""
+    text = pdf
+    for part in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", pdf, re.S):
+        try:
+            text += zlib.decompress(part)
+        except zlib.error:
+            pass
+    return text
 
 
 def run_tool(*words: object) -> None:
