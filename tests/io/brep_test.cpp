@@ -358,7 +358,7 @@ TEST_F(Brep, AssembliesKeepNamesPlacesAndColours) {
 
 TEST_F(Brep, InchesBecomeMillimetres) {
     const std::string step =
-        to_step({{"box", BRepPrimAPI_MakeBox(25.4, 50.8, 1).Shape(), {gp_Trsf{}}}}, "INCH");
+        in_inches(to_step({{"box", BRepPrimAPI_MakeBox(1, 2, 0.5).Shape(), {gp_Trsf{}}}}));
     const LoadedMesh loaded = load("a.step", step);
     EXPECT_NEAR(bounds_of(loaded.mesh).max.y, 50.8, 1e-4);
     ASSERT_EQ(loaded.notes.size(), 1U);

@@ -63,9 +63,8 @@ Handle(TDocStd_Document) document_of(const std::vector<NamedShape>& shapes) {
 
 } // namespace
 
-std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
+std::string to_step(const std::vector<NamedShape>& shapes) {
     STEPCAFControl_Controller::Init();
-    Interface_Static::SetCVal("write.step.unit", unit);
     const Handle(TDocStd_Document) document = document_of(shapes);
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
@@ -80,6 +79,24 @@ std::string to_step(const std::vector<NamedShape>& shapes, const char* unit) {
     step.SendModel(StepAP214::Protocol());
     step.Print(text);
     return text.str();
+}
+
+std::string in_inches(std::string step) {
+    const std::string millimetre = "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )";
+    const std::string inch =
+        "( CONVERSION_BASED_UNIT('INCH',#900001) LENGTH_UNIT() NAMED_UNIT(#900002) )";
+    std::size_t count = 0; // each shape has its own
+    for (std::size_t at = 0; (at = step.find(millimetre, at)) != std::string::npos; ++count)
+        step.replace(at, millimetre.size(), inch);
+    const std::string begin = "DATA;\n";
+    const std::size_t data = step.find(begin);
+    if (count == 0 || data == std::string::npos)
+        throw std::runtime_error("Open CASCADE writes STEP otherwise");
+    step.insert(data + begin.size(),
+                "#900001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#900003);\n"
+                "#900002 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n#900003 = " +
+                    millimetre + ";\n");
+    return step;
 }
 
 std::string to_iges(const std::vector<NamedShape>& shapes, bool solids, const char* unit) {

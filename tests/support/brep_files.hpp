@@ -16,8 +16,11 @@ struct NamedShape {
     double red = 0, green = 0, blue = 0; ///< as on the screen
 };
 
-/// An assembly as a STEP file, written by Open CASCADE in `unit` ("MM", "INCH") from millimetres.
-std::string to_step(const std::vector<NamedShape>& shapes, const char* unit = "MM");
+/// An assembly as a STEP file, written by Open CASCADE.
+std::string to_step(const std::vector<NamedShape>& shapes);
+
+/// The same file, whose lengths are inches. (Open CASCADE has had several ways to write these.)
+std::string in_inches(std::string step);
 
 /// The same as an IGES file, of surfaces that share no edges (`solids` false) or of solids.
 std::string to_iges(const std::vector<NamedShape>& shapes, bool solids, const char* unit = "MM");
