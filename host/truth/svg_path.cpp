@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace lineatlas {
 namespace {
@@ -52,21 +53,32 @@ class PathParser {
         here_ = to;
     }
 
-    /// To `to` by part of a circle, in chords of 6 degrees at most, off by a thousandth of its
-    /// radius. Ellipses are not ours.
+    /// To `to` by part of an ellipse, in chords of 6 degrees of the circle that it is made of, off
+    /// by a thousandth of its longer radius (SVG 1.1 appendix F.6).
     bool arc_to(glm::dvec2 base) {
         glm::dvec2 radii{0}, to{0};
         double turned = 0, large = 0, sweep = 0;
         for (double* value : {&radii.x, &radii.y, &turned, &large, &sweep, &to.x, &to.y})
             if (!number(*value)) return false;
-        if (radii.x != radii.y || !(radii.x > 0)) return false;
+        if (!(radii.x > 0) || !(radii.y > 0)) return false;
         to += base;
-        const glm::dvec2 from = here_;
-        const glm::dvec2 half = 0.5 * (to - from);
+        const double angle_of_axis = glm::radians(turned);
+        const glm::dvec2 axis{std::cos(angle_of_axis), std::sin(angle_of_axis)};
+        // Where the ellipse is a circle of radius 1 about some place.
+        const auto unrolled = [&](glm::dvec2 at) {
+            return glm::dvec2{glm::dot(at, axis), axis.x * at.y - axis.y * at.x} / radii;
+        };
+        const auto rolled = [&](glm::dvec2 at) {
+            const glm::dvec2 along = at * radii;
+            return glm::dvec2{along.x * axis.x - along.y * axis.y,
+                              along.x * axis.y + along.y * axis.x};
+        };
+        const glm::dvec2 from = unrolled(here_), end = unrolled(to);
+        const glm::dvec2 half = 0.5 * (end - from);
         const double squared = glm::dot(half, half);
         if (squared == 0) return true;
-        // A radius that is too small to reach grows until it does.
-        const double height = std::sqrt(std::max(0.0, radii.x * radii.x - squared));
+        // Radii that are too small to reach grow until they do.
+        const double height = std::sqrt(std::max(0.0, 1 - squared));
         const glm::dvec2 across = glm::dvec2{-half.y, half.x} / std::sqrt(squared);
         const double side = (large != 0) == (sweep != 0) ? -1 : 1;
         const glm::dvec2 center = from + half + side * height * across;
@@ -74,14 +86,14 @@ class PathParser {
             return std::atan2(at.y - center.y, at.x - center.x);
         };
         constexpr double turn = 2 * std::numbers::pi;
-        double angles = angle(to) - angle(from);
+        double angles = angle(end) - angle(from);
         if (sweep != 0 && angles < 0) angles += turn;
         if (sweep == 0 && angles > 0) angles -= turn;
         const int chords = static_cast<int>(std::ceil(std::abs(angles) / (turn / 64)));
         const double radius = glm::length(from - center);
         for (int i = 1; i < chords; ++i) {
             const double at = angle(from) + angles * i / chords;
-            line_to(center + radius * glm::dvec2{std::cos(at), std::sin(at)});
+            line_to(rolled(center + radius * glm::dvec2{std::cos(at), std::sin(at)}));
         }
         line_to(to);
         return true;
