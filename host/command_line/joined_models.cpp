@@ -121,7 +121,7 @@ class Joining {
             mesh.polyline_object.push_back(object + objects);
         loaded.mesh.polyline_kind.resize(loaded.mesh.polylines.size(), PolylineKind::file);
         append(mesh.polyline_kind, loaded.mesh.polyline_kind);
-        add_edges(loaded.mesh.known_edges, corners);
+        add_edges(model, corners);
     }
 
     LoadedMesh take() { return std::move(result_); }
@@ -131,6 +131,11 @@ class Joining {
         return loaded.unit && result_.unit ? *loaded.unit / *result_.unit : 1;
     }
 
+    /// What is added to its positions, once scaled.
+    glm::dvec3 moved(const LoadedMesh& loaded) const {
+        return scale_of(loaded) * loaded.origin - result_.origin;
+    }
+
     void add_positions(const NamedModel& model) {
         std::vector<glm::vec3>& positions = result_.mesh.positions;
         first_position_ = positions.size();
@@ -138,9 +143,8 @@ class Joining {
         if (scale != 1)
             result_.notes.push_back(fmt::format(
                 "{} has another unit of length: it is scaled by {:g}", model.name, scale));
-        const glm::dvec3 moved = scale * model.loaded.origin - result_.origin;
         for (const glm::vec3 p : model.loaded.mesh.positions)
-            positions.emplace_back(scale * glm::dvec3{p} + moved);
+            positions.emplace_back(scale * glm::dvec3{p} + moved(model.loaded));
     }
 
     /// Before the triangles: of what has none they are zero.
@@ -178,15 +182,27 @@ class Joining {
         }
     }
 
-    void add_edges(const std::vector<KnownEdge>& edges, std::uint32_t corners) {
+    void add_edges(const NamedModel& model, std::uint32_t corners) {
         const std::uint32_t first = edges_;
-        for (KnownEdge edge : edges) {
+        for (KnownEdge edge : model.loaded.mesh.known_edges) {
             edge.from += corners;
             edge.to += corners;
             edge.edge += first;
             edges_ = std::max(edges_, edge.edge + 1);
             result_.mesh.known_edges.push_back(edge);
         }
+        const std::vector<std::optional<EdgeCurve>>& curves = model.loaded.mesh.edge_curves;
+        if (curves.empty()) return;
+        result_.mesh.edge_curves.resize(first);
+        const double scale = scale_of(model.loaded);
+        for (std::optional<EdgeCurve> curve : curves) {
+            if (curve)
+                curve = EdgeCurve{.center = scale * curve->center + moved(model.loaded),
+                                  .u = scale * curve->u,
+                                  .v = scale * curve->v};
+            result_.mesh.edge_curves.push_back(curve);
+        }
+        edges_ = std::max(edges_, static_cast<std::uint32_t>(result_.mesh.edge_curves.size()));
     }
 
     LoadedMesh result_;

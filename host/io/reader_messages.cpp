@@ -27,6 +27,11 @@ void send(ReaderOutput& output, const Mesh& mesh) {
     output.values(mesh.triangle_object);
     output.values(mesh.polyline_object);
     output.values(mesh.known_edges);
+    output.value(std::uint64_t{mesh.edge_curves.size()});
+    for (const std::optional<EdgeCurve>& curve : mesh.edge_curves) {
+        output.value(curve.has_value());
+        if (curve) output.value(*curve);
+    }
     output.values(mesh.corner_normals);
     output.value(mesh.precision);
 }
@@ -57,6 +62,10 @@ Mesh receive_mesh(ReaderProcess& process) {
     mesh.triangle_object = process.values<std::uint32_t>();
     mesh.polyline_object = process.values<std::uint32_t>();
     mesh.known_edges = process.values<KnownEdge>();
+    mesh.edge_curves = process.list([&]() -> std::optional<EdgeCurve> {
+        if (process.value<std::uint8_t>() == 0) return std::nullopt;
+        return process.value<EdgeCurve>();
+    });
     mesh.corner_normals = process.values<glm::vec3>();
     mesh.precision = process.value<float>();
     return mesh;

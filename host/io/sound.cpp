@@ -73,6 +73,9 @@ bool is_sound(const Mesh& mesh) {
     const auto is_edge = [&](const KnownEdge& edge) {
         return is_vertex(edge.from) && is_vertex(edge.to) && edge.kind <= KnownEdge::Kind::free;
     };
+    const auto is_curve = [](const std::optional<EdgeCurve>& curve) {
+        return !curve || (is_finite(curve->center) && is_finite(curve->u) && is_finite(curve->v));
+    };
     const auto has_color = [](const MeshGroup& group) {
         return !group.color || is_color(*group.color);
     };
@@ -80,6 +83,7 @@ bool is_sound(const Mesh& mesh) {
            std::ranges::all_of(mesh.triangles, is_triangle) &&
            std::ranges::all_of(mesh.polylines, is_line) &&
            std::ranges::all_of(mesh.known_edges, is_edge) &&
+           std::ranges::all_of(mesh.edge_curves, is_curve) &&
            std::ranges::all_of(mesh.groups, has_color) &&
            are_numbers(mesh.triangle_group, mesh.triangles.size(), mesh.groups.size()) &&
            (mesh.corner_normals.empty() ||

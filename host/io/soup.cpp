@@ -217,6 +217,9 @@ LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
     refuse_if_most_are_bad(counts, path);
     const std::size_t lost_lines = keep_polylines(soup, moved, mesh);
     keep_known_edges(soup, moved, mesh);
+    mesh.edge_curves = std::move(soup.edge_curves);
+    for (std::optional<EdgeCurve>& curve : mesh.edge_curves)
+        if (curve) curve->center -= origin;
     loaded.format = std::move(soup.format);
     loaded.up = soup.up;
     loaded.unit = soup.unit;

@@ -25,6 +25,7 @@ struct Soup {
     std::vector<std::uint32_t> face_object{};     ///< per face, or empty
     std::vector<std::uint32_t> polyline_object{}; ///< per polyline, or empty
     std::vector<KnownEdge> known_edges{};
+    std::vector<std::optional<EdgeCurve>> edge_curves{}; ///< as Mesh::edge_curves
     std::vector<glm::vec3>
         corner_normals{}; ///< three per face, all of which are triangles; or empty
     std::vector<ModelPart> parts{};

@@ -48,6 +48,7 @@ class PlaneCutter {
         }
         for (std::size_t i = 0; i < mesh_.polylines.size(); ++i) clip_polyline(i);
         for (const KnownEdge& edge : mesh_.known_edges) clip_known_edge(edge);
+        cut_.mesh.edge_curves = mesh_.edge_curves;
         cut_.misses = !any_below || !any_above;
         return std::move(cut_);
     }

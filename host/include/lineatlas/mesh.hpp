@@ -40,6 +40,13 @@ struct KnownEdge {
     std::uint32_t edge = 0;  ///< number of the file's own edge, of which this is a piece
 };
 
+/// The circle or ellipse that an edge of a file runs along: center + cos(t) u + sin(t) v.
+struct EdgeCurve {
+    glm::dvec3 center{0}; ///< in model units
+    glm::dvec3 u{0};      ///< half an axis
+    glm::dvec3 v{0};      ///< half the other, at right angles; of a circle as long as `u`
+};
+
 /// What a polyline of a mesh is.
 enum class PolylineKind : std::uint8_t {
     file,     ///< a line that the file has, or the program's own
@@ -66,6 +73,9 @@ struct Mesh {
     /// triangles do not: those within a curved face are the tessellation's own. Where all of them
     /// are KnownEdge::Kind::marked, angles decide of all others.
     std::vector<KnownEdge> known_edges{};
+    /// Per number of a file's edge (KnownEdge::edge) its curve, or nothing where it is none of
+    /// these. It may end before the last number. Paths leave as such (SvgOptions::curves).
+    std::vector<std::optional<EdgeCurve>> edge_curves{};
     /// What each polyline is. Empty: all are PolylineKind::file.
     std::vector<PolylineKind> polyline_kind{};
     /// Normals of the surface itself at the corners of triangles, three unit vectors to a triangle,

@@ -36,6 +36,19 @@ glm::vec3 turned(const glm::dvec3& normal, const gp_Trsf& transform) {
     return {moved.X(), moved.Y(), moved.Z()};
 }
 
+std::optional<EdgeCurve> placed(const std::optional<EdgeCurve>& curve, const gp_Trsf& transform) {
+    if (!curve) return std::nullopt;
+    const auto vector = [&](const glm::dvec3& v) {
+        const gp_Vec moved = gp_Vec(v.x, v.y, v.z).Transformed(transform);
+        return glm::dvec3{moved.X(), moved.Y(), moved.Z()};
+    };
+    const gp_Pnt center =
+        gp_Pnt(curve->center.x, curve->center.y, curve->center.z).Transformed(transform);
+    return EdgeCurve{.center = {center.X(), center.Y(), center.Z()},
+                     .u = vector(curve->u),
+                     .v = vector(curve->v)};
+}
+
 class Placement {
   public:
     Placement(Assembly&& assembly, const Drawn& drawn) : assembly_(std::move(assembly)) {
@@ -127,6 +140,8 @@ class Placement {
             soup_.known_edges.push_back(
                 {first + edge.from, first + edge.to, edge.kind, edges_ + edge.edge});
         edges_ += mesh.edge_count;
+        for (const std::optional<EdgeCurve>& curve : mesh.edge_curves)
+            soup_.edge_curves.push_back(placed(curve, transform));
         for (const std::vector<std::uint32_t>& line : mesh.lines) {
             soup_.polylines.push_back(line);
             for (std::uint32_t& point : soup_.polylines.back()) point += first;

@@ -28,6 +28,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "edge_curve.hpp"
 #include "edge_kind.hpp"
 #include "surface_normal.hpp"
 #include "triangulate.hpp"
@@ -225,6 +226,7 @@ class Stitcher {
             points_of_edge_[static_cast<std::size_t>(index - 1)];
         if (!kind) return;
         const std::uint32_t number = mesh_.edge_count++;
+        mesh_.edge_curves.push_back(curve_of(edge));
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
             mesh_.edges.push_back({points[i], points[i + 1], *kind, number});
     }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <TopoDS_Shape.hxx>
@@ -28,8 +29,9 @@ struct ShapeMesh {
     std::vector<TopoDS_Shape> faces;
     std::vector<KnownEdge> edges; ///< KnownEdge::edge counts from 0
     std::uint32_t edge_count = 0;
-    std::vector<std::vector<std::uint32_t>> lines; ///< edges of no face
-    std::size_t failed_faces = 0;                  ///< that could not be meshed
+    std::vector<std::optional<EdgeCurve>> edge_curves; ///< per number of an edge
+    std::vector<std::vector<std::uint32_t>> lines;     ///< edges of no face
+    std::size_t failed_faces = 0;                      ///< that could not be meshed
 };
 
 /// Of the shape without its own location. Throws what Open CASCADE throws.

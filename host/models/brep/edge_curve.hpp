@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include <TopoDS_Edge.hxx>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas::brep {
+
+/// The circle or ellipse that an edge is a part of; nothing where it is none.
+std::optional<EdgeCurve> curve_of(const TopoDS_Edge& edge);
+
+} // namespace lineatlas::brep
