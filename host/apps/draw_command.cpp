@@ -195,12 +195,11 @@ void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* 
     if (paths.certify()) {
         certifier.emplace(subject.mesh, subject.lines, crease_angle(drawing.arguments));
     }
-    VectorFrame frame{
-        .style = drawing.options.style,
-        .paths = {.mesh = paths.tags() ? &subject.mesh : nullptr, .plotter = paths.plotter()},
-        .svg = svg,
-        .json = {.tags = paths.tags(), .description = {}, .origin = subject.origin},
-        .description = drawing.description};
+    VectorFrame frame{.style = drawing.options.style,
+                      .paths = {.mesh = &subject.mesh, .plotter = paths.plotter()},
+                      .svg = svg,
+                      .json = {.tags = paths.tags(), .description = {}, .origin = subject.origin},
+                      .description = drawing.description};
     if (certifier) {
         frame.certify = [&](const auto& drawn, const auto& camera, const auto& path) {
             return certifier->check(drawn, camera, path);

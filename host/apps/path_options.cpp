@@ -17,9 +17,9 @@
 namespace lineatlas::apps {
 namespace {
 
-constexpr const char* own_options[] = {"--units",   "--page",    "--margin", "--fit-arcs",
-                                       "--plotter", "--no-tags", "--certify"};
-constexpr const char* of_paper[] = {"--units", "--page", "--margin", "--fit-arcs"};
+constexpr const char* own_options[] = {"--units",    "--page",    "--margin",  "--curves",
+                                       "--fit-arcs", "--plotter", "--no-tags", "--certify"};
+constexpr const char* of_paper[] = {"--units", "--page", "--margin", "--curves", "--fit-arcs"};
 constexpr const char* not_in_millimetres[] = {"--units", "--no-tags"};
 constexpr const char* only_for_pixels[] = {"--bits", "--dpi"};
 
@@ -40,8 +40,14 @@ void PathOptions::declare(CLI::App& app) {
     app.add_option("--margin", margin_, "Space around the picture on paper, e.g. 10mm")
         ->capture_default_str()
         ->group(group);
+    app.add_option("--curves", curves_,
+                   "Edges that STEP, IGES and BREP files know to be round: as arcs of circles and "
+                   "ellipses (auto) or as chords (none)")
+        ->check(CLI::IsMember({"auto", "none"}))
+        ->capture_default_str()
+        ->group(group);
     app.add_flag("--fit-arcs", fit_arcs_,
-                 "Write what is round within 0.02 pixels as circles and arcs")
+                 "Write of other lines, too, what is round within 0.02 pixels as circles and arcs")
         ->group(group);
     app.add_flag("--plotter", plotter_, "Order and join paths for the least travel of a pen")
         ->group(group);
@@ -90,6 +96,7 @@ SvgOptions PathOptions::svg() const {
     if (!units_.empty()) options.units = parse_unit(units_);
     options.margin = parse_length(margin_, options.units);
     options.tags = tags();
+    options.curves = curves_ != "none";
     options.fit_arcs = fit_arcs_;
     return options;
 }

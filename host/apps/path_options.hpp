@@ -10,7 +10,7 @@
 
 namespace lineatlas::apps {
 
-/// --units, --page, --margin, --fit-arcs, --plotter, --no-tags and --certify.
+/// --units, --page, --margin, --curves, --fit-arcs, --plotter, --no-tags and --certify.
 class PathOptions {
   public:
     void declare(CLI::App& app);
@@ -27,7 +27,7 @@ class PathOptions {
 
   private:
     CLI::App* app_ = nullptr;
-    std::string units_, page_, margin_ = "0";
+    std::string units_, page_, margin_ = "0", curves_ = "auto";
     bool fit_arcs_ = false, plotter_ = false, no_tags_ = false, certify_ = false;
 };
 

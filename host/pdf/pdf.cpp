@@ -46,11 +46,12 @@ pdf::Way way_of(const Outline& outline) {
     const std::size_t steps = points.size() - (outline.closed ? 0 : 1);
     for (std::size_t i = 0; i < steps; ++i) {
         const glm::dvec2 to = points[(i + 1) % points.size()].at;
-        if (points[i].bulge != 0) {
-            const Arc arc = arc_between(points[i], to);
+        if (!points[i].is_straight()) {
+            const VectorArc arc = arc_between(points[i], to);
             way.steps.push_back({.arc = true,
                                  .center = arc.center,
-                                 .radius = arc.radius,
+                                 .major = arc.major,
+                                 .ratio = arc.ratio,
                                  .from = arc.from,
                                  .sweep = arc.sweep});
         } else if (i + 1 < points.size()) { // closing draws the last one
@@ -60,7 +61,7 @@ pdf::Way way_of(const Outline& outline) {
     return way;
 }
 
-pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, bool fit_arcs) {
+pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, const ArcChoice& arcs) {
     const PenStroke stroke = pen_stroke(group.pen, sheet);
     pdf::Strokes strokes{.color = stroke.color,
                          .opacity = stroke.opacity,
@@ -72,7 +73,7 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, bool fit_arc
                          .ways = {}};
     if (stroke.dashes) strokes.dashes = {stroke.dashes->dash, stroke.dashes->gap};
     for (const VectorPath& path : group.paths)
-        strokes.ways.push_back(way_of(outline_of(path, sheet, fit_arcs)));
+        strokes.ways.push_back(way_of(outline_of(path, sheet, arcs)));
     return strokes;
 }
 
@@ -94,7 +95,7 @@ std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options) {
     if (options.background && drawing.style.paper.color != glm::vec3{1})
         page.background = drawing.style.paper.color;
     for (const LineGroup& group : line_groups(drawing))
-        page.strokes.push_back(strokes_of(group, sheet, options.fit_arcs));
+        page.strokes.push_back(strokes_of(group, sheet, {options.curves, options.fit_arcs}));
     const pdf::Module& module = pdf_module();
     try {
         return module.write(page);

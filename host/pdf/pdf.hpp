@@ -10,7 +10,8 @@ struct PdfOptions {
     std::optional<Page> page{};
     Length margin{};                    ///< around the picture, on all four sides
     bool background = true;             ///< the paper's colour, unless it is white
-    bool fit_arcs = false;              ///< circles and arcs leave as such (docs/vector.md)
+    bool curves = true;                 ///< as in SvgOptions
+    bool fit_arcs = false;              ///< as in SvgOptions
     std::string title = "Line drawing"; ///< of the document
     std::string description{};          ///< the settings that made it, for people
     std::string certificate{};          ///< what a check of it found; empty: none

@@ -9,14 +9,16 @@
 
 namespace lineatlas::pdf {
 
-/// How a way goes on from where it is, or an arc of a circle from where that starts.
+/// How a way goes on from where it is, or an arc of an ellipse from where that starts: center +
+/// cos(t) major + sin(t) minor, the minor half axis turned a quarter from x towards y.
 struct Step {
     bool arc = false;
     glm::dvec2 to{0}; ///< of a straight one
     glm::dvec2 center{0};
-    double radius = 0;
-    double from = 0;  ///< radians, from the x axis towards the y axis
-    double sweep = 0; ///< negative: towards smaller angles
+    glm::dvec2 major{1, 0};
+    double ratio = 1; ///< of the minor half axis to it
+    double from = 0;  ///< t, radians
+    double sweep = 0; ///< negative: towards smaller t
 };
 
 struct Way {
@@ -54,8 +56,8 @@ struct Module {
 };
 
 /// The module's one symbol. Its number changes with `Module`.
-inline constexpr const char* module_symbol = "lineatlas_pdf_1";
+inline constexpr const char* module_symbol = "lineatlas_pdf_2";
 
 } // namespace lineatlas::pdf
 
-extern "C" const lineatlas::pdf::Module lineatlas_pdf_1;
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_2;

@@ -18,6 +18,18 @@ void check_pen(const Pen& pen, Style& style) {
     check_style(style);
 }
 
+void check_curves(const VectorPath& path) {
+    std::uint32_t before = 0;
+    for (const VectorCurve& curve : path.curves) {
+        if (curve.first < before || curve.last <= curve.first || curve.last >= path.points.size())
+            throw UsageError("drawing: a path's curve goes from point " +
+                             std::to_string(curve.first) + " to " + std::to_string(curve.last) +
+                             ", but it has " + std::to_string(path.points.size()) +
+                             ", of which others begin at " + std::to_string(before));
+        before = curve.last;
+    }
+}
+
 } // namespace
 
 void check_drawing(const VectorDrawing& drawing) {
@@ -28,6 +40,7 @@ void check_drawing(const VectorDrawing& drawing) {
     for (const auto* pens : {&drawing.pens, &drawing.hidden_pens})
         for (const Pen& pen : *pens) check_pen(pen, style);
     for (const VectorPath& path : drawing.paths) {
+        check_curves(path);
         const std::size_t pens = path.visible ? drawing.pens.size() : drawing.hidden_pens.size();
         if (path.pen == 0 || path.pen < pens) continue;
         throw UsageError("drawing: a path has the pen " + std::to_string(path.pen) +

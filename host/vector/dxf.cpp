@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -14,9 +15,16 @@ namespace {
 
 using Handle = DxfText::Handle;
 
-double degrees_from_0_to_360(double radians) {
-    const double degrees = std::fmod(radians * 180 / std::numbers::pi, 360);
-    return degrees < 0 ? degrees + 360 : degrees;
+constexpr double turn = 2 * std::numbers::pi;
+constexpr int fine = 9; ///< digits of what is a curve's own
+
+double from_0_to_turn(double radians) {
+    const double angle = std::fmod(radians, turn);
+    return angle < 0 ? angle + turn : angle;
+}
+
+double degrees(double radians) {
+    return radians * 360 / turn;
 }
 
 /// Outlines as entities of one block. y goes up in DXF: what turned one way turns the other.
@@ -25,13 +33,33 @@ class EntityWriter {
     EntityWriter(DxfText& text, Handle block, double height)
         : text_(text), block_(block), height_(height) {}
 
+    /// What is an ellipse is an entity of its own, and so is what lies between two.
     void write(const Outline& outline, std::string_view layer) {
         const std::vector<OutlinePoint>& points = outline.points;
-        if (outline.is_circle()) return write_circle(outline, layer);
-        if (points.size() == 2 && !outline.closed && points[0].bulge != 0)
-            return write_arc(outline, layer);
-        if (points.size() == 2 && !outline.closed) return write_line(outline, layer);
-        write_polyline(outline, layer);
+        if (std::ranges::none_of(points, &OutlinePoint::is_elliptic))
+            return write_part(outline, layer);
+        if (outline.is_round()) return write_ellipse(points[0], turn, layer);
+        const std::size_t count = points.size(), steps = count - (outline.closed ? 0 : 1);
+        std::size_t first = 0;
+        if (outline.closed) // a loop begins behind an ellipse
+            while (!points[(first + count - 1) % count].is_elliptic()) ++first;
+        Outline part;
+        const auto end_part = [&](glm::dvec2 at) {
+            if (part.points.empty()) return;
+            part.points.push_back({at});
+            write_part(part, layer);
+            part.points.clear();
+        };
+        for (std::size_t i = 0; i < steps; ++i) {
+            const OutlinePoint& point = points[(first + i) % count];
+            if (point.is_elliptic()) {
+                end_part(point.at);
+                write_ellipse(point, point.arc->sweep, layer);
+            } else {
+                part.points.push_back(point);
+            }
+        }
+        end_part(points[(first + steps) % count].at);
     }
 
   private:
@@ -56,24 +84,59 @@ class EntityWriter {
         add_point(11, outline.points[1].at);
     }
 
+    void write_part(const Outline& outline, std::string_view layer) {
+        const std::vector<OutlinePoint>& points = outline.points;
+        if (outline.is_round()) return write_circle(outline, layer);
+        if (points.size() == 2 && !outline.closed && points[0].bulge != 0)
+            return write_arc(outline, layer);
+        if (points.size() == 2 && !outline.closed) return write_line(outline, layer);
+        write_polyline(outline, layer);
+    }
+
+    void add_circle(const VectorArc& arc) {
+        const glm::dvec2 center = place(arc.center);
+        text_.add(10, center.x, fine);
+        text_.add(20, center.y, fine);
+        text_.add(30, 0.0);
+        text_.add(40, arc.major.x, fine);
+    }
+
     void write_circle(const Outline& outline, std::string_view layer) {
         begin("CIRCLE", "AcDbCircle", layer);
-        const Arc arc = arc_between(outline.points[0], outline.points[1].at);
-        add_point(10, arc.center);
-        text_.add(40, arc.radius);
+        add_circle(arc_between(outline.points[0], outline.points[1].at));
     }
 
     void write_arc(const Outline& outline, std::string_view layer) {
         begin("ARC", "AcDbCircle", layer);
-        const Arc arc = arc_between(outline.points[0], outline.points[1].at);
-        add_point(10, arc.center);
-        text_.add(40, arc.radius);
+        const VectorArc arc = arc_between(outline.points[0], outline.points[1].at);
+        add_circle(arc);
         text_.add(100, "AcDbArc");
-        // Counter-clockwise, which is what a negative sweep becomes.
-        double from = -arc.from, to = -(arc.from + arc.sweep);
-        if (arc.sweep > 0) std::swap(from, to);
-        text_.add(50, degrees_from_0_to_360(from));
-        text_.add(51, degrees_from_0_to_360(to));
+        const auto [from, to] = counter_clockwise(arc.from, arc.sweep);
+        text_.add(50, degrees(from_0_to_turn(from)), fine);
+        text_.add(51, degrees(from_0_to_turn(to)), fine);
+    }
+
+    void write_ellipse(const OutlinePoint& point, double sweep, std::string_view layer) {
+        begin("ELLIPSE", "AcDbEllipse", layer);
+        const VectorArc& arc = *point.arc;
+        const glm::dvec2 center = place(arc.center);
+        text_.add(10, center.x, fine);
+        text_.add(20, center.y, fine);
+        text_.add(30, 0.0);
+        text_.add(11, arc.major.x, fine);
+        text_.add(21, -arc.major.y, fine);
+        text_.add(31, 0.0);
+        text_.add(40, arc.ratio, fine);
+        const bool whole = std::abs(sweep) >= turn;
+        const auto [from, to] = counter_clockwise(arc.from, sweep);
+        const double start = whole ? 0 : from_0_to_turn(from);
+        text_.add(41, start, fine);
+        text_.add(42, start + (whole ? turn : to - from), fine);
+    }
+
+    /// The angles of an arc, the lesser first, as they are where y goes up.
+    static std::pair<double, double> counter_clockwise(double from, double sweep) {
+        return sweep > 0 ? std::pair{-(from + sweep), -from} : std::pair{-from, -(from + sweep)};
     }
 
     void write_polyline(const Outline& outline, std::string_view layer) {
@@ -112,7 +175,8 @@ std::string to_dxf(const VectorDrawing& drawing, const DxfOptions& options) {
     body.begin_section("ENTITIES");
     for (std::size_t i = 0; i < groups.size(); ++i) {
         for (const VectorPath& path : groups[i].paths)
-            writer.write(outline_of(path, sheet, options.fit_arcs), layers.layers[i].name);
+            writer.write(outline_of(path, sheet, {options.curves, options.fit_arcs}),
+                         layers.layers[i].name);
     }
     body.end_section();
     write_objects(body);

@@ -56,6 +56,18 @@ Json piece_json(const VectorPiece& piece) {
     return json;
 }
 
+/// With all digits: it is exact.
+Json curve_json(const VectorCurve& curve) {
+    const VectorArc& arc = curve.arc;
+    return {{"points", {curve.first, curve.last}},
+            {"center", {arc.center.x, arc.center.y}},
+            {"major", {arc.major.x, arc.major.y}},
+            {"ratio", arc.ratio},
+            {"from", arc.from},
+            {"sweep", arc.sweep},
+            {"edge", curve.edge}};
+}
+
 Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonOptions& options) {
     Json json{{"kind", line_kind_names[static_cast<std::size_t>(path.kind)]},
               {"visible", path.visible},
@@ -80,6 +92,10 @@ Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonO
     json["depth"] = std::move(depths);
     json["world"] = std::move(world);
     json["arc"] = std::move(arcs);
+    if (!path.curves.empty()) {
+        json["curves"] = Json::array();
+        for (const VectorCurve& curve : path.curves) json["curves"].push_back(curve_json(curve));
+    }
     if (!options.tags) return json;
     json["pieces"] = Json::array();
     for (const VectorPiece& piece : path.pieces) json["pieces"].push_back(piece_json(piece));

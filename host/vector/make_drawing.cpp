@@ -9,6 +9,7 @@
 #include "core/check_lines.hpp"
 #include "core/depth_tolerance.hpp"
 #include "core/line_pens.hpp"
+#include "curves.hpp"
 #include "halos.hpp"
 #include "junctions.hpp"
 #include "lengths.hpp"
@@ -109,6 +110,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     sort_for_drawing(drawing.paths);
     if (options.mesh != nullptr) add_groups(*options.mesh, drawing);
     if (options.plotter) drawing.travel = order_for_plotter(drawing.paths);
+    if (options.mesh != nullptr) find_curves(*options.mesh, camera, drawing.paths);
     return drawing;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -12,31 +13,36 @@ namespace lineatlas {
 /// A point of an outline, and how it goes on.
 struct OutlinePoint {
     glm::dvec2 at{0, 0};
-    /// 0: straight to the next point. Else by an arc: the tangent of a quarter of its angle,
-    /// positive where that goes from the x axis towards the y axis.
+    /// 0: straight to the next point, or by an ellipse. Else by an arc: the tangent of a quarter of
+    /// its angle, positive where that goes from the x axis towards the y axis.
     double bulge = 0;
+    /// Where it is known, to the last digit, which chords don't tell.
+    std::optional<VectorArc> arc{};
+
+    bool is_straight() const { return bulge == 0 && !arc; }
+    bool is_elliptic() const { return arc && arc->ratio != 1; }
 };
 
-/// A path as it is written to files that know arcs. A circle is closed and has two points.
+/// A path as it is written to files that know arcs. A circle or an ellipse is closed and has two
+/// points.
 struct Outline {
     std::vector<OutlinePoint> points;
     bool closed = false; ///< from the last point back to the first one
 
-    bool is_circle() const;
+    /// Whether all of it is one circle, or one ellipse.
+    bool is_round() const;
 };
 
-/// The circle that an arc is a part of.
-struct Arc {
-    glm::dvec2 center;
-    double radius;
-    double from;  ///< angle of its start, radians from the x axis towards the y axis
-    double sweep; ///< negative: towards smaller angles
+/// From a point from which the way is not straight.
+VectorArc arc_between(const OutlinePoint& from, glm::dvec2 to);
+
+/// Which arcs are wanted.
+struct ArcChoice {
+    bool known = true;   ///< VectorPath::curves
+    bool fitted = false; ///< where a path has none of these: fit_arcs()
 };
 
-/// From a point that has a bulge.
-Arc arc_between(const OutlinePoint& from, glm::dvec2 to);
-
-/// A path in the units of its sheet, with arcs if they are wanted.
-Outline outline_of(const VectorPath& path, const Sheet& sheet, bool fit_arcs);
+/// A path in the units of its sheet.
+Outline outline_of(const VectorPath& path, const Sheet& sheet, const ArcChoice& arcs);
 
 } // namespace lineatlas

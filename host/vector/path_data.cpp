@@ -5,6 +5,9 @@
 #include <numbers>
 #include <vector>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
 namespace lineatlas {
 namespace {
 
@@ -58,12 +61,14 @@ class PathData {
 
     /// `from`: where the way there starts, unrounded.
     void arc_to(const OutlinePoint& from, glm::dvec2 to, Place place) {
-        const Arc arc = arc_between(from, to);
+        const VectorArc arc = arc_between(from, to);
         const Place target = relative_ ? place - at_ : place;
         use(relative_ ? 'a' : 'A');
-        // Finer than places are: of a flat arc it moves the middle by much less.
-        const std::string radius = number_text(arc.radius, digits_ + 1);
-        for (const std::string& number : {radius, radius, std::string{"0"}}) add(number);
+        // Finer than places are: of a flat arc they move the middle by much less.
+        const double radius = glm::length(arc.major);
+        add(number_text(radius, digits_ + 1));
+        add(number_text(arc.ratio * radius, digits_ + 1));
+        add(number_text(glm::degrees(std::atan2(arc.major.y, arc.major.x)), 4));
         add(std::abs(arc.sweep) > std::numbers::pi ? "1" : "0");
         add(arc.sweep > 0 ? "1" : "0");
         add(target.x);
@@ -127,12 +132,12 @@ std::string path_data(const Outline& outline, int digits, bool relative) {
     for (std::size_t i = 1; i <= places.size(); ++i) {
         const bool back = i == places.size();
         const OutlinePoint& from = points[kept[i - 1]];
-        if (back && (!outline.closed || from.bulge == 0)) break; // closing is a straight way
+        if (back && (!outline.closed || from.is_straight())) break; // closing is a straight way
         const std::size_t to = back ? 0 : i;
-        if (from.bulge != 0) {
-            data.arc_to(from, points[kept[to]].at, places[to]);
-        } else {
+        if (from.is_straight()) {
             data.line_to(places[to]);
+        } else {
+            data.arc_to(from, points[kept[to]].at, places[to]);
         }
     }
     return data.close(outline.closed);

@@ -81,8 +81,9 @@ class PathWriter {
 
   private:
     void write(const VectorPath& path) {
-        const std::string data = path_data(outline_of(path, sheet_, options_.fit_arcs),
-                                           sheet_.digits, options_.relative);
+        const std::string data =
+            path_data(outline_of(path, sheet_, {options_.curves, options_.fit_arcs}), sheet_.digits,
+                      options_.relative);
         if (data.empty()) return;
         pugi::xml_node node = group_.append_child("path");
         set(node, "d", data);

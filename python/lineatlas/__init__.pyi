@@ -100,6 +100,7 @@ def to_svg(
     plotter: bool = False,
     tags: bool = True,
     transparent: bool = False,
+    curves: bool = True,
     fit_arcs: bool = False,
     title: str = "Line drawing",
 ) -> str: ...
@@ -122,6 +123,7 @@ def to_dxf(
     page: Optional[str] = None,
     margin: str = "0",
     plotter: bool = False,
+    curves: bool = True,
     fit_arcs: bool = False,
 ) -> str: ...
 def to_pdf(
@@ -144,6 +146,7 @@ def to_pdf(
     margin: str = "0",
     plotter: bool = False,
     transparent: bool = False,
+    curves: bool = True,
     fit_arcs: bool = False,
     title: str = "Line drawing",
 ) -> bytes: ...

@@ -250,6 +250,7 @@ class Renderer:
         plotter: bool = False,
         tags: bool = True,
         transparent: bool = False,
+        curves: bool = True,
         fit_arcs: bool = False,
         title: str = "Line drawing",
         progress: Optional[_Progress] = None,
@@ -265,6 +266,7 @@ class Renderer:
         page: Optional[str] = None,
         margin: str = "0",
         plotter: bool = False,
+        curves: bool = True,
         fit_arcs: bool = False,
         progress: Optional[_Progress] = None,
     ) -> str: ...
@@ -280,6 +282,7 @@ class Renderer:
         margin: str = "0",
         plotter: bool = False,
         transparent: bool = False,
+        curves: bool = True,
         fit_arcs: bool = False,
         title: str = "Line drawing",
         progress: Optional[_Progress] = None,

@@ -131,7 +131,7 @@ struct PathArguments {
     const UpArgument& up;
     const MaybeStyle& style;
     const MaybeOptions& options;
-    bool plotter, tags;
+    bool plotter;
     const py::object& progress;
 };
 
@@ -148,10 +148,11 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         // Hidden ones too: what hides a line may bridge a gap in it.
         const FoundIntervals found = drawer.intervals(camera, frame, true, asked);
         const LineSet& lines = found.subject->lines;
-        const Mesh* mesh = arguments.tags ? &found.subject->model->mesh : nullptr;
-        const VectorDrawing drawing = make_vector_drawing(
-            lines, camera, found.intervals, frame.style,
-            {.mesh = mesh, .outlines = found.outlines, .plotter = arguments.plotter});
+        const VectorDrawing drawing =
+            make_vector_drawing(lines, camera, found.intervals, frame.style,
+                                {.mesh = &found.subject->model->mesh,
+                                 .outlines = found.outlines,
+                                 .plotter = arguments.plotter});
         if (drawing.paths.empty()) flaw = why_blank(*found.subject, camera);
         return written(drawing);
     });
@@ -174,50 +175,55 @@ Paper paper_of(const std::optional<std::string>& page, const std::string& margin
 std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                 const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
-                Flag<"tags"> tags, Flag<"transparent"> transparent, Flag<"fit_arcs"> fit_arcs,
-                const Word<"title">& title, const py::object& progress) {
+                Flag<"tags"> tags, Flag<"transparent"> transparent, Flag<"curves"> curves,
+                Flag<"fit_arcs"> fit_arcs, const Word<"title">& title, const py::object& progress) {
     const Paper paper = paper_of(page, margin);
     const SvgOptions sheet{.units = paper.page ? Unit::mm : Unit::px,
                            .page = paper.page,
                            .margin = paper.margin,
                            .background = !transparent,
                            .tags = tags,
+                           .curves = curves,
                            .fit_arcs = fit_arcs,
                            .title = title};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, tags, progress},
+    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
                       [&](const VectorDrawing& drawing) { return to_svg(drawing, sheet); });
 }
 
 std::string dxf(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                 const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
-                Flag<"fit_arcs"> fit_arcs, const py::object& progress) {
+                Flag<"curves"> curves, Flag<"fit_arcs"> fit_arcs, const py::object& progress) {
     const Paper paper = paper_of(page, margin);
-    const DxfOptions sheet{
-        .page = paper.page, .margin = paper.margin, .fit_arcs = fit_arcs, .description = {}};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, false, progress},
+    const DxfOptions sheet{.page = paper.page,
+                           .margin = paper.margin,
+                           .curves = curves,
+                           .fit_arcs = fit_arcs,
+                           .description = {}};
+    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
                       [&](const VectorDrawing& drawing) { return to_dxf(drawing, sheet); });
 }
 
 py::bytes pdf(Drawer& drawer, const SizeArgument& size, const MaybeView& view, const UpArgument& up,
               const MaybeStyle& style, const MaybeOptions& options, const MaybePage& page,
               const Word<"margin">& margin, Flag<"plotter"> plotter,
-              Flag<"transparent"> transparent, Flag<"fit_arcs"> fit_arcs,
+              Flag<"transparent"> transparent, Flag<"curves"> curves, Flag<"fit_arcs"> fit_arcs,
               const Word<"title">& title, const py::object& progress) {
     const Paper paper = paper_of(page, margin);
     const PdfOptions sheet{.page = paper.page,
                            .margin = paper.margin,
                            .background = !transparent,
+                           .curves = curves,
                            .fit_arcs = fit_arcs,
                            .title = title};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, false, progress},
+    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
                       [&](const VectorDrawing& drawing) { return to_pdf(drawing, sheet); });
 }
 
 std::string json(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                  const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                  Flag<"plotter"> plotter, Flag<"tags"> tags, const py::object& progress) {
-    return draw_paths(drawer, {size, view, up, style, options, plotter, tags, progress},
+    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
                       [&](const VectorDrawing& drawing) {
                           return to_json(drawing, {.tags = tags, .description = {}});
                       });
@@ -273,19 +279,21 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              "group; -1 where there is none.")
         .def("to_svg", &svg, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
-             py::arg("tags") = true, py::arg("transparent") = false, py::arg("fit_arcs") = false,
-             py::arg("title") = "Line drawing", progress,
+             py::arg("tags") = true, py::arg("transparent") = false, py::arg("curves") = true,
+             py::arg("fit_arcs") = false, py::arg("title") = "Line drawing", progress,
              "The drawing as SVG. page: \"a4\", \"300x200mm\", ...; none: the picture. margin:\n"
              "\"10mm\", .... plotter: ordered for the least travel of a pen. tags: each path says\n"
-             "where it comes from. transparent: without the paper. fit_arcs: what is round within\n"
-             "0.02 pixels becomes circles and arcs.")
+             "where it comes from. transparent: without the paper. curves: edges that the file\n"
+             "knows to be round leave as arcs of circles and ellipses. fit_arcs: of other lines, "
+             "too,\n"
+             "what is round within 0.02 pixels becomes circles and arcs.")
         .def("to_dxf", &dxf, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
-             py::arg("fit_arcs") = false, progress,
+             py::arg("curves") = true, py::arg("fit_arcs") = false, progress,
              "The drawing as DXF in millimetres of the page; arguments as those of to_svg().")
         .def("to_pdf", &pdf, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
-             py::arg("transparent") = false, py::arg("fit_arcs") = false,
+             py::arg("transparent") = false, py::arg("curves") = true, py::arg("fit_arcs") = false,
              py::arg("title") = "Line drawing", progress,
              "The drawing as a PDF of one page; arguments as those of to_svg().")
         .def("to_json", &json, py::kw_only(), size, view, up, style, options,

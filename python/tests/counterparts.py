@@ -107,10 +107,12 @@ ELSEWHERE = {
     "StyleInfo": "styles()", "StyleInfo.description": "styles()", "StyleInfo.name": "styles()", "list_styles()": "styles()",
     "apply_setting()": "Style.__setitem__()", "load_style()": "Style()", "write_style()": "Style.to_toml()",
     # paths
-    "DxfOptions": "Renderer.to_dxf()", "DxfOptions.fit_arcs": "Renderer.to_dxf(fit_arcs)",
+    "DxfOptions": "Renderer.to_dxf()", "DxfOptions.fit_arcs": "Renderer.to_dxf(fit_arcs)", "DxfOptions.curves": "Renderer.to_dxf(curves)",
     "DxfOptions.margin": "Renderer.to_dxf(margin)", "DxfOptions.page": "Renderer.to_dxf(page)",
     "JsonOptions": "Renderer.to_json()", "JsonOptions.tags": "Renderer.to_json(tags)",
     "SvgOptions": "Renderer.to_svg()", "SvgOptions.background": "Renderer.to_svg(transparent)",
+    "SvgOptions.curves": "Renderer.to_svg(curves)", "VectorCurve.*": "Renderer.to_json()",
+    "VectorArc.*": "Renderer.to_json()",
     "SvgOptions.fit_arcs": "Renderer.to_svg(fit_arcs)", "SvgOptions.margin": "Renderer.to_svg(margin)",
     "SvgOptions.page": "Renderer.to_svg(page)", "SvgOptions.tags": "Renderer.to_svg(tags)",
     "SvgOptions.title": "Renderer.to_svg(title)", "SvgOptions.units": "Renderer.to_svg(page)",
@@ -148,7 +150,7 @@ NOT_IN_PYTHON = {
     "not bound yet: what files say beside their mesh, and how they are read": """
         LoadedMesh.deflection LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits Mesh.precision""",
-    "not bound yet: normals of a program's own": "Mesh.corner_normals",
+    "not bound yet: normals and curves of a program's own": "Mesh.corner_normals Mesh.edge_curves EdgeCurve.*",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
         DxfOptions.description VectorOptions.tolerance with_shown_height()""",

@@ -1,11 +1,13 @@
 // Drawings of exact bodies that are round, whose silhouettes are known by hand, seen from all sides
 // and level, where they are hardest to find.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -17,6 +19,8 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <glm/geometric.hpp>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
 #include "brep_files.hpp"
 #include "brep_fixture.hpp"
@@ -28,28 +32,43 @@ namespace lineatlas::test {
 namespace {
 
 constexpr glm::vec3 up{0, 0, 1};
+
+/// Pixels to a unit of length.
+double scale_of(const View& view, int height) {
+    return height / static_cast<double>(shown_height(view));
+}
+
 const std::vector<std::string> level{"front", "back", "left", "right"};
 const std::vector<std::string> aslant{"isometric", "30,20", "75,35", "130,-20", "250,10"};
 
 class RoundThings : public Brep {
   protected:
+    /// A drawing of a file.
+    VectorDrawing drawing(const std::string& name, const std::string& file,
+                          const std::string& direction, glm::ivec2 size,
+                          Projection projection) const {
+        const Mesh mesh =
+            load(name, file, {.pixels = static_cast<double>(std::max(size.x, size.y))}).mesh;
+        const LineSet lines = extract_lines(mesh);
+        view_ = frame_points_from(view_direction(direction, up), lines.vertices, size, View{}.fov_y,
+                                  projection);
+        const Camera camera = make_camera(view_, size, lines.bounds);
+        LineVisibility visibility{lines};
+        return make_vector_drawing(lines, camera, visibility.find(camera, {.hidden = true}), {},
+                                   {.mesh = &mesh});
+    }
+
     std::vector<VectorPath> silhouettes(const TopoDS_Shape& shape, const std::string& direction,
                                         glm::ivec2 size) const {
-        const LineSet lines =
-            extract_lines(load("a.brep", to_brep(shape),
-                               {.pixels = static_cast<double>(std::max(size.x, size.y))})
-                              .mesh);
-        const Camera camera =
-            make_camera(frame_points_from(view_direction(direction, up), lines.vertices, size),
-                        size, lines.bounds);
-        LineVisibility visibility{lines};
         std::vector<VectorPath> paths =
-            make_vector_drawing(lines, camera, visibility.find(camera), {}).paths;
+            drawing("a.brep", to_brep(shape), direction, size, Projection::perspective).paths;
         std::erase_if(paths, [](const VectorPath& path) {
             return !path.visible || path.kind != LineKind::silhouette;
         });
         return paths;
     }
+
+    mutable View view_; ///< of the last drawing
 
     /// Calls it with the silhouettes from every side.
     template <class Check>
@@ -121,6 +140,49 @@ TEST_F(RoundThings, ThinFilletsAreNotTorn) {
             // below.
             EXPECT_LE(silhouettes(rounded, direction, {1024, 768}).size(), 3U);
         }
+    }
+}
+
+/// A bored plate, turned and far from the origin, as a file of millimetres and of inches: every rim
+/// that is seen is one circle, one ellipse or a part of them, as wide as in the file.
+TEST_F(RoundThings, RimsAreTheFilesOwnCircles) {
+    gp_Trsf place;
+    place.SetTranslation(gp_Vec(300, -200, 100));
+    const TopoDS_Shape plate = BRepPrimAPI_MakeCylinder(25, 4).Shape();
+    const TopoDS_Shape bore = BRepPrimAPI_MakeCylinder(7.5, 4).Shape();
+    const TopoDS_Shape bored = BRepAlgoAPI_Cut(plate, bore).Shape();
+    const std::string millimetres = to_step({{"plate", bored, {place}}});
+    for (const bool inches : {false, true}) {
+        const std::string file = inches ? in_inches(millimetres) : millimetres;
+        const double unit = inches ? 25.4 : 1;
+        const VectorDrawing top =
+            drawing("a.step", file, "top", {1000, 800}, Projection::orthographic);
+        const double scale = scale_of(view_, 800);
+        std::vector<double> radii;
+        for (const VectorPath& path : top.paths) {
+            if (!path.visible) continue;
+            ASSERT_EQ(path.curves.size(), 1U);
+            EXPECT_EQ(path.curves[0].arc.ratio, 1);
+            EXPECT_TRUE(path.closed);
+            radii.push_back(path.curves[0].arc.major.x / scale);
+        }
+        std::ranges::sort(radii);
+        ASSERT_EQ(radii.size(), 2U);
+        EXPECT_NEAR(radii[0] / (7.5 * unit), 1, 1e-6);
+        EXPECT_NEAR(radii[1] / (25 * unit), 1, 1e-6);
+        const VectorDrawing aslant =
+            drawing("a.step", file, "isometric", {1000, 800}, Projection::orthographic);
+        int ellipses = 0;
+        for (const VectorPath& path : aslant.paths) {
+            if (path.kind == LineKind::silhouette || !path.visible) continue;
+            ASSERT_EQ(path.curves.size(), 1U);
+            const VectorArc& arc = path.curves[0].arc;
+            const double radius = glm::length(arc.major) / scale_of(view_, 800) / unit;
+            EXPECT_NEAR(radius / (radius > 15 ? 25 : 7.5), 1, 1e-6);
+            EXPECT_NEAR(arc.ratio, std::sqrt(1.0 / 3), 1e-5); // by a direction of floats
+            ++ellipses;
+        }
+        EXPECT_EQ(ellipses, 4); // both rims above, and what is seen of those below
     }
 }
 

@@ -37,10 +37,10 @@ TEST(Arcs, ARoundPolygonIsACircle) {
     for (const int sides : {12, 16, 64, 500}) {
         SCOPED_TRACE(sides);
         const Outline circle = fit_arcs(polygon(sides, 80));
-        ASSERT_TRUE(circle.is_circle());
-        const Arc arc = arc_between(circle.points[0], circle.points[1].at);
+        ASSERT_TRUE(circle.is_round());
+        const VectorArc arc = arc_between(circle.points[0], circle.points[1].at);
         EXPECT_NEAR(glm::distance(arc.center, center), 0, 1e-9);
-        EXPECT_NEAR(arc.radius, 80, 1e-9);
+        EXPECT_NEAR(arc.major.x, 80, 1e-9);
         EXPECT_EQ(circle.points[0].bulge, 1);
     }
     Outline turned = polygon(32, 80);
@@ -64,7 +64,7 @@ TEST(Arcs, WhatIsOffByMoreThanAFiftiethOfAPixelIsNone) {
         Outline rough = polygon(48, 80);
         for (OutlinePoint& point : rough.points)
             point.at += noise * glm::dvec2{off(random), off(random)};
-        EXPECT_EQ(fit_arcs(rough).is_circle(), noise < 0.02) << noise;
+        EXPECT_EQ(fit_arcs(rough).is_round(), noise < 0.02) << noise;
     }
 }
 
@@ -82,9 +82,9 @@ TEST(Arcs, AnOpenArcMayEndBetweenTwoPoints) {
     cut.points[last].at = 0.7 * cut.points[last - 1].at + 0.3 * cut.points[last].at;
     const Outline arc = fit_arcs(cut);
     ASSERT_EQ(arc.points.size(), 2U);
-    const Arc found = arc_between(arc.points[0], arc.points[1].at);
+    const VectorArc found = arc_between(arc.points[0], arc.points[1].at);
     EXPECT_NEAR(glm::distance(found.center, center), 0, 1e-6);
-    EXPECT_NEAR(found.radius, 80, 1e-6);
+    EXPECT_NEAR(found.major.x, 80, 1e-6);
     EXPECT_NEAR(found.from, 5 * degree, 1e-6);
     EXPECT_NEAR(found.sweep, 168 * degree, 0.02 * degree);
     // Its end lies outside the circle: that is no part of it.
@@ -111,7 +111,7 @@ TEST(Arcs, ASlotHasTwoArcsWhereverItStarts) {
             if (found.points[i].bulge == 0) continue;
             ++arcs;
             EXPECT_NEAR(found.points[i].bulge, 1, 1e-9);
-            EXPECT_NEAR(arc_between(found.points[i], found.points[(i + 1) % 4].at).radius, 40,
+            EXPECT_NEAR(arc_between(found.points[i], found.points[(i + 1) % 4].at).major.x, 40,
                         1e-9);
         }
         EXPECT_EQ(arcs, 2);

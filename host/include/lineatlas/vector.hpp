@@ -43,6 +43,28 @@ struct VectorPiece {
     std::uint32_t group = none; ///< index into VectorDrawing::groups
 };
 
+/// A part of a circle or an ellipse on the screen, all around at most: center + cos(t) major +
+/// sin(t) minor, where the minor half axis is the major one, turned a quarter from x towards y, and
+/// `ratio` times as long.
+struct VectorArc {
+    glm::dvec2 center{0, 0};
+    glm::dvec2 major{1, 0}; ///< the longer half axis; of a circle along x
+    double ratio = 1;       ///< above 0; 1: a circle
+    double from = 0;        ///< t where it starts, radians
+    double sweep = 0;       ///< from there on; negative: towards smaller t
+
+    /// The point at an angle t.
+    LINEATLAS_API glm::dvec2 at(double angle) const;
+};
+
+/// A part of a path that is an arc in the file (Mesh::edge_curves), as seen.
+struct VectorCurve {
+    std::uint32_t first = 0; ///< it begins at this point of the path,
+    std::uint32_t last = 0;  ///< and ends at this one; those between are on it
+    VectorArc arc{};         ///< in pixels, as VectorPoint::at
+    std::uint32_t edge = 0;  ///< the first KnownEdge::edge along it
+};
+
 /// A polyline that is drawn in one go.
 struct VectorPath {
     LineKind kind = LineKind::crease; ///< all along
@@ -54,6 +76,9 @@ struct VectorPath {
     std::vector<VectorPoint> points;  ///< two at least
     /// In order; several of one point where segments in a row lie on one straight line.
     std::vector<VectorPiece> pieces;
+    /// In order along the path, none over another. Of a loop none goes over its first point, unless
+    /// it is all of it.
+    std::vector<VectorCurve> curves{};
 };
 
 /// What a plotter's pen travels without drawing, in pixels, and how many paths it draws.
@@ -79,7 +104,8 @@ struct VectorDrawing {
 
 /// How intervals become paths.
 struct VectorOptions {
-    /// The mesh that the lines were extracted from: pieces then know their object and material.
+    /// The mesh that the lines were extracted from: pieces then know their object and material, and
+    /// paths their curves.
     const Mesh* mesh = nullptr;
     /// What LineVisibility::outlines() or Renderer::read_outlines() found with the intervals; only
     /// a style with pens for outlines needs them.
@@ -139,7 +165,8 @@ struct SvgOptions {
     bool tags = true;       ///< where each path comes from; never in a drawing for a plotter
     bool layers = true;     ///< mark groups as layers of Inkscape
     bool relative = true;   ///< shorter path data
-    bool fit_arcs = false;  ///< circles and arcs leave as such (docs/vector.md)
+    bool curves = true;     ///< VectorPath::curves leave as arcs, else as chords
+    bool fit_arcs = false;  ///< where there are none they are looked for (docs/vector.md)
     std::string title = "Line drawing"; ///< of the document
     std::string description{};          ///< the settings that made it, for people
     std::string certificate{};          ///< what a check of it found, as metadata; empty: none
@@ -154,7 +181,8 @@ struct DxfOptions {
     /// The picture is scaled to fit on it and centred. None: the page is the picture.
     std::optional<Page> page{};
     Length margin{};           ///< around the picture, on all four sides
-    bool fit_arcs = false;     ///< circles and arcs leave as such (docs/vector.md)
+    bool curves = true;        ///< as in SvgOptions
+    bool fit_arcs = false;     ///< as in SvgOptions
     std::string description{}; ///< the settings that made it, as a comment
     std::string certificate{}; ///< what a check of it found, as a comment; empty: none
 };

@@ -43,14 +43,25 @@ void draw(cairo_t* context, const Way& way) {
     cairo_new_path(context);
     cairo_move_to(context, way.start.x, way.start.y);
     for (const Step& step : way.steps) {
-        const glm::dvec2 center = step.center;
-        if (!step.arc)
+        if (!step.arc) {
             cairo_line_to(context, step.to.x, step.to.y);
-        else if (step.sweep > 0)
-            cairo_arc(context, center.x, center.y, step.radius, step.from, step.from + step.sweep);
+            continue;
+        }
+        // In the frame in which it is a part of the unit circle; the pen stays as it is.
+        const glm::dvec2 minor = step.ratio * glm::dvec2{-step.major.y, step.major.x};
+        const cairo_matrix_t frame{.xx = step.major.x,
+                                   .yx = step.major.y,
+                                   .xy = minor.x,
+                                   .yy = minor.y,
+                                   .x0 = step.center.x,
+                                   .y0 = step.center.y};
+        cairo_save(context);
+        cairo_transform(context, &frame);
+        if (step.sweep > 0)
+            cairo_arc(context, 0, 0, 1, step.from, step.from + step.sweep);
         else
-            cairo_arc_negative(context, center.x, center.y, step.radius, step.from,
-                               step.from + step.sweep);
+            cairo_arc_negative(context, 0, 0, 1, step.from, step.from + step.sweep);
+        cairo_restore(context);
     }
     if (way.closed) cairo_close_path(context);
     cairo_stroke(context);
@@ -96,4 +107,4 @@ std::string write(const Page& page) {
 } // namespace
 } // namespace lineatlas::pdf
 
-extern "C" const lineatlas::pdf::Module lineatlas_pdf_1{.write = lineatlas::pdf::write};
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_2{.write = lineatlas::pdf::write};

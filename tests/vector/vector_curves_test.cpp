@@ -1,0 +1,237 @@
+// Edges that a file knows to be round: what of them a drawing shows, and how it leaves.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "lineatlas/error.hpp"
+#include "lineatlas/vector.hpp"
+#include "vector_support.hpp"
+
+namespace lineatlas {
+namespace {
+
+using test::Cuts;
+using test::Lines;
+
+constexpr double pi = std::numbers::pi;
+constexpr std::uint32_t first_position = 1000; // as Lines numbers them
+
+/// Lines of a mesh that knows the curves of its edges.
+class Round {
+  public:
+    /// An edge along a curve from one angle to another.
+    void add_arc(const EdgeCurve& curve, double from, double to, int chords) {
+        std::vector<glm::vec3> points;
+        for (int i = 0; i <= chords; ++i)
+            points.push_back(at(curve, from + (to - from) * i / chords));
+        if (std::abs(to - from) > 2 * pi - 1e-9) points.back() = points.front();
+        add(points, curve);
+    }
+
+    void add_straight(glm::vec3 from, glm::vec3 to) { add({from, to}, std::nullopt); }
+
+    /// Makes one path of all edges so far.
+    void end_path(bool closed) {
+        if (closed) points_.pop_back();
+        lines.add(LineKind::crease, points_, closed);
+        points_.clear();
+        mesh.positions.assign(first_position, glm::vec3{0});
+        mesh.positions.insert(mesh.positions.end(), lines.set.vertices.begin(),
+                              lines.set.vertices.end());
+        mesh.known_edges.clear();
+        for (const Known& known : known_)
+            mesh.known_edges.push_back(
+                {position(known.from), position(known.to), KnownEdge::Kind::sharp, known.edge});
+    }
+
+    static glm::vec3 at(const EdgeCurve& curve, double angle) {
+        return curve.center + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
+    }
+
+    Lines lines;
+    Mesh mesh;
+
+  private:
+    struct Known {
+        glm::vec3 from, to;
+        std::uint32_t edge;
+    };
+
+    void add(const std::vector<glm::vec3>& points, const std::optional<EdgeCurve>& curve) {
+        const auto edge = static_cast<std::uint32_t>(mesh.edge_curves.size());
+        mesh.edge_curves.push_back(curve);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            known_.push_back({points[i], points[i + 1], edge});
+        if (!points_.empty()) points_.pop_back();
+        points_.insert(points_.end(), points.begin(), points.end());
+    }
+
+    std::uint32_t position(glm::vec3 at) const {
+        const auto& all = lines.set.vertices;
+        return first_position +
+               static_cast<std::uint32_t>(std::ranges::find(all, at) - all.begin());
+    }
+
+    std::vector<glm::vec3> points_;
+    std::vector<Known> known_;
+};
+
+constexpr EdgeCurve circle{.center = {100, 50, 0.5}, .u = {40, 0, 0}, .v = {0, 40, 0}};
+constexpr EdgeCurve ellipse{.center = {100, 50, 0.5}, .u = {40, 0, 0}, .v = {0, 20, 0.3}};
+
+VectorDrawing drawn(const Round& round, const std::vector<Interval>& intervals,
+                    const Camera& camera = test::flat_camera()) {
+    return make_vector_drawing(round.lines.set, camera, intervals, Style{}, {.mesh = &round.mesh});
+}
+
+VectorDrawing drawn_whole(const Round& round, const Camera& camera = test::flat_camera()) {
+    Cuts cuts{round.lines.set, camera};
+    cuts.add_all();
+    return drawn(round, cuts.intervals, camera);
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
+    return found;
+}
+
+TEST(Curves, AWholeCircleIsOne) {
+    Round round;
+    round.add_arc(circle, 0, 2 * pi, 24);
+    round.end_path(true);
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    ASSERT_EQ(drawing.paths[0].curves.size(), 1U);
+    const VectorCurve& curve = drawing.paths[0].curves[0];
+    EXPECT_EQ(curve.first, 0U);
+    EXPECT_EQ(curve.last + 1, drawing.paths[0].points.size());
+    EXPECT_NEAR(curve.arc.major.x, 40, 1e-4); // cameras are of floats
+    EXPECT_EQ(curve.arc.ratio, 1);
+    EXPECT_NEAR(std::abs(curve.arc.sweep), 2 * pi, 1e-12);
+    EXPECT_EQ(count(to_dxf(drawing), "CIRCLE\n"), 1U);
+    EXPECT_EQ(count(to_dxf(drawing, {.curves = false}), "CIRCLE\n"), 0U);
+    EXPECT_NE(to_svg(drawing).find(" 40 40 0"), std::string::npos);
+    EXPECT_NE(to_json(drawing).find("\"curves\":[{\"points\":[0,"), std::string::npos);
+}
+
+TEST(Curves, EndsLieOnTheCurve) {
+    for (const EdgeCurve& curve : {circle, ellipse}) {
+        Round round;
+        round.add_arc(curve, 0, 2 * pi, 24);
+        round.end_path(true);
+        Cuts cuts{round.lines.set, test::flat_camera()};
+        cuts.add(3, 0.5F, 1, true);
+        for (std::uint32_t i = 4; i < 9; ++i) cuts.add(i, 0, 1, true);
+        cuts.add(9, 0, 0.5F, true);
+        const VectorDrawing drawing = drawn(round, cuts.intervals);
+        ASSERT_EQ(drawing.paths.size(), 1U);
+        const VectorPath& path = drawing.paths[0];
+        ASSERT_EQ(path.curves.size(), 1U);
+        const VectorArc& arc = path.curves[0].arc;
+        EXPECT_NEAR(std::abs(arc.sweep), 6 * pi / 12, 1e-5);
+        const glm::dvec2 minor = arc.ratio * glm::dvec2{-arc.major.y, arc.major.x};
+        for (const VectorPoint& end : {path.points.front(), path.points.back()}) {
+            const glm::dvec2 out = end.at - arc.center;
+            const double along = glm::dot(out, arc.major) / glm::dot(arc.major, arc.major);
+            const double across = glm::dot(out, minor) / glm::dot(minor, minor);
+            EXPECT_NEAR(std::hypot(along, across), 1, 1e-9);
+        }
+        const bool round_seen = arc.ratio == 1;
+        EXPECT_EQ(count(to_dxf(drawing), "ARC\n"), round_seen ? 1U : 0U);
+        EXPECT_EQ(count(to_dxf(drawing), "ELLIPSE\n"), round_seen ? 0U : 1U);
+    }
+}
+
+TEST(Curves, WholeEllipsesAreOneEntity) {
+    Round round;
+    round.add_arc(ellipse, 0, 2 * pi, 48);
+    round.end_path(true);
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    ASSERT_EQ(drawing.paths[0].curves.size(), 1U);
+    EXPECT_NEAR(drawing.paths[0].curves[0].arc.ratio, 0.5, 1e-6);
+    const std::string dxf = to_dxf(drawing);
+    EXPECT_EQ(count(dxf, "ELLIPSE\n"), 1U);
+    EXPECT_EQ(count(dxf, "POLYLINE\n"), 0U);
+}
+
+/// Halves of one circle are one curve; a loop does not begin within one.
+TEST(Curves, AStadiumIsTwoArcsAndTwoLines) {
+    const EdgeCurve left{.center = {60, 50, 0.5}, .u = {30, 0, 0}, .v = {0, 30, 0}};
+    const EdgeCurve right{.center = {140, 50, 0.5}, .u = {30, 0, 0}, .v = {0, 30, 0}};
+    Round round;
+    round.add_arc(right, 0, pi / 2, 6);
+    round.add_straight(Round::at(right, pi / 2), Round::at(left, pi / 2));
+    round.add_arc(left, pi / 2, 3 * pi / 2, 12);
+    round.add_straight(Round::at(left, 3 * pi / 2), Round::at(right, 3 * pi / 2));
+    round.add_arc(right, 3 * pi / 2, 2 * pi, 6);
+    round.end_path(true);
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    const VectorPath& path = drawing.paths[0];
+    EXPECT_TRUE(path.closed);
+    ASSERT_EQ(path.curves.size(), 2U);
+    for (const VectorCurve& curve : path.curves) {
+        EXPECT_NEAR(std::abs(curve.arc.sweep), pi, 1e-5);
+        EXPECT_NEAR(curve.arc.major.x, 30, 1e-4);
+    }
+    EXPECT_EQ(test::flaws_of(drawing), "");
+    const std::string dxf = to_dxf(drawing);
+    EXPECT_EQ(count(dxf, "LWPOLYLINE\n"), 1U);
+    EXPECT_EQ(count(dxf, " 42\n"), 2 + count(to_dxf(drawing, {.curves = false}), " 42\n"));
+}
+
+TEST(Curves, InPerspectiveACircleIsAnEllipse) {
+    View view;
+    view.eye = {0, -3, 2};
+    view.up = {0, 0, 1};
+    const EdgeCurve unit{.center = {0.3, 0.2, 0}, .u = {1, 0, 0}, .v = {0, 1, 0}};
+    Round round;
+    round.add_arc(unit, 0, 2 * pi, 200);
+    round.end_path(true);
+    const Camera camera = make_camera(view, {800, 600}, {{-2, -2, -1}, {2, 2, 1}});
+    const VectorDrawing drawing = drawn_whole(round, camera);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    ASSERT_EQ(drawing.paths[0].curves.size(), 1U);
+    const VectorArc& arc = drawing.paths[0].curves[0].arc;
+    const glm::dvec2 minor = arc.ratio * glm::dvec2{-arc.major.y, arc.major.x};
+    const glm::dmat4 clip_from_world = glm::dmat4{camera.projection} * glm::dmat4{camera.view};
+    for (int i = 0; i < 50; ++i) {
+        const glm::dvec3 at =
+            unit.center + std::cos(0.13 * i) * unit.u + std::sin(0.13 * i) * unit.v;
+        const glm::dvec4 clip = clip_from_world * glm::dvec4{at, 1};
+        const glm::dvec2 out =
+            glm::dvec2{(1 + clip.x / clip.w) * 400, (1 - clip.y / clip.w) * 300} - arc.center;
+        EXPECT_NEAR(std::hypot(glm::dot(out, arc.major) / glm::dot(arc.major, arc.major),
+                               glm::dot(out, minor) / glm::dot(minor, minor)),
+                    1, 1e-9);
+    }
+}
+
+/// Of what has moved since it was read nothing is known.
+TEST(Curves, WhatIsNotOnItsCurveHasNone) {
+    Round round;
+    round.add_arc(circle, 0, 2 * pi, 24);
+    round.end_path(true);
+    round.mesh.edge_curves[0]->center.x += 1;
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    EXPECT_TRUE(drawing.paths[0].curves.empty());
+}
+
+TEST(Curves, OfADrawingFitItsPaths) {
+    VectorDrawing drawing;
+    drawing.paths.push_back(
+        {.points = {{}, {}}, .pieces = {}, .curves = {{.first = 0, .last = 2}}});
+    EXPECT_THROW(to_svg(drawing), UsageError);
+}
+
+} // namespace
+} // namespace lineatlas
