@@ -29,12 +29,11 @@ static float facing_of(const float3 at, const float3 normal, const float4 eye) {
 /* How the corners of a triangle face the eye. A tip does as the next corner: what crosses the side
  * across runs into the tip. Returns which corner is a tip, or 3. */
 static uint facing_at(__global const uint* own, __global const float* facing, float* faces_eye) {
-    uint tip = 3;
-    for (uint k = 0; k < 3; ++k) {
-        faces_eye[k] = facing[own[k]];
-        if (faces_eye[k] == TIP_FACING) tip = k;
-    }
-    if (tip < 3) faces_eye[tip] = faces_eye[tip == 2 ? 0 : tip + 1];
+    const float a = facing[own[0]], b = facing[own[1]], c = facing[own[2]];
+    const uint tip = a == TIP_FACING ? 0u : b == TIP_FACING ? 1u : c == TIP_FACING ? 2u : 3u;
+    faces_eye[0] = tip == 0 ? b : a;
+    faces_eye[1] = tip == 1 ? c : b;
+    faces_eye[2] = tip == 2 ? a : c;
     return tip;
 }
 
@@ -162,8 +161,7 @@ static void put_places(const ContourCorner* from, const ContourCorner* to, const
 }
 
 /* The tip that a contour runs into: it is not lifted, for it is the end. */
-static void put_tip(const ContourCorner* tip, const uint vertex, __global float* vertices) {
-    const float3 place = vload3(tip->vertex, vertices);
+static void put_tip(const float3 place, const uint vertex, __global float* vertices) {
     vstore3(place, vertex, vertices);
     vstore3(place, vertex + 1, vertices);
 }
@@ -173,10 +171,11 @@ static void put_tip(const ContourCorner* tip, const uint vertex, __global float*
  * solid not at all (its radial curvature is negative: Koenderink 1984, "What does the occluding
  * contour tell us about solid shape?"). tip: which corner is one. */
 static bool shows_back(const float3* at, const float* corners, const uint tip, const float4 eye) {
+    /* Along the lines to a tip nothing changes. */
     float facing[3];
-    for (uint k = 0; k < 3; ++k) facing[k] = corners[k];
-    if (tip < 3) /* along the lines to a tip nothing changes */
-        facing[tip] = 0.5f * (corners[tip == 0 ? 2 : tip - 1] + corners[tip == 2 ? 0 : tip + 1]);
+    for (uint k = 0; k < 3; ++k)
+        facing[k] = k == tip ? 0.5f * (corners[k == 0 ? 2 : k - 1] + corners[k == 2 ? 0 : k + 1])
+                             : corners[k];
     const float3 u = at[1] - at[0], v = at[2] - at[0];
     const float3 to_eye = xyz(eye) - (at[0] + at[1] + at[2]) * (eye.w / 3.0f);
     const float uu = dot_of(u, u), uv = dot_of(u, v), vv = dot_of(v, v);
@@ -226,7 +225,7 @@ KERNEL(contour_places, ContourParameters) {
             across == LA_NO_FACE ? LA_NO_SILHOUETTE : numbers[args.first_number + across];
         uint vertex = args.first_vertex + 4 * n + (falls ? 0u : 2u);
         if (at_tip)
-            put_tip(own + tip, vertex, vertices);
+            put_tip(k == tip ? at[k] : at[next], vertex, vertices);
         else if ((face.edges[k] & LA_CONTOUR_TURNED) != 0)
             vertex = args.first_vertex + 4 * other + (falls ? 2u : 0u);
         else
