@@ -55,25 +55,25 @@ std::string nearest(const std::string& name, const std::vector<std::string>& nam
     return like.empty() ? "" : like[0].cast<std::string>();
 }
 
-/// `function` has no such argument: the nearest that it has, else the nearest that its class is
-/// made with, else all that it has.
+/// `function` has no such argument: the nearest that it has or that its class is made with, else
+/// all that it has.
 std::string message(const py::detail::function_record& function, const std::string& unknown) {
     const bool makes = std::string_view{function.name} == "__init__";
     const auto name =
         makes ? function.scope.attr("__name__").cast<std::string>() : std::string{function.name};
     const std::string start = name + "() has no argument \"" + unknown + "\"; ";
-    const std::vector<std::string> names = names_of(function);
-    if (const std::string near = nearest(unknown, names); !near.empty())
-        return start + "did you mean \"" + near + "\"?";
+    const std::vector<std::string> own = names_of(function);
+    std::vector<std::string> names = own;
     if (!makes && py::isinstance<py::type>(function.scope)) {
         const PyCFunctionObject* maker = function_behind(py::getattr(function.scope, "__init__"));
-        const auto* made_by = maker != nullptr ? record_in(maker->m_self) : nullptr;
-        const std::string near = made_by != nullptr ? nearest(unknown, names_of(*made_by)) : "";
-        if (!near.empty())
-            return start + "did you mean \"" + near + "\" of " +
-                   function.scope.attr("__name__").cast<std::string>() + "()?";
+        if (const auto* made_by = maker != nullptr ? record_in(maker->m_self) : nullptr)
+            for (const std::string& each : names_of(*made_by)) names.push_back(each);
     }
-    return start + "it has " + list_of(names);
+    const std::string near = nearest(unknown, names);
+    if (near.empty()) return start + "it has " + list_of(own);
+    const std::string meant = start + "did you mean \"" + near + '"';
+    if (std::find(own.begin(), own.end(), near) != own.end()) return meant + "?";
+    return meant + " of " + function.scope.attr("__name__").cast<std::string>() + "()?";
 }
 
 /// The first name in `named` that no argument has; empty if all are known.
