@@ -1,6 +1,7 @@
 #include "gl_context.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <CL/cl_gl.h>
 
@@ -52,14 +53,15 @@ std::string gl_sharing_obstacle(const compute::OpenClDevice& device) {
     if (!device.has_extension("cl_khr_gl_sharing")) {
         return "the device does not list cl_khr_gl_sharing";
     }
-    std::vector<cl_context_properties> properties = current_gl_properties();
-    if (properties.empty()) return "no GL context is current";
+    const std::vector<cl_context_properties> of_gl = current_gl_properties();
+    if (of_gl.empty()) return "no GL context is current";
     const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(
         clGetExtensionFunctionAddressForPlatform(device.platform(), "clGetGLContextInfoKHR"));
     if (get_info == nullptr) return "the driver lacks clGetGLContextInfoKHR";
-    properties.insert(
-        properties.end(),
-        {CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform()), 0});
+    std::vector<cl_context_properties> properties{
+        CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform())};
+    std::ranges::copy(of_gl, std::back_inserter(properties));
+    properties.push_back(0);
     const ContextDevices found = devices_of(get_info, properties);
     if (std::ranges::find(found.devices, device.device()) != found.devices.end()) return {};
     if (found.devices.empty() && found.status != CL_SUCCESS) {

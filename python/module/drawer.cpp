@@ -296,10 +296,10 @@ void Drawer::set_pens(Pictures& pictures, const Style& style) {
 }
 
 gl::Canvas& Drawer::canvas(Pictures& pictures, glm::ivec2 size, int bits) {
-    std::optional<gl::Canvas>& canvas = pictures.canvas;
+    std::unique_ptr<gl::Canvas>& canvas = pictures.canvas;
     if (!canvas || canvas->size() != size || canvas->bits() != bits) {
         canvas.reset(); // before the next one takes memory
-        canvas.emplace(size, bits);
+        canvas = std::make_unique<gl::Canvas>(size, bits);
     }
     return *canvas;
 }

@@ -82,7 +82,7 @@ class Drawer {
     struct Pictures {
         gl::HeadlessContext context;
         Renderer renderer;
-        std::optional<gl::Canvas> canvas{};
+        std::unique_ptr<gl::Canvas> canvas{};
         std::set<std::string> known_pens{};
 
         explicit Pictures(const DeviceOptions& device) : renderer(device) {}
