@@ -179,7 +179,7 @@ TEST(SvgPath, CommandsOfStraightLines) {
                                                                 {{7, 3.5}, {5, 1.5}}};
     EXPECT_EQ(*lines, wanted);
     EXPECT_FALSE(parse_path("M1 2L3"));
-    EXPECT_FALSE(parse_path("M1 2A3 4 0 0 0 5 6")); // of an ellipse
+    EXPECT_FALSE(parse_path("M1 2A3 0 0 0 0 5 6"));
     EXPECT_FALSE(parse_path("1 2"));
 }
 
@@ -200,6 +200,22 @@ TEST(SvgPath, ArcsAreChords) {
             turned += std::asin((a.x * b.y - a.y * b.x) / 100) * 180 / std::numbers::pi;
         }
         EXPECT_NEAR(turned, sweep, 1e-6);
+    }
+}
+
+/// A quarter of an ellipse, half as wide as high, by its axes along x and y and by turned ones.
+TEST(SvgPath, ArcsOfEllipsesAreToo) {
+    for (const char* data :
+         {"M10 0A10 20 0 0 1 0 20", "M10 0A20 10 90 0 1 0 20", "M10 0a20 10-90 0 1-10 20"}) {
+        SCOPED_TRACE(data);
+        const auto lines = parse_path(data);
+        ASSERT_TRUE(lines);
+        EXPECT_NEAR(static_cast<double>(lines->size()), 16, 1); // a right angle, rounded
+        for (const auto& [from, to] : *lines) {
+            EXPECT_NEAR(to.x * to.x / 100 + to.y * to.y / 400, 1, 1e-9);
+            EXPECT_LT(to.x, from.x);
+            EXPECT_GT(to.y, from.y);
+        }
     }
 }
 

@@ -47,11 +47,11 @@ struct VectorPiece {
 /// sin(t) minor, where the minor half axis is the major one, turned a quarter from x towards y, and
 /// `ratio` times as long.
 struct VectorArc {
-    glm::dvec2 center{0, 0};
-    glm::dvec2 major{1, 0}; ///< the longer half axis; of a circle along x
-    double ratio = 1;       ///< above 0; 1: a circle
-    double from = 0;        ///< t where it starts, radians
-    double sweep = 0;       ///< from there on; negative: towards smaller t
+    glm::dvec2 center{0, 0}; ///< in the middle
+    glm::dvec2 major{1, 0};  ///< the longer half axis; of a circle along x
+    double ratio = 1;        ///< above 0; 1: a circle
+    double from = 0;         ///< t where it starts, radians
+    double sweep = 0;        ///< from there on; negative: towards smaller t
 
     /// The point at an angle t.
     LINEATLAS_API glm::dvec2 at(double angle) const;
