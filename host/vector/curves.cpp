@@ -158,6 +158,11 @@ class CurveFinder {
     void find(VectorPath& path) {
         std::vector<Step> steps = steps_of(path);
         if (path.closed) begin_between_curves(path, steps);
+        if (!path.closed && !path.pieces.empty()) {
+            reach_extreme(path.pieces.front(), path.points[1].at, path.points.front());
+            reach_extreme(path.pieces.back(), path.points[path.points.size() - 2].at,
+                          path.points.back());
+        }
         for (std::uint32_t first = 0; first < steps.size();) {
             std::uint32_t last = first + 1;
             while (last < steps.size() && go_on(steps[last - 1], steps[last])) ++last;
@@ -183,6 +188,11 @@ class CurveFinder {
         const auto [entry, fresh] = ellipses_.try_emplace(edge);
         if (fresh) entry->second = Ellipse::seen(*mesh_.edge_curves[edge], clip_from_world_, size_);
         return entry->second ? &*entry->second : nullptr;
+    }
+
+    glm::dvec2 on_screen(glm::dvec3 world) const {
+        const glm::dvec4 clip = clip_from_world_ * glm::dvec4{world, 1};
+        return {0.5 * size_.x * (1 + clip.x / clip.w), 0.5 * size_.y * (1 - clip.y / clip.w)};
     }
 
     double chord_of(const LineSource& source, const Ellipse& ellipse) const {
@@ -231,6 +241,48 @@ class CurveFinder {
         std::ranges::rotate(path.pieces, begins_behind);
         for (VectorPiece& piece : path.pieces)
             piece.point = (piece.point + count - static_cast<std::uint32_t>(first)) % count;
+    }
+
+    /// Of a curve seen edge on, a straight line, the end of a path: on the chord where it turns
+    /// away from the eye, a little before the end of the curve itself.
+    void reach_extreme(const VectorPiece& piece, glm::dvec2 before, VectorPoint& end) {
+        const std::uint32_t edge = edges_.edge_of(piece.source);
+        if (edge == none || ellipse_of(edge) != nullptr) return;
+        const EdgeCurve& curve = *mesh_.edge_curves[edge];
+        const auto angle = [&](glm::dvec3 world) {
+            const glm::dvec3 out = world - curve.center;
+            return std::atan2(glm::dot(out, curve.v) / glm::dot(curve.v, curve.v),
+                              glm::dot(out, curve.u) / glm::dot(curve.u, curve.u));
+        };
+        const auto world = [&](double t) {
+            return curve.center + std::cos(t) * curve.u + std::sin(t) * curve.v;
+        };
+        const auto position = [&](std::uint32_t i) { return glm::dvec3{mesh_.positions[i]}; };
+        const double from = angle(position(piece.source.from));
+        const double chord =
+            std::abs(std::remainder(angle(position(piece.source.to)) - from, turn));
+        const double at = angle(end.world);
+        const glm::dvec2 way = end.at - before;
+        if (!(glm::length(way) > 0)) return;
+        const glm::dvec2 along = glm::normalize(way);
+        const auto beyond = [&](double t) { return on_screen(world(t)) - end.at; };
+        if (!(glm::length(beyond(at)) < flattest)) return;
+        // By thirds: within a chord it goes that way and comes back once.
+        double low = at - chord, high = at + chord;
+        for (int i = 0; i < 60; ++i) {
+            const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+            if (glm::dot(beyond(a), along) < glm::dot(beyond(b), along))
+                low = a;
+            else
+                high = b;
+        }
+        const double extreme = 0.5 * (low + high);
+        if (std::abs(extreme - at) > 0.99 * chord) return; // it goes on
+        const glm::dvec2 reach = beyond(extreme);
+        const double off = reach.x * along.y - reach.y * along.x;
+        if (!(glm::dot(reach, along) > 0) || !(std::abs(off) < flattest)) return;
+        end.at += reach;
+        end.world = world(extreme);
     }
 
     /// The curve of the steps from `first` up to `last`, if its points are on it, one after the

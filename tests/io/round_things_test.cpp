@@ -2,12 +2,14 @@
 // and level, where they are hardest to find.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -19,6 +21,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <glm/geometric.hpp>
+#include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
@@ -184,6 +187,36 @@ TEST_F(RoundThings, RimsAreTheFilesOwnCircles) {
         }
         EXPECT_EQ(ellipses, 4); // both rims above, and what is seen of those below
     }
+}
+
+/// A rim seen edge on ends where the silhouettes do that it meets.
+TEST_F(RoundThings, RimsSeenEdgeOnAreAsWideAsTheyAre) {
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 40).Shape();
+    for (const double angle : {0.0, 17.0}) {
+        gp_Trsf turn;
+        turn.SetRotation(gp_Ax1(), angle * std::numbers::pi / 180);
+        const VectorDrawing front = drawing("a.step", to_step({{"pin", cylinder, {turn}}}), "front",
+                                            {1000, 800}, Projection::orthographic);
+        int rims = 0;
+        for (const VectorPath& path : front.paths) {
+            if (path.kind == LineKind::silhouette || !path.visible) continue;
+            const double width = glm::distance(path.points.front().at, path.points.back().at);
+            EXPECT_NEAR(width / scale_of(view_, 800), 20, 1e-4);
+            ++rims;
+        }
+        EXPECT_EQ(rims, 2);
+    }
+}
+
+/// Splines that are circles are circles.
+TEST_F(RoundThings, RimsOfSplinesAreCirclesToo) {
+    const TopoDS_Shape disc = BRepPrimAPI_MakeCylinder(25, 4).Shape();
+    const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(disc).Shape();
+    const VectorDrawing top =
+        drawing("a.brep", to_brep(splines), "top", {1000, 800}, Projection::orthographic);
+    ASSERT_EQ(top.paths.size(), 1U);
+    ASSERT_EQ(top.paths[0].curves.size(), 1U);
+    EXPECT_NEAR(top.paths[0].curves[0].arc.major.x / scale_of(view_, 800) / 25, 1, 1e-6);
 }
 
 } // namespace
