@@ -148,12 +148,22 @@ class EdgesByPlace {
     std::unordered_map<std::uint64_t, std::uint32_t> edges_;
 };
 
-class CurveFinder {
+} // namespace
+
+class PathCurves::Finder {
   public:
-    CurveFinder(const Mesh& mesh, const Camera& camera)
+    Finder(const Mesh& mesh, const Camera& camera)
         : mesh_(mesh), edges_(mesh),
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
           size_(camera.size) {}
+
+    std::vector<std::uint32_t> joints(const VectorPath& path) {
+        const std::vector<Step> steps = steps_of(path);
+        std::vector<std::uint32_t> found;
+        for (std::uint32_t i = 1; i < steps.size(); ++i)
+            if (!go_on(steps[i - 1], steps[i])) found.push_back(i);
+        return found;
+    }
 
     void find(VectorPath& path) {
         std::vector<Step> steps = steps_of(path);
@@ -323,17 +333,25 @@ class CurveFinder {
     std::map<std::uint32_t, std::optional<Ellipse>> ellipses_; ///< of edges
 };
 
-} // namespace
+PathCurves::PathCurves(const Mesh* mesh, const Camera& camera) {
+    if (mesh != nullptr && !mesh->edge_curves.empty())
+        finder_ = std::make_unique<Finder>(*mesh, camera);
+}
+
+PathCurves::~PathCurves() = default;
+
+std::vector<std::uint32_t> PathCurves::joints(const VectorPath& path) const {
+    return finder_ ? finder_->joints(path) : std::vector<std::uint32_t>{};
+}
+
+void PathCurves::find(std::vector<VectorPath>& paths) const {
+    if (!finder_) return;
+    for (VectorPath& path : paths) finder_->find(path);
+}
 
 glm::dvec2 VectorArc::at(double angle) const {
     const glm::dvec2 minor = ratio * glm::dvec2{-major.y, major.x};
     return center + std::cos(angle) * major + std::sin(angle) * minor;
-}
-
-void find_curves(const Mesh& mesh, const Camera& camera, std::vector<VectorPath>& paths) {
-    if (mesh.edge_curves.empty()) return;
-    CurveFinder finder{mesh, camera};
-    for (VectorPath& path : paths) finder.find(path);
 }
 
 } // namespace lineatlas

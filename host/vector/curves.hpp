@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "lineatlas/camera.hpp"
@@ -8,10 +10,28 @@
 
 namespace lineatlas {
 
-/// Finds the parts of paths that run along the file's own circles and ellipses
-/// (Mesh::edge_curves), and puts ends of paths, which lie on chords, onto them. A part whose points
-/// are not on its curve, as of an object that has moved since it was read, has none; neither has
-/// one that is seen so flat or is so small that half a pixel holds it.
-void find_curves(const Mesh& mesh, const Camera& camera, std::vector<VectorPath>& paths);
+/// Which parts of paths run along the file's own circles and ellipses (Mesh::edge_curves).
+class PathCurves {
+  public:
+    /// Null: no curves are known. Keeps a reference to the mesh.
+    PathCurves(const Mesh* mesh, const Camera& camera);
+    ~PathCurves();
+    PathCurves(const PathCurves&) = delete;
+    PathCurves& operator=(const PathCurves&) = delete;
+
+    /// The points of a path, ascending, at which a curve begins or ends: where one touches a line
+    /// or another curve, hardly anything bends.
+    std::vector<std::uint32_t> joints(const VectorPath& path) const;
+
+    /// Fills VectorPath::curves, and puts ends of paths, which lie on chords, onto curves. A part
+    /// whose points are not on its curve, as of an object that has moved since it was read, has
+    /// none; neither has one that is seen so flat or is so small that half a pixel holds it, but
+    /// its ends go where it turns.
+    void find(std::vector<VectorPath>& paths) const;
+
+  private:
+    class Finder;
+    std::unique_ptr<Finder> finder_;
+};
 
 } // namespace lineatlas

@@ -105,12 +105,13 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     drawing.pens = pens.pens;
     drawing.hidden_pens = pens.hidden;
     drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
-    simplify(drawing.paths, options.tolerance);
+    const PathCurves curves{options.mesh, camera};
+    simplify(drawing.paths, options.tolerance, curves);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture);
     sort_for_drawing(drawing.paths);
     if (options.mesh != nullptr) add_groups(*options.mesh, drawing);
     if (options.plotter) drawing.travel = order_for_plotter(drawing.paths);
-    if (options.mesh != nullptr) find_curves(*options.mesh, camera, drawing.paths);
+    curves.find(drawing.paths);
     return drawing;
 }
 

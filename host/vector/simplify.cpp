@@ -34,10 +34,18 @@ std::pair<std::size_t, double> farthest(const std::vector<VectorPoint>& points, 
     return found;
 }
 
-std::vector<std::size_t> kept_points(const std::vector<VectorPoint>& points, double tolerance) {
+std::vector<std::size_t> kept_points(const std::vector<VectorPoint>& points, double tolerance,
+                                     std::span<const std::uint32_t> always) {
     std::vector<bool> keep(points.size(), false);
+    std::vector<std::pair<std::size_t, std::size_t>> open;
+    std::size_t before = 0;
+    for (const std::size_t point : always) {
+        keep[point] = true;
+        open.emplace_back(before, point);
+        before = point;
+    }
+    open.emplace_back(before, points.size() - 1);
     keep.front() = keep.back() = true;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
     while (!open.empty()) {
         const auto [first, last] = open.back();
         open.pop_back();
@@ -56,9 +64,9 @@ std::vector<std::size_t> kept_points(const std::vector<VectorPoint>& points, dou
 
 } // namespace
 
-void simplify(VectorPath& path, double tolerance) {
+void simplify(VectorPath& path, double tolerance, std::span<const std::uint32_t> always) {
     if (path.points.size() < 3) return;
-    const std::vector<std::size_t> kept = kept_points(path.points, tolerance);
+    const std::vector<std::size_t> kept = kept_points(path.points, tolerance, always);
     std::size_t edge = 0;
     for (VectorPiece& piece : path.pieces) {
         while (edge + 2 < kept.size() && kept[edge + 1] <= piece.point) ++edge;
@@ -72,8 +80,8 @@ void simplify(VectorPath& path, double tolerance) {
     path.points.resize(kept.size());
 }
 
-void simplify(std::vector<VectorPath>& paths, double tolerance) {
-    for (VectorPath& path : paths) simplify(path, tolerance);
+void simplify(std::vector<VectorPath>& paths, double tolerance, const PathCurves& curves) {
+    for (VectorPath& path : paths) simplify(path, tolerance, curves.joints(path));
     std::erase_if(paths, [](const VectorPath& path) { return length_of(path) < shortest_path; });
 }
 

@@ -188,6 +188,23 @@ TEST(Curves, AStadiumIsTwoArcsAndTwoLines) {
     EXPECT_EQ(count(dxf, " 42\n"), 2 + count(to_dxf(drawing, {.curves = false}), " 42\n"));
 }
 
+/// However small it is drawn: where an arc goes over into a line is no corner that would be kept.
+TEST(Curves, TangentPointsStay) {
+    const EdgeCurve left{.center = {60, 50, 0.5}, .u = {3, 0, 0}, .v = {0, 3, 0}};
+    const EdgeCurve right{.center = {140, 50, 0.5}, .u = {3, 0, 0}, .v = {0, 3, 0}};
+    Round round;
+    round.add_arc(right, -pi / 2, pi / 2, 24);
+    round.add_straight(Round::at(right, pi / 2), Round::at(left, pi / 2));
+    round.add_arc(left, pi / 2, 3 * pi / 2, 24);
+    round.add_straight(Round::at(left, 3 * pi / 2), Round::at(right, -pi / 2));
+    round.end_path(true);
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    ASSERT_EQ(drawing.paths[0].curves.size(), 2U);
+    for (const VectorCurve& curve : drawing.paths[0].curves)
+        EXPECT_NEAR(std::abs(curve.arc.sweep), pi, 1e-5);
+}
+
 TEST(Curves, InPerspectiveACircleIsAnEllipse) {
     View view;
     view.eye = {0, -3, 2};
