@@ -141,12 +141,23 @@ std::map<std::string, std::string> refusals(std::string_view stage = {}) {
     return result;
 }
 
-/// Bytes that a work-group of each kernel needs on a device with the least local memory, or more
-/// than that, as clang has laid them out for a GPU of AMD's; throws if it says nothing.
+/// Whether a program names local memory anywhere but where the language's header defines how.
+bool names_local_memory(const Program& program) {
+    std::istringstream lines{without_comments(program.source)};
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("LOCAL_TABLE(") != line.npos || line.find("__local") != line.npos)
+            if (line.front() != '#') return true;
+    return false;
+}
+
+/// Bytes that a work-group of each kernel that has local memory needs on a device with the least of
+/// it, or more than that, as clang has laid them out for a GPU of AMD's; throws if it says nothing.
 std::map<std::string, std::size_t> local_memory(std::string_view stage = {}) {
     std::map<std::string, std::size_t> result;
-    for (const auto& [program, output] : compile(
-             programs(forms(true), stage), "-O0 -S -o - --target=amdgcn--amdhsa -mcpu=gfx900")) {
+    std::set<Program> own = programs(forms(true), stage);
+    std::erase_if(own, [](const Program& program) { return !names_local_memory(program); });
+    for (const auto& [program, output] :
+         compile(own, "-O0 -S -o - --target=amdgcn--amdhsa -mcpu=gfx900")) {
         std::istringstream lines{output.text};
         std::string kernel;
         for (std::string line; std::getline(lines, line);) {
