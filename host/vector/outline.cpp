@@ -1,6 +1,7 @@
 #include "outline.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -10,32 +11,39 @@ namespace lineatlas {
 
 namespace {
 
+OutlinePoint begin_of(const VectorArc& arc) {
+    return {.at = arc.at(arc.from),
+            .bulge = arc.ratio == 1 ? std::tan(0.25 * arc.sweep) : 0,
+            .arc = arc};
+}
+
+/// A loop that is one curve, by halves.
+Outline whole(const VectorArc& curve) {
+    VectorArc half = curve;
+    half.sweep *= 0.5;
+    Outline outline{.points = {begin_of(half)}, .closed = true};
+    half.from += half.sweep;
+    outline.points.push_back(begin_of(half));
+    return outline;
+}
+
 /// A path whose curves are arcs.
 Outline with_curves(const VectorPath& path) {
+    if (path.closed && path.curves[0].first == 0 && path.curves[0].last + 1 == path.points.size())
+        return whole(path.curves[0].arc);
     Outline outline{.points = {}, .closed = path.closed};
     auto curve = path.curves.begin();
     for (std::uint32_t i = 0; i + 1 < path.points.size();) {
         OutlinePoint point{path.points[i].at};
-        if (curve == path.curves.end() || curve->first != i) {
-            outline.points.push_back(point);
+        if (curve != path.curves.end() && curve->first == i) {
+            point = begin_of(curve->arc);
+            point.at = path.points[i].at; // where the way before it ends
+            i = curve->last;
+            ++curve;
+        } else {
             ++i;
-            continue;
         }
-        VectorArc arc = curve->arc;
-        const bool whole =
-            path.closed && curve->first == 0 && curve->last + 1 == path.points.size();
-        if (whole) arc.sweep *= 0.5; // twice the half
-        point.arc = arc;
-        if (arc.ratio == 1) point.bulge = std::tan(0.25 * arc.sweep);
-        if (whole) point.at = arc.at(arc.from);
         outline.points.push_back(point);
-        if (whole) {
-            point.arc->from += arc.sweep;
-            point.at = arc.at(point.arc->from);
-            outline.points.push_back(point);
-        }
-        i = curve->last;
-        ++curve;
     }
     if (!path.closed) outline.points.push_back({path.points.back().at});
     return outline;
@@ -52,10 +60,12 @@ Outline of_chords(const VectorPath& path) {
 
 bool Outline::is_round() const {
     if (!closed || points.size() != 2) return false;
-    const auto is_half = [](const OutlinePoint& point) {
-        return std::abs(point.arc ? std::tan(0.25 * point.arc->sweep) : point.bulge) > 1 - 1e-12;
-    };
-    return is_half(points[0]) && is_half(points[1]) && points[0].bulge == points[1].bulge;
+    const OutlinePoint& a = points[0];
+    const OutlinePoint& b = points[1];
+    if (!a.arc || !b.arc) return std::abs(a.bulge) == 1 && a.bulge == b.bulge;
+    return a.arc->center == b.arc->center && a.arc->major == b.arc->major &&
+           a.arc->ratio == b.arc->ratio &&
+           std::abs(a.arc->sweep + b.arc->sweep) == 2 * std::numbers::pi;
 }
 
 VectorArc arc_between(const OutlinePoint& from, glm::dvec2 to) {

@@ -142,5 +142,16 @@ TEST(Arcs, LongWaysTakeNoLongTime) {
     EXPECT_LT(fit_arcs(spiral).points.size(), 30000U);
 }
 
+/// Two arcs that are more than halves overlap: no circle is closed by them.
+TEST(Arcs, ACircleIsTwoHalves) {
+    const auto loop = [](double bulge) {
+        return Outline{.points = {{{0, 0}, bulge}, {{1, 0}, bulge}}, .closed = true};
+    };
+    EXPECT_TRUE(loop(1).is_round());
+    EXPECT_TRUE(loop(-1).is_round());
+    EXPECT_FALSE(loop(2).is_round());
+    EXPECT_FALSE(loop(0.5).is_round());
+}
+
 } // namespace
 } // namespace lineatlas
