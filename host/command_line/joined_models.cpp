@@ -132,7 +132,7 @@ class Joining {
     }
 
     /// What is added to its positions, once scaled.
-    glm::dvec3 moved(const LoadedMesh& loaded) const {
+    glm::dvec3 move_of(const LoadedMesh& loaded) const {
         return scale_of(loaded) * loaded.origin - result_.origin;
     }
 
@@ -143,8 +143,9 @@ class Joining {
         if (scale != 1)
             result_.notes.push_back(fmt::format(
                 "{} has another unit of length: it is scaled by {:g}", model.name, scale));
+        const glm::dvec3 moved = move_of(model.loaded);
         for (const glm::vec3 p : model.loaded.mesh.positions)
-            positions.emplace_back(scale * glm::dvec3{p} + moved(model.loaded));
+            positions.emplace_back(scale * glm::dvec3{p} + moved);
     }
 
     /// Before the triangles: of what has none they are zero.
@@ -195,9 +196,10 @@ class Joining {
         if (curves.empty()) return;
         result_.mesh.edge_curves.resize(first);
         const double scale = scale_of(model.loaded);
+        const glm::dvec3 moved = move_of(model.loaded);
         for (std::optional<EdgeCurve> curve : curves) {
             if (curve)
-                curve = EdgeCurve{.center = scale * curve->center + moved(model.loaded),
+                curve = EdgeCurve{.center = scale * curve->center + moved,
                                   .u = scale * curve->u,
                                   .v = scale * curve->v};
             result_.mesh.edge_curves.push_back(curve);
