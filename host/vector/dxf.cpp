@@ -72,10 +72,15 @@ class EntityWriter {
         text_.add(100, subclass);
     }
 
-    /// A point in space.
-    void add_point(int code, glm::dvec2 at) {
-        text_.add(code, place(at));
+    /// A point or a vector in space.
+    void add_in_space(int code, glm::dvec2 at, int digits) {
+        text_.add(code, at.x, digits);
+        text_.add(code + 10, at.y, digits);
         text_.add(code + 20, 0.0);
+    }
+
+    void add_point(int code, glm::dvec2 at, int digits = DxfText::usual_digits) {
+        add_in_space(code, place(at), digits);
     }
 
     void write_line(const Outline& outline, std::string_view layer) {
@@ -94,10 +99,7 @@ class EntityWriter {
     }
 
     void add_circle(const VectorArc& arc) {
-        const glm::dvec2 center = place(arc.center);
-        text_.add(10, center.x, fine);
-        text_.add(20, center.y, fine);
-        text_.add(30, 0.0);
+        add_point(10, arc.center, fine);
         text_.add(40, arc.major.x, fine);
     }
 
@@ -119,13 +121,8 @@ class EntityWriter {
     void write_ellipse(const OutlinePoint& point, double sweep, std::string_view layer) {
         begin("ELLIPSE", "AcDbEllipse", layer);
         const VectorArc& arc = *point.arc;
-        const glm::dvec2 center = place(arc.center);
-        text_.add(10, center.x, fine);
-        text_.add(20, center.y, fine);
-        text_.add(30, 0.0);
-        text_.add(11, arc.major.x, fine);
-        text_.add(21, -arc.major.y, fine);
-        text_.add(31, 0.0);
+        add_point(10, arc.center, fine);
+        add_in_space(11, {arc.major.x, -arc.major.y}, fine);
         text_.add(40, arc.ratio, fine);
         const bool whole = std::abs(sweep) >= turn;
         const auto [from, to] = counter_clockwise(arc.from, sweep);

@@ -14,8 +14,10 @@ class DxfText {
     /// A number of an object, unlike all others in the file.
     using Handle = std::uint32_t;
 
+    static constexpr int usual_digits = 5;
+
     void add(int code, std::string_view value);
-    void add(int code, double value, int digits = 5); ///< after the point, at most
+    void add(int code, double value, int digits = usual_digits); ///< after the point, at most
     void add(int code, int value);
     void add_handle(int code, Handle handle);
     /// Two numbers; that of y has the code of x and ten.
