@@ -10,7 +10,6 @@
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
-#include <glm/mat2x2.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "core/pair_key.hpp"
@@ -167,8 +166,9 @@ class PathCurves::Finder {
 
     void find(VectorPath& path) {
         std::vector<Step> steps = steps_of(path);
-        if (path.closed) begin_between_curves(path, steps);
-        if (!path.closed && !path.pieces.empty()) {
+        if (path.closed) {
+            begin_between_curves(path, steps);
+        } else if (!path.pieces.empty()) {
             reach_extreme(path.pieces.front(), path.points[1].at, path.points.front());
             reach_extreme(path.pieces.back(), path.points[path.points.size() - 2].at,
                           path.points.back());
@@ -186,7 +186,6 @@ class PathCurves::Finder {
     struct Step {
         std::uint32_t edge = none;
         const Ellipse* ellipse = nullptr; ///< that of the edge
-        double chord = 0;                 ///< the largest angle between ends of segments, radians
     };
 
     static bool go_on(const Step& a, const Step& b) {
@@ -205,12 +204,10 @@ class PathCurves::Finder {
         return {0.5 * size_.x * (1 + clip.x / clip.w), 0.5 * size_.y * (1 - clip.y / clip.w)};
     }
 
+    /// The angle between the ends of a segment.
     double chord_of(const LineSource& source, const Ellipse& ellipse) const {
         const auto at = [&](std::uint32_t position) {
-            const glm::dvec4 clip =
-                clip_from_world_ * glm::dvec4{glm::dvec3{mesh_.positions[position]}, 1};
-            return ellipse.unrolled(
-                {0.5 * size_.x * (1 + clip.x / clip.w), 0.5 * size_.y * (1 - clip.y / clip.w)});
+            return ellipse.unrolled(on_screen(glm::dvec3{mesh_.positions[position]}));
         };
         return std::abs(angle_between(at(source.from), at(source.to)));
     }
@@ -228,8 +225,6 @@ class PathCurves::Finder {
             else if (!go_on(step, {.ellipse = ellipse}))
                 step.ellipse = nullptr;
             known[piece.point] = true;
-            if (step.ellipse != nullptr)
-                step.chord = std::max(step.chord, chord_of(piece.source, *ellipse));
         }
         return steps;
     }
@@ -306,9 +301,11 @@ class PathCurves::Finder {
             const glm::dvec2 here = ellipse.unrolled(path.points[i].at);
             const double slack = on_curve / ellipse.minor();
             // A path's own ends are where the line disappears, anywhere on a chord.
-            const bool cut = !path.closed && (i == 0 || i == steps.size());
-            const double chord = steps[i == last ? i - 1 : i].chord;
-            const double least = cut ? std::cos(0.5 * chord) : 1;
+            double least = 1;
+            if (!path.closed && (i == 0 || i == steps.size())) {
+                const VectorPiece& end = i == 0 ? path.pieces.front() : path.pieces.back();
+                least = std::cos(0.5 * chord_of(end.source, ellipse));
+            }
             if (!(glm::length(here) > least - slack) || !(glm::length(here) < 1 + slack)) return;
             if (i == first) continue;
             const double step = angle_between(ellipse.unrolled(path.points[i - 1].at), here);
