@@ -96,6 +96,23 @@ VectorDrawing drawn_whole(const Round& round, const Camera& camera = test::flat_
     return drawn(round, cuts.intervals, camera);
 }
 
+/// Two half circles, the left one and the right one, and the lines between them; it begins at an
+/// angle of the right one.
+Round stadium(double radius, double begins) {
+    const auto half = [&](double x) {
+        return EdgeCurve{.center = {x, 50, 0.5}, .u = {radius, 0, 0}, .v = {0, radius, 0}};
+    };
+    const EdgeCurve left = half(60), right = half(140);
+    Round round;
+    round.add_arc(right, begins, pi / 2, 12);
+    round.add_straight(Round::at(right, pi / 2), Round::at(left, pi / 2));
+    round.add_arc(left, pi / 2, 3 * pi / 2, 24);
+    round.add_straight(Round::at(left, 3 * pi / 2), Round::at(right, 3 * pi / 2));
+    if (begins > -pi / 2) round.add_arc(right, 3 * pi / 2, begins + 2 * pi, 12);
+    round.end_path(true);
+    return round;
+}
+
 std::size_t count(const std::string& text, const std::string& what) {
     std::size_t found = 0;
     for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
@@ -164,15 +181,7 @@ TEST(Curves, WholeEllipsesAreOneEntity) {
 
 /// Halves of one circle are one curve; a loop does not begin within one.
 TEST(Curves, AStadiumIsTwoArcsAndTwoLines) {
-    const EdgeCurve left{.center = {60, 50, 0.5}, .u = {30, 0, 0}, .v = {0, 30, 0}};
-    const EdgeCurve right{.center = {140, 50, 0.5}, .u = {30, 0, 0}, .v = {0, 30, 0}};
-    Round round;
-    round.add_arc(right, 0, pi / 2, 6);
-    round.add_straight(Round::at(right, pi / 2), Round::at(left, pi / 2));
-    round.add_arc(left, pi / 2, 3 * pi / 2, 12);
-    round.add_straight(Round::at(left, 3 * pi / 2), Round::at(right, 3 * pi / 2));
-    round.add_arc(right, 3 * pi / 2, 2 * pi, 6);
-    round.end_path(true);
+    const Round round = stadium(30, 0);
     const VectorDrawing drawing = drawn_whole(round);
     ASSERT_EQ(drawing.paths.size(), 1U);
     const VectorPath& path = drawing.paths[0];
@@ -190,19 +199,26 @@ TEST(Curves, AStadiumIsTwoArcsAndTwoLines) {
 
 /// However small it is drawn: where an arc goes over into a line is no corner that would be kept.
 TEST(Curves, TangentPointsStay) {
-    const EdgeCurve left{.center = {60, 50, 0.5}, .u = {3, 0, 0}, .v = {0, 3, 0}};
-    const EdgeCurve right{.center = {140, 50, 0.5}, .u = {3, 0, 0}, .v = {0, 3, 0}};
-    Round round;
-    round.add_arc(right, -pi / 2, pi / 2, 24);
-    round.add_straight(Round::at(right, pi / 2), Round::at(left, pi / 2));
-    round.add_arc(left, pi / 2, 3 * pi / 2, 24);
-    round.add_straight(Round::at(left, 3 * pi / 2), Round::at(right, -pi / 2));
-    round.end_path(true);
+    const Round round = stadium(3, -pi / 2);
     const VectorDrawing drawing = drawn_whole(round);
     ASSERT_EQ(drawing.paths.size(), 1U);
     ASSERT_EQ(drawing.paths[0].curves.size(), 2U);
     for (const VectorCurve& curve : drawing.paths[0].curves)
         EXPECT_NEAR(std::abs(curve.arc.sweep), pi, 1e-5);
+}
+
+/// Halves of two ellipses that meet on one axis are no ellipse.
+TEST(Curves, AnEggIsTwoHalves) {
+    const EdgeCurve blunt{.center = {100, 50, 0.5}, .u = {20, 0, 0}, .v = {0, 15, 0}};
+    const EdgeCurve pointed{.center = {100, 50, 0.5}, .u = {40, 0, 0}, .v = {0, 15, 0}};
+    Round round;
+    round.add_arc(pointed, -pi / 2, pi / 2, 48);
+    round.add_arc(blunt, pi / 2, 3 * pi / 2, 48);
+    round.end_path(true);
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    EXPECT_EQ(drawing.paths[0].curves.size(), 2U);
+    EXPECT_EQ(count(to_dxf(drawing), "ELLIPSE\n"), 2U);
 }
 
 TEST(Curves, InPerspectiveACircleIsAnEllipse) {
