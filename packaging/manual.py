@@ -28,11 +28,12 @@ def paragraphs(lines):
 def page_of(name, version, text):
     lines = text.splitlines()
     about = re.sub(r"^[\w -]+: ", "", lines[0])
-    usage = re.sub(r"Usage: \S*?([\w-]+)( |$)", r"\1 ", next(line for line in lines if line.startswith("Usage:")))
+    synopsis = next(line for line in lines if "[OPTIONS]" in line)  # CLI11 2.6 has no "Usage:" before it
+    usage = re.sub(r"(?:Usage: )?\S*?([\w-]+)( |$)", r"\1 ", synopsis, count=1)
     page = [f'.TH {name.upper()} 1 "" "lineatlas {version}"', ".SH NAME", f"{escaped(name)} \\- {escaped(about)}",
             ".SH SYNOPSIS", escaped(usage.strip())]
     free, in_options = [], False
-    for line in lines[lines.index(next(line for line in lines if line.startswith("Usage:"))) + 1:]:
+    for line in lines[lines.index(synopsis) + 1:]:
         option = re.match(r"  (\S.*?)(?:  +(\S.*))?$", line)
         more = re.match(r" {20,}(\S.*)$", line)
         if re.match(r"\S[^.]*:$", line) and line != "Examples:" and not free:
