@@ -89,7 +89,8 @@ void forget_what_was_inherited() {
     // The memory too: a variable may be a password.
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable)
         ::explicit_bzero(*variable, std::strlen(*variable));
-    ::clearenv();
+    static std::array<char*, 1> nothing{};
+    environ = nothing.data(); // not null, as clearenv() has it: OpenColorIO 2.5 reads it
     for (const std::string& variable : environment) {
         const std::size_t equals = variable.find('=');
         ::setenv(variable.substr(0, equals).c_str(), variable.c_str() + equals + 1, 1);
