@@ -169,6 +169,8 @@ void ReaderProcess::ended() {
     const auto [status, went_on_mute] = worker_.ending();
     if (went_on_mute)
         fail("its reader closed its answer before it was whole; the file is damaged or hostile");
+    constexpr int cannot_load = 127; // of the loader, which has no room for libraries
+    if (WIFEXITED(status) && WEXITSTATUS(status) == cannot_load) fail_for_memory();
     if (!WIFSIGNALED(status))
         fail("its reader ended unexpectedly with code " + std::to_string(WEXITSTATUS(status)));
     const int signal = WTERMSIG(status);
