@@ -11,8 +11,12 @@ namespace {
 
 namespace py = pybind11;
 
-/// What pybind11 calls every function by.
+/// Python has a name for it since version 3.13.
+using FastCall = PyObject* (*)(PyObject*, PyObject* const*, Py_ssize_t, PyObject*);
+
+/// What pybind11 calls every function by: since version 3.0.2 by the second.
 PyCFunctionWithKeywords call = nullptr;
+FastCall call_fast = nullptr;
 
 const py::detail::function_record* record_in(PyObject* self) {
     if (self == nullptr) return nullptr;
@@ -76,50 +80,71 @@ std::string message(const py::detail::function_record& function, const std::stri
     return meant + " of " + function.scope.attr("__name__").cast<std::string>() + "()?";
 }
 
-/// The first name in `named` that no argument has; empty if all are known.
+/// The first name in `named`, a dictionary or a tuple of names, that no argument has; empty if all
+/// are known.
 std::string unknown_in(const py::detail::function_record& function, PyObject* named) {
     if (named == nullptr || function.has_kwargs || function.next != nullptr) return {};
     const std::vector<std::string> names = names_of(function);
-    for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(named)) {
+    for (const py::handle key : py::reinterpret_borrow<py::object>(named)) {
         const auto name = key.cast<std::string>();
         if (std::find(names.begin(), names.end(), name) == names.end()) return name;
     }
     return {};
 }
 
-PyObject* call_in_words(PyObject* self, PyObject* arguments, PyObject* named) {
-    PyObject* result = call(self, arguments, named);
+/// The result of a call, or its error in words that name the argument.
+PyObject* in_words(PyObject* self, PyObject* named, PyObject* result) {
     const auto* function = record_in(self);
     if (result != nullptr || function == nullptr || PyErr_ExceptionMatches(PyExc_TypeError) == 0)
         return result;
     PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
     PyErr_Fetch(&type, &value, &trace);
-    std::string in_words;
+    std::string words;
     try {
         const std::string unknown = unknown_in(*function, named);
-        if (!unknown.empty()) in_words = message(*function, unknown);
+        if (!unknown.empty()) words = message(*function, unknown);
     } catch (const std::exception&) {
-        in_words.clear(); // then pybind11's own words are good enough
+        words.clear(); // then pybind11's own words are good enough
     }
-    if (in_words.empty()) {
+    if (words.empty()) {
         PyErr_Restore(type, value, trace);
         return nullptr;
     }
     for (PyObject* each : {type, value, trace}) Py_XDECREF(each);
-    PyErr_SetString(PyExc_TypeError, in_words.c_str());
+    PyErr_SetString(PyExc_TypeError, words.c_str());
     return nullptr;
+}
+
+PyObject* call_in_words(PyObject* self, PyObject* arguments, PyObject* named) {
+    return in_words(self, named, call(self, arguments, named));
+}
+
+PyObject* call_fast_in_words(PyObject* self, PyObject* const* arguments, Py_ssize_t count,
+                             PyObject* names) {
+    return in_words(self, names, call_fast(self, arguments, count, names));
+}
+
+template <class Call>
+PyCFunction untyped(Call one) {
+    return reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(one));
+}
+
+/// Lets a function be called by `own`, and keeps what called it as `before`.
+template <class Call>
+void replace(PyMethodDef& method, Call own, Call& before) {
+    if (method.ml_meth == untyped(own)) return;
+    before = reinterpret_cast<Call>(reinterpret_cast<void (*)()>(method.ml_meth));
+    method.ml_meth = untyped(own);
 }
 
 void name_in(const py::dict& attributes) {
     for (const auto& [name, attribute] : attributes) {
         PyCFunctionObject* function = function_behind(attribute);
         if (function == nullptr || record_in(function->m_self) == nullptr) continue;
-        const auto own = reinterpret_cast<PyCFunction>(
-            reinterpret_cast<void (*)()>(PyCFunctionWithKeywords{call_in_words}));
-        if (function->m_ml->ml_meth == own) continue;
-        call = reinterpret_cast<PyCFunctionWithKeywords>(
-            reinterpret_cast<void (*)()>(function->m_ml->ml_meth));
-        function->m_ml->ml_meth = own;
+        if ((function->m_ml->ml_flags & METH_FASTCALL) != 0)
+            replace(*function->m_ml, FastCall{call_fast_in_words}, call_fast);
+        else
+            replace(*function->m_ml, PyCFunctionWithKeywords{call_in_words}, call);
     }
 }
 
