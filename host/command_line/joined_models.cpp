@@ -106,6 +106,7 @@ class Joining {
             std::max(result_.mesh.precision,
                      static_cast<float>(scale_of(loaded) * double{loaded.mesh.precision}));
         add_normals(loaded.mesh);
+        add_surfaces(loaded);
         const std::uint32_t objects = objects_;
         objects_ += count_of_objects(loaded.mesh);
         add_parts(loaded, objects);
@@ -157,6 +158,32 @@ class Joining {
         normals.resize(3 * (result_.mesh.triangles.size() + mesh.triangles.size()));
     }
 
+    /// Before the triangles: what has none has no surface.
+    void add_surfaces(const LoadedMesh& loaded) {
+        KnownSurfaces& all = result_.mesh.surfaces;
+        const KnownSurfaces& own = loaded.mesh.surfaces;
+        if (all.empty() && own.empty()) return;
+        const auto fill = [&](std::size_t triangles) {
+            all.of_triangle.resize(triangles, KnownSurfaces::none);
+            all.parameters.resize(triangles);
+        };
+        fill(result_.mesh.triangles.size());
+        const auto first_shape = static_cast<std::uint32_t>(all.shapes.size());
+        const auto first = static_cast<std::uint32_t>(all.surfaces.size());
+        append(all.shapes, own.shapes);
+        const double scale = scale_of(loaded);
+        for (PlacedSurface surface : own.surfaces) {
+            surface.shape += first_shape;
+            surface.model_from_shape *= scale;
+            surface.model_from_shape[3] += move_of(loaded);
+            all.surfaces.push_back(surface);
+        }
+        for (const std::uint32_t surface : own.of_triangle)
+            all.of_triangle.push_back(surface == KnownSurfaces::none ? surface : surface + first);
+        append(all.parameters, own.parameters);
+        fill(result_.mesh.triangles.size() + loaded.mesh.triangles.size());
+    }
+
     void add_groups(NamedModel& model) {
         Mesh& mesh = model.loaded.mesh;
         if (mesh.triangle_group.empty()) {
@@ -191,6 +218,11 @@ class Joining {
             edge.edge += first;
             edges_ = std::max(edges_, edge.edge + 1);
             result_.mesh.known_edges.push_back(edge);
+        }
+        const std::vector<std::uint32_t>& entities = model.loaded.mesh.edge_entities;
+        if (!entities.empty()) {
+            result_.mesh.edge_entities.resize(first);
+            append(result_.mesh.edge_entities, entities);
         }
         const std::vector<std::optional<EdgeCurve>>& curves = model.loaded.mesh.edge_curves;
         if (curves.empty()) return;

@@ -29,6 +29,10 @@ void check_indices(const Mesh& mesh) {
         throw UsageError("mesh: there are " + std::to_string(mesh.triangles.size()) +
                          " triangles, which have three corners each, but normals of " +
                          std::to_string(mesh.corner_normals.size()) + " corners");
+    if (!is_sound(mesh.surfaces, mesh.triangles.size()))
+        throw UsageError("mesh: its surfaces do not fit its " +
+                         std::to_string(mesh.triangles.size()) +
+                         " triangles, or a number in them is out of range");
     for (std::size_t i = 0; i < mesh.polylines.size(); ++i) {
         for (const std::uint32_t index : mesh.polylines[i])
             check_index(index, count, "polyline", i);

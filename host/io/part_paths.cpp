@@ -88,6 +88,8 @@ void keep_parts(Mesh& mesh, const PartPaths& paths, const std::vector<bool>& wan
         for (const bool triangle : triangles) corners.insert(corners.end(), 3, triangle);
         keep(mesh.corner_normals, corners);
     }
+    keep(mesh.surfaces.of_triangle, triangles);
+    keep(mesh.surfaces.parameters, triangles);
     keep(mesh.polylines, lines);
     keep(mesh.polyline_object, lines);
     keep(mesh.polyline_kind, lines);

@@ -1,5 +1,6 @@
 #include "reader_messages.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -10,6 +11,41 @@
 
 namespace lineatlas {
 namespace {
+
+void send(ReaderOutput& output, const SplineDirection& along) {
+    output.value(along.degree);
+    output.values(along.knots);
+}
+
+void send(ReaderOutput& output, const SurfaceShape& shape) {
+    output.value(shape.kind);
+    output.value(shape.point);
+    output.value(shape.axis);
+    output.value(shape.curve.kind);
+    output.value(shape.curve.point);
+    output.value(shape.curve.u);
+    output.value(shape.curve.v);
+    send(output, shape.curve.along);
+    output.values(shape.curve.poles);
+    send(output, shape.along_u);
+    send(output, shape.along_v);
+    output.values(shape.poles);
+    output.value(shape.offset);
+}
+
+void send(ReaderOutput& output, const KnownSurfaces& known) {
+    output.value(std::uint64_t{known.shapes.size()});
+    for (const SurfaceShape& shape : known.shapes) send(output, shape);
+    output.value(std::uint64_t{known.surfaces.size()});
+    for (const PlacedSurface& surface : known.surfaces) {
+        output.value(surface.shape);
+        output.value(surface.entity);
+        output.value(surface.turned);
+        output.value(surface.model_from_shape);
+    }
+    output.values(known.of_triangle);
+    output.values(known.parameters);
+}
 
 void send(ReaderOutput& output, const Mesh& mesh) {
     output.values(mesh.positions);
@@ -32,7 +68,9 @@ void send(ReaderOutput& output, const Mesh& mesh) {
         output.value(curve.has_value());
         if (curve) output.value(*curve);
     }
+    output.values(mesh.edge_entities);
     output.values(mesh.corner_normals);
+    send(output, mesh.surfaces);
     output.value(mesh.precision);
 }
 
@@ -52,6 +90,44 @@ ModelPart receive_part(ReaderProcess& process) {
     return part;
 }
 
+SplineDirection receive_direction(ReaderProcess& process) {
+    SplineDirection along{.degree = process.value<std::uint32_t>(), .knots = {}};
+    along.knots = process.values<double>();
+    return along;
+}
+
+SurfaceShape receive_shape(ReaderProcess& process) {
+    SurfaceShape shape{.kind = process.value<SurfaceShape::Kind>()};
+    shape.point = process.value<glm::dvec3>();
+    shape.axis = process.value<glm::dvec3>();
+    shape.curve.kind = process.value<SurfaceCurve::Kind>();
+    shape.curve.point = process.value<glm::dvec3>();
+    shape.curve.u = process.value<glm::dvec3>();
+    shape.curve.v = process.value<glm::dvec3>();
+    shape.curve.along = receive_direction(process);
+    shape.curve.poles = process.values<glm::dvec4>();
+    shape.along_u = receive_direction(process);
+    shape.along_v = receive_direction(process);
+    shape.poles = process.values<glm::dvec4>();
+    shape.offset = process.value<double>();
+    return shape;
+}
+
+KnownSurfaces receive_surfaces(ReaderProcess& process) {
+    KnownSurfaces known;
+    known.shapes = process.list([&] { return receive_shape(process); });
+    known.surfaces = process.list([&] {
+        PlacedSurface surface{.shape = process.value<std::uint32_t>()};
+        surface.entity = process.value<std::uint32_t>();
+        surface.turned = process.value<std::uint8_t>() != 0;
+        surface.model_from_shape = process.value<glm::dmat4x3>();
+        return surface;
+    });
+    known.of_triangle = process.values<std::uint32_t>();
+    known.parameters = process.values<std::array<glm::dvec2, 3>>();
+    return known;
+}
+
 Mesh receive_mesh(ReaderProcess& process) {
     Mesh mesh;
     mesh.positions = process.values<glm::vec3>();
@@ -66,7 +142,9 @@ Mesh receive_mesh(ReaderProcess& process) {
         if (process.value<std::uint8_t>() == 0) return std::nullopt;
         return process.value<EdgeCurve>();
     });
+    mesh.edge_entities = process.values<std::uint32_t>();
     mesh.corner_normals = process.values<glm::vec3>();
+    mesh.surfaces = receive_surfaces(process);
     mesh.precision = process.value<float>();
     return mesh;
 }

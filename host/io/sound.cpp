@@ -88,7 +88,8 @@ bool is_sound(const Mesh& mesh) {
            are_numbers(mesh.triangle_group, mesh.triangles.size(), mesh.groups.size()) &&
            (mesh.corner_normals.empty() ||
             mesh.corner_normals.size() == 3 * mesh.triangles.size()) &&
-           std::ranges::all_of(mesh.corner_normals, is_normal) && is_length(mesh.precision);
+           std::ranges::all_of(mesh.corner_normals, is_normal) &&
+           is_sound(mesh.surfaces, mesh.triangles.size()) && is_length(mesh.precision);
 }
 
 } // namespace

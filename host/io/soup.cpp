@@ -110,6 +110,8 @@ FaceCounts triangulate_faces(const Soup& soup, const std::vector<std::uint32_t>&
         if (!soup.corner_normals.empty() && mesh.triangles.size() > before)
             mesh.corner_normals.insert(mesh.corner_normals.end(), &soup.corner_normals[3 * i],
                                        &soup.corner_normals[3 * i] + 3);
+        if (!soup.surfaces.empty() && mesh.triangles.size() > before)
+            mesh.surfaces.add_triangle(soup.surfaces.of_triangle[i], soup.surfaces.parameters[i]);
     }
     return counts;
 }
@@ -218,8 +220,12 @@ LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
     const std::size_t lost_lines = keep_polylines(soup, moved, mesh);
     keep_known_edges(soup, moved, mesh);
     mesh.edge_curves = std::move(soup.edge_curves);
+    mesh.edge_entities = std::move(soup.edge_entities);
     for (std::optional<EdgeCurve>& curve : mesh.edge_curves)
         if (curve) curve->center -= origin;
+    mesh.surfaces.shapes = std::move(soup.surfaces.shapes);
+    mesh.surfaces.surfaces = std::move(soup.surfaces.surfaces);
+    for (PlacedSurface& surface : mesh.surfaces.surfaces) surface.model_from_shape[3] -= origin;
     loaded.format = std::move(soup.format);
     loaded.up = soup.up;
     loaded.unit = soup.unit;

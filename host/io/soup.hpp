@@ -26,8 +26,10 @@ struct Soup {
     std::vector<std::uint32_t> polyline_object{}; ///< per polyline, or empty
     std::vector<KnownEdge> known_edges{};
     std::vector<std::optional<EdgeCurve>> edge_curves{}; ///< as Mesh::edge_curves
+    std::vector<std::uint32_t> edge_entities{};          ///< as Mesh::edge_entities
     std::vector<glm::vec3>
-        corner_normals{}; ///< three per face, all of which are triangles; or empty
+        corner_normals{};     ///< three per face, all of which are triangles; or empty
+    KnownSurfaces surfaces{}; ///< per face, all of which are triangles; or empty
     std::vector<ModelPart> parts{};
     std::string format{};
     std::optional<glm::vec3> up{};

@@ -30,6 +30,8 @@ class PlaneCutter {
         cut_.mesh.positions = mesh.positions;
         cut_.mesh.groups = mesh.groups;
         cut_.mesh.precision = mesh.precision;
+        cut_.mesh.surfaces.shapes = mesh.surfaces.shapes;
+        cut_.mesh.surfaces.surfaces = mesh.surfaces.surfaces;
     }
 
     PlaneCut cut() {
@@ -49,6 +51,7 @@ class PlaneCutter {
         for (std::size_t i = 0; i < mesh_.polylines.size(); ++i) clip_polyline(i);
         for (const KnownEdge& edge : mesh_.known_edges) clip_known_edge(edge);
         cut_.mesh.edge_curves = mesh_.edge_curves;
+        cut_.mesh.edge_entities = mesh_.edge_entities;
         cut_.misses = !any_below || !any_above;
         return std::move(cut_);
     }
@@ -59,13 +62,15 @@ class PlaneCutter {
     /// Of a triangle before or after the cut.
     struct Corner {
         std::uint32_t position = 0;
-        glm::vec3 normal{0}; ///< of Mesh::corner_normals
+        glm::vec3 normal{0};      ///< of Mesh::corner_normals
+        glm::dvec2 parameters{0}; ///< of Mesh::surfaces
     };
 
     Corner corner(std::uint32_t triangle, int number) const {
         Corner result{.position = places_[mesh_.triangles[triangle][number]]};
-        if (!mesh_.corner_normals.empty())
-            result.normal = mesh_.corner_normals[3 * triangle + static_cast<std::uint32_t>(number)];
+        const auto k = static_cast<std::uint32_t>(number);
+        if (!mesh_.corner_normals.empty()) result.normal = mesh_.corner_normals[3 * triangle + k];
+        if (!mesh_.surfaces.empty()) result.parameters = mesh_.surfaces.parameters[triangle][k];
         return result;
     }
 
@@ -76,6 +81,10 @@ class PlaneCutter {
         cut_.mesh.triangles.push_back(positions);
         if (!mesh_.corner_normals.empty())
             for (const Corner& each : corners) cut_.mesh.corner_normals.push_back(each.normal);
+        if (!mesh_.surfaces.empty())
+            cut_.mesh.surfaces.add_triangle(
+                mesh_.surfaces.of_triangle[triangle],
+                {corners[0].parameters, corners[1].parameters, corners[2].parameters});
         cut_.part_of_triangle.push_back(parts_[triangle]);
         if (!mesh_.triangle_group.empty())
             cut_.mesh.triangle_group.push_back(mesh_.triangle_group[triangle]);
@@ -115,9 +124,10 @@ class PlaneCutter {
 
     Corner cut_corner(const Corner& below, const Corner& beyond) {
         Corner result{.position = cut_point(below.position, beyond.position)};
+        const double way = share(below.position, beyond.position);
+        result.parameters = glm::mix(below.parameters, beyond.parameters, way);
         if (below.normal == glm::vec3{0} || beyond.normal == glm::vec3{0}) return result;
-        const auto way = static_cast<float>(share(below.position, beyond.position));
-        const glm::vec3 normal = glm::mix(below.normal, beyond.normal, way);
+        const glm::vec3 normal = glm::mix(below.normal, beyond.normal, static_cast<float>(way));
         const float length = glm::length(normal);
         if (length > 0) result.normal = normal / length;
         return result;

@@ -122,6 +122,7 @@ class Sectioner {
                 mesh.triangle_object.push_back(mesh.triangle_object[face.triangle]);
             if (!mesh.corner_normals.empty())
                 mesh.corner_normals.insert(mesh.corner_normals.end(), 3, glm::vec3{0});
+            if (!mesh.surfaces.empty()) mesh.surfaces.add_triangle(KnownSurfaces::none, {});
         }
         for (const CutLoop& loop : face.loops) {
             std::vector<std::uint32_t> line = loop.points;

@@ -111,7 +111,7 @@ ELSEWHERE = {
     "DxfOptions.margin": "Renderer.to_dxf(margin)", "DxfOptions.page": "Renderer.to_dxf(page)",
     "JsonOptions": "Renderer.to_json()", "JsonOptions.tags": "Renderer.to_json(tags)",
     "SvgOptions": "Renderer.to_svg()", "SvgOptions.background": "Renderer.to_svg(transparent)",
-    "SvgOptions.curves": "Renderer.to_svg(curves)", "VectorCurve.*": "Renderer.to_json()",
+    "SvgOptions.curves": "Renderer.to_svg(curves)", "VectorCurve.*": "Renderer.to_json()", "VectorCubic.*": "Renderer.to_json()",
     "VectorArc.*": "Renderer.to_json()",
     "SvgOptions.fit_arcs": "Renderer.to_svg(fit_arcs)", "SvgOptions.margin": "Renderer.to_svg(margin)",
     "SvgOptions.page": "Renderer.to_svg(page)", "SvgOptions.tags": "Renderer.to_svg(tags)",
@@ -150,7 +150,8 @@ NOT_IN_PYTHON = {
     "not bound yet: what files say beside their mesh, and how they are read": """
         LoadedMesh.deflection LoadedMesh.format LoadedMesh.parts LoadedMesh.unit LoadedMesh.up ModelPart.* KnownEdge.edge
         LineOptions.smooth_edges ImageSettings.bits Mesh.precision""",
-    "not bound yet: normals and curves of a program's own": "Mesh.corner_normals Mesh.edge_curves EdgeCurve.*",
+    "not bound yet: normals and curves of a program's own": "Mesh.corner_normals Mesh.edge_curves EdgeCurve.* "
+        "Mesh.edge_entities Mesh.surfaces KnownSurfaces.* PlacedSurface.* SurfaceShape.* SurfaceCurve.* SplineDirection.* is_sound()",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
         DxfOptions.description VectorOptions.tolerance with_shown_height()""",

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -66,6 +68,21 @@ struct Answer {
     bool is_sound;
     Change change;
 };
+
+/// Says that each side of a cube is curved, and all of them one ball.
+void add_ball(Mesh& mesh, double radius) {
+    for (const glm::uvec3 corners : mesh.triangles)
+        for (int k = 0; k < 3; ++k)
+            mesh.corner_normals.push_back(
+                glm::normalize(mesh.positions[corners[k]] + glm::vec3{0.1F, 0.2F, 0.3F}));
+    mesh.surfaces.shapes = {
+        {.axis = {0, 0, 1},
+         .curve = {.kind = SurfaceCurve::Kind::ellipse, .u = {radius, 0, 0}, .v = {0, 0, radius}}}};
+    mesh.surfaces.surfaces = {{}};
+    mesh.surfaces.of_triangle.assign(mesh.triangles.size(), 0);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        mesh.surfaces.parameters.push_back({glm::dvec2{0.1, 0.2}, {1.1, 0.2}, {0.1, 1.2}});
+}
 
 const std::vector<Answer> answers{
     {"as it is", true, [](LoadedMesh&) {}},
@@ -248,6 +265,44 @@ const std::vector<Answer> answers{
     {"normals of all corners but one", false,
      [](LoadedMesh& loaded) {
          loaded.mesh.corner_normals.assign(35, {0, 0, 1});
+     }},
+    {"a ball as the surface of all sides", true,
+     [](LoadedMesh& loaded) { add_ball(loaded.mesh, 1); }},
+    {"a ball that is larger than all that is", true,
+     [](LoadedMesh& loaded) { add_ball(loaded.mesh, 1e300); }},
+    {"a net of poles with weights beside nothing", true,
+     [](LoadedMesh& loaded) {
+         add_ball(loaded.mesh, 1);
+         SurfaceShape& net = loaded.mesh.surfaces.shapes[0];
+         net = {.kind = SurfaceShape::Kind::spline,
+                .along_u = {.degree = 1, .knots = {0, 0, 1e-300, 1}},
+                .along_v = {.degree = 1, .knots = {0, 0, 1, 1}},
+                .poles = std::vector<glm::dvec4>(4, {1e300, -1e300, 1, 1e-300})};
+     }},
+    {"a surface that there is not", false,
+     [](LoadedMesh& loaded) {
+         add_ball(loaded.mesh, 1);
+         loaded.mesh.surfaces.of_triangle[7] = 1;
+     }},
+    {"a surface of a shape that there is not", false,
+     [](LoadedMesh& loaded) {
+         add_ball(loaded.mesh, 1);
+         loaded.mesh.surfaces.surfaces[0].shape = 1;
+     }},
+    {"surfaces of some triangles", false,
+     [](LoadedMesh& loaded) {
+         add_ball(loaded.mesh, 1);
+         loaded.mesh.surfaces.of_triangle.pop_back();
+     }},
+    {"a spline without poles", false,
+     [](LoadedMesh& loaded) {
+         add_ball(loaded.mesh, 1);
+         loaded.mesh.surfaces.shapes[0].kind = SurfaceShape::Kind::spline;
+     }},
+    {"a surface at NaN", false,
+     [](LoadedMesh& loaded) {
+         add_ball(loaded.mesh, 1);
+         loaded.mesh.surfaces.parameters[3][1].x = std::numeric_limits<double>::quiet_NaN();
      }},
 };
 

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "lineatlas/export.hpp"
+#include "lineatlas/surface.hpp"
 
 namespace lineatlas {
 
@@ -76,6 +77,9 @@ struct Mesh {
     /// Per number of a file's edge (KnownEdge::edge) its curve, or nothing where it is none of
     /// these. It may end before the last number. Paths leave as such (SvgOptions::curves).
     std::vector<std::optional<EdgeCurve>> edge_curves{};
+    /// Per number of a file's edge what the file calls it, as #12 of STEP, or 0 where that is not
+    /// known. It may end before the last number.
+    std::vector<std::uint32_t> edge_entities{};
     /// What each polyline is. Empty: all are PolylineKind::file.
     std::vector<PolylineKind> polyline_kind{};
     /// Normals of the surface itself at the corners of triangles, three unit vectors to a triangle,
@@ -83,6 +87,9 @@ struct Mesh {
     /// exact surfaces have them. Smooth silhouettes (Silhouettes) take them in place of means of
     /// triangles. Empty: none are known.
     std::vector<glm::vec3> corner_normals{};
+    /// The surfaces that curved triangles approximate; their normals are those of `corner_normals`.
+    /// Smooth silhouettes by the exact method lie on them. Empty: none are known.
+    KnownSurfaces surfaces{};
     /// How far a position may be off the place that was meant, as in files that round to a grid, or
     /// a chord off its curve, in model units: what is nearer than that touches. 0: as far as floats
     /// are.

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include <NCollection_DataMap.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Shape.hxx>
 #include <glm/vec3.hpp>
 
@@ -29,6 +31,9 @@ class FaceColors {
     virtual std::optional<glm::vec3> color(const TopoDS_Shape& face) const = 0;
 };
 
+/// What the file calls faces and edges, as #12 of STEP, by the shapes without a location.
+using Entities = NCollection_DataMap<TopoDS_Shape, std::uint32_t, TopTools_ShapeMapHasher>;
+
 /// What a file holds, before anything is meshed.
 struct Assembly {
     std::vector<ModelPart> parts;
@@ -37,6 +42,7 @@ struct Assembly {
     std::string format;
     std::optional<double> unit; ///< millimetres of one unit of `instances`
     std::vector<std::string> notes;
+    Entities entities;
 };
 
 } // namespace lineatlas::brep

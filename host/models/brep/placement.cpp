@@ -49,6 +49,14 @@ std::optional<EdgeCurve> placed(const std::optional<EdgeCurve>& curve, const gp_
                      .v = vector(curve->v)};
 }
 
+glm::dmat4x3 matrix_of(const gp_Trsf& transform) {
+    glm::dmat4x3 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row)
+            result[column][row] = transform.Value(row + 1, column + 1);
+    return result;
+}
+
 class Placement {
   public:
     Placement(Assembly&& assembly, const Drawn& drawn) : assembly_(std::move(assembly)) {
@@ -100,6 +108,32 @@ class Placement {
         return entry->second;
     }
 
+    std::uint32_t entity_of(const TopoDS_Shape& shape) const {
+        const std::uint32_t* const found =
+            assembly_.entities.Seek(shape.Located(TopLoc_Location()));
+        return found != nullptr ? *found : 0;
+    }
+
+    /// The surfaces of an instance's faces, by their numbers.
+    std::vector<std::uint32_t> add_surfaces(const ShapeMesh& mesh, std::uint32_t number,
+                                            const gp_Trsf& transform) {
+        KnownSurfaces& known = soup_.surfaces;
+        const auto [first, fresh] =
+            first_shapes_.try_emplace(number, static_cast<std::uint32_t>(known.shapes.size()));
+        std::uint32_t shape = first->second;
+        std::vector<std::uint32_t> result(mesh.surfaces.size(), KnownSurfaces::none);
+        for (std::size_t face = 0; face < mesh.surfaces.size(); ++face) {
+            if (!mesh.surfaces[face]) continue;
+            if (fresh) known.shapes.push_back(*mesh.surfaces[face]);
+            result[face] = static_cast<std::uint32_t>(known.surfaces.size());
+            known.surfaces.push_back({.shape = shape++,
+                                      .entity = entity_of(mesh.faces[face]),
+                                      .turned = mesh.turned[face],
+                                      .model_from_shape = matrix_of(transform)});
+        }
+        return result;
+    }
+
     void add(const Instance& instance) {
         const auto& [shape, mesh] = mesh_of(instance.shape);
         ModelPart& part = soup_.parts[instance.part];
@@ -123,6 +157,7 @@ class Placement {
             if (assembly_.colors) color = assembly_.colors->color(face);
             group_of_face.push_back(group_of(path, instance.part, color ? color : instance.color));
         }
+        const std::vector<std::uint32_t> surface_of_face = add_surfaces(mesh, shape, transform);
         const bool mirrored = transform.IsNegative();
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             const auto& corners = mesh.triangles[i];
@@ -132,6 +167,10 @@ class Placement {
             soup_.face_group.push_back(group_of_face[mesh.triangle_face[i]]);
             soup_.face_object.push_back(part.object);
             const auto& normals = mesh.normals[i];
+            soup_.surfaces.of_triangle.push_back(surface_of_face[mesh.triangle_face[i]]);
+            soup_.surfaces.parameters.push_back(mesh.parameters[i]);
+            if (mirrored)
+                std::swap(soup_.surfaces.parameters.back()[1], soup_.surfaces.parameters.back()[2]);
             for (const std::size_t corner : mirrored ? std::array<std::size_t, 3>{0, 2, 1}
                                                      : std::array<std::size_t, 3>{0, 1, 2})
                 soup_.corner_normals.push_back(turned(normals[corner], transform));
@@ -140,6 +179,8 @@ class Placement {
             soup_.known_edges.push_back(
                 {first + edge.from, first + edge.to, edge.kind, edges_ + edge.edge});
         edges_ += mesh.edge_count;
+        for (const TopoDS_Shape& edge : mesh.edge_shapes)
+            soup_.edge_entities.push_back(entity_of(edge));
         for (const std::optional<EdgeCurve>& curve : mesh.edge_curves)
             soup_.edge_curves.push_back(placed(curve, transform));
         for (const std::vector<std::uint32_t>& line : mesh.lines) {
@@ -156,6 +197,7 @@ class Placement {
         meshes_;
     std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> groups_;
     std::map<std::string, std::size_t> failed_;
+    std::map<std::uint32_t, std::uint32_t> first_shapes_; ///< of meshes, by their numbers
     std::uint32_t objects_ = 0, edges_ = 0;
 };
 

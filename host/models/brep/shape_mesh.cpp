@@ -30,6 +30,7 @@
 
 #include "edge_curve.hpp"
 #include "edge_kind.hpp"
+#include "face_surface.hpp"
 #include "surface_normal.hpp"
 #include "triangulate.hpp"
 
@@ -190,6 +191,8 @@ class Stitcher {
         const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
         mesh_.faces.push_back(face);
         const bool reversed = face.Orientation() == TopAbs_REVERSED;
+        mesh_.turned.push_back(reversed);
+        mesh_.surfaces.push_back(has_normals ? surface_of(face) : std::nullopt);
         for (int i = 1; i <= triangulation.NbTriangles(); ++i) {
             int a = 0, b = 0, c = 0;
             triangulation.Triangle(i).Get(a, b, c);
@@ -203,18 +206,21 @@ class Stitcher {
             mesh_.triangles.push_back(corners);
             mesh_.triangle_face.push_back(number);
             mesh_.normals.push_back({});
+            mesh_.parameters.push_back({});
             if (!has_normals) continue;
-            mesh_.normals.back() = normals_of(
-                *surface,
-                {triangulation.UVNode(a), triangulation.UVNode(b), triangulation.UVNode(c)},
-                reversed ? -1 : 1);
+            const std::array places{triangulation.UVNode(a), triangulation.UVNode(b),
+                                    triangulation.UVNode(c)};
+            mesh_.normals.back() = normals_of(*surface, places, reversed ? -1 : 1);
+            for (std::size_t k = 0; k < 3; ++k)
+                mesh_.parameters.back()[k] = {places[k].X(), places[k].Y()};
             if (may_kink && !lies_along(corners, mesh_.normals.back(), triangulation.Deflection()))
                 has_kinks = true;
         }
         has_kinks_ = has_kinks_ || has_kinks;
-        if (has_kinks)
-            std::fill(mesh_.normals.begin() + static_cast<std::ptrdiff_t>(first),
-                      mesh_.normals.end(), std::array<glm::dvec3, 3>{});
+        if (!has_kinks) return;
+        std::fill(mesh_.normals.begin() + static_cast<std::ptrdiff_t>(first), mesh_.normals.end(),
+                  std::array<glm::dvec3, 3>{});
+        mesh_.surfaces.back().reset();
     }
 
     void add_edge(int index) {
@@ -227,6 +233,7 @@ class Stitcher {
         if (!kind) return;
         const std::uint32_t number = mesh_.edge_count++;
         mesh_.edge_curves.push_back(curve_of(edge));
+        mesh_.edge_shapes.push_back(edge);
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
             mesh_.edges.push_back({points[i], points[i + 1], *kind, number});
     }

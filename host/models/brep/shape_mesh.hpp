@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <TopoDS_Shape.hxx>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "lineatlas/mesh.hpp"
@@ -26,9 +27,15 @@ struct ShapeMesh {
     std::vector<std::uint32_t> triangle_face; ///< per triangle, number of its face
     /// Per triangle and corner the face's outward unit normal there, or zero where it has none.
     std::vector<std::array<glm::dvec3, 3>> normals;
+    /// The same for its surface's parameters; zero where it has none.
+    std::vector<std::array<glm::dvec2, 3>> parameters;
     std::vector<TopoDS_Shape> faces;
+    /// Per face its surface, where it is known, and whether du x dv points inwards.
+    std::vector<std::optional<SurfaceShape>> surfaces;
+    std::vector<bool> turned;
     std::vector<KnownEdge> edges; ///< KnownEdge::edge counts from 0
     std::uint32_t edge_count = 0;
+    std::vector<TopoDS_Shape> edge_shapes;             ///< per number of an edge
     std::vector<std::optional<EdgeCurve>> edge_curves; ///< per number of an edge
     std::vector<std::vector<std::uint32_t>> lines;     ///< edges of no face
     std::size_t failed_faces = 0;                      ///< that could not be meshed

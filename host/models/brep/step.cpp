@@ -8,9 +8,14 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDocStd_Document.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include "document_tree.hpp"
 #include "memory_stream.hpp"
@@ -50,6 +55,23 @@ void note_unit(STEPCAFControl_Reader& reader, Assembly& assembly) {
     assembly.notes.push_back("its lengths in " + unit + " are drawn in millimetres");
 }
 
+/// The numbers that faces and edges have in the file.
+void find_entities(STEPCAFControl_Reader& reader, Entities& entities) {
+    const Handle(XSControl_WorkSession) session = reader.Reader().WS();
+    const auto model = Handle(StepData_StepModel)::DownCast(session->Model());
+    const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+    if (model.IsNull() || process.IsNull()) return;
+    for (int i = 1; i <= process->NbMapped(); ++i) {
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process->MapItem(i));
+        if (shape.IsNull() ||
+            (shape.ShapeType() != TopAbs_FACE && shape.ShapeType() != TopAbs_EDGE))
+            continue;
+        const int number = model->IdentLabel(process->Mapped(i));
+        if (number > 0)
+            entities.Bind(shape.Located(TopLoc_Location()), static_cast<std::uint32_t>(number));
+    }
+}
+
 } // namespace
 
 void prepare_step() {
@@ -80,6 +102,7 @@ Assembly read_step(std::string_view file) {
     assembly.format = format_of(file);
     assembly.unit = 1;
     note_unit(reader, assembly);
+    find_entities(reader, assembly.entities);
     read_document(document, assembly);
     return assembly;
 }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include <TopoDS_Face.hxx>
+
+#include "lineatlas/surface.hpp"
+
+namespace lineatlas::brep {
+
+/// The surface of a face, by the parameters that Open CASCADE has for it; nothing for what is made
+/// of other curves than lines, ellipses and splines.
+std::optional<SurfaceShape> surface_of(const TopoDS_Face& face);
+
+} // namespace lineatlas::brep

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lineatlas/surface.hpp"
+
+namespace lineatlas {
+
+/// A place of a surface, with what silhouettes ask of it.
+struct SurfacePoint {
+    glm::dvec3 at{0};
+    glm::dvec3 u{0}, v{0};               ///< how it moves with each parameter
+    glm::dvec3 normal{0};                ///< along du x dv, as long as 1; 0 at a pole or a tip
+    glm::dvec3 normal_u{0}, normal_v{0}; ///< how the normal turns with each parameter
+};
+
+/// Evaluates a sound shape (is_sound()); beyond the ends of its parameters it goes on as it does
+/// there. Of an offset surface `u` and `v` are right, too.
+SurfacePoint evaluate(const SurfaceShape& shape, glm::dvec2 parameters);
+
+} // namespace lineatlas
