@@ -282,8 +282,26 @@ class Extraction {
             in_solid_.push_back(solid[parts_.of_vertex[welded_.triangles[face].x]]);
     }
 
+    void add_surfaces() {
+        const KnownSurfaces& known = mesh_.surfaces;
+        if (known.empty()) return;
+        KnownSurfaces& own = smooth_.contours.surfaces;
+        own.shapes = known.shapes;
+        own.surfaces = known.surfaces;
+        for (const std::uint32_t face : smooth_.faces) {
+            const std::uint32_t triangle = welded_.triangle_source[face];
+            std::array<glm::dvec2, 3> corners{};
+            for (int k = 0; k < 3; ++k)
+                corners[static_cast<std::size_t>(k)] =
+                    known.parameters[triangle]
+                                    [static_cast<std::size_t>(welded_.source_corner(face, k))];
+            own.add_triangle(known.of_triangle[triangle], corners);
+        }
+    }
+
     /// Triangles through which silhouettes may run, as the last of the candidates.
     void add_contours() {
+        add_surfaces();
         smooth_.contours.replaced = static_cast<std::uint32_t>(replaced_.size());
         candidates_.insert(candidates_.end(), replaced_.begin(), replaced_.end());
         for (const std::uint32_t face : smooth_.faces) {

@@ -74,6 +74,22 @@ std::vector<LineObject> objects_of(const LineSet& lines) {
     return {{.name = {}, .vertex_count = static_cast<std::uint32_t>(lines.vertices.size())}};
 }
 
+/// Calls it with every surface of contours and the object that it is of.
+template <class Each>
+void for_each_surface(const LineSet& lines, std::span<const LineObject> objects, Each&& each) {
+    const KnownSurfaces& known = lines.contours.surfaces;
+    std::vector<bool> is_done(known.surfaces.size(), false);
+    const std::size_t first = lines.segments.size() - lines.contours.faces.size();
+    for (std::size_t i = 0; i < known.of_triangle.size(); ++i) {
+        const std::uint32_t surface = known.of_triangle[i];
+        if (surface == KnownSurfaces::none || is_done[surface]) continue;
+        is_done[surface] = true;
+        const auto after = std::ranges::upper_bound(objects, lines.segments[first + i].p, {},
+                                                    &LineObject::first_vertex);
+        each(surface, static_cast<std::size_t>(after - objects.begin()) - 1);
+    }
+}
+
 /// As the kernel contour_turn does.
 void turn_normals(LineSet& lines, std::span<const LineObject> objects,
                   std::span<const glm::mat4> world_from_object) {
@@ -178,6 +194,13 @@ void hide_objects(LineSet& lines, std::span<const std::uint32_t> hidden) {
     for (std::size_t i = 0; i < objects.size(); ++i)
         if (shown[i] && objects[i].vertex_count > 0)
             point = lines.vertices[objects[i].first_vertex];
+    KnownSurfaces& known = lines.contours.surfaces;
+    std::vector<bool> goes(known.surfaces.size(), false);
+    for_each_surface(lines, objects, [&](std::uint32_t surface, std::size_t object) {
+        goes[surface] = !shown[object];
+    });
+    for (std::uint32_t& surface : known.of_triangle)
+        if (surface != KnownSurfaces::none && goes[surface]) surface = KnownSurfaces::none;
     for (const std::uint32_t object : hidden) {
         const LineObject& one = objects[object];
         std::ranges::fill(std::span{lines.vertices}.subspan(one.first_vertex, one.vertex_count),
@@ -207,12 +230,17 @@ void move_vertices(LineSet& lines, std::span<const glm::vec3> positions) {
         lines.bounds.max = glm::max(lines.bounds.max, v);
     }
     find_normals(lines);
+    lines.contours.surfaces = {}; // it has bent
 }
 
 void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object) {
     const std::vector<LineObject> objects = objects_of(lines);
     check_transforms(world_from_object, objects.size());
     turn_normals(lines, objects, world_from_object);
+    for_each_surface(lines, objects, [&](std::uint32_t surface, std::size_t object) {
+        glm::dmat4x3& placed = lines.contours.surfaces.surfaces[surface].model_from_shape;
+        placed = glm::dmat4x3{glm::dmat4{world_from_object[object]} * glm::dmat4{placed}};
+    });
     lines.bounds = {};
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const glm::mat4& m = world_from_object[i];

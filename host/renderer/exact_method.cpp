@@ -31,7 +31,9 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
                         .contact = frame.scene.contact(),
                         .lines = frame.options.lines,
                         .step = frame.options.step,
-                        .measured = IntervalStage::wanted(frame) || strokes_.measures_lines(frame)};
+                        .measured = IntervalStage::wanted(frame) || strokes_.measures_lines(frame),
+                        .tracer = frame.scene.tables().moving ? nullptr
+                                                              : frame.scene.tables().tracer.get()};
     const std::size_t chunks = frame.scene.chunk_count();
     const auto table = [&](std::size_t chunk) {
         frame.scene.select(chunk);

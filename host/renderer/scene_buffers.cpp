@@ -296,7 +296,8 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
     }
     Tables copied{{.vertices = copy(*tables_.vertices),
                    .triangles = copy(*tables_.triangles),
-                   .chunks = std::move(chunks)},
+                   .chunks = std::move(chunks),
+                   .tracer = tables_.tracer},
                   copy(*tables_.clusters),
                   tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr};
     if (tables_.moving) {

@@ -33,7 +33,7 @@ class Junctions {
           line_at_(lines.vertices.size(), no_line) {
         for (std::uint32_t i = 0; i < before_.size(); ++i) {
             const Piece& piece = before_[i];
-            if (!piece.visible) continue;
+            if (!piece.visible || (pieces.exact && !is_beyond_triangles(piece))) continue;
             grid_.insert(pieces.start(piece).at, pieces.end(piece).at, i);
             if (is_contour(lines, piece.segment)) continue; // it ends at no vertex
             const Segment& segment = lines.segments[piece.segment];
@@ -44,6 +44,7 @@ class Junctions {
 
     std::size_t meet_all() {
         std::size_t met = 0;
+        if (pieces_.exact && lines_.contours.surfaces.empty()) return met;
         for (std::size_t i = 0; i < pieces_.list.size(); ++i) {
             if (!pieces_.list[i].visible) continue;
             met += meet(i, false) ? 1U : 0U;
@@ -53,6 +54,14 @@ class Junctions {
     }
 
   private:
+    bool is_beyond_triangles(const Piece& piece) const {
+        const KnownSurfaces& known = lines_.contours.surfaces;
+        return !known.empty() && is_contour(lines_, piece.segment) &&
+               known.of_triangle[piece.segment -
+                                 (lines_.segments.size() - lines_.contours.faces.size())] !=
+                   KnownSurfaces::none;
+    }
+
     static PieceEnd& end_of(Piece& piece, bool at_end) { return at_end ? piece.end : piece.start; }
 
     /// The next piece beyond an end, if there is one.
@@ -73,7 +82,7 @@ class Junctions {
         Piece* other = neighbour(i, at_end);
         const bool shared = other != nullptr && touches(piece, *other, at_end);
         if (shared && other->visible) return false; // visible on either side of a vertex
-        const bool beside = other != nullptr && other->segment == piece.segment;
+        const bool beside = other != nullptr && other->screen == piece.screen;
         const bool moves_along = shared && beside;
         double limit = at_end ? 1 : 0;
         if (beside) limit = end_of(*other, moves_along ? at_end : !at_end).t;
@@ -88,7 +97,7 @@ class Junctions {
     /// Lines vanish behind their own surface at a vertex of an outline: an end near a vertex where
     /// another visible line ends is there.
     bool meet_vertex(Piece& piece, bool at_end, Range range, Piece* other) {
-        if (is_contour(lines_, piece.segment)) return false;
+        if (pieces_.exact || is_contour(lines_, piece.segment)) return false;
         PieceEnd& end = end_of(piece, at_end);
         const double t = end.t < 0.5 ? 0 : 1;
         const Segment& segment = lines_.segments[piece.segment];

@@ -91,6 +91,20 @@ std::optional<ScreenSegment> contour_segment(const Projector& projector, const I
     return screen;
 }
 
+/// Whether an interval is one of the same straight line as those before it, of which these are the
+/// first and the last. A silhouette on a known surface has several lines in the place of one
+/// segment, each from its own start on.
+bool is_of_same_line(const Interval& first, const Interval& last, const Interval& next) {
+    if (next.segment != last.segment || next.start_sample < last.end_sample) return false;
+    const auto place = [](const float* window) { return glm::dvec2{window[0], window[1]}; };
+    const glm::dvec2 way = place(next.end) - place(first.start);
+    const auto is_beside = [&](const float* window) {
+        const glm::dvec2 to = place(window) - place(first.start);
+        return std::abs(way.x * to.y - way.y * to.x) <= same_place * glm::length(way);
+    };
+    return is_beside(last.end) && is_beside(next.start);
+}
+
 /// Where along a segment a window position (y up) lies.
 double share_along(const ScreenSegment& segment, const float* window, double height) {
     if (!(segment.length > 0)) return 0;
@@ -155,23 +169,26 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
     pieces.exact = std::ranges::all_of(intervals, [](const Interval& interval) {
         return (interval.flags & LA_INTERVAL_EXACT) != 0;
     });
-    std::uint32_t segment_of_last = VectorPiece::none;
+    bool is_seen = false;
+    std::size_t next_line = 0; // the first interval behind those of the last segment's line
     for (std::size_t i = 0; i < intervals.size(); ++i) {
         const Interval& interval = intervals[i];
         if (interval.segment >= lines.segments.size() || !is_finite(interval)) continue;
-        if (interval.segment != segment_of_last) {
+        if (i >= next_line) {
             std::size_t last = i;
-            while (last + 1 < intervals.size() && intervals[last + 1].segment == interval.segment)
+            while (last + 1 < intervals.size() &&
+                   is_of_same_line(interval, intervals[last], intervals[last + 1]))
                 ++last;
+            next_line = last + 1;
             const Segment& segment = lines.segments[interval.segment];
             const std::optional<ScreenSegment> screen =
                 is_contour(lines, interval.segment)
                     ? contour_segment(projector, interval, intervals[last])
                     : projector.project(lines.vertices[segment.p], lines.vertices[segment.q]);
-            if (!screen) continue;
-            pieces.screen.push_back(*screen);
-            segment_of_last = interval.segment;
+            is_seen = screen.has_value();
+            if (is_seen) pieces.screen.push_back(*screen);
         }
+        if (!is_seen) continue;
         ScreenSegment& screen = pieces.screen.back();
         Piece piece{.segment = interval.segment,
                     .screen = static_cast<std::uint32_t>(pieces.screen.size() - 1),

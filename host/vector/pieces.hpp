@@ -17,7 +17,8 @@ VectorPoint between(const VectorPoint& a, const VectorPoint& b, double share);
 struct ScreenSegment {
     VectorPoint p, q;
     double length = 0; ///< pixels
-    /// Of a contour, which has no vertices, what names its ends: the same for two that meet.
+    /// Of a contour, which has no vertices, what names its ends: the same for two that meet, and
+    /// for others one behind the other.
     std::uint64_t end_p = 0, end_q = 0;
 };
 

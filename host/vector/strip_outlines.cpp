@@ -15,12 +15,18 @@ constexpr double least_outline = 2; // pixels
 
 using PartsOfSegment = std::unordered_multimap<std::uint32_t, const OutlinePart*>;
 
-/// Where along a segment a window position lies, as a share of its way.
-double share_along(const ScreenSegment& segment, glm::vec2 window, double height) {
+/// What is left of a stroke beyond a stretch is outline, too, if it is no longer than this: towards
+/// what it disappears behind, the background beside it is too narrow.
+constexpr double longest_remainder = 4; // pixels
+
+glm::dvec2 from_above(glm::vec2 window, double height) {
+    return {window.x, height - double{window.y}};
+}
+
+/// Where along a segment a place lies, as a share of its way, or beyond.
+double share_along(const ScreenSegment& segment, glm::dvec2 place) {
     const glm::dvec2 way = segment.q.at - segment.p.at;
-    const glm::dvec2 offset =
-        glm::dvec2{double{window.x}, height - double{window.y}} - segment.p.at;
-    return std::clamp(glm::dot(offset, way) / glm::dot(way, way), 0.0, 1.0);
+    return glm::dot(place - segment.p.at, way) / glm::dot(way, way);
 }
 
 void add_stretches(Strip& strip, const Pieces& pieces, const PartsOfSegment& parts, double height) {
@@ -29,8 +35,12 @@ void add_stretches(Strip& strip, const Pieces& pieces, const PartsOfSegment& par
         if (!(segment.length > 0)) continue;
         const auto [first, last] = parts.equal_range(step.segment);
         for (auto part = first; part != last; ++part) {
-            double from = share_along(segment, part->second->start, height);
-            double to = share_along(segment, part->second->end, height);
+            double from = share_along(segment, from_above(part->second->start, height));
+            double to = share_along(segment, from_above(part->second->end, height));
+            // A silhouette on a known surface has several chords in one triangle.
+            if (std::max(from, to) <= 0 || std::min(from, to) >= 1) continue;
+            from = std::clamp(from, 0.0, 1.0);
+            to = std::clamp(to, 0.0, 1.0);
             if (step.reversed) {
                 from = 1 - from;
                 to = 1 - to;
@@ -70,6 +80,18 @@ void tidy(Strip& strip) {
     stretches = std::move(joined);
 }
 
+void add_remainders(Strip& strip) {
+    for (const Stroke& stroke : strip.strokes) {
+        if (!stroke.visible) continue;
+        for (Stretch& stretch : strip.outlines) {
+            const double most = std::min(longest_remainder, stretch.to - stretch.from);
+            if (stretch.from > stroke.from && stretch.from - stroke.from < most)
+                stretch.from = stroke.from;
+            if (stretch.to < stroke.to && stroke.to - stretch.to < most) stretch.to = stroke.to;
+        }
+    }
+}
+
 } // namespace
 
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
@@ -80,6 +102,7 @@ void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
     for (Strip& strip : strips) {
         add_stretches(strip, pieces, parts, picture_height);
         tidy(strip);
+        add_remainders(strip);
     }
 }
 

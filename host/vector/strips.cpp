@@ -52,7 +52,7 @@ class StripMaker {
 
     void collect_segments() {
         for (std::uint32_t i = 0; i < pieces_.list.size(); ++i) {
-            if (i == 0 || pieces_.list[i].segment != pieces_.list[i - 1].segment) {
+            if (i == 0 || pieces_.list[i].screen != pieces_.list[i - 1].screen) {
                 owns_.push_back({i, i});
             }
             owns_.back().end = i + 1;
@@ -90,7 +90,6 @@ class StripMaker {
         std::vector<std::uint32_t> silhouettes;
         for (std::uint32_t i = 0; i < owns_.size(); ++i) {
             if (kind_of(i) != LA_KIND_SILHOUETTE) continue;
-            silhouettes.push_back(i);
             const bool contour = is_contour(lines_, pieces_.list[owns_[i].first].segment);
             const ScreenSegment& seen = screen(i);
             edges_.push_back({.p = contour ? contour_node(seen.end_p, seen.p)
@@ -98,6 +97,11 @@ class StripMaker {
                               .q = contour ? contour_node(seen.end_q, seen.q)
                                            : node(node_of_vertex_, segment(i).q, seen.q),
                               .kind = LA_KIND_SILHOUETTE});
+            // Beside a corner of the mesh a contour may have a piece of no length.
+            if (contour && edges_.back().p == edges_.back().q)
+                edges_.pop_back();
+            else
+                silhouettes.push_back(i);
         }
         for (const Chain& chain : chain_edges(nodes_, edges_, silhouette_chain_angle)) {
             Strip& strip = strips.emplace_back();
@@ -125,8 +129,14 @@ class StripMaker {
 
     /// At a tip each contour ends.
     std::uint32_t contour_node(std::uint64_t name, const VectorPoint& point) {
-        return tips_.contains(as_array(glm::vec3{point.world})) ? add_node(point)
-                                                                : node(node_of_end_, name, point);
+        if (tips_.contains(as_array(glm::vec3{point.world}))) return add_node(point);
+        constexpr double same_depth = 1e-5;
+        const auto [first, last] = nodes_of_end_.equal_range(name);
+        for (auto known = first; known != last; ++known)
+            if (std::abs(known->second.depth - point.depth) < same_depth) return known->second.node;
+        const std::uint32_t fresh = add_node(point);
+        nodes_of_end_.emplace(name, NodeAtDepth{point.depth, fresh});
+        return fresh;
     }
 
     static std::array<float, 3> as_array(glm::vec3 at) { return {at.x, at.y, at.z}; }
@@ -213,7 +223,13 @@ class StripMaker {
     std::vector<Own> owns_; ///< per segment that has pieces
     std::vector<ChainEdge> edges_;
     std::vector<glm::vec3> nodes_;
-    Nodes node_of_vertex_, node_of_end_;
+    Nodes node_of_vertex_;
+    /// What is one behind the other has the same name.
+    struct NodeAtDepth {
+        double depth;
+        std::uint32_t node;
+    };
+    std::unordered_multimap<std::uint64_t, NodeAtDepth> nodes_of_end_;
     std::set<std::array<float, 3>> tips_; ///< their places
 };
 

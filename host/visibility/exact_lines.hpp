@@ -21,6 +21,8 @@ struct LineView {
     /// Whether anybody asks where along its path a visible part lies, or for hidden parts; else
     /// what is hidden whole has no length.
     bool measured = true;
+    /// Finds silhouettes on known surfaces; null: all are found by normals of corners.
+    const ContourTracer* tracer = nullptr;
 
     glm::vec2 viewport() const { return glm::vec2{camera.size}; }
 };
@@ -55,6 +57,10 @@ class ExactLines {
         for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
             const compute::SegmentTable candidates = table(chunk);
             const bool wanted = (view.lines & mask_of(LineKind::silhouette)) != 0;
+            const bool traced =
+                wanted && view.tracer != nullptr && candidates.candidates.contours.has_value();
+            chains_.take({});
+            if (traced) clock("contour", [&] { chains_.take(trace(view)); });
             const compute::SegmentTable segments = chains_.table_of(
                 candidates, wanted, compute::silhouette_view(view.camera, view.bounds), clock);
             make_room(segments.segment_count);
@@ -88,6 +94,8 @@ class ExactLines {
     }
 
   private:
+    using TracedSilhouettes = compute::TracedSilhouettes;
+    static TracedSilhouettes trace(const LineView& view);
     void make_room(std::uint32_t segments);
     void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,

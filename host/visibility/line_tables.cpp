@@ -283,9 +283,13 @@ std::vector<Segment> download_segments(compute::Device& device, const LineTables
 
 LineTables upload_lines(compute::Device& device, const LineSet& lines) {
     check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
-    return {.vertices = upload(device, std::as_bytes(std::span{lines.vertices}), purpose::model),
-            .triangles = upload(device, std::as_bytes(std::span{lines.triangles}), purpose::model),
-            .chunks = upload_segments(device, lines.segments, &lines)};
+    LineTables result{
+        .vertices = upload(device, std::as_bytes(std::span{lines.vertices}), purpose::model),
+        .triangles = upload(device, std::as_bytes(std::span{lines.triangles}), purpose::model),
+        .chunks = upload_segments(device, lines.segments, &lines)};
+    if (!lines.contours.surfaces.empty() && result.contour_chunk().contours())
+        result.tracer = std::make_shared<ContourTracer>(lines);
+    return result;
 }
 
 } // namespace lineatlas

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compute/stages/stages.hpp"
+#include "contour_tracer.hpp"
 #include "core/segment_chunks.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -38,6 +39,8 @@ struct LineTables {
     std::unique_ptr<compute::Buffer> vertices, triangles;
     std::vector<Chunk> chunks; ///< at least one
     std::uint64_t version = 0; ///< counts changes of what stands where
+    /// Of contours whose surfaces are known, as they stood when these were made.
+    std::shared_ptr<const ContourTracer> tracer{};
 
     /// What tables per segment must hold before silhouettes are found: of the largest chunk what is
     /// no candidate. Few candidates are silhouettes.

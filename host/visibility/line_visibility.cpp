@@ -57,7 +57,8 @@ class LineVisibility::State {
                 .bounds = motion_->bounds(),
                 .contact = contact_,
                 .lines = kinds,
-                .step = step};
+                .step = step,
+                .tracer = moving_ ? nullptr : tables_->tracer.get()};
     }
 
     /// Looks at the lines.

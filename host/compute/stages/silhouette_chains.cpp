@@ -21,11 +21,17 @@ SegmentTable SilhouetteChains::without(const SegmentTable& table) {
 }
 
 void SilhouetteChains::contour(const SegmentTable& table, const SilhouetteView& view) {
+    const std::uint32_t first = table.candidates.kept_edges();
     stages_.contour({.contours = *table.candidates.contours,
                      .vertices = table.vertices,
                      .eye = view.eye,
-                     .first_number = table.candidates.kept_edges(),
+                     .first_number = first,
                      .numbers = tables_[Table::numbers]});
+    for (const FaceRange range : traced_.instead_of) {
+        const std::vector<la_uint> none(range.count, 0);
+        device_.upload(tables_[Table::numbers], std::as_bytes(std::span{none}),
+                       (std::size_t{first} + range.first) * sizeof(la_uint));
+    }
 }
 
 void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
@@ -43,22 +49,27 @@ void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
 }
 
 void SilhouetteChains::place_contours(const SegmentTable& table, Buffer& front,
-                                      const SilhouetteView& view) {
+                                      const SilhouetteView& view, std::uint32_t found) {
     constexpr std::uint64_t vertex = 3 * sizeof(float);
     const std::uint64_t own_vertices = table.candidates.contours->vertex_count * vertex;
+    const std::uint64_t found_vertices = 4 * std::uint64_t{found} * vertex;
+    const auto traced = std::as_bytes(std::span{traced_.vertices});
     const bool is_new =
-        tables_.make_room(Table::vertices, own_vertices + 4 * std::uint64_t{count_} * vertex);
+        tables_.make_room(Table::vertices, own_vertices + found_vertices + traced.size());
     const std::pair<const Buffer*, std::uint64_t> own{&table.vertices, table.version};
     if (is_new || vertices_of_ != own)
         device_.copy(table.vertices, tables_[Table::vertices], own_vertices);
     vertices_of_ = own;
-    tables_.make_room(Table::crossings, std::uint64_t{count_} * sizeof(ContourCrossing));
+    if (!traced.empty())
+        device_.upload(tables_[Table::vertices], traced, own_vertices + found_vertices);
+    if (found == 0) return;
+    tables_.make_room(Table::crossings, std::uint64_t{found} * sizeof(ContourCrossing));
     stages_.contour_places({.table = with_contours(table),
                             .eye = view.eye,
                             .front = front,
                             .numbers = tables_[Table::numbers],
                             .chosen = tables_[Table::chosen],
-                            .count = count_,
+                            .count = found,
                             .crossings = tables_[Table::crossings]});
 }
 
@@ -72,8 +83,29 @@ SegmentTable SilhouetteChains::with_contours(const SegmentTable& table) const {
             .version = table.version};
 }
 
-SegmentTable SilhouetteChains::with_none(const SegmentTable& table) {
+void SilhouetteChains::add_traced(const SegmentTable& table, std::uint32_t found) {
+    if (traced_.segments.empty()) return;
+    const std::uint32_t first_vertex = table.candidates.contours->vertex_count + 4 * found;
+    const std::uint32_t first_face = table.candidates.edges();
+    std::vector<la_uint> origins;
+    origins.reserve(traced_.segments.size());
+    for (std::size_t i = 0; i < traced_.segments.size(); ++i) {
+        traced_.segments[i].p += first_vertex;
+        traced_.segments[i].q += first_vertex;
+        origins.push_back(((first_face + traced_.faces[i]) << 1U) + 1);
+    }
+    device_.upload(tables_[Table::ordered], std::as_bytes(std::span{traced_.segments}),
+                   (std::size_t{first_} + found) * sizeof(Segment));
+    device_.upload(tables_[Table::origins], std::as_bytes(std::span{origins}),
+                   found * sizeof(la_uint));
+}
+
+void SilhouetteChains::clear_positions(const SegmentTable& table) {
     device_.clear(tables_[Table::positions], std::size_t{table.candidates.count} * sizeof(la_uint));
+}
+
+SegmentTable SilhouetteChains::with_none(const SegmentTable& table) {
+    clear_positions(table);
     tables_.make_room(Table::origins, sizeof(la_uint));
     SegmentTable result = table;
     result.segment_count = first_;
@@ -87,21 +119,24 @@ void SilhouetteChains::copy_fixed(const SegmentTable& table) {
     fixed_of_ = &table.segments;
 }
 
-void SilhouetteChains::chain(const SegmentTable& table, const SilhouetteView& view) {
+void SilhouetteChains::chain(const SegmentTable& table, const SilhouetteView& view,
+                             std::uint32_t found) {
     copy_fixed(table);
-    const std::uint64_t n = count_;
+    tables_.make_room(Table::origins, std::uint64_t{count_} * sizeof(la_uint));
+    add_traced(table, found);
+    if (found == 0) return clear_positions(table);
+    const std::uint64_t n = found;
     tables_.make_room(Table::ways, 2 * n * sizeof(ChainWay));
     tables_.make_room(Table::longer, 2 * n * sizeof(ChainWay));
     tables_.make_room(Table::going, most_chain_steps * sizeof(la_uint));
     tables_.make_room(Table::places, n * sizeof(ChainPlace));
     tables_.make_room(Table::starts, (n + 1) * sizeof(la_uint));
-    tables_.make_room(Table::origins, n * sizeof(la_uint));
     stages_.chain({.table = table,
                    .crossings = table.candidates.contours ? &tables_[Table::crossings] : nullptr,
                    .lifted = drawn_ == Contours::lifted,
                    .view = view,
                    .numbers = tables_[Table::numbers],
-                   .count = count_,
+                   .count = found,
                    .chosen = tables_[Table::chosen],
                    .ways = tables_[Table::ways],
                    .longer = tables_[Table::longer],

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,21 @@ namespace lineatlas::compute {
 inline SilhouetteView silhouette_view(const Camera& camera, const Bounds& bounds) {
     return {camera.eye(), sees_from_outside(camera, bounds)};
 }
+
+/// Faces of contours, one after the other.
+struct FaceRange {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Silhouettes of contours that the host has found.
+struct TracedSilhouettes {
+    /// Two for each place: on the surface, and lifted off it, as the stage `contour` has them.
+    std::vector<glm::vec3> vertices;
+    /// Paths one after the other, with ends in `vertices`.
+    std::vector<Segment> segments;
+    std::vector<std::uint32_t> faces;      ///< of segments: which face of contours it runs over
+    std::span<const FaceRange> instead_of; ///< what the stage `contour` would find in these
+};
 
 /// The silhouettes of a frame as paths: they take the place of the candidates in the table of
 /// segments that later stages work on. Keeps the tables of the stages `silhouette` and `chain`,
@@ -48,6 +64,8 @@ class SilhouetteChains {
         clock("facing", [&] { stages_.facing({candidates, view.eye, front()}); });
         return find(candidates, front(), view, clock);
     }
+    /// The next frame has these in place of what it would find there.
+    void take(TracedSilhouettes traced) { traced_ = std::move(traced); }
     /// Which triangles face the eye in that frame; a byte each.
     Buffer& front() const { return tables_[Table::front]; }
     /// The last step of table_of(), of a table that has candidates.
@@ -58,10 +76,12 @@ class SilhouetteChains {
         const bool has_contours = candidates.candidates.contours.has_value();
         if (has_contours) clock("contour", [&] { contour(candidates, view); });
         clock("silhouette", [&] { list(candidates, front); });
+        const std::uint32_t found = count_;
+        count_ += static_cast<std::uint32_t>(traced_.segments.size());
         if (count_ == 0) return with_none(candidates);
-        if (has_contours) clock("contour", [&] { place_contours(candidates, front, view); });
+        if (has_contours) clock("contour", [&] { place_contours(candidates, front, view, found); });
         const SegmentTable table = has_contours ? with_contours(candidates) : candidates;
-        clock("chain", [&] { chain(table, view); });
+        clock("chain", [&] { chain(table, view, found); });
         return with_chains(table);
     }
 
@@ -79,10 +99,14 @@ class SilhouetteChains {
     SegmentTable without(const SegmentTable& table);
     void contour(const SegmentTable& table, const SilhouetteView& view);
     void list(const SegmentTable& table, Buffer& front);
-    void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view);
+    /// found: how many silhouettes the device has found, before those that are traced.
+    void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view,
+                        std::uint32_t found);
     /// With the vertices of the frame's contours behind its own.
     SegmentTable with_contours(const SegmentTable& table) const;
-    void chain(const SegmentTable& table, const SilhouetteView& view);
+    void chain(const SegmentTable& table, const SilhouetteView& view, std::uint32_t found);
+    void add_traced(const SegmentTable& table, std::uint32_t found);
+    void clear_positions(const SegmentTable& table);
     SegmentTable with_none(const SegmentTable& table);
     SegmentTable with_chains(const SegmentTable& table) const;
     void copy_fixed(const SegmentTable& table);
@@ -110,6 +134,7 @@ class SilhouetteChains {
     Stages& stages_;
     Device& device_; ///< of stages_
     Contours drawn_;
+    TracedSilhouettes traced_;
     std::uint32_t first_ = 0;
     std::uint32_t count_ = 0; ///< silhouettes of the last frame
     bool has_order_ = false;

@@ -133,6 +133,9 @@ struct Contours {
     std::vector<glm::uvec3> faces;
     /// Segments before those that they stand for: the same silhouettes along edges.
     std::uint32_t replaced = 0;
+    /// On what they lie by the exact method, per each of `faces` in place of a triangle of the
+    /// mesh. Empty: on what normals say.
+    KnownSurfaces surfaces{};
 
     bool empty() const { return faces.empty(); } ///< silhouettes run along edges everywhere
 };
