@@ -41,8 +41,8 @@ void PathOptions::declare(CLI::App& app) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--curves", curves_,
-                   "Edges that STEP, IGES and BREP files know to be round: as arcs of circles and "
-                   "ellipses (auto) or as chords (none)")
+                   "What STEP, IGES and BREP files know to be round: as arcs of circles and "
+                   "ellipses and as cubic curves (auto) or as chords (none)")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str()
         ->group(group);

@@ -46,7 +46,12 @@ pdf::Way way_of(const Outline& outline) {
     const std::size_t steps = points.size() - (outline.closed ? 0 : 1);
     for (std::size_t i = 0; i < steps; ++i) {
         const glm::dvec2 to = points[(i + 1) % points.size()].at;
-        if (!points[i].is_straight()) {
+        if (const std::optional<VectorCubic>& cubic = points[i].cubic) {
+            way.steps.push_back({.cubic = true,
+                                 .to = to,
+                                 .first_control = cubic->first_control,
+                                 .last_control = cubic->last_control});
+        } else if (!points[i].is_straight()) {
             const VectorArc arc = arc_between(points[i], to);
             way.steps.push_back({.arc = true,
                                  .center = arc.center,

@@ -9,11 +9,13 @@
 
 namespace lineatlas::pdf {
 
-/// How a way goes on from where it is, or an arc of an ellipse from where that starts: center +
-/// cos(t) major + sin(t) minor, the minor half axis turned a quarter from x towards y.
+/// How a way goes on from where it is, straight or by a cubic; or an arc of an ellipse from where
+/// that starts: center + cos(t) major + sin(t) minor, the minor half axis turned a quarter from x
+/// towards y.
 struct Step {
-    bool arc = false;
-    glm::dvec2 to{0}; ///< of a straight one
+    bool arc = false, cubic = false;
+    glm::dvec2 to{0};                             ///< of a straight one or a cubic Bézier curve
+    glm::dvec2 first_control{0}, last_control{0}; ///< of such a curve
     glm::dvec2 center{0};
     glm::dvec2 major{1, 0};
     double ratio = 1; ///< of the minor half axis to it

@@ -11,8 +11,11 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/pair_key.hpp"
+#include "cubic_fitting.hpp"
+#include "paths.hpp"
 
 namespace lineatlas {
 namespace {
@@ -23,6 +26,8 @@ constexpr double on_curve = 0.02;   ///< pixels
 constexpr double as_circle = 1e-3;  ///< pixels by which the axes of one may differ
 constexpr double same_curve = 1e-3; ///< pixels
 constexpr double longest_step = 0.45 * turn;
+constexpr double most_off = 0.01;   ///< of chords, pixels
+constexpr double farthest_end = 40; ///< of what ends within a chord of a silhouette, pixels
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
@@ -110,7 +115,6 @@ class EdgesByPlace {
   public:
     explicit EdgesByPlace(const Mesh& mesh) : mesh_(mesh) {
         for (const KnownEdge& edge : mesh.known_edges) {
-            if (edge.edge >= mesh.edge_curves.size() || !mesh.edge_curves[edge.edge]) continue;
             const std::uint32_t from = places_.emplace(place(edge.from), edge.from).first->second;
             const std::uint32_t to = places_.emplace(place(edge.to), edge.to).first->second;
             edges_.emplace(pair_key(from, to), edge.edge);
@@ -152,7 +156,7 @@ class EdgesByPlace {
 class PathCurves::Finder {
   public:
     Finder(const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), edges_(mesh),
+        : mesh_(mesh), edges_(mesh), eye_(camera.eye()),
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
           size_(camera.size) {}
 
@@ -162,6 +166,78 @@ class PathCurves::Finder {
         for (std::uint32_t i = 1; i < steps.size(); ++i)
             if (!go_on(steps[i - 1], steps[i])) found.push_back(i);
         return found;
+    }
+
+    /// Before any points are left out: each step is one piece.
+    void bend(VectorPath& path) const {
+        std::vector<VectorPoint> points{path.points.front()};
+        std::vector<VectorPiece> pieces;
+        const std::size_t last = path.pieces.size() - 1;
+        for (std::size_t i = 0; i <= last; ++i) {
+            VectorPiece piece = path.pieces[i];
+            const VectorPoint &a = path.points[piece.point], &b = path.points[piece.point + 1];
+            const std::optional<Turn> turn = turn_of(piece.source, a, b);
+            if (turn && i == 0 && !path.closed) points.back() = point_on(*turn, a, b, 0);
+            const int count = turn ? chords_of(*turn, a, b) : 1;
+            for (int k = 1; k <= count; ++k) {
+                piece.point = static_cast<std::uint32_t>(points.size() - 1);
+                pieces.push_back(piece);
+                const bool inner = k < count || (i == last && !path.closed);
+                points.push_back(
+                    turn && inner ? point_on(*turn, a, b, static_cast<double>(k) / count) : b);
+            }
+        }
+        path.points = std::move(points);
+        path.pieces = std::move(pieces);
+    }
+
+    void name(VectorPath& path) const {
+        for (VectorPiece& piece : path.pieces) {
+            piece.face = surface_of(piece.source);
+            if (piece.face != KnownSurfaces::none) {
+                piece.entity = mesh_.surfaces.surfaces[piece.face].entity;
+                continue;
+            }
+            piece.edge = edges_.edge_of(piece.source);
+            if (piece.edge < mesh_.edge_entities.size())
+                piece.entity = mesh_.edge_entities[piece.edge];
+        }
+    }
+
+    /// Silhouettes end on edges where both turn away from the eye. What is seen of an edge ends
+    /// within a chord of there: on its curve it goes on to there, or ends before. So does what one
+    /// pen draws of an edge.
+    void meet(std::vector<VectorPath>& paths) const {
+        std::vector<End> ends;
+        for (VectorPath& path : paths) {
+            if (!path.visible || path.closed || path.pieces.empty()) continue;
+            for (const bool at_end : {false, true}) {
+                const VectorPiece& piece = at_end ? path.pieces.back() : path.pieces.front();
+                const bool on_surface = surface_of(piece.source) != KnownSurfaces::none;
+                const EdgeCurve* const curve =
+                    on_surface ? nullptr : curve_of(edges_.edge_of(piece.source));
+                if (on_surface || curve != nullptr)
+                    ends.push_back({&path, at_end, curve, point_at(path, at_end).at.x});
+            }
+        }
+        std::ranges::sort(ends, {}, &End::x);
+        for (const End& silhouette : ends) {
+            if (silhouette.curve != nullptr) continue;
+            const VectorPoint point = point_at(*silhouette.path, silhouette.at_end);
+            const auto first =
+                std::ranges::lower_bound(ends, point.at.x - farthest_end, {}, &End::x);
+            const auto last =
+                std::ranges::upper_bound(ends, point.at.x + farthest_end, {}, &End::x);
+            std::vector<std::pair<double, const End*>> ways;
+            for (auto one = first; one != last; ++one)
+                if (const std::optional<double> way = way_to(*one, point))
+                    ways.emplace_back(*way, &*one);
+            const auto nearest = std::ranges::min_element(
+                ways, {}, [](const auto& way) { return std::abs(way.first); });
+            // Where another pen goes on from there, two paths end.
+            for (const auto& [way, end] : ways)
+                if (std::abs(way - nearest->first) < 1e-9) end_at(*end, way, point);
+        }
     }
 
     void find(VectorPath& path) {
@@ -179,13 +255,17 @@ class PathCurves::Finder {
             if (steps[first].ellipse != nullptr) add(path, steps, first, last);
             first = last;
         }
+        add_cubics(path, steps);
     }
 
   private:
     /// From a point of a path to the next one.
     struct Step {
         std::uint32_t edge = none;
-        const Ellipse* ellipse = nullptr; ///< that of the edge
+        bool on_surface = false;          ///< a silhouette that lies on a known one
+        const Ellipse* ellipse = nullptr; ///< that of the edge, or of such a silhouette
+
+        bool is_smooth() const { return on_surface || edge != none; }
     };
 
     static bool go_on(const Step& a, const Step& b) {
@@ -193,23 +273,195 @@ class PathCurves::Finder {
                (a.ellipse != nullptr && b.ellipse != nullptr && a.ellipse->is(*b.ellipse));
     }
 
-    const Ellipse* ellipse_of(std::uint32_t edge) {
-        const auto [entry, fresh] = ellipses_.try_emplace(edge);
-        if (fresh) entry->second = Ellipse::seen(*mesh_.edge_curves[edge], clip_from_world_, size_);
+    using Ellipses = std::map<std::uint32_t, std::optional<Ellipse>>;
+
+    const Ellipse* ellipse_of(Ellipses& known, std::uint32_t number,
+                              const std::optional<EdgeCurve>& curve) {
+        if (!curve) return nullptr;
+        const auto [entry, fresh] = known.try_emplace(number);
+        if (fresh) entry->second = Ellipse::seen(*curve, clip_from_world_, size_);
         return entry->second ? &*entry->second : nullptr;
+    }
+    const EdgeCurve* curve_of(std::uint32_t edge) const {
+        const auto& curves = mesh_.edge_curves;
+        return edge < curves.size() && curves[edge] ? &*curves[edge] : nullptr;
+    }
+    const Ellipse* ellipse_of(std::uint32_t edge) {
+        return edge < mesh_.edge_curves.size()
+                   ? ellipse_of(ellipses_, edge, mesh_.edge_curves[edge])
+                   : nullptr;
+    }
+    const Ellipse* ellipse_of_surface(std::uint32_t surface) {
+        return ellipse_of(
+            outlines_, surface,
+            sphere_outline(mesh_.surfaces.shapes[mesh_.surfaces.surfaces[surface].shape],
+                           mesh_.surfaces.surfaces[surface].model_from_shape));
+    }
+
+    /// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing of other
+    /// shapes.
+    std::optional<EdgeCurve> sphere_outline(const SurfaceShape& shape,
+                                            const glm::dmat4x3& placed) const {
+        const SurfaceCurve& curve = shape.curve;
+        if (shape.kind != SurfaceShape::Kind::revolution || shape.offset != 0 ||
+            curve.kind != SurfaceCurve::Kind::ellipse)
+            return {};
+        const double radius = glm::length(curve.u);
+        constexpr double same = 1e-9; // of the radius
+        const glm::dvec3 out = curve.point - shape.point;
+        const glm::dvec3 beside = out - glm::dot(out, shape.axis) * shape.axis;
+        if (std::abs(glm::length(curve.v) - radius) > same * radius ||
+            glm::length(beside) > same * radius)
+            return {};
+        const glm::dvec3 center = placed * glm::dvec4{curve.point, 1};
+        const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3{placed})));
+        const glm::dvec3 to_eye = glm::dvec3{eye_} - center * double{eye_.w};
+        const double distance = glm::length(to_eye), seen = scale * radius;
+        if (!(distance > (eye_.w != 0 ? seen : 0))) return {};
+        const glm::dvec3 way = to_eye / distance;
+        const double sine = eye_.w != 0 ? seen / distance : 0;
+        const glm::dvec3 aside{std::abs(way.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0}};
+        const double half = seen * std::sqrt(1 - sine * sine);
+        const glm::dvec3 u = half * glm::normalize(glm::cross(way, aside));
+        return EdgeCurve{.center = center + seen * sine * way, .u = u, .v = glm::cross(way, u)};
+    }
+
+    /// Of a silhouette that runs over a triangle whose surface is known, its number.
+    std::uint32_t surface_of(const LineSource& source) const {
+        const KnownSurfaces& known = mesh_.surfaces;
+        const bool silhouette = source.from == LineSource::none &&
+                                source.crossing == LineSource::none &&
+                                source.triangle < known.of_triangle.size();
+        return silhouette ? known.of_triangle[source.triangle] : KnownSurfaces::none;
+    }
+
+    /// The end of a path, of a silhouette on a surface or along an edge's curve.
+    struct End {
+        VectorPath* path;
+        bool at_end;
+        const EdgeCurve* curve; ///< null: of a silhouette
+        double x;               ///< where it was on the screen
+    };
+
+    static VectorPoint& point_at(VectorPath& path, bool at_end) {
+        return at_end ? path.points.back() : path.points.front();
+    }
+
+    /// The angle from an edge's end to a place on its curve; nothing if that is farther than its
+    /// last chord is long.
+    std::optional<double> way_to(const End& end, const VectorPoint& point) const {
+        if (end.curve == nullptr) return {};
+        const EdgeCurve& curve = *end.curve;
+        const VectorPoint& own = point_at(*end.path, end.at_end);
+        if (!(glm::distance(own.at, point.at) < farthest_end)) return {};
+        const double angle = angle_on(curve, point.world);
+        constexpr double rounding = 1e-5;
+        const double size = std::max(glm::length(curve.u), glm::length(curve.v));
+        if (!(glm::distance(place_on(curve, angle), point.world) < rounding * size)) return {};
+        const LineSource& source =
+            (end.at_end ? end.path->pieces.back() : end.path->pieces.front()).source;
+        const double way = std::remainder(angle - angle_on(curve, own.world), turn);
+        if (!(std::abs(way) < 1.01 * std::abs(chord_of(curve, source)))) return {};
+        return way;
+    }
+
+    /// The angle between the ends of an edge's chord.
+    double chord_of(const EdgeCurve& curve, const LineSource& source) const {
+        const glm::dvec3 from{mesh_.positions[source.from]}, to{mesh_.positions[source.to]};
+        return std::remainder(angle_on(curve, to) - angle_on(curve, from), turn);
+    }
+
+    /// Lets a path along a curve end at a place on it, by that angle from where it does.
+    void end_at(const End& end, double way, const VectorPoint& point) const {
+        VectorPath& path = *end.path;
+        if (!end.at_end) reverse(path);
+        const VectorPoint before = path.points[path.points.size() - 2];
+        const double came = std::remainder(angle_on(*end.curve, path.points.back().world) -
+                                               angle_on(*end.curve, before.world),
+                                           turn);
+        if (way * came > 0) { // on from where it ends
+            const VectorPoint from = path.points.back();
+            const Turn turn{
+                .curve = end.curve, .from = angle_on(*end.curve, from.world), .by = way};
+            const int count = chords_of(turn, from, point);
+            for (int k = 1; k <= count; ++k) {
+                VectorPiece piece = path.pieces.back();
+                piece.point = static_cast<std::uint32_t>(path.points.size() - 1);
+                path.pieces.push_back(piece);
+                path.points.push_back(point_on(turn, from, point, static_cast<double>(k) / count));
+            }
+        } else {
+            const auto is_beyond = [&](const VectorPoint& one) {
+                const double to = std::remainder(
+                    angle_on(*end.curve, point.world) - angle_on(*end.curve, one.world), turn);
+                return to * came <= 0;
+            };
+            while (path.points.size() > 2 && is_beyond(path.points[path.points.size() - 2])) {
+                path.points.pop_back();
+                path.pieces.pop_back();
+            }
+        }
+        VectorPoint& last = path.points.back();
+        last.at = point.at;
+        last.world = point.world;
+        last.depth = point.depth;
+        last.inverse_w = point.inverse_w;
+        if (!end.at_end) reverse(path);
+    }
+
+    /// A way along an edge's curve: the angles of its ends.
+    struct Turn {
+        const EdgeCurve* curve;
+        double from, by;
+    };
+
+    static double angle_on(const EdgeCurve& curve, glm::dvec3 world) {
+        const glm::dvec3 out = world - curve.center;
+        return std::atan2(glm::dot(out, curve.v) / glm::dot(curve.v, curve.v),
+                          glm::dot(out, curve.u) / glm::dot(curve.u, curve.u));
+    }
+    static glm::dvec3 place_on(const EdgeCurve& curve, double angle) {
+        return curve.center + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
+    }
+
+    /// Between two points of a chord; nothing where the chord is not one of the curve.
+    std::optional<Turn> turn_of(const LineSource& source, const VectorPoint& a,
+                                const VectorPoint& b) const {
+        const EdgeCurve* const known = curve_of(edges_.edge_of(source));
+        if (known == nullptr) return {};
+        const EdgeCurve& curve = *known;
+        const double whole = chord_of(curve, source);
+        const double size = std::max(glm::length(curve.u), glm::length(curve.v));
+        constexpr double rounding = 1e-6;
+        const double deep = (1 - std::cos(0.5 * whole) + rounding) * size;
+        const double at_a = angle_on(curve, a.world), at_b = angle_on(curve, b.world);
+        if (glm::distance(place_on(curve, at_a), a.world) > deep ||
+            glm::distance(place_on(curve, at_b), b.world) > deep)
+            return {};
+        return Turn{.curve = &curve, .from = at_a, .by = std::remainder(at_b - at_a, turn)};
+    }
+
+    static int chords_of(const Turn& turn, const VectorPoint& a, const VectorPoint& b) {
+        constexpr double most = 64;
+        const double sagitta = glm::distance(a.at, b.at) * std::abs(turn.by) / 8;
+        return static_cast<int>(std::clamp(std::ceil(std::sqrt(sagitta / most_off)), 1.0, most));
+    }
+
+    VectorPoint point_on(const Turn& turn, const VectorPoint& a, const VectorPoint& b,
+                         double share) const {
+        VectorPoint point;
+        point.world = place_on(*turn.curve, turn.from + share * turn.by);
+        const glm::dvec4 clip = clip_from_world_ * glm::dvec4{point.world, 1};
+        point.at = on_screen(point.world);
+        point.depth = 0.5 * (1 + clip.z / clip.w);
+        point.inverse_w = 1 / clip.w;
+        point.arc = std::lerp(a.arc, b.arc, share);
+        return point;
     }
 
     glm::dvec2 on_screen(glm::dvec3 world) const {
         const glm::dvec4 clip = clip_from_world_ * glm::dvec4{world, 1};
         return {0.5 * size_.x * (1 + clip.x / clip.w), 0.5 * size_.y * (1 - clip.y / clip.w)};
-    }
-
-    /// The angle between the ends of a segment.
-    double chord_of(const LineSource& source, const Ellipse& ellipse) const {
-        const auto at = [&](std::uint32_t position) {
-            return ellipse.unrolled(on_screen(glm::dvec3{mesh_.positions[position]}));
-        };
-        return std::abs(angle_between(at(source.from), at(source.to)));
     }
 
     std::vector<Step> steps_of(const VectorPath& path) {
@@ -218,10 +470,13 @@ class PathCurves::Finder {
         for (const VectorPiece& piece : path.pieces) {
             if (piece.point >= steps.size()) continue;
             Step& step = steps[piece.point];
-            const std::uint32_t edge = edges_.edge_of(piece.source);
-            const Ellipse* const ellipse = edge == none ? nullptr : ellipse_of(edge);
+            const std::uint32_t surface = surface_of(piece.source);
+            const bool on_surface = surface != KnownSurfaces::none;
+            const std::uint32_t edge = on_surface ? none : edges_.edge_of(piece.source);
+            const Ellipse* const ellipse =
+                on_surface ? ellipse_of_surface(surface) : ellipse_of(edge);
             if (!known[piece.point])
-                step = {.edge = edge, .ellipse = ellipse};
+                step = {.edge = edge, .on_surface = on_surface, .ellipse = ellipse};
             else if (!go_on(step, {.ellipse = ellipse}))
                 step.ellipse = nullptr;
             known[piece.point] = true;
@@ -252,16 +507,10 @@ class PathCurves::Finder {
     /// away from the eye, a little before the end of the curve itself.
     void reach_extreme(const VectorPiece& piece, glm::dvec2 before, VectorPoint& end) {
         const std::uint32_t edge = edges_.edge_of(piece.source);
-        if (edge == none || ellipse_of(edge) != nullptr) return;
-        const EdgeCurve& curve = *mesh_.edge_curves[edge];
-        const auto angle = [&](glm::dvec3 world) {
-            const glm::dvec3 out = world - curve.center;
-            return std::atan2(glm::dot(out, curve.v) / glm::dot(curve.v, curve.v),
-                              glm::dot(out, curve.u) / glm::dot(curve.u, curve.u));
-        };
-        const auto world = [&](double t) {
-            return curve.center + std::cos(t) * curve.u + std::sin(t) * curve.v;
-        };
+        if (curve_of(edge) == nullptr || ellipse_of(edge) != nullptr) return;
+        const EdgeCurve& curve = *curve_of(edge);
+        const auto angle = [&](glm::dvec3 world) { return angle_on(curve, world); };
+        const auto world = [&](double t) { return place_on(curve, t); };
         const auto position = [&](std::uint32_t i) { return glm::dvec3{mesh_.positions[i]}; };
         const double from = angle(position(piece.source.from));
         const double chord =
@@ -300,13 +549,7 @@ class PathCurves::Finder {
         for (std::uint32_t i = first; i <= last; ++i) {
             const glm::dvec2 here = ellipse.unrolled(path.points[i].at);
             const double slack = on_curve / ellipse.minor();
-            // A path's own ends are where the line disappears, anywhere on a chord.
-            double least = 1;
-            if (!path.closed && (i == 0 || i == steps.size())) {
-                const VectorPiece& end = i == 0 ? path.pieces.front() : path.pieces.back();
-                least = std::cos(0.5 * chord_of(end.source, ellipse));
-            }
-            if (!(glm::length(here) > least - slack) || !(glm::length(here) < 1 + slack)) return;
+            if (!(std::abs(glm::length(here) - 1) < slack)) return;
             if (i == first) continue;
             const double step = angle_between(ellipse.unrolled(path.points[i - 1].at), here);
             if (!(step * sweep >= 0) || !(std::abs(step) < longest_step) || step == 0) return;
@@ -323,19 +566,64 @@ class PathCurves::Finder {
         if (last == steps.size()) path.points.back().at = arc.at(from + sweep);
     }
 
+    /// What is smooth and no arc.
+    static void add_cubics(VectorPath& path, const std::vector<Step>& steps) {
+        std::vector<VectorCurve> curves;
+        auto arc = path.curves.begin();
+        const auto count = static_cast<std::uint32_t>(steps.size());
+        for (std::uint32_t first = 0; first < count;) {
+            if (arc != path.curves.end() && arc->first == first) {
+                first = arc->last;
+                curves.push_back(*arc++);
+                continue;
+            }
+            const std::uint32_t end = arc != path.curves.end() ? arc->first : count;
+            std::uint32_t last = first + 1;
+            while (last < end && steps[last].edge == steps[first].edge &&
+                   steps[last].on_surface == steps[first].on_surface)
+                ++last;
+            if (steps[first].is_smooth()) {
+                std::vector<glm::dvec2> points;
+                for (std::uint32_t i = first; i <= last; ++i) points.push_back(path.points[i].at);
+                const bool whole = path.closed && first == 0 && last == count;
+                for (const FittedCubic& one : fit_cubics(points, whole))
+                    curves.push_back({.first = first + one.first,
+                                      .last = first + one.last,
+                                      .cubic = one.cubic,
+                                      .edge = steps[first].edge});
+            }
+            first = last;
+        }
+        path.curves = std::move(curves);
+    }
+
     const Mesh& mesh_;
     EdgesByPlace edges_;
+    glm::vec4 eye_;
     glm::dmat4 clip_from_world_;
     glm::dvec2 size_;
-    std::map<std::uint32_t, std::optional<Ellipse>> ellipses_; ///< of edges
+    Ellipses ellipses_; ///< of edges
+    Ellipses outlines_; ///< of surfaces
 };
 
 PathCurves::PathCurves(const Mesh* mesh, const Camera& camera) {
-    if (mesh != nullptr && !mesh->edge_curves.empty())
+    if (mesh != nullptr && !(mesh->known_edges.empty() && mesh->surfaces.empty()))
         finder_ = std::make_unique<Finder>(*mesh, camera);
 }
 
 PathCurves::~PathCurves() = default;
+
+void PathCurves::bend(std::vector<VectorPath>& paths) const {
+    if (!finder_) return;
+    for (VectorPath& path : paths)
+        if (!path.pieces.empty()) finder_->bend(path);
+    finder_->meet(paths);
+}
+
+void PathCurves::name(std::vector<VectorPath>& paths) const {
+    if (!finder_) return;
+    for (VectorPath& path : paths) finder_->name(path);
+}
 
 std::vector<std::uint32_t> PathCurves::joints(const VectorPath& path) const {
     return finder_ ? finder_->joints(path) : std::vector<std::uint32_t>{};

@@ -19,6 +19,15 @@ class PathCurves {
     PathCurves(const PathCurves&) = delete;
     PathCurves& operator=(const PathCurves&) = delete;
 
+    /// Puts points onto curves, and between their chords' ends as many more as it takes to run
+    /// along them within a hundredth of a pixel. What is not on its curve, as of an object that has
+    /// moved since it was read, stays. An edge that ends beside the end of a silhouette on a
+    /// surface, as a rim does within a chord's length, ends there.
+    void bend(std::vector<VectorPath>& paths) const;
+
+    /// Names the file's edge or face that each piece shows.
+    void name(std::vector<VectorPath>& paths) const;
+
     /// The points of a path, ascending, at which a curve begins or ends: where one touches a line
     /// or another curve, hardly anything bends.
     std::vector<std::uint32_t> joints(const VectorPath& path) const;

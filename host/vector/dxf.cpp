@@ -33,31 +33,37 @@ class EntityWriter {
     EntityWriter(DxfText& text, Handle block, double height)
         : text_(text), block_(block), height_(height) {}
 
-    /// What is an ellipse is an entity of its own, and so is what lies between two.
+    /// What is an ellipse, or cubics in a row, is an entity of its own, and so is what lies between
+    /// two.
     void write(const Outline& outline, std::string_view layer) {
         const std::vector<OutlinePoint>& points = outline.points;
-        if (std::ranges::none_of(points, &OutlinePoint::is_elliptic))
+        if (std::ranges::none_of(points, &OutlinePoint::is_apart))
             return write_part(outline, layer);
         if (outline.is_round()) return write_ellipse(points[0], turn, layer);
         const std::size_t count = points.size(), steps = count - (outline.closed ? 0 : 1);
         std::size_t first = 0;
-        if (outline.closed) // a loop begins behind an ellipse
-            while (!points[(first + count - 1) % count].is_elliptic()) ++first;
+        if (outline.closed) // a loop begins behind one of them
+            while (!points[(first + count - 1) % count].is_apart()) ++first;
         Outline part;
         const auto end_part = [&](glm::dvec2 at) {
             if (part.points.empty()) return;
+            const bool cubics = part.points.front().cubic.has_value();
             part.points.push_back({at});
-            write_part(part, layer);
+            if (cubics)
+                write_spline(part.points, layer);
+            else
+                write_part(part, layer);
             part.points.clear();
         };
         for (std::size_t i = 0; i < steps; ++i) {
             const OutlinePoint& point = points[(first + i) % count];
-            if (point.is_elliptic()) {
-                end_part(point.at);
+            const bool goes_on = !part.points.empty() &&
+                                 part.points.front().cubic.has_value() == point.cubic.has_value();
+            if (point.is_elliptic() || !goes_on) end_part(point.at);
+            if (point.is_elliptic())
                 write_ellipse(point, point.arc->sweep, layer);
-            } else {
+            else
                 part.points.push_back(point);
-            }
         }
         end_part(points[(first + steps) % count].at);
     }
@@ -129,6 +135,28 @@ class EntityWriter {
         const double start = whole ? 0 : from_0_to_turn(from);
         text_.add(41, start, fine);
         text_.add(42, start + (whole ? turn : to - from), fine);
+    }
+
+    /// Cubic Bézier curves in a row, as one B-spline.
+    void write_spline(const std::vector<OutlinePoint>& points, std::string_view layer) {
+        begin("SPLINE", "AcDbSpline", layer);
+        const int count = static_cast<int>(points.size()) - 1;
+        constexpr int planar = 8, degree = 3;
+        text_.add(70, planar);
+        text_.add(71, degree);
+        text_.add(72, degree * count + 1 + degree + 1);
+        text_.add(73, degree * count + 1);
+        text_.add(74, 0);
+        for (int knot = 0; knot <= count; ++knot)
+            for (int k = knot == 0 || knot == count ? -1 : 0; k < degree; ++k)
+                text_.add(40, static_cast<double>(knot));
+        add_point(10, points.front().at);
+        for (int i = 0; i < count; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            add_point(10, points[at].cubic->first_control);
+            add_point(10, points[at].cubic->last_control);
+            add_point(10, points[at + 1].at);
+        }
     }
 
     /// The angles of an arc, the lesser first, as they are where y goes up.

@@ -53,19 +53,28 @@ Json piece_json(const VectorPiece& piece) {
     }
     if (piece.source.crossing != LineSource::none) json["crossing"] = piece.source.crossing;
     if (piece.group != VectorPiece::none) json["group"] = piece.group;
+    if (piece.edge != VectorPiece::none) json["edge"] = piece.edge;
+    if (piece.face != VectorPiece::none) json["face"] = piece.face;
+    if (piece.entity != 0) json["entity"] = piece.entity;
     return json;
 }
 
 /// With all digits: it is exact.
 Json curve_json(const VectorCurve& curve) {
+    Json json{{"points", {curve.first, curve.last}}};
+    if (curve.edge != VectorCurve::none) json["edge"] = curve.edge;
+    if (curve.cubic) {
+        const auto& [from, to] = *curve.cubic;
+        json["controls"] = {{from.x, from.y}, {to.x, to.y}};
+        return json;
+    }
     const VectorArc& arc = curve.arc;
-    return {{"points", {curve.first, curve.last}},
-            {"center", {arc.center.x, arc.center.y}},
-            {"major", {arc.major.x, arc.major.y}},
-            {"ratio", arc.ratio},
-            {"from", arc.from},
-            {"sweep", arc.sweep},
-            {"edge", curve.edge}};
+    json["center"] = {arc.center.x, arc.center.y};
+    json["major"] = {arc.major.x, arc.major.y};
+    json["ratio"] = arc.ratio;
+    json["from"] = arc.from;
+    json["sweep"] = arc.sweep;
+    return json;
 }
 
 Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonOptions& options) {

@@ -95,7 +95,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     const glm::dvec2 picture{camera.size};
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
-    if (!pieces.exact) meet_junctions(lines, picture, pieces);
+    meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture.y);
     if (!style.hidden) drop_hidden(strips);
@@ -106,7 +106,9 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     drawing.hidden_pens = pens.hidden;
     drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
     const PathCurves curves{options.mesh, camera};
+    curves.bend(drawing.paths);
     simplify(drawing.paths, options.tolerance, curves);
+    curves.name(drawing.paths);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture);
     sort_for_drawing(drawing.paths);
     if (options.mesh != nullptr) add_groups(*options.mesh, drawing);

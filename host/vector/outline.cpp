@@ -29,14 +29,18 @@ Outline whole(const VectorArc& curve) {
 
 /// A path whose curves are arcs.
 Outline with_curves(const VectorPath& path) {
-    if (path.closed && path.curves[0].first == 0 && path.curves[0].last + 1 == path.points.size())
+    const VectorCurve& first = path.curves[0];
+    if (path.closed && !first.cubic && first.first == 0 && first.last + 1 == path.points.size())
         return whole(path.curves[0].arc);
     Outline outline{.points = {}, .closed = path.closed};
     auto curve = path.curves.begin();
     for (std::uint32_t i = 0; i + 1 < path.points.size();) {
         OutlinePoint point{path.points[i].at};
         if (curve != path.curves.end() && curve->first == i) {
-            point = begin_of(curve->arc);
+            if (curve->cubic)
+                point.cubic = curve->cubic;
+            else
+                point = begin_of(curve->arc);
             point.at = path.points[i].at; // where the way before it ends
             i = curve->last;
             ++curve;
@@ -88,6 +92,9 @@ Outline outline_of(const VectorPath& path, const Sheet& sheet, const ArcChoice& 
     if (!known && arcs.fitted) outline = fit_arcs(outline);
     for (OutlinePoint& point : outline.points) {
         point.at = sheet.place(point.at);
+        if (point.cubic)
+            point.cubic = {sheet.place(point.cubic->first_control),
+                           sheet.place(point.cubic->last_control)};
         if (!point.arc) continue;
         point.arc->center = sheet.place(point.arc->center);
         point.arc->major *= sheet.scale;

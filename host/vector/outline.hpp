@@ -18,9 +18,12 @@ struct OutlinePoint {
     double bulge = 0;
     /// Where it is known, to the last digit, which chords don't tell.
     std::optional<VectorArc> arc{};
+    std::optional<VectorCubic> cubic{}; ///< or by this, and `bulge` is 0
 
-    bool is_straight() const { return bulge == 0 && !arc; }
+    bool is_straight() const { return bulge == 0 && !arc && !cubic; }
     bool is_elliptic() const { return arc && arc->ratio != 1; }
+    /// Whether the way goes on by what polylines have no word for.
+    bool is_apart() const { return is_elliptic() || cubic; }
 };
 
 /// A path as it is written to files that know arcs. A circle or an ellipse is closed and has two
@@ -33,7 +36,7 @@ struct Outline {
     bool is_round() const;
 };
 
-/// From a point from which the way is not straight.
+/// From a point from which the way is an arc.
 VectorArc arc_between(const OutlinePoint& from, glm::dvec2 to);
 
 /// Which arcs are wanted.

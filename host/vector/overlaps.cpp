@@ -28,6 +28,10 @@ constexpr double along_sine = 0.5;
 constexpr double shortest_overlap = 0.02;
 /// What is left between two overlaps, or of a path with overlaps, is dropped if shorter, pixels.
 constexpr double shortest_rest = 0.5;
+constexpr double longest_scrap = 12; ///< pixels
+/// A silhouette of a surface touches the edge that it ends on: it runs along it as far as this,
+/// pixels.
+constexpr double longest_touch = 16;
 
 /// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching.
 constexpr std::array<int, LA_KIND_COUNT> kind_rank{4, 2, 3, 5, 0, 6, 1, 7};
@@ -99,11 +103,19 @@ double mean_depth(const VectorPath& path) {
     return sum / static_cast<double>(path.points.size());
 }
 
+/// Whether it runs along an edge or over a face of exact geometry.
+bool is_along_curves(const VectorPath& path) {
+    if (path.pieces.empty()) return false;
+    const VectorPiece& piece = path.pieces.front();
+    return piece.edge != VectorPiece::none || piece.face != VectorPiece::none;
+}
+
 /// Paths in the order in which they claim their place.
 std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
     struct Claim {
         bool hidden;
         bool inside; ///< of the outline
+        bool scrap; ///< so short that chords of two depths may have left it of a line along another
         int kind;
         double depth;
         std::size_t path;
@@ -115,6 +127,7 @@ std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
         const VectorPath& path = paths[i];
         claims.push_back({.hidden = !path.visible,
                           .inside = !path.outline && can_be_outline(path.kind),
+                          .scrap = is_along_curves(path) && length_of(path) < longest_scrap,
                           .kind = kind_rank[static_cast<std::size_t>(path.kind)],
                           .depth = mean_depth(path),
                           .path = i});
@@ -146,11 +159,10 @@ class Overlaps {
             for (const Span span : own) covered.push_back({passed + span.from, passed + span.to});
             passed += length;
         }
-        if (covered.empty()) {
-            result.push_back(std::move(path));
-            return;
-        }
+        if (covered.empty()) return result.push_back(std::move(path));
         join_spans(covered, shortest_rest);
+        keep_touching_ends(path, passed, covered);
+        if (covered.empty()) return result.push_back(std::move(path));
         std::vector<Span> kept = rest_of(covered, passed);
         std::erase_if(kept, [](Span span) { return span.to - span.from < shortest_rest; });
         forget_dropped(first, kept);
@@ -158,6 +170,21 @@ class Overlaps {
     }
 
   private:
+    /// Takes spans out of `covered` that only touch what they run along.
+    static void keep_touching_ends(const VectorPath& path, double length,
+                                   std::vector<Span>& covered) {
+        if (path.closed || path.pieces.empty()) return;
+        const auto touches = [&](const VectorPiece& piece, Span span) {
+            return piece.face != KnownSurfaces::none && span.to - span.from < longest_touch &&
+                   3 * (span.to - span.from) < length;
+        };
+        if (covered.front().from < shortest_rest && touches(path.pieces.front(), covered.front()))
+            covered.erase(covered.begin());
+        if (!covered.empty() && covered.back().to > length - shortest_rest &&
+            touches(path.pieces.back(), covered.back()))
+            covered.pop_back();
+    }
+
     std::vector<Span> covered_part(const Line& line) {
         std::vector<Span> covered;
         const glm::dvec2 end = line.a + line.along * line.length;

@@ -76,6 +76,16 @@ class PathData {
         at_ = place;
     }
 
+    void cubic_to(Place first_control, Place last_control, Place place) {
+        use(relative_ ? 'c' : 'C');
+        for (const Place each : {first_control, last_control, place}) {
+            const Place target = relative_ ? each - at_ : each;
+            add(target.x);
+            add(target.y);
+        }
+        at_ = place;
+    }
+
     std::string close(bool closed) { return std::move(text_) + (closed ? "z" : ""); }
 
   private:
@@ -109,12 +119,14 @@ std::string number_text(double value, int digits) {
 
 std::string path_data(const Outline& outline, int digits, bool relative) {
     const double scale = power_of_ten(digits);
+    const auto rounded = [&](glm::dvec2 at) {
+        return Place{std::llround(at.x * scale), std::llround(at.y * scale)};
+    };
     std::vector<Place> places;
     std::vector<std::size_t> kept;
     const std::vector<OutlinePoint>& points = outline.points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec2 at = points[i].at * scale;
-        const Place place{std::llround(at.x), std::llround(at.y)};
+        const Place place = rounded(points[i].at);
         if (!places.empty() && places.back() == place) {
             kept.back() = i; // the way goes on from there
             continue;
@@ -136,6 +148,9 @@ std::string path_data(const Outline& outline, int digits, bool relative) {
         const std::size_t to = back ? 0 : i;
         if (from.is_straight()) {
             data.line_to(places[to]);
+        } else if (from.cubic) {
+            data.cubic_to(rounded(from.cubic->first_control), rounded(from.cubic->last_control),
+                          places[to]);
         } else {
             data.arc_to(from, points[kept[to]].at, places[to]);
         }

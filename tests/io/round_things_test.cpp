@@ -14,6 +14,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -143,6 +144,90 @@ TEST_F(RoundThings, ThinFilletsAreNotTorn) {
             // below.
             EXPECT_LE(silhouettes(rounded, direction, {1024, 768}).size(), 3U);
         }
+    }
+}
+
+/// One about the z axis, of radii 20 and 5: on its silhouette the normal is at a right angle to the
+/// view, and nothing of it is left out where chords of triangles would go another way.
+TEST_F(RoundThings, ATorusIsDrawnWhereItsSurfaceTurnsAway) {
+    const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+    for (const glm::ivec2 size : {glm::ivec2{1024, 768}, glm::ivec2{4000, 3000}}) {
+        for (const auto& directions : {level, aslant})
+            for (const std::string& direction : directions) {
+                SCOPED_TRACE(direction);
+                const std::vector<VectorPath> paths = silhouettes(torus, direction, size);
+                // Level: all around, and nothing else. From above: both rims; aslant, where the
+                // hole is seen through: all around, the near rim of the hole, and the far one.
+                const bool is_level = std::ranges::find(level, direction) != level.end();
+                EXPECT_LE(paths.size(), is_level ? 2U : 5U);
+                const glm::dvec3 eye{view_.eye};
+                for (const VectorPath& path : paths) {
+                    for (const VectorPoint& point : path.points) {
+                        const glm::dvec3 at = point.world;
+                        const double out = std::hypot(at.x, at.y);
+                        const glm::dvec3 spine = glm::dvec3{at.x, at.y, 0} * (20 / out);
+                        EXPECT_NEAR(glm::distance(at, spine), 5, 1e-3);
+                        const double cosine =
+                            glm::dot(glm::normalize(at - spine), glm::normalize(eye - at));
+                        // A turn of the normal by that moves the line by 5 times it, in pixels.
+                        EXPECT_LT(std::abs(cosine) * 5 * scale_of(view_, size.y), 0.05);
+                    }
+                }
+            }
+    }
+}
+
+/// All of it leaves as curves, a sphere's outline as a circle.
+TEST_F(RoundThings, SilhouettesLeaveAsCurves) {
+    const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(10).Shape();
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        const VectorDrawing ball =
+            drawing("a.brep", to_brep(sphere), "30,20", {1000, 800}, projection);
+        ASSERT_EQ(ball.paths.size(), 1U);
+        ASSERT_EQ(ball.paths[0].curves.size(), 1U);
+        EXPECT_FALSE(ball.paths[0].curves[0].cubic);
+        EXPECT_NEAR(ball.paths[0].curves[0].arc.sweep * ball.paths[0].curves[0].arc.sweep,
+                    4 * std::numbers::pi * std::numbers::pi, 1e-6);
+        if (projection == Projection::perspective) continue;
+        EXPECT_NEAR(ball.paths[0].curves[0].arc.major.x / scale_of(view_, 800) / 10, 1, 1e-6);
+    }
+    const VectorDrawing ring = drawing("a.brep", to_brep(BRepPrimAPI_MakeTorus(20, 5).Shape()),
+                                       "isometric", {1000, 800}, Projection::perspective);
+    ASSERT_EQ(ring.paths.size(), 2U);
+    for (const VectorPath& path : ring.paths) {
+        std::uint32_t covered = 0;
+        for (const VectorCurve& curve : path.curves) {
+            EXPECT_TRUE(curve.cubic);
+            EXPECT_EQ(curve.edge, VectorCurve::none);
+            covered += curve.last - curve.first;
+        }
+        EXPECT_EQ(covered + 1, path.points.size());
+        EXPECT_LT(5 * path.curves.size(), path.points.size());
+    }
+}
+
+/// Where an outline leaves a rim, both end at one point.
+TEST_F(RoundThings, RimsAndSilhouettesMeet) {
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 4, 15).Shape();
+    for (const std::string& direction : aslant) {
+        SCOPED_TRACE(direction);
+        const std::vector<VectorPath> paths =
+            drawing("a.brep", to_brep(cone), direction, {1024, 768}, Projection::perspective).paths;
+        int met = 0;
+        for (const VectorPath& line : paths) {
+            if (line.kind != LineKind::silhouette || !line.visible) continue;
+            for (const VectorPoint& end : {line.points.front(), line.points.back()})
+                for (const VectorPath& rim : paths) {
+                    if (rim.kind == LineKind::silhouette || !rim.visible || rim.closed) continue;
+                    for (const VectorPoint& other : {rim.points.front(), rim.points.back()})
+                        met += glm::distance(other.at, end.at) < 1e-4 ? 1 : 0;
+                }
+        }
+        const auto is_open_rim = [](const VectorPath& path) {
+            return path.kind != LineKind::silhouette && path.visible && !path.closed;
+        };
+        EXPECT_EQ(met, 2 * std::ranges::count_if(paths, is_open_rim));
+        EXPECT_GT(met, 0);
     }
 }
 

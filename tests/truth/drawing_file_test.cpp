@@ -102,9 +102,8 @@ TEST_F(DrawingFileTest, RefusesWhatIsNoDrawing) {
     EXPECT_NE(refused("a.svg", "<svg><desc>of another program</desc></svg>").find("no drawing of"),
               std::string::npos);
     EXPECT_NE(refused("b.svg", "hello").find("no XML"), std::string::npos);
-    const std::string curved =
-        "<svg><desc>seen at 9x9 pixels</desc><g><path d=\"m0 0c1 1 2 2 3 3\"/>"
-        "</g></svg>";
+    const std::string curved = "<svg><desc>seen at 9x9 pixels</desc><g><path d=\"m0 0q1 1 2 2\"/>"
+                               "</g></svg>";
     EXPECT_NE(refused("c.svg", curved).find("no drawing of"), std::string::npos);
     EXPECT_NE(refused("a.json", "{}").find("no drawing of"), std::string::npos);
     EXPECT_NE(refused("b.json", "{\"format\":").find("damaged"), std::string::npos);
@@ -217,6 +216,19 @@ TEST(SvgPath, ArcsOfEllipsesAreToo) {
             EXPECT_GT(to.y, from.y);
         }
     }
+}
+
+/// A parabola, as cubics can be.
+TEST(SvgPath, CubicsAreChords) {
+    for (const char* data : {"M0 0C1 0 2 3 3 9", "m0 0c1 0 2 3 3 9", "M1 1M0 0c1,0,2,3,3,9"}) {
+        SCOPED_TRACE(data);
+        const auto lines = parse_path(data);
+        ASSERT_TRUE(lines);
+        EXPECT_EQ(lines->size(), 16U);
+        for (const auto& [from, to] : *lines) EXPECT_NEAR(to.y, to.x * to.x, 1e-9);
+        EXPECT_EQ(lines->back().second, (glm::dvec2{3, 9}));
+    }
+    EXPECT_FALSE(parse_path("M0 0C1 0 2 3 3"));
 }
 
 } // namespace

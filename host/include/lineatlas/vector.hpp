@@ -41,6 +41,12 @@ struct VectorPiece {
     glm::vec3 over_start{0};
     glm::vec3 over_end{0};      ///< the same of its end
     std::uint32_t group = none; ///< index into VectorDrawing::groups
+    /// Of a line along an edge of the file: its KnownEdge::edge.
+    std::uint32_t edge = none;
+    /// Of a silhouette on a known surface: index into KnownSurfaces::surfaces.
+    std::uint32_t face = none;
+    /// What the file calls that edge or face, as #12 of STEP; 0: nothing known.
+    std::uint32_t entity = 0;
 };
 
 /// A part of a circle or an ellipse on the screen, all around at most: center + cos(t) major +
@@ -57,12 +63,22 @@ struct VectorArc {
     LINEATLAS_API glm::dvec2 at(double angle) const;
 };
 
-/// A part of a path that is an arc in the file (Mesh::edge_curves), as seen.
+/// A cubic Bézier curve between two points.
+struct VectorCubic {
+    glm::dvec2 first_control{0, 0}; ///< towards it the curve leaves the first point
+    glm::dvec2 last_control{0, 0};  ///< from it the curve comes to the last
+};
+
+/// A part of a path that is round.
 struct VectorCurve {
-    std::uint32_t first = 0; ///< it begins at this point of the path,
-    std::uint32_t last = 0;  ///< and ends at this one; those between are on it
-    VectorArc arc{};         ///< in pixels, as VectorPoint::at
-    std::uint32_t edge = 0;  ///< the first KnownEdge::edge along it
+    static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge
+    std::uint32_t first = 0;                          ///< it begins at this point of the path,
+    std::uint32_t last = 0; ///< and ends at this one; those between are on it
+    VectorArc arc{};        ///< that of the file (Mesh::edge_curves), as seen; pixels
+    /// In place of the arc, of what is none: through the points, within a tenth of a pixel of
+    /// every chord's curve.
+    std::optional<VectorCubic> cubic{};
+    std::uint32_t edge = none; ///< the first KnownEdge::edge along it
 };
 
 /// A polyline that is drawn in one go.

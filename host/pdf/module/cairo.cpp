@@ -43,6 +43,11 @@ void draw(cairo_t* context, const Way& way) {
     cairo_new_path(context);
     cairo_move_to(context, way.start.x, way.start.y);
     for (const Step& step : way.steps) {
+        if (step.cubic) {
+            const glm::dvec2 a = step.first_control, b = step.last_control;
+            cairo_curve_to(context, a.x, a.y, b.x, b.y, step.to.x, step.to.y);
+            continue;
+        }
         if (!step.arc) {
             cairo_line_to(context, step.to.x, step.to.y);
             continue;
