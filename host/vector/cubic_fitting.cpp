@@ -9,7 +9,6 @@
 namespace lineatlas {
 namespace {
 
-constexpr double most_off = 0.02;      ///< of a point, pixels
 constexpr double most_off_chord = 0.1; ///< of the chord between two points, pixels
 constexpr double sharpest = 0.7;       ///< radians by which chords of a smooth line turn
 constexpr double straight = 1e-3;      ///< radians between a tangent and its chord
@@ -44,8 +43,8 @@ struct Cubic {
 /// A smooth part of a line.
 class Fitter {
   public:
-    Fitter(std::span<const glm::dvec2> points, std::uint32_t offset, bool closed)
-        : points_(points), offset_(offset), tangents_(points.size()) {
+    Fitter(std::span<const glm::dvec2> points, std::uint32_t offset, bool closed, double most_off)
+        : points_(points), offset_(offset), most_off_(most_off), tangents_(points.size()) {
         const std::size_t n = points.size() - 1;
         for (std::size_t i = 1; i < n; ++i)
             tangents_[i] = tangent(points[i] - points[i - 1], points[i + 1] - points[i]);
@@ -165,7 +164,7 @@ class Fitter {
     bool is_along(const Cubic& cubic, std::size_t first, const std::vector<double>& at) const {
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
             const glm::dvec2 p = points_[first + i], q = points_[first + i + 1];
-            if (i > 0 && !(glm::distance(cubic.at(at[i]), p) < most_off)) return false;
+            if (i > 0 && !(glm::distance(cubic.at(at[i]), p) < most_off_)) return false;
             const glm::dvec2 way = q - p;
             for (const double share : {0.25, 0.5, 0.75}) {
                 const glm::dvec2 to = cubic.at(std::lerp(at[i], at[i + 1], share)) - p;
@@ -177,12 +176,14 @@ class Fitter {
 
     std::span<const glm::dvec2> points_;
     std::uint32_t offset_;
+    double most_off_;
     std::vector<glm::dvec2> tangents_;
 };
 
 } // namespace
 
-std::vector<FittedCubic> fit_cubics(std::span<const glm::dvec2> points, bool closed) {
+std::vector<FittedCubic> fit_cubics(std::span<const glm::dvec2> points, bool closed,
+                                    double most_off) {
     std::vector<FittedCubic> result;
     if (points.size() < 3) return result;
     const std::size_t n = points.size() - 1;
@@ -196,7 +197,8 @@ std::vector<FittedCubic> fit_cubics(std::span<const glm::dvec2> points, bool clo
         if (i < n && !is_corner(i)) continue;
         const bool whole = closed && first == 0 && i == n && !is_corner(0);
         if (i - first > 1)
-            Fitter{points.subspan(first, i - first + 1), static_cast<std::uint32_t>(first), whole}
+            Fitter{points.subspan(first, i - first + 1), static_cast<std::uint32_t>(first), whole,
+                   most_off}
                 .fit(result);
         first = i;
     }

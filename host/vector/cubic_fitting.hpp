@@ -17,11 +17,12 @@ struct FittedCubic {
 };
 
 /// Cubic Bézier curves along a smooth line, of which these are points, in a row that leaves out
-/// what is straight. They go through points of it, with one tangent on either side, are within 0.02
-/// pixels of all others, and within a tenth of a pixel of the chords; at a corner they end. closed:
-/// the last point is the first, and the line goes on there. Least squares by a row's own parameters
-/// (Schneider, "An Algorithm for Automatically Fitting Digitized Curves", 1990), with tangents
-/// known beforehand.
-std::vector<FittedCubic> fit_cubics(std::span<const glm::dvec2> points, bool closed);
+/// what is straight. They go through points of it, with one tangent on either side, are within
+/// `most_off` pixels of all others, and within a tenth of a pixel of the chords; at a corner they
+/// end. closed: the last point is the first, and the line goes on there. Least squares by a row's
+/// own parameters (Schneider, "An Algorithm for Automatically Fitting Digitized Curves", 1990),
+/// with tangents known beforehand.
+std::vector<FittedCubic> fit_cubics(std::span<const glm::dvec2> points, bool closed,
+                                    double most_off);
 
 } // namespace lineatlas

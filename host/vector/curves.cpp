@@ -26,7 +26,10 @@ constexpr double on_curve = 0.02;   ///< pixels
 constexpr double as_circle = 1e-3;  ///< pixels by which the axes of one may differ
 constexpr double same_curve = 1e-3; ///< pixels
 constexpr double longest_step = 0.45 * turn;
-constexpr double most_off = 0.01;   ///< of chords, pixels
+constexpr double most_off = 0.01;         ///< of chords, pixels
+constexpr double most_off_surface = 0.02; ///< of cubics, from points of a surface
+/// The same, of points that have been left out of a mesh's silhouette by 0.05 already.
+constexpr double most_off_mesh = 0.05;
 constexpr double farthest_end = 40; ///< of what ends within a chord of a silhouette, pixels
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
@@ -263,9 +266,13 @@ class PathCurves::Finder {
     struct Step {
         std::uint32_t edge = none;
         bool on_surface = false;          ///< a silhouette that lies on a known one
+        bool on_mesh = false;             ///< a smooth one of triangles
         const Ellipse* ellipse = nullptr; ///< that of the edge, or of such a silhouette
 
-        bool is_smooth() const { return on_surface || edge != none; }
+        bool is_smooth() const { return on_surface || on_mesh || edge != none; }
+        bool is_of_line(const Step& other) const {
+            return edge == other.edge && on_surface == other.on_surface && on_mesh == other.on_mesh;
+        }
     };
 
     static bool go_on(const Step& a, const Step& b) {
@@ -329,10 +336,13 @@ class PathCurves::Finder {
     /// Of a silhouette that runs over a triangle whose surface is known, its number.
     std::uint32_t surface_of(const LineSource& source) const {
         const KnownSurfaces& known = mesh_.surfaces;
-        const bool silhouette = source.from == LineSource::none &&
-                                source.crossing == LineSource::none &&
-                                source.triangle < known.of_triangle.size();
-        return silhouette ? known.of_triangle[source.triangle] : KnownSurfaces::none;
+        return is_contour(source) && source.triangle < known.of_triangle.size()
+                   ? known.of_triangle[source.triangle]
+                   : KnownSurfaces::none;
+    }
+    static bool is_contour(const LineSource& source) {
+        return source.from == LineSource::none && source.crossing == LineSource::none &&
+               source.triangle != LineSource::none;
     }
 
     /// The end of a path, of a silhouette on a surface or along an edge's curve.
@@ -472,11 +482,13 @@ class PathCurves::Finder {
             Step& step = steps[piece.point];
             const std::uint32_t surface = surface_of(piece.source);
             const bool on_surface = surface != KnownSurfaces::none;
-            const std::uint32_t edge = on_surface ? none : edges_.edge_of(piece.source);
+            const bool on_mesh = !on_surface && is_contour(piece.source);
+            const std::uint32_t edge = on_surface || on_mesh ? none : edges_.edge_of(piece.source);
             const Ellipse* const ellipse =
                 on_surface ? ellipse_of_surface(surface) : ellipse_of(edge);
             if (!known[piece.point])
-                step = {.edge = edge, .on_surface = on_surface, .ellipse = ellipse};
+                step = {
+                    .edge = edge, .on_surface = on_surface, .on_mesh = on_mesh, .ellipse = ellipse};
             else if (!go_on(step, {.ellipse = ellipse}))
                 step.ellipse = nullptr;
             known[piece.point] = true;
@@ -579,14 +591,13 @@ class PathCurves::Finder {
             }
             const std::uint32_t end = arc != path.curves.end() ? arc->first : count;
             std::uint32_t last = first + 1;
-            while (last < end && steps[last].edge == steps[first].edge &&
-                   steps[last].on_surface == steps[first].on_surface)
-                ++last;
+            while (last < end && steps[last].is_of_line(steps[first])) ++last;
             if (steps[first].is_smooth()) {
                 std::vector<glm::dvec2> points;
                 for (std::uint32_t i = first; i <= last; ++i) points.push_back(path.points[i].at);
                 const bool whole = path.closed && first == 0 && last == count;
-                for (const FittedCubic& one : fit_cubics(points, whole))
+                for (const FittedCubic& one : fit_cubics(
+                         points, whole, steps[first].on_mesh ? most_off_mesh : most_off_surface))
                     curves.push_back({.first = first + one.first,
                                       .last = first + one.last,
                                       .cubic = one.cubic,
@@ -607,8 +618,7 @@ class PathCurves::Finder {
 };
 
 PathCurves::PathCurves(const Mesh* mesh, const Camera& camera) {
-    if (mesh != nullptr && !(mesh->known_edges.empty() && mesh->surfaces.empty()))
-        finder_ = std::make_unique<Finder>(*mesh, camera);
+    if (mesh != nullptr) finder_ = std::make_unique<Finder>(*mesh, camera);
 }
 
 PathCurves::~PathCurves() = default;

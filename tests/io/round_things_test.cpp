@@ -206,6 +206,34 @@ TEST_F(RoundThings, SilhouettesLeaveAsCurves) {
     }
 }
 
+/// Where there are normals alone, they are curves through the points that these give.
+TEST_F(RoundThings, SilhouettesOfMeshesLeaveAsCurvesToo) {
+    Mesh mesh = load("a.brep", to_brep(BRepPrimAPI_MakeSphere(10).Shape()), {.pixels = 1000}).mesh;
+    mesh.surfaces = {};
+    const LineSet lines = extract_lines(mesh);
+    const glm::ivec2 size{1000, 800};
+    const View view = frame_points_from(view_direction("30,20", up), lines.vertices, size,
+                                        View{}.fov_y, Projection::orthographic);
+    const Camera camera = make_camera(view, size, lines.bounds);
+    LineVisibility visibility{lines};
+    const VectorDrawing ball = make_vector_drawing(
+        lines, camera, visibility.find(camera, {.hidden = true}), {}, {.mesh = &mesh});
+    ASSERT_EQ(ball.paths.size(), 1U);
+    const VectorPath& path = ball.paths[0];
+    std::uint32_t covered = 0;
+    for (const VectorCurve& curve : path.curves) {
+        ASSERT_TRUE(curve.cubic);
+        covered += curve.last - curve.first;
+        const glm::dvec2 middle = (path.points[curve.first].at + 3.0 * curve.cubic->first_control +
+                                   3.0 * curve.cubic->last_control + path.points[curve.last].at) /
+                                  8.0;
+        const double radius = glm::distance(middle, glm::dvec2{size} * 0.5);
+        EXPECT_NEAR(radius, 10 * scale_of(view, size.y), 0.25); // as the triangles are
+    }
+    EXPECT_GT(5 * covered, 4 * path.points.size()); // between points that are off, chords stay
+    EXPECT_LT(2 * path.curves.size(), path.points.size());
+}
+
 /// Where an outline leaves a rim, both end at one point.
 TEST_F(RoundThings, RimsAndSilhouettesMeet) {
     const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 4, 15).Shape();

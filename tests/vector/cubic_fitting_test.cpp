@@ -37,7 +37,7 @@ glm::dvec2 at(const Points& points, const FittedCubic& one, double t) {
 TEST(CubicFitting, FollowsACurveThatGoesRound) {
     Points points = sample(on_ellipse, 120);
     points.back() = points.front();
-    const std::vector<FittedCubic> cubics = fit_cubics(points, true);
+    const std::vector<FittedCubic> cubics = fit_cubics(points, true, 0.02);
     EXPECT_LE(cubics.size(), 12U);
     std::uint32_t end = 0;
     for (const FittedCubic& one : cubics) {
@@ -64,7 +64,7 @@ TEST(CubicFitting, LeavesStraightLinesAndEndsAtCorners) {
                                    return glm::dvec2{10 * t, 20 * t};
                                },
                                8),
-                           false)
+                           false, 0.02)
                     .empty());
     // A quarter of a circle, a corner, another quarter.
     Points points = sample(
@@ -81,7 +81,7 @@ TEST(CubicFitting, LeavesStraightLinesAndEndsAtCorners) {
              20))
         if (glm::distance(each, points.back()) > 1e-9) points.push_back(each);
     bool meets_corner = false;
-    for (const FittedCubic& one : fit_cubics(points, false)) {
+    for (const FittedCubic& one : fit_cubics(points, false, 0.02)) {
         EXPECT_FALSE(one.first < 20 && one.last > 20);
         meets_corner = meets_corner || one.last == 20;
     }
@@ -98,7 +98,7 @@ TEST(CubicFitting, KeepsALongLineBesideAnArcStraight) {
              },
              40))
         points.push_back(each);
-    for (const FittedCubic& one : fit_cubics(points, false)) EXPECT_GE(one.first, 1U);
+    for (const FittedCubic& one : fit_cubics(points, false, 0.02)) EXPECT_GE(one.first, 1U);
 }
 
 VectorDrawing bent_line() {
