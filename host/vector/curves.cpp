@@ -126,7 +126,8 @@ class EdgesByPlace {
 
     /// The number of the edge that a segment is a part of, or `none`.
     std::uint32_t edge_of(const LineSource& source) const {
-        if (source.from >= mesh_.positions.size() || source.to >= mesh_.positions.size())
+        if (edges_.empty() || source.from >= mesh_.positions.size() ||
+            source.to >= mesh_.positions.size())
             return none;
         const auto from = places_.find(place(source.from)), to = places_.find(place(source.to));
         if (from == places_.end() || to == places_.end()) return none;
@@ -170,6 +171,9 @@ class PathCurves::Finder {
             if (!go_on(steps[i - 1], steps[i])) found.push_back(i);
         return found;
     }
+
+    /// Whether the mesh has any that paths may be bent along.
+    bool knows_curves() const { return !mesh_.edge_curves.empty(); }
 
     /// Before any points are left out: each step is one piece.
     void bend(VectorPath& path) const {
@@ -282,11 +286,13 @@ class PathCurves::Finder {
 
     using Ellipses = std::map<std::uint32_t, std::optional<Ellipse>>;
 
-    const Ellipse* ellipse_of(Ellipses& known, std::uint32_t number,
-                              const std::optional<EdgeCurve>& curve) {
-        if (!curve) return nullptr;
+    /// That of a number, calculated once. `curve()`: what it is in space, if it is any.
+    template <class Curve>
+    const Ellipse* ellipse_of(Ellipses& known, std::uint32_t number, const Curve& curve) {
         const auto [entry, fresh] = known.try_emplace(number);
-        if (fresh) entry->second = Ellipse::seen(*curve, clip_from_world_, size_);
+        if (fresh)
+            if (const std::optional<EdgeCurve> in_space = curve())
+                entry->second = Ellipse::seen(*in_space, clip_from_world_, size_);
         return entry->second ? &*entry->second : nullptr;
     }
     const EdgeCurve* curve_of(std::uint32_t edge) const {
@@ -294,15 +300,14 @@ class PathCurves::Finder {
         return edge < curves.size() && curves[edge] ? &*curves[edge] : nullptr;
     }
     const Ellipse* ellipse_of(std::uint32_t edge) {
-        return edge < mesh_.edge_curves.size()
-                   ? ellipse_of(ellipses_, edge, mesh_.edge_curves[edge])
-                   : nullptr;
+        if (curve_of(edge) == nullptr) return nullptr;
+        return ellipse_of(ellipses_, edge, [&] { return mesh_.edge_curves[edge]; });
     }
     const Ellipse* ellipse_of_surface(std::uint32_t surface) {
-        return ellipse_of(
-            outlines_, surface,
-            sphere_outline(mesh_.surfaces.shapes[mesh_.surfaces.surfaces[surface].shape],
-                           mesh_.surfaces.surfaces[surface].model_from_shape));
+        return ellipse_of(outlines_, surface, [&] {
+            const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
+            return sphere_outline(mesh_.surfaces.shapes[placed.shape], placed.model_from_shape);
+        });
     }
 
     /// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing of other
@@ -521,17 +526,12 @@ class PathCurves::Finder {
         const std::uint32_t edge = edges_.edge_of(piece.source);
         if (curve_of(edge) == nullptr || ellipse_of(edge) != nullptr) return;
         const EdgeCurve& curve = *curve_of(edge);
-        const auto angle = [&](glm::dvec3 world) { return angle_on(curve, world); };
-        const auto world = [&](double t) { return place_on(curve, t); };
-        const auto position = [&](std::uint32_t i) { return glm::dvec3{mesh_.positions[i]}; };
-        const double from = angle(position(piece.source.from));
-        const double chord =
-            std::abs(std::remainder(angle(position(piece.source.to)) - from, turn));
-        const double at = angle(end.world);
+        const double chord = std::abs(chord_of(curve, piece.source));
+        const double at = angle_on(curve, end.world);
         const glm::dvec2 way = end.at - before;
         if (!(glm::length(way) > 0)) return;
         const glm::dvec2 along = glm::normalize(way);
-        const auto beyond = [&](double t) { return on_screen(world(t)) - end.at; };
+        const auto beyond = [&](double t) { return on_screen(place_on(curve, t)) - end.at; };
         if (!(glm::length(beyond(at)) < flattest)) return;
         // By thirds: within a chord it goes that way and comes back once.
         double low = at - chord, high = at + chord;
@@ -548,7 +548,7 @@ class PathCurves::Finder {
         const double off = reach.x * along.y - reach.y * along.x;
         if (!(glm::dot(reach, along) > 0) || !(std::abs(off) < flattest)) return;
         end.at += reach;
-        end.world = world(extreme);
+        end.world = place_on(curve, extreme);
     }
 
     /// The curve of the steps from `first` up to `last`, if its points are on it, one after the
@@ -624,7 +624,7 @@ PathCurves::PathCurves(const Mesh* mesh, const Camera& camera) {
 PathCurves::~PathCurves() = default;
 
 void PathCurves::bend(std::vector<VectorPath>& paths) const {
-    if (!finder_) return;
+    if (!finder_ || !finder_->knows_curves()) return;
     for (VectorPath& path : paths)
         if (!path.pieces.empty()) finder_->bend(path);
     finder_->meet(paths);
