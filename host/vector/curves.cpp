@@ -1,30 +1,26 @@
 #include "curves.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <numbers>
 #include <optional>
-#include <unordered_map>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/pair_key.hpp"
 #include "cubic_fitting.hpp"
+#include "edges_by_place.hpp"
 #include "paths.hpp"
+#include "seen_ellipse.hpp"
 
 namespace lineatlas {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double flattest = 0.5;    ///< half the shorter axis, pixels
-constexpr double on_curve = 0.02;   ///< pixels
-constexpr double as_circle = 1e-3;  ///< pixels by which the axes of one may differ
-constexpr double same_curve = 1e-3; ///< pixels
+constexpr double on_curve = 0.02; ///< pixels
 constexpr double longest_step = 0.45 * turn;
 constexpr double most_off = 0.01;         ///< of chords, pixels
 constexpr double most_off_surface = 0.02; ///< of cubics, from points of a surface
@@ -32,77 +28,7 @@ constexpr double most_off_surface = 0.02; ///< of cubics, from points of a surfa
 constexpr double most_off_mesh = 0.05;
 constexpr double farthest_end = 40; ///< of what ends within a chord of a silhouette, pixels
 
-constexpr std::uint32_t none = 0xFFFFFFFF;
-
-/// What a circle or an ellipse in space looks like on the screen. Its dual conic is that of the
-/// unit circle under the map from it to the screen (Hartley and Zisserman, "Multiple View Geometry
-/// in Computer Vision", 2004, result 8.6 for duals), from which its centre and axes can be read.
-class Ellipse {
-  public:
-    static std::optional<Ellipse> seen(const EdgeCurve& curve, const glm::dmat4& clip_from_world,
-                                       glm::dvec2 size) {
-        const auto on_screen = [&](glm::dvec3 at, double w) {
-            const glm::dvec4 clip = clip_from_world * glm::dvec4{at, w};
-            return glm::dvec3{0.5 * size.x * (clip.x + clip.w), 0.5 * size.y * (clip.w - clip.y),
-                              clip.w};
-        };
-        glm::dvec3 u = on_screen(curve.u, 0), v = on_screen(curve.v, 0);
-        glm::dvec3 c = on_screen(curve.center, 1);
-        if (!(c.z > 0)) return {};
-        // Beside its centre no digits are lost.
-        const glm::dvec2 beside = glm::dvec2{c} / c.z;
-        for (glm::dvec3* column : {&u, &v, &c}) *column -= glm::dvec3{beside * column->z, 0};
-        const auto dual = [&](int i, int k) { return u[i] * u[k] + v[i] * v[k] - c[i] * c[k]; };
-        const double scale = -dual(2, 2);
-        if (!(scale > 0)) return {}; // reaches behind the eye
-        const glm::dvec2 center = -glm::dvec2{dual(0, 2), dual(1, 2)} / scale;
-        const double xx = dual(0, 0) / scale + center.x * center.x;
-        const double xy = dual(0, 1) / scale + center.x * center.y;
-        const double yy = dual(1, 1) / scale + center.y * center.y;
-        const double half = std::hypot(0.5 * (xx - yy), xy);
-        const double major = std::sqrt(0.5 * (xx + yy) + half);
-        const double minor = std::sqrt(std::max(0.0, xx * yy - xy * xy)) / major;
-        if (!(minor >= flattest) || !std::isfinite(major)) return {};
-        Ellipse result;
-        result.arc_.center = beside + center;
-        if (major - minor < as_circle) {
-            result.arc_.major = {0.5 * (major + minor), 0};
-        } else {
-            const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-            result.arc_.major = major * glm::dvec2{std::cos(angle), std::sin(angle)};
-            result.arc_.ratio = minor / major;
-        }
-        return result;
-    }
-
-    /// The arc from one angle on.
-    VectorArc arc(double from, double sweep) const {
-        VectorArc result = arc_;
-        result.from = from;
-        result.sweep = sweep;
-        return result;
-    }
-
-    /// Where the ellipse is the unit circle.
-    glm::dvec2 unrolled(glm::dvec2 at) const {
-        const double squared = glm::dot(arc_.major, arc_.major);
-        const glm::dvec2 out = at - arc_.center;
-        return {glm::dot(out, arc_.major) / squared,
-                glm::dot(out, glm::dvec2{-arc_.major.y, arc_.major.x}) / (squared * arc_.ratio)};
-    }
-
-    double minor() const { return arc_.ratio * glm::length(arc_.major); }
-
-    bool is(const Ellipse& other) const {
-        return glm::distance(arc_.center, other.arc_.center) < same_curve &&
-               std::abs(minor() - other.minor()) < same_curve &&
-               std::min(glm::distance(arc_.major, other.arc_.major),
-                        glm::distance(arc_.major, -other.arc_.major)) < same_curve;
-    }
-
-  private:
-    VectorArc arc_;
-};
+constexpr std::uint32_t none = EdgesByPlace::none;
 
 double angle_of(glm::dvec2 unrolled) {
     return std::atan2(unrolled.y, unrolled.x);
@@ -112,48 +38,6 @@ double angle_of(glm::dvec2 unrolled) {
 double angle_between(glm::dvec2 a, glm::dvec2 b) {
     return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
 }
-
-/// The file's edges by the places of their ends, of which a position of the mesh may be a copy.
-class EdgesByPlace {
-  public:
-    explicit EdgesByPlace(const Mesh& mesh) : mesh_(mesh) {
-        for (const KnownEdge& edge : mesh.known_edges) {
-            const std::uint32_t from = places_.emplace(place(edge.from), edge.from).first->second;
-            const std::uint32_t to = places_.emplace(place(edge.to), edge.to).first->second;
-            edges_.emplace(pair_key(from, to), edge.edge);
-        }
-    }
-
-    /// The number of the edge that a segment is a part of, or `none`.
-    std::uint32_t edge_of(const LineSource& source) const {
-        if (edges_.empty() || source.from >= mesh_.positions.size() ||
-            source.to >= mesh_.positions.size())
-            return none;
-        const auto from = places_.find(place(source.from)), to = places_.find(place(source.to));
-        if (from == places_.end() || to == places_.end()) return none;
-        const auto found = edges_.find(pair_key(from->second, to->second));
-        return found == edges_.end() ? none : found->second;
-    }
-
-  private:
-    using Place = std::array<float, 3>;
-    struct Hash {
-        std::size_t operator()(const Place& at) const {
-            std::size_t result = 0;
-            for (const float x : at) result = result * 0x9E3779B97F4A7C15U + std::hash<float>{}(x);
-            return result;
-        }
-    };
-
-    Place place(std::uint32_t position) const {
-        const glm::vec3 at = mesh_.positions[position];
-        return {at.x, at.y, at.z};
-    }
-
-    const Mesh& mesh_;
-    std::unordered_map<Place, std::uint32_t, Hash> places_;
-    std::unordered_map<std::uint64_t, std::uint32_t> edges_;
-};
 
 } // namespace
 
@@ -532,7 +416,7 @@ class PathCurves::Finder {
         if (!(glm::length(way) > 0)) return;
         const glm::dvec2 along = glm::normalize(way);
         const auto beyond = [&](double t) { return on_screen(place_on(curve, t)) - end.at; };
-        if (!(glm::length(beyond(at)) < flattest)) return;
+        if (!(glm::length(beyond(at)) < Ellipse::flattest)) return;
         // By thirds: within a chord it goes that way and comes back once.
         double low = at - chord, high = at + chord;
         for (int i = 0; i < 60; ++i) {
@@ -546,7 +430,7 @@ class PathCurves::Finder {
         if (std::abs(extreme - at) > 0.99 * chord) return; // it goes on
         const glm::dvec2 reach = beyond(extreme);
         const double off = reach.x * along.y - reach.y * along.x;
-        if (!(glm::dot(reach, along) > 0) || !(std::abs(off) < flattest)) return;
+        if (!(glm::dot(reach, along) > 0) || !(std::abs(off) < Ellipse::flattest)) return;
         end.at += reach;
         end.world = place_on(curve, extreme);
     }

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+
+#include "core/pair_key.hpp"
+#include "lineatlas/lines.hpp"
+
+namespace lineatlas {
+
+/// The file's edges by the places of their ends, of which a position of the mesh may be a copy.
+class EdgesByPlace {
+  public:
+    static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge
+
+    explicit EdgesByPlace(const Mesh& mesh) : mesh_(mesh) {
+        for (const KnownEdge& edge : mesh.known_edges) {
+            const std::uint32_t from = places_.emplace(place(edge.from), edge.from).first->second;
+            const std::uint32_t to = places_.emplace(place(edge.to), edge.to).first->second;
+            edges_.emplace(pair_key(from, to), edge.edge);
+        }
+    }
+
+    /// The number of the edge that a segment is a part of, or `none`.
+    std::uint32_t edge_of(const LineSource& source) const {
+        if (edges_.empty() || source.from >= mesh_.positions.size() ||
+            source.to >= mesh_.positions.size())
+            return none;
+        const auto from = places_.find(place(source.from)), to = places_.find(place(source.to));
+        if (from == places_.end() || to == places_.end()) return none;
+        const auto found = edges_.find(pair_key(from->second, to->second));
+        return found == edges_.end() ? none : found->second;
+    }
+
+  private:
+    using Place = std::array<float, 3>;
+    struct Hash {
+        std::size_t operator()(const Place& at) const {
+            std::size_t result = 0;
+            for (const float x : at) result = result * 0x9E3779B97F4A7C15U + std::hash<float>{}(x);
+            return result;
+        }
+    };
+
+    Place place(std::uint32_t position) const {
+        const glm::vec3 at = mesh_.positions[position];
+        return {at.x, at.y, at.z};
+    }
+
+    const Mesh& mesh_;
+    std::unordered_map<Place, std::uint32_t, Hash> places_;
+    std::unordered_map<std::uint64_t, std::uint32_t> edges_;
+};
+
+} // namespace lineatlas
