@@ -14,6 +14,7 @@
 
 #include "core/pair_key.hpp"
 #include "core/picture_size.hpp"
+#include "flatten.hpp"
 #include "io/extension.hpp"
 #include "io/source_file.hpp"
 #include "svg_path.hpp"
@@ -111,12 +112,33 @@ std::uint32_t index(const nlohmann::json& json) {
     return json.get<std::uint32_t>();
 }
 
+/// As to_json() writes it.
+VectorCurve curve_of(const nlohmann::json& json) {
+    VectorCurve curve{.first = index(json.at("points").at(0)),
+                      .last = index(json.at("points").at(1))};
+    if (json.contains("controls")) {
+        const nlohmann::json& controls = json.at("controls");
+        curve.cubic = VectorCubic{point(controls.at(0)), point(controls.at(1))};
+        return curve;
+    }
+    curve.arc = {.center = point(json.at("center")),
+                 .major = point(json.at("major")),
+                 .ratio = json.at("ratio").get<double>(),
+                 .from = json.at("from").get<double>(),
+                 .sweep = json.at("sweep").get<double>()};
+    return curve;
+}
+
 void add_path(const nlohmann::json& path, DrawingFile& drawing) {
     if (!path.at("visible").get<bool>()) return;
     std::vector<glm::dvec2> points;
     for (const nlohmann::json& one : path.at("points")) points.push_back(point(one));
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        drawing.legs.push_back({points[i], points[i + 1]});
+    std::vector<VectorCurve> curves;
+    if (path.contains("curves"))
+        for (const nlohmann::json& one : path.at("curves")) curves.push_back(curve_of(one));
+    const std::vector<glm::dvec2> drawn = flattened(points, curves);
+    for (std::size_t i = 0; i + 1 < drawn.size(); ++i)
+        drawing.legs.push_back({drawn[i], drawn[i + 1]});
     if (!path.contains("pieces")) return;
     for (const nlohmann::json& piece : path.at("pieces")) {
         const std::size_t at = index(piece.at("point"));

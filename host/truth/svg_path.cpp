@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "flatten.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -53,8 +55,7 @@ class PathParser {
         here_ = to;
     }
 
-    /// To `to` by part of an ellipse, in chords of 6 degrees of the circle that it is made of, off
-    /// by a thousandth of its longer radius (SVG 1.1 appendix F.6).
+    /// To a point by part of an ellipse (SVG 1.1 appendix F.6).
     bool arc_to(glm::dvec2 base) {
         glm::dvec2 radii{0}, to{0};
         double turned = 0, large = 0, sweep = 0;
@@ -89,8 +90,8 @@ class PathParser {
         double angles = angle(end) - angle(from);
         if (sweep != 0 && angles < 0) angles += turn;
         if (sweep == 0 && angles > 0) angles -= turn;
-        const int chords = static_cast<int>(std::ceil(std::abs(angles) / (turn / 64)));
         const double radius = glm::length(from - center);
+        const int chords = chords_of_arc(radius * std::max(radii.x, radii.y), angles);
         for (int i = 1; i < chords; ++i) {
             const double at = angle(from) + angles * i / chords;
             line_to(rolled(center + radius * glm::dvec2{std::cos(at), std::sin(at)}));
@@ -99,8 +100,6 @@ class PathParser {
         return true;
     }
 
-    /// By a cubic Bézier curve, in chords that are off by a hundredth of what its control points
-    /// are off the chord of it all.
     bool cubic_to(glm::dvec2 base) {
         glm::dvec2 a{0}, b{0}, to{0};
         for (double* value : {&a.x, &a.y, &b.x, &b.y, &to.x, &to.y})
@@ -108,13 +107,9 @@ class PathParser {
         a += base;
         b += base;
         to += base;
-        const glm::dvec2 from = here_;
-        constexpr int chords = 16;
-        for (int i = 1; i < chords; ++i) {
-            const double t = static_cast<double>(i) / chords, s = 1 - t;
-            line_to(s * s * s * from + 3 * s * s * t * a + 3 * s * t * t * b + t * t * t * to);
-        }
-        line_to(to);
+        std::vector<glm::dvec2> points;
+        append_cubic(here_, {a, b}, to, points);
+        for (const glm::dvec2 point : points) line_to(point);
         return true;
     }
 

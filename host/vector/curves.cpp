@@ -528,9 +528,4 @@ void PathCurves::find(std::vector<VectorPath>& paths) const {
     for (VectorPath& path : paths) finder_->find(path);
 }
 
-glm::dvec2 VectorArc::at(double angle) const {
-    const glm::dvec2 minor = ratio * glm::dvec2{-major.y, major.x};
-    return center + std::cos(angle) * major + std::sin(angle) * minor;
-}
-
 } // namespace lineatlas
