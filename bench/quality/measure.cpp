@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "lineatlas/error.hpp"
+#include "truth/model_truth.hpp"
 #include "truth_cache.hpp"
 
 namespace lineatlas::bench {
@@ -215,12 +216,13 @@ std::vector<PathReport> Measurement::paths(const std::vector<Contestant>& method
                                            const ErrorPicture& on_errors) {
     constexpr int picture_scale = 2;
     std::vector<PathReport> reports;
+    const ModelTruth model{subject_.mesh, subject_.lines, {}};
     for (std::size_t v = 0; v < subject_.views.size(); ++v) {
         begin_view(v);
         const Camera camera =
             make_camera(subject_.views[v].view(), settings_.size, subject_.lines.bounds);
         doing("ray casting");
-        const EdgeTruth truth{oracle_.scene(), camera};
+        const EdgeTruth truth = model.seen(camera);
         for (const Contestant& method : methods) {
             doing(method.name);
             FrameOptions options = method.options;
@@ -232,9 +234,10 @@ std::vector<PathReport> Measurement::paths(const std::vector<Contestant>& method
             intervals.intervals = KeptIntervals::all;
             intervals.draw = false;
             renderer_.draw(camera, intervals, canvas_.framebuffer());
-            const DrawnLines drawn = drawn_lines(make_vector_drawing(
-                subject_.lines, camera, renderer_.read_intervals(), options.style));
-            const Certificate certificate = certify(truth, drawn);
+            const DrawnLines drawn =
+                drawn_lines(make_vector_drawing(subject_.lines, camera, renderer_.read_intervals(),
+                                                options.style, {.mesh = &subject_.mesh}));
+            const Certificate certificate = model.certify(truth, camera, drawn);
             canvas_.clear(glm::vec4{1});
             renderer_.draw(camera, options, canvas_.framebuffer());
             const Image picture{.size = settings_.size, .channels = 4, .pixels = canvas_.read()};

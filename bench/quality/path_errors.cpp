@@ -10,6 +10,7 @@ PathFigures figures_of(const Certificate& paths, const DrawingErrors& ink) {
     figures.undecided = paths.narrow.undecided;
     figures.missed = paths.narrow.missed_pixels();
     figures.false_drawn = paths.narrow.false_pixels();
+    figures.off = paths.narrow.off;
     figures.missed_wide = paths.wide.missed_pixels();
     figures.false_drawn_wide = paths.wide.false_pixels();
     if (paths.strict) {
@@ -25,9 +26,9 @@ PathFigures figures_of(const Certificate& paths, const DrawingErrors& ink) {
 }
 
 void print_paths_header() {
-    fmt::print("{:<28}{:>6}{:>11}{:>9}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}{:>11}{:>11}\n", "paths",
-               "method", "visible px", "undec. %", "missed %", "false %", "mis1.5 %", "fal1.5 %",
-               "hidden %", "sure px", "mis. ink %", "false ink %");
+    fmt::print("{:<28}{:>6}{:>11}{:>9}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>11}{:>11}\n",
+               "paths", "method", "visible px", "undec. %", "missed %", "false %", "mis1.5 %",
+               "fal1.5 %", "hidden %", "sure px", "off px", "mis. ink %", "false ink %");
 }
 
 void print_paths(const PathReport& report) {
@@ -35,12 +36,13 @@ void print_paths(const PathReport& report) {
     const auto percent = [&](double pixels) {
         return f.visible > 0 ? 100 * pixels / f.visible : 0;
     };
-    fmt::print("{:<28}{:>6}{:>11.0f}{:>9.1f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.3f}{:>8.2f}"
-               "{:>11.4f}{:>11.4f}\n",
-               report.name, report.method, f.visible, percent(f.undecided), percent(f.missed),
-               percent(f.false_drawn), percent(f.missed_wide), percent(f.false_drawn_wide),
-               100 * f.hidden_share(), f.surely_wrong, 100 * f.missed_ink_share(),
-               100 * f.false_ink_share());
+    fmt::print(
+        "{:<28}{:>6}{:>11.0f}{:>9.1f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.3f}{:>8.2f}{:>8.3f}"
+        "{:>11.4f}{:>11.4f}\n",
+        report.name, report.method, f.visible, percent(f.undecided), percent(f.missed),
+        percent(f.false_drawn), percent(f.missed_wide), percent(f.false_drawn_wide),
+        100 * f.hidden_share(), f.surely_wrong, f.off, 100 * f.missed_ink_share(),
+        100 * f.false_ink_share());
 }
 
 } // namespace lineatlas::bench

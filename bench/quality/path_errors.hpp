@@ -11,6 +11,7 @@ namespace lineatlas::bench {
 struct PathFigures {
     double visible = 0, undecided = 0;
     double missed = 0, false_drawn = 0;           ///< within 0.5 px
+    double off = 0;                               ///< of the rest, at its worst place
     double missed_wide = 0, false_drawn_wide = 0; ///< within 1.5 px
     double decided = 0, hidden = 0;               ///< by each piece's own segment
     double surely_wrong = 0;

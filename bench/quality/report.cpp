@@ -305,6 +305,7 @@ std::string json_text(const Report& report) {
             {"visible", rounded(f.visible)},
             {"undecided", rounded(f.undecided)},
             {"missed", rounded(f.missed_share())},
+            {"off", rounded(f.off)},
             {"false", rounded(f.false_share())},
             {"strict_hidden", rounded(f.hidden_share())},
             {"surely_wrong_pixels", rounded(f.surely_wrong)},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -79,14 +80,17 @@ std::vector<double> even_places(int count) {
 }
 
 Subject scene_subject(const std::string& name, const Places& places) {
-    const Scene scene = make_scene(name);
+    Scene scene = make_scene(name);
     const auto path = [view = scene.view](double t) { return view(static_cast<float>(t)); };
-    return {name, extract_lines(scene.mesh), views_along(path, places)};
+    LineSet lines = extract_lines(scene.mesh);
+    return {name, std::move(scene.mesh), std::move(lines), views_along(path, places)};
 }
 
 Subject model_subject(const std::filesystem::path& path, glm::vec3 up, glm::ivec2 size,
                       const Places& places) {
-    Subject subject{path.filename().string(), extract_lines(load_mesh(path).mesh), {}};
+    Mesh mesh = load_mesh(path).mesh;
+    LineSet lines = extract_lines(mesh);
+    Subject subject{path.filename().string(), std::move(mesh), std::move(lines), {}};
     const View start = frame_points(subject.lines.vertices, size, up);
     const auto turntable = [start, up](double t) {
         View view = start;

@@ -22,7 +22,8 @@ struct PathView {
 
 struct Subject {
     std::string name;
-    LineSet lines;
+    Mesh mesh;
+    LineSet lines; ///< of the mesh, by LineOptions{}
     std::vector<PathView> views;
 };
 

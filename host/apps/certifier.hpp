@@ -2,14 +2,13 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
 
 namespace lineatlas {
-class RayScene;
+class ModelTruth;
 }
 
 namespace lineatlas::apps {
@@ -17,9 +16,9 @@ namespace lineatlas::apps {
 /// `draw --certify`: checks drawings of one model by rays.
 class Certifier {
   public:
-    /// `lines` are those that are drawn, of the mesh, and must outlive it; creases are those of
-    /// LineOptions::crease. Throws FileError when the module for rays can't be loaded.
-    Certifier(const Mesh& mesh, const LineSet& lines, std::optional<float> crease_angle);
+    /// `lines` are those that are drawn, extracted of the mesh by `options`, and must outlive it.
+    /// Throws FileError when the module for rays can't be loaded.
+    Certifier(const Mesh& mesh, const LineSet& lines, const LineOptions& options);
     ~Certifier();
 
     /// Says on stdout, and returns, what rays find in one line.
@@ -27,7 +26,7 @@ class Certifier {
                       const std::filesystem::path& path) const;
 
   private:
-    std::unique_ptr<RayScene> scene_;
+    std::unique_ptr<ModelTruth> truth_;
 };
 
 } // namespace lineatlas::apps

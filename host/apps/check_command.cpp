@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include <fmt/core.h>
@@ -16,14 +15,13 @@
 #include "command_line/read_options.hpp"
 #include "command_line/values.hpp"
 #include "commands.hpp"
-#include "core/patches.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "section_options.hpp"
 #include "style/frame_settings.hpp"
-#include "truth/certificate.hpp"
 #include "truth/drawing_file.hpp"
+#include "truth/model_truth.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -51,16 +49,6 @@ float parse_degrees(const std::string& text) {
     if (error != std::errc{} || end != text.data() + text.size())
         throw UsageError("\"" + text + "\" is no angle");
     return value * radians_per_degree;
-}
-
-/// Whether silhouettes were drawn as smooth surfaces have them, which the truth does not know.
-/// `options`: the drawing's.
-bool has_contours(const DrawingFile& drawing, const Mesh& mesh, LineOptions options) {
-    const auto rule = described(drawing.description, "--silhouettes");
-    options.silhouettes =
-        rule ? parse_silhouettes("--silhouettes", *rule) : LineOptions{}.silhouettes;
-    return options.silhouettes != Silhouettes::mesh &&
-           !extract_lines(mesh, options).contours.empty();
 }
 
 /// What the model's file is read with.
@@ -107,6 +95,8 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
             if (!known) throw UsageError("--lines \"" + *kinds + "\" is unknown");
             making.lines.lines = *known;
         }
+        if (const auto silhouettes = described(drawing.description, "--silhouettes"))
+            making.lines.silhouettes = parse_silhouettes("--silhouettes", *silhouettes);
         making.lines.smooth_edges = described(drawing.description, "--smooth-edges") == "true";
         making.sections = {all_described(drawing.description, "--section"),
                            described(drawing.description, "--hatching").value_or("")};
@@ -145,21 +135,14 @@ void check(const CheckArguments& arguments) {
             return std::move(making.sections.cut(mesh, loaded.origin, making.view).mesh);
         });
     }
-    const std::vector<std::uint32_t> patches =
-        smooth_patches(extract_lines(mesh, {.crease = making.lines.crease}));
     const LineSet lines = extract_lines(mesh, making.lines);
     const Camera camera = make_camera(making.view, drawing.size, lines.bounds);
 
-    const RayScene scene{lines, patches};
-    const EdgeTruth truth{
-        scene, camera, {.threads = std::max(1U, std::thread::hardware_concurrency())}};
+    const ModelTruth model{mesh, lines, making.lines};
+    const EdgeTruth truth = model.seen(camera);
     const DrawnLines drawn = find_segments(drawing, lines);
-    const Certificate certificate = certify(truth, drawn);
+    const Certificate certificate = model.certify(truth, camera, drawn);
     print_output(certificate_table(certificate, arguments.worst));
-    if (has_contours(drawing, mesh, making.lines))
-        print_output(
-            "Silhouettes here run through triangles (--silhouettes). They are held against "
-            "edges of the mesh beside them:\nwhat differs counts as missed and as false.\n");
     if (!arguments.picture.empty())
         write_image(arguments.picture,
                     error_picture(truth, drawn.legs, certificate.narrow, picture_scale));

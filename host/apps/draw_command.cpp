@@ -192,9 +192,7 @@ void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* 
     svg.title = std::filesystem::path{subject.name}.stem().string();
     svg.background = !drawing.arguments.picture.transparent();
     std::optional<Certifier> certifier;
-    if (paths.certify()) {
-        certifier.emplace(subject.mesh, subject.lines, crease_angle(drawing.arguments));
-    }
+    if (paths.certify()) certifier.emplace(subject.mesh, subject.lines, subject.line_options);
     VectorFrame frame{.style = drawing.options.style,
                       .paths = {.mesh = &subject.mesh, .plotter = paths.plotter()},
                       .svg = svg,

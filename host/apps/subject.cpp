@@ -85,12 +85,10 @@ double pixels_of_diagonal(const ViewOptions& view, glm::ivec2 size) {
 /// `deflection`: of exact surfaces; 0: as the size of the picture alone says.
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
                      double deflection) {
-    const auto lines_of = [&](const Mesh& mesh) {
-        return extract_lines(mesh, {.lines = kinds,
-                                    .crease = crease_angle(arguments),
-                                    .smooth_edges = arguments.smooth_edges,
-                                    .silhouettes = silhouettes(arguments)});
-    };
+    const LineOptions options{.lines = kinds,
+                              .crease = crease_angle(arguments),
+                              .smooth_edges = arguments.smooth_edges,
+                              .silhouettes = silhouettes(arguments)};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
         std::vector<std::string> notes;
@@ -99,7 +97,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
                 : scene.view(arguments.at);
         std::vector<std::string> sections = cut(arguments, scene.mesh, {}, whole, notes);
-        LineSet lines = lines_of(scene.mesh);
+        LineSet lines = extract_lines(scene.mesh, options);
         const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
         const glm::vec3 up = arguments.view.up({0, 1, 0});
         const View view =
@@ -108,6 +106,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         return {.name = scene.name,
                 .mesh = std::move(scene.mesh),
                 .lines = std::move(lines),
+                .line_options = options,
                 .framed = std::move(points),
                 .view = view,
                 .sections = std::move(sections),
@@ -124,13 +123,14 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
     Subject subject{.name = arguments.models.front().string(),
                     .mesh = std::move(loaded.mesh),
                     .lines = {},
+                    .line_options = options,
                     .framed = {},
                     .view = {},
                     .origin = loaded.origin,
                     .unit = loaded.unit,
                     .sections = std::move(sections),
                     .deflection = loaded.deflection};
-    subject.lines = lines_of(subject.mesh);
+    subject.lines = extract_lines(subject.mesh, options);
     add_notes(subject.lines.odd, loaded.notes);
     const std::optional<FarPart> far = find_far_part(subject.lines);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();

@@ -14,6 +14,7 @@ struct Subject {
     std::string name;
     Mesh mesh;
     LineSet lines;
+    LineOptions line_options;      ///< by which they were found
     std::vector<glm::vec3> framed; ///< points that the camera shows unless it is placed by hand
     View view;
     glm::dvec3 origin{0};                ///< of the mesh and the view, in the file's coordinates

@@ -49,11 +49,9 @@ std::string place_rows(const char* what, const std::vector<WrongPoint>& points, 
 
 } // namespace
 
-Certificate certify(const EdgeTruth& truth, const DrawnLines& drawn) {
-    Certificate certificate{.wide = compare_paths(truth, drawn.legs, wide_reach),
-                            .narrow = compare_paths(truth, drawn.legs, narrow_reach)};
-    if (!drawn.pieces.empty()) certificate.strict = compare_strictly(truth, drawn.pieces);
-    return certificate;
+Certificate compare_lines(const EdgeTruth& truth, std::span<const DrawnPiece> legs) {
+    return {.wide = compare_paths(truth, legs, wide_reach),
+            .narrow = compare_paths(truth, legs, narrow_reach)};
 }
 
 std::string certificate_line(const Certificate& certificate) {
@@ -61,9 +59,10 @@ std::string certificate_line(const Certificate& certificate) {
     const DrawingErrors& narrow = certificate.narrow;
     std::string text = fmt::format(
         "checked by rays: {:.1f} pixels of line are visible; missed {:.4f} % within {:g} pixels, "
-        "{:.4f} % within {:g}; false {:.4f} % and {:.4f} %",
+        "{:.4f} % within {:g}; false {:.4f} % and {:.4f} %; of the rest the worst place is {:.2f} "
+        "pixels off",
         wide.visible, 100 * wide.missed_share(), wide.reach, 100 * narrow.missed_share(),
-        narrow.reach, 100 * wide.false_share(), 100 * narrow.false_share());
+        narrow.reach, 100 * wide.false_share(), 100 * narrow.false_share(), narrow.off);
     if (certificate.strict) {
         text += fmt::format("; by their own edges {:.4f} % hidden, {:.2f} pixels surely wrong",
                             100 * certificate.strict->hidden_share(),
@@ -81,6 +80,8 @@ std::string certificate_table(const Certificate& certificate, std::size_t places
     text += row("false within 1.5 px", wide.false_share(), wide.false_pixels());
     text += row("missed within 0.5 px", narrow.missed_share(), narrow.missed_pixels());
     text += row("false within 0.5 px", narrow.false_share(), narrow.false_pixels());
+    text += fmt::format("{:<28}{:>22.2f} px at {:.1f},{:.1f}\n", "farthest off of the rest",
+                        narrow.off, narrow.off_at.x, narrow.off_at.y);
     if (const auto& strict = certificate.strict) {
         text += row("hidden by their own edges", strict->hidden_share(), strict->hidden);
         text += fmt::format("{:<28}{:>22.2f} px\n", "surely wrong", strict->surely_wrong_pixels());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "drawn_lines.hpp"
@@ -14,7 +15,8 @@ struct Certificate {
     std::optional<StrictErrors> strict{}; ///< of a drawing with tags
 };
 
-Certificate certify(const EdgeTruth& truth, const DrawnLines& drawn);
+/// Of all that is drawn, without StrictErrors.
+Certificate compare_lines(const EdgeTruth& truth, std::span<const DrawnPiece> legs);
 
 /// In one line, for a file's metadata.
 std::string certificate_line(const Certificate& certificate);

@@ -80,11 +80,14 @@ std::vector<glm::vec2> places(const std::vector<WrongPoint>& points) {
 
 DrawingErrors compare_points(const EdgeTruth& truth, const std::vector<WrongPoint>& drawn,
                              double missed_reach, double false_reach) {
-    std::vector<glm::vec2> allowed;
-    for (const EdgePoint& point : truth.points())
-        if (point.visibility != Visibility::hidden) allowed.push_back(point.at);
+    std::vector<glm::vec2> allowed, bars;
+    for (const EdgePoint& point : truth.points()) {
+        if (point.visibility == Visibility::hidden) continue;
+        allowed.push_back(point.at);
+        bars.push_back(0.5F * point.pixels * point.along);
+    }
     const PointGrid drawn_grid{places(drawn), truth.size()};
-    const PointGrid allowed_grid{std::move(allowed), truth.size()};
+    const PointGrid allowed_grid{allowed, truth.size(), bars};
     DrawingErrors errors{.reach = missed_reach, .missed = {}, .false_drawn = {}};
     for (const EdgePoint& point : truth.points()) {
         const glm::dvec2 at{point.at};
@@ -99,8 +102,13 @@ DrawingErrors compare_points(const EdgeTruth& truth, const std::vector<WrongPoin
         const glm::dvec2 at{point.at};
         if (!counts(truth, at)) continue;
         errors.drawn += double{point.pixels};
-        if (!allowed_grid.any_within(at, false_reach + rounding))
+        const double off = allowed_grid.distance(at, false_reach + rounding);
+        if (std::isinf(off)) {
             errors.false_drawn.push_back(point);
+        } else if (off > errors.off) {
+            errors.off = off;
+            errors.off_at = point.at;
+        }
     }
     return errors;
 }

@@ -16,10 +16,10 @@ struct DrawnPiece {
     std::uint32_t segment = unknown; ///< of the truth's line set
 };
 
-/// A place where a drawing is wrong, and the length that it stands for.
+/// A place where a drawing is wrong.
 struct WrongPoint {
     glm::vec2 at;
-    float pixels;
+    float pixels; ///< the length that it stands for
 };
 
 /// What is drawn and should not be, and what should be and is not.
@@ -28,6 +28,9 @@ struct DrawingErrors {
     double visible = 0;   ///< pixels of line that are truly visible and surely lines
     double undecided = 0; ///< pixels of line that count as neither
     double drawn = 0;     ///< pixels of line, or dark pixels
+    /// Of what is drawn within the reach how far the worst place is off, in pixels. Of paths.
+    double off = 0;
+    glm::vec2 off_at{0, 0}; ///< that place
     std::vector<WrongPoint> missed, false_drawn;
 
     double missed_pixels() const;

@@ -9,11 +9,16 @@
 
 #include <glm/geometric.hpp>
 
+#include "contour_crossing.hpp"
+
 namespace lineatlas {
 namespace {
 
 /// The cosine between sight and face below which single precision can't tell front from back.
 constexpr double edge_on = 1e-4;
+/// How far beyond a smooth surface a ray passes that asks for its silhouette, in pixels: farther
+/// than its triangles reach beyond it.
+constexpr double beyond = 0.1;
 
 bool is_candidate(const Segment& segment) {
     return (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
@@ -78,6 +83,15 @@ class Sampler {
           segment_(scene.lines().segments[index]) {}
 
     void append_to(std::vector<EdgePoint>& points) const {
+        const Contours& contours = scene_.lines().contours;
+        const std::size_t first = scene_.lines().segments.size() - contours.faces.size();
+        if (index_ >= first)
+            return append_contour(static_cast<std::uint32_t>(index_ - first), points);
+        if (index_ < first - contours.replaced) append_edge(points);
+    }
+
+  private:
+    void append_edge(std::vector<EdgePoint>& points) const {
         const LineSet& lines = scene_.lines();
         const Drawn drawn = is_drawn(lines, projection_, segment_);
         if (drawn == Drawn::never) return;
@@ -110,19 +124,71 @@ class Sampler {
         for (std::size_t i = 0; i < count; ++i) {
             const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
             const bool same = beside[2 * i] == hidden[i] && beside[2 * i + 1] == hidden[i];
-            points.push_back(
-                {.at = glm::vec2{line.at(u)},
-                 .pixels = static_cast<float>(line.length() / static_cast<double>(count)),
-                 .segment = index_,
-                 .u = static_cast<float>(u),
-                 .visibility = !same            ? Visibility::undecided
-                               : hidden[i] != 0 ? Visibility::hidden
-                                                : Visibility::visible,
-                 .required = drawn == Drawn::surely});
+            points.push_back(point(line, u, count,
+                                   !same            ? Visibility::undecided
+                                   : hidden[i] != 0 ? Visibility::hidden
+                                                    : Visibility::visible,
+                                   drawn == Drawn::surely));
         }
     }
 
-  private:
+    /// Rays just beyond the surface decide, and a pixel to either side.
+    void append_contour(std::uint32_t face, std::vector<EdgePoint>& points) const {
+        const LineSet& lines = scene_.lines();
+        const auto crossing = contour_crossing(lines, projection_, face);
+        if (!crossing) return;
+        const std::optional<LinePart> part = part_inside(projection_, crossing->from, crossing->to);
+        if (!part) return;
+        const SeenLine line{projection_, crossing->from, crossing->to, part->t0, part->t1};
+        if (!(line.length() > 0)) return;
+        const double side = line.is_left(crossing->beyond) ? 1 : -1;
+        const Blocking blocking{scene_, projection_, options_.rule, index_};
+        const bool known = !lines.contours.surfaces.empty() &&
+                           lines.contours.surfaces.of_triangle[face] != KnownSurfaces::none;
+        // Triangles that are all that is known of a surface reach beyond it, by less than one.
+        const double own_reach = known ? 0 : longest_side(lines.triangles[segment_.face_a]);
+        const auto count =
+            static_cast<std::size_t>(std::max(1.0, std::ceil(line.length() / options_.step)));
+        for (std::size_t i = 0; i < count; ++i) {
+            const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+            const std::vector<Sight> sights{line.sight(u, side * beyond), line.sight(u, side),
+                                            line.sight(u, -side)};
+            const auto blocked = cast(sights, [&](auto sight, auto triangle) {
+                const auto before = blocking.before(sights[sight], triangle);
+                if (!before) return false;
+                const bool own = blocking.is_own_surface(triangle);
+                return !own || (sight < 2 && *before > own_reach);
+            });
+            // On the inner side another surface decides, never the silhouette's own.
+            Visibility found = blocked[0] != 0 && blocked[1] != 0    ? Visibility::hidden
+                               : std::ranges::count(blocked, 0) == 3 ? Visibility::visible
+                                                                     : Visibility::undecided;
+            if (!known && !crossing->shows_front && found == Visibility::visible)
+                found = Visibility::undecided;
+            points.push_back(point(line, u, count, found, true));
+        }
+    }
+
+    EdgePoint point(const SeenLine& line, double u, std::size_t count, Visibility visibility,
+                    bool required) const {
+        return {.at = glm::vec2{line.at(u)},
+                .along = glm::vec2{line.direction()},
+                .pixels = static_cast<float>(line.length() / static_cast<double>(count)),
+                .segment = index_,
+                .u = static_cast<float>(u),
+                .visibility = visibility,
+                .required = required};
+    }
+
+    double longest_side(const glm::uvec3& triangle) const {
+        double longest = 0;
+        for (int k = 0; k < 3; ++k)
+            longest = std::max(
+                longest, glm::distance(glm::dvec3{scene_.lines().vertices[triangle[k]]},
+                                       glm::dvec3{scene_.lines().vertices[triangle[(k + 1) % 3]]}));
+        return longest;
+    }
+
     std::vector<std::uint8_t> cast(const std::vector<Sight>& sights,
                                    const RayScene::Judge& judge) const {
         std::vector<std::uint8_t> blocked(sights.size());

@@ -10,19 +10,21 @@
 #include "blocking.hpp"
 #include "ray_scene.hpp"
 
-// Where the lines of a model are visible, point by point: the truth for drawings as paths.
+// Where the lines of a model are visible, point by point: the truth for drawings as paths. Of
+// smooth surfaces silhouettes run where the surface itself turns away (contour_crossing.hpp).
 namespace lineatlas {
 
 enum class Visibility : std::uint8_t {
     hidden,
     visible,
-    undecided, ///< a pixel to one side of the line the answer is another
+    undecided, ///< a pixel to one side of the line the answer is another, or nobody knows
 };
 
 /// A place on a segment.
 struct EdgePoint {
     glm::vec2 at;          ///< pixels from the upper left corner of the picture, y down
-    float pixels;          ///< of the segment that it stands for
+    glm::vec2 along;       ///< direction of the line there, as long as 1
+    float pixels;          ///< of the segment that it stands for, half before and half behind it
     std::uint32_t segment; ///< index into LineSet::segments
     float u;               ///< share of the part of the segment that is in the picture
     Visibility visibility;
@@ -39,8 +41,9 @@ struct EdgeTruthOptions {
 
 class EdgeTruth {
   public:
-    /// Casts a ray from the eye to every point, and to those a pixel to its left and right. The
-    /// scene must outlive it. The same for any number of threads.
+    /// Casts a ray from the eye to every point, and to those a pixel to its left and right; of
+    /// silhouettes of smooth surfaces a tenth of a pixel beyond the surface. The scene must outlive
+    /// it. The same for any number of threads.
     EdgeTruth(const RayScene& scene, const Camera& camera, const EdgeTruthOptions& options = {});
 
     glm::ivec2 size() const { return size_; }

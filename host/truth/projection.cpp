@@ -61,6 +61,15 @@ SeenLine::SeenLine(const PreciseCamera& projection, const glm::dvec3& p, const g
     direction_ = length_ > 0 ? (end_ - start_) / length_ : glm::dvec2{1, 0};
 }
 
+bool SeenLine::is_left(const glm::dvec3& way) const {
+    const glm::dvec4 clip = 0.5 * (p_ + q_);
+    const glm::dvec4 turn = projection_.clip_from_world * glm::dvec4{way, 0};
+    // How clip.xy / clip.w changes, times what is above 0.
+    const glm::dvec2 change =
+        (glm::dvec2{turn} * clip.w - glm::dvec2{clip} * turn.w) * projection_.viewport;
+    return glm::dot(change, glm::dvec2{direction_.y, direction_.x}) > 0;
+}
+
 Sight SeenLine::sight(double u, double across) const {
     // Linear in the picture means hyperbolic in clip space.
     const double v = u * p_.w / (u * p_.w + (1 - u) * q_.w);

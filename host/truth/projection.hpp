@@ -48,6 +48,8 @@ class SeenLine {
     double length() const { return length_; }                              ///< pixels
     glm::dvec2 at(double u) const { return start_ + (end_ - start_) * u; } ///< as picture()
     glm::dvec2 direction() const { return direction_; } ///< in the picture, unit length
+    /// Whether a direction in space points to the left of it in the picture, from its middle.
+    bool is_left(const glm::dvec3& way) const;
     /// To the point at `u` and `across` pixels to the left of it, at the line's own depth.
     Sight sight(double u, double across) const;
 

@@ -171,7 +171,8 @@ TEST_F(DrawingErrorsTest, ColoursWhatIsWrong) {
 TEST_F(DrawingErrorsTest, CertificateNamesFiguresAndPlaces) {
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
-    const Certificate certificate = certify(truth_, {drawn, drawn});
+    Certificate certificate = compare_lines(truth_, drawn);
+    certificate.strict = compare_strictly(truth_, drawn);
     EXPECT_NEAR(certificate.narrow.false_pixels(), 100, 1);
     EXPECT_NEAR(certificate.wide.false_pixels(), 98.5, 1);
     const std::string line = certificate_line(certificate);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "certificate.hpp"
+#include "edge_truth.hpp"
+
+namespace lineatlas {
+
+/// What drawings of one model are held against. Where the model has surfaces (Mesh::surfaces), that
+/// is not the triangles that are drawn, but finer ones, with edges on the file's curves and
+/// silhouettes on the surfaces themselves.
+class ModelTruth {
+  public:
+    /// `lines`: those of the mesh, extracted by `options`, which are drawn; they must outlive it.
+    /// Throws FileError where the module for rays can't be loaded, DeviceError where it refuses.
+    ModelTruth(const Mesh& mesh, const LineSet& lines, const LineOptions& options);
+    ~ModelTruth();
+
+    /// Where lines are visible for a camera, by as many threads as there are cores.
+    EdgeTruth seen(const Camera& camera) const;
+
+    /// How a drawing with this camera differs from `truth`, which seen() gave for it.
+    Certificate certify(const EdgeTruth& truth, const Camera& camera,
+                        const DrawnLines& drawn) const;
+
+  private:
+    struct Fine;
+
+    RayScene scene_;
+    std::unique_ptr<Fine> fine_; ///< null: the triangles that are drawn are all that is known
+};
+
+} // namespace lineatlas
