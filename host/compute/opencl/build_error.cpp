@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
+#include <system_error>
 
 #include "devices.hpp"
 
@@ -25,14 +28,46 @@ std::string as_text(std::string line) {
     return line.substr(0, end) + "...";
 }
 
+/// Where a line of a source comes from by its #line directives; empty where there are none before
+/// it. Counted from 1.
+std::string place_of_line(std::string_view source, std::size_t line) {
+    std::istringstream lines{std::string{source}};
+    std::string file;
+    std::size_t number = 0;
+    for (std::string text; line > 0 && std::getline(lines, text); --line) {
+        std::istringstream directive{text};
+        std::string word;
+        if (directive >> word && word == "#line") {
+            directive >> number >> std::quoted(file);
+            continue;
+        }
+        if (line > 1) ++number;
+    }
+    return file.empty() ? file : file + ':' + std::to_string(number);
+}
+
+/// "NAME:12: error", where NAME is none of the source's files, with the place in its file.
+std::string in_its_file(const std::string& message, std::string_view source) {
+    const std::size_t name_end = message.find(':');
+    if (name_end == message.npos) return message;
+    const std::string name = message.substr(0, name_end);
+    if (source.find('"' + name + '"') != source.npos) return message;
+    std::size_t line = 0;
+    const char* const begin = message.data() + name_end + 1;
+    const auto [end, error] = std::from_chars(begin, message.data() + message.size(), line);
+    if (error != std::errc{} || *end != ':') return message;
+    const std::string place = place_of_line(source, line);
+    return place.empty() ? message : place + end;
+}
+
 } // namespace
 
-std::string first_error(std::string_view log) {
+std::string first_error(std::string_view log, std::string_view source) {
     std::istringstream lines{std::string{log}};
     std::string first;
     for (std::string line; std::getline(lines, line);) {
         line = as_text(line);
-        if (contains_ignoring_case(line, "error")) return line;
+        if (contains_ignoring_case(line, "error")) return in_its_file(line, source);
         if (first.empty()) first = line;
     }
     return first;

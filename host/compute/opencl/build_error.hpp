@@ -15,8 +15,9 @@ class BuildError : public DeviceError {
 };
 
 /// The first error that a compiler's log names, else its first line; one line, and cut if it is
-/// long. Empty if the log is.
-std::string first_error(std::string_view log);
+/// long. Empty if the log is. A place in the whole `source` becomes one in the file that its #line
+/// directives name there: rusticl of Mesa 26.1 does not heed them.
+std::string first_error(std::string_view log, std::string_view source);
 
 /// Adds `log` under `title` to the file that the environment variable LINEATLAS_BUILD_LOG names.
 /// Returns, for a message, where the whole log is, or how to get it.

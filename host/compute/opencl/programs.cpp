@@ -43,7 +43,7 @@ BuildError build_error(const OpenClDevice& device, const ProgramRecipe& recipe,
                        const cl::Program& program, const cl::Error& error) {
     const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device);
     const std::string what = device.description() + ": kernel " + recipe.name + " does not build";
-    std::string cause = first_error(log);
+    std::string cause = first_error(log, recipe.source);
     if (cause.empty()) cause = std::string{error.what()} + " returned " + name_of(error.err());
     const std::string rest = keep_build_log(what + " with \"" + recipe.options + "\":", log);
     return BuildError{what + ": " + cause + "; " + rest};
