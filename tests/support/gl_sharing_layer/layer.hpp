@@ -15,8 +15,14 @@ struct LayerCounts {
     std::uint32_t fences;     ///< events made of GL fences
     std::uint32_t gl_waits;   ///< glFinish
     std::uint32_t cl_waits;   ///< clFinish
+    std::uint32_t no_images;  ///< textures for which the driver made no image: PoCL 7.1 makes none
     std::uint32_t violations; ///< of the rules of who may use what when; each is printed
 };
+
+/// What a probe says of textures after these.
+inline const char* said_of_textures(const LayerCounts& counts) {
+    return counts.no_images > 0 ? "textures not: " : "textures too";
+}
 
 /// The layer exports this; counts since the last call.
 using TakeLayerCounts = LayerCounts();

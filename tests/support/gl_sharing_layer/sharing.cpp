@@ -149,6 +149,7 @@ cl_mem CL_API_CALL create_from_texture(cl_context context, cl_mem_flags flags, c
     std::vector<std::byte> content = garbage(w * h * sizeof(float));
     cl_mem memory = state().driver->clCreateImage(
         context, flags | CL_MEM_COPY_HOST_PTR, &image_format, &description, content.data(), result);
+    if (memory == nullptr) ++state().counts.no_images;
     if (memory != nullptr) {
         state().opened[memory] = {texture, w * h * sizeof(float), w, h, GL_RED, GL_FLOAT, false,
                                   false,   std::move(content)};
