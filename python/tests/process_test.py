@@ -20,7 +20,8 @@ if child == 0:
         {inside}
     except lineatlas.DeviceError as error:
         print(error)
-    sys.exit(0)
+    sys.stdout.flush()
+    os._exit(0)  # as forked processes should end: Mesa 26.1 waits for ever for threads at exit()
 print("ended as", os.waitpid(child, 0)[1])
 print("parent", lineatlas.draw(cube(), size=(40, 30)).shape)
 """
