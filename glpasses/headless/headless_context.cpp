@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -91,10 +92,12 @@ std::string best_version(EGLDisplay display) {
     return "it offers no OpenGL at all";
 }
 
-/// In a copy of the process: a context is made and shows a few pixels, with memory left for a
+/// How a copy of the process ends where there is no context, which is no fault of the driver.
+constexpr int refused = 2;
+
+/// In a copy of the process: a context is made and shows a few pixels, with `room` bytes left for a
 /// frame.
-[[noreturn]] void try_driver() {
-    constexpr std::size_t room = std::size_t{64} << 20U;
+[[noreturn]] void try_driver(std::size_t room) {
     begin_driver_copy();
     take_memory(room);
     try {
@@ -114,18 +117,16 @@ std::string best_version(EGLDisplay display) {
             glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
         }
     } catch (const DeviceError&) {
-        ::_exit(0); // this process will say so
+        ::_exit(refused);
     }
     ::_exit(0);
 }
 
-/// Where memory is limited a driver may end the process that asks it for a context: Mesa 25 does,
-/// by SIGSEGV. So a copy asks first.
-void mistrust_driver() {
-    if (!memory_limit()) return;
+/// Its status, as waitpid() has it; nothing where there is no room for a copy.
+std::optional<int> status_of_copy(std::size_t room) {
     const pid_t copy = ::fork();
-    if (copy < 0) return; // no room for a copy: what follows will say so
-    if (copy == 0) try_driver();
+    if (copy < 0) return std::nullopt;
+    if (copy == 0) try_driver(room);
     constexpr std::chrono::milliseconds step{5};
     constexpr std::chrono::seconds most{60};
     int status = 0;
@@ -133,9 +134,24 @@ void mistrust_driver() {
         if (waited > most) ::kill(copy, SIGKILL);
         std::this_thread::sleep_for(step);
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+    return status;
+}
+
+/// Where memory is limited a driver may end the process that asks it for a context: Mesa 25 does,
+/// by SIGSEGV. So a copy asks first, and another without room for a frame where there was no
+/// context: with a little more memory Mesa 26.1 ends the process where it has refused before.
+void mistrust_driver() {
+    if (!memory_limit()) return;
+    constexpr std::size_t room = std::size_t{64} << 20U;
+    const auto is = [](const std::optional<int>& status, int code) {
+        return !status || (WIFEXITED(*status) && WEXITSTATUS(*status) == code);
+    };
+    const std::optional<int> status = status_of_copy(room);
+    if (is(status, 0)) return;
+    // What this process will say, too, if not for want of memory.
+    if (is(status, refused) && is(status_of_copy(0), refused)) return;
     const std::string how =
-        WIFSIGNALED(status) ? std::string{" ("} + strsignal(WTERMSIG(status)) + ")" : "";
+        WIFSIGNALED(*status) ? std::string{" ("} + strsignal(WTERMSIG(*status)) + ")" : "";
     throw DeviceError("the driver of OpenGL failed a trial" + how + ": it needs more memory" +
                       memory_limit_remark());
 }
