@@ -31,12 +31,19 @@ inline bool contains(const std::string& text, const std::string& searched) {
     return !std::ranges::search(text, searched, equal).empty() || searched.empty();
 }
 
+/// Of an InvisibleButton that keys reach, too: newer versions leave others out.
+#if IMGUI_VERSION_NUM >= 19200
+inline constexpr ImGuiButtonFlags by_keys = ImGuiButtonFlags_EnableNav;
+#else
+inline constexpr ImGuiButtonFlags by_keys = ImGuiButtonFlags_None;
+#endif
+
 /// A heading that folds what is below it by a click. Returns whether it is open.
 inline bool section(Ui& ui, const char* id, const char* text) {
     ImGui::Dummy({0, ui.points(2)});
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-    if (ImGui::InvisibleButton(id, {width, height})) {
+    if (ImGui::InvisibleButton(id, {width, height}, by_keys)) {
         if (ui.folded.erase(id) == 0) ui.folded.insert(id);
     }
     ui.spots.note(std::string{"section:"} + id);
