@@ -23,6 +23,7 @@ constexpr double most_off_deep = 0.25; ///< towards the eye, in pixels' lengths
 constexpr double longest_unasked = 2;  ///< pixels: a longer chord is halved unless it is
 constexpr double straight = 1e-5;      ///< so far, in pixels
 constexpr double shortest = 1e-3;      ///< pixels
+constexpr double least_ratio = 1e-7;   ///< of how a place moves by one parameter and by the other
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
 /// A place on a silhouette.
@@ -113,8 +114,11 @@ class SeenSurface {
         return glm::dvec2{vv * change.x - uv * change.y, uu * change.y - uv * change.x} / area;
     }
 
-    /// How the front turns to the eye along the way to it (Koenderink 1984).
+    /// How the front turns to the eye along the way to it (Koenderink 1984); 0 so near a pole that
+    /// parameters do not tell.
     double radial(const SurfacePoint& point) const {
+        const double u = glm::length(point.u), v = glm::length(point.v);
+        if (std::min(u, v) < least_ratio * std::max(u, v)) return 0;
         const glm::dvec3 to_eye = way_to_eye(point.at);
         const glm::dvec2 way = along(point, {glm::dot(point.u, to_eye), glm::dot(point.v, to_eye)});
         return sign_ * (way.x * glm::dot(point.normal_u, to_eye) +

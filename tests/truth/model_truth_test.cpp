@@ -1,5 +1,6 @@
 // The truth of round things: surfaces, not the triangles that stand for them.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -42,9 +43,10 @@ Mesh turned(const SurfaceCurve& curve, double first, double last, int around, in
         const auto [at, way] = profile(j == along && last - first == turn ? first : v);
         const glm::dvec3 out{std::cos(u), std::sin(u), 0};
         const glm::dvec3 normal = glm::normalize(glm::dvec3{way.z * out.x, way.z * out.y, -way.x});
-        const bool tip = std::abs(at.x) < 1e-12;
+        const bool on_axis = std::abs(at.x) < 1e-12, tip = on_axis && std::abs(way.z) > 1e-12;
         return Corner{{turn * i / around, v},
-                      {at.x * out.x, at.x * out.y, at.z},
+                      on_axis ? glm::dvec3{0, 0, at.z}
+                              : glm::dvec3{at.x * out.x, at.x * out.y, at.z},
                       tip ? glm::dvec3{0} : normal};
     };
     const auto add = [&](const Corner& a, const Corner& b, const Corner& c) {
@@ -74,6 +76,11 @@ Mesh torus() {
                   0, turn, 96, 48);
 }
 
+Mesh sphere(int around) {
+    return turned({.kind = SurfaceCurve::Kind::ellipse, .u = {9, 0, 0}, .v = {0, 0, 9}}, -turn / 4,
+                  turn / 4, around, around / 2);
+}
+
 /// Open below; its rim is a circle of the file.
 Mesh cone() {
     Mesh mesh = turned({.kind = SurfaceCurve::Kind::line, .point = {8, 0, -9}, .u = {-8, 0, 18}}, 0,
@@ -89,10 +96,11 @@ Mesh cone() {
 
 /// A mesh, its drawing from one direction, and what is true of it.
 struct Seen {
-    explicit Seen(Mesh one, const char* direction, const LineOptions& options = {})
+    explicit Seen(Mesh one, const char* direction, const LineOptions& options = {},
+                  Projection projection = Projection::perspective)
         : mesh(std::move(one)), lines(extract_lines(mesh, options)),
           camera(make_camera(frame_points_from(view_direction(direction, {0, 0, 1}), lines.vertices,
-                                               size, View{}.fov_y, Projection::perspective),
+                                               size, View{}.fov_y, projection),
                              size, lines.bounds)),
           model(mesh, lines, options) {
         LineVisibility visibility{lines};
@@ -174,6 +182,18 @@ TEST(ModelTruth, ATorusAndAConeAreRightByTheMethodExact) {
     for (const char* direction : {"isometric", "front"}) {
         SCOPED_TRACE(direction);
         expect_right(Seen{cone(), direction}.certify());
+    }
+}
+
+/// A silhouette along meridians that the mesh has, through both poles.
+TEST(ModelTruth, ASphereIsRightInParallelViews) {
+    for (const int around : {32, 36}) {
+        for (const char* direction : {"front", "right", "top", "isometric"}) {
+            SCOPED_TRACE(direction);
+            const Seen seen{sphere(around), direction, {}, Projection::orthographic};
+            expect_right(seen.certify());
+            EXPECT_EQ(std::ranges::count(seen.drawing.paths, true, &VectorPath::visible), 1);
+        }
     }
 }
 
