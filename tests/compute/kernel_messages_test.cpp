@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "compute/kernels.hpp"
+#include "compute/opencl/build_error.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "lineatlas/error.hpp"
 #include "planted_error.hpp"
@@ -103,6 +104,16 @@ TEST_P(KernelMessages, AWrongArgumentHasItsName) {
         EXPECT_NE(said.find(expected), std::string::npos) << said;
     }
     EXPECT_EQ(said_by_launching(kernel, std::as_bytes(std::span{&parameters, 1}), tables), "");
+}
+
+/// As rusticl of Mesa 26.1 has it, and others.
+TEST(FirstError, IsInItsFile) {
+    const std::string source = "a\n#line 7 \"spine.h\"\nb\nc\n#line 30 \"atlas.cl\"\nd\n";
+    EXPECT_EQ(compute::first_error("x\ninput.cl:4:1: error: y", source), "spine.h:8:1: error: y");
+    EXPECT_EQ(compute::first_error("input.cl:6:2: error: y", source), "atlas.cl:30:2: error: y");
+    for (const char* said : {"input.cl:1:1: error: y", "atlas.cl:4:1: error: y", "error: y",
+                             "input.cl: error: y", "input.cl:9"})
+        EXPECT_EQ(compute::first_error(said, source), said);
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, KernelMessages,
