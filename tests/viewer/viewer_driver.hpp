@@ -86,14 +86,13 @@ class ViewerDriver {
     bool has(const std::string& spot) const { return app_.ui().spots.find(spot).has_value(); }
     /// Scrolls the sidebar until an item of it is in sight.
     void reveal(const std::string& spot) {
-        constexpr double top = 10, above_footer = 70;
+        constexpr double top = 10, bottom = 540; // above the footer of a fine display, too
         const double x = app_.window().points().x - 100;
         for (int i = 0; i < 100; ++i) {
             const glm::dvec2 place = middle_of(spot);
             const bool footer = spot.starts_with("save.") || spot == "folder";
-            if (place.x < session().size().x || footer) return;
-            const double bottom = middle_of("save.session").y - above_footer;
-            if (place.y > top && place.y < bottom) return;
+            if (place.x < session().size().x || footer || (place.y > top && place.y < bottom))
+                return;
             scroll(place.y > bottom ? -1 : 1, {x, 0.5 * bottom});
             // Where there is nothing more to scroll, the last items stand above the footer.
             const bool at_end = middle_of(spot) == place;
