@@ -29,9 +29,6 @@ VertexArray run_array() {
 // No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
 constexpr float longest_mitre = 4;
 
-// As in stroke_style.glsl.
-constexpr std::size_t most_profile_values = 16;
-
 float largest(std::span<const float> profile) {
     return *std::ranges::max_element(profile);
 }

@@ -70,13 +70,14 @@ class ExactLines {
             clock("scan",
                   [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
             // Other chunks go by the lists of tiles that are there already.
-            bool by_lists = chunk > 0;
-            for (bool again = true; again; by_lists = false) {
+            bool by_lists = chunk > 0, again = true;
+            while (again) {
                 if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(clipped()); });
                 clock("visible", [&] {
                     visibility_.visible(clipped());
                     again = visibility_.grow(clipped());
                 });
+                by_lists = false;
             }
             use(chunk, segments, visibility_.spans());
         }

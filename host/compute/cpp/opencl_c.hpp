@@ -172,10 +172,10 @@ inline Matrix to_matrix(const la_mat4& value) {
 // Functions, with OpenCL's results for what is no number; | leaves the compiler no branch.
 
 inline float fmin(float a, float b) {
-    return (b < a) | (a != a) ? b : a;
+    return ((b < a) | (a != a)) ? b : a;
 }
 inline float fmax(float a, float b) {
-    return (a < b) | (a != a) ? b : a;
+    return ((a < b) | (a != a)) ? b : a;
 }
 inline float max(float a, float b) {
     return a < b ? b : a;
