@@ -43,7 +43,6 @@ Lengths look(const Mesh& mesh, LineKindMask kinds, const EdgeTruthOptions& optio
 }
 
 constexpr LineKindMask file = mask_of(LineKind::file);
-constexpr LineKindMask crease = mask_of(LineKind::crease);
 constexpr LineKindMask boundary = mask_of(LineKind::boundary);
 constexpr LineKindMask silhouette = mask_of(LineKind::silhouette);
 
