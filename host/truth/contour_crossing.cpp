@@ -44,6 +44,8 @@ class SeenTriangle {
         surface_.emplace(known, face_, std::array{corners_[0].at, corners_[1].at, corners_[2].at});
     }
 
+    bool has_surface() const { return surface_.has_value(); }
+
     const Place& corner(std::size_t k) const { return corners_[k]; }
     bool is_tip(std::size_t k) const { return corners_[k].normal == glm::dvec3{0}; }
 
@@ -135,6 +137,7 @@ contour_crossing(const LineSet& lines, const PreciseCamera& projection, std::uin
     const glm::dvec3 normal = glm::normalize(ends[0].normal + ends[1].normal);
     return ContourCrossing{.from = ends[0].at,
                            .to = ends[1].at,
+                           .on_known_surface = triangle.has_surface(),
                            .shows_front = shows_front,
                            .beyond = shows_front ? normal : -normal};
 }

@@ -14,6 +14,7 @@ namespace lineatlas {
 /// the places of two of its sides.
 struct ContourCrossing {
     glm::dvec3 from, to;
+    bool on_known_surface; ///< else normals of corners say where it is
     /// Towards the eye the surface shows its front: else it hides its own silhouette, if it is a
     /// solid's.
     bool shows_front;

@@ -136,9 +136,7 @@ void add_path(const nlohmann::json& path, DrawingFile& drawing) {
     std::vector<VectorCurve> curves;
     if (path.contains("curves"))
         for (const nlohmann::json& one : path.at("curves")) curves.push_back(curve_of(one));
-    const std::vector<glm::dvec2> drawn = flattened(points, curves);
-    for (std::size_t i = 0; i + 1 < drawn.size(); ++i)
-        drawing.legs.push_back({drawn[i], drawn[i + 1]});
+    append_legs(flattened(points, curves), drawing.legs);
     if (!path.contains("pieces")) return;
     for (const nlohmann::json& piece : path.at("pieces")) {
         const std::size_t at = index(piece.at("point"));

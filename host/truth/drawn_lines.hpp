@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace lineatlas {
 struct DrawnLines {
     std::vector<DrawnPiece> legs;   ///< all that is drawn, from point to point, of unknown segments
     std::vector<DrawnPiece> pieces; ///< the same by segment; empty where the drawing has no tags
-
-    void add_legs(std::span<const glm::dvec2> points); ///< from each to the next
 };
+
+/// Adds what is drawn from each point to the next.
+inline void append_legs(std::span<const glm::dvec2> points, std::vector<DrawnPiece>& legs) {
+    for (std::size_t i = 1; i < points.size(); ++i) legs.push_back({points[i - 1], points[i]});
+}
 
 DrawnLines drawn_lines(const VectorDrawing& drawing);
 

@@ -143,10 +143,9 @@ class Sampler {
         if (!(line.length() > 0)) return;
         const double side = line.is_left(crossing->beyond) ? 1 : -1;
         const Blocking blocking{scene_, projection_, options_.rule, index_};
-        const bool known = !lines.contours.surfaces.empty() &&
-                           lines.contours.surfaces.of_triangle[face] != KnownSurfaces::none;
         // Triangles that are all that is known of a surface reach beyond it, by less than one.
-        const double own_reach = known ? 0 : longest_side(lines.triangles[segment_.face_a]);
+        const double own_reach =
+            crossing->on_known_surface ? 0 : longest_side(lines.triangles[segment_.face_a]);
         const auto count =
             static_cast<std::size_t>(std::max(1.0, std::ceil(line.length() / options_.step)));
         for (std::size_t i = 0; i < count; ++i) {
@@ -163,7 +162,8 @@ class Sampler {
             Visibility found = blocked[0] != 0 && blocked[1] != 0    ? Visibility::hidden
                                : std::ranges::count(blocked, 0) == 3 ? Visibility::visible
                                                                      : Visibility::undecided;
-            if (!known && !crossing->shows_front && found == Visibility::visible)
+            if (!crossing->on_known_surface && !crossing->shows_front &&
+                found == Visibility::visible)
                 found = Visibility::undecided;
             points.push_back(point(line, u, count, found, true));
         }
