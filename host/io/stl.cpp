@@ -147,18 +147,26 @@ class AsciiStl {
     Soup read() {
         bool in_solid = false;
         for (std::string_view word = cursor_.next(); !word.empty(); word = cursor_.next()) {
-            if (same_word(word, "solid") || same_word(word, "endsolid")) {
-                in_solid = same_word(word, "solid");
+            if (same_word(word, "solid")) {
+                in_solid = true;
                 cursor_.skip_line();
             } else if (same_word(word, "facet")) {
                 facets_.push_back(facet());
+            } else if (is_end(word, "solid")) {
+                in_solid = false;
+                cursor_.skip_line();
             } else {
                 throw unexpected(word, "\"facet\"");
             }
         }
-        if (in_solid) throw truncated();
-        if (facets_.empty()) throw read_error(source_.path, "it holds no face");
-        return about_origin();
+        if (facets_.empty())
+            throw in_solid ? truncated() : read_error(source_.path, "it holds no face");
+        Soup soup = about_origin();
+        if (in_solid)
+            soup.notes.push_back("it ends without \"endsolid\" and may be cut off; " +
+                                 counted(facets_.size(), "whole triangle", "whole triangles") +
+                                 " read");
+        return soup;
     }
 
   private:
@@ -192,6 +200,20 @@ class AsciiStl {
         if (!same_word(word, wanted)) throw unexpected(word, '"' + std::string(wanted) + '"');
     }
 
+    /// Some exporters write "end solid" for "endsolid", and so on.
+    bool is_end(std::string_view word, std::string_view of) {
+        if (same_word(word, "end" + std::string(of))) return true;
+        if (!same_word(word, "end")) return false;
+        expect(of);
+        return true;
+    }
+
+    void expect_end(std::string_view of) {
+        const std::string_view word = cursor_.next();
+        if (word.empty()) throw truncated();
+        if (!is_end(word, of)) throw unexpected(word, "\"end" + std::string(of) + '"');
+    }
+
     double number() {
         const std::string_view word = cursor_.next();
         if (word.empty()) throw truncated();
@@ -211,8 +233,8 @@ class AsciiStl {
             expect("vertex");
             for (int axis = 0; axis < 3; ++axis) corner[axis] = number();
         }
-        expect("endloop");
-        expect("endfacet");
+        expect_end("loop");
+        expect_end("facet");
         return facet;
     }
 

@@ -110,6 +110,19 @@ TEST_F(MeshIo, StlBinaryAndAscii) {
     EXPECT_EQ(ascii.triangles.size(), 1U);
 }
 
+TEST_F(MeshIo, StlMayEndInTwoWordsOrNone) {
+    const std::string facet = "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
+                              "0\nvertex 0 1 0\nEnd Loop\nend\nfacet\n";
+    const LoadedMesh two_words = load("a.stl", facet + "end solid x\n");
+    EXPECT_EQ(two_words.mesh.triangles.size(), 1U);
+    EXPECT_TRUE(two_words.notes.empty());
+    const LoadedMesh none = load("a.stl", facet);
+    EXPECT_EQ(none.mesh.triangles.size(), 1U);
+    ASSERT_EQ(none.notes.size(), 1U);
+    EXPECT_EQ(none.notes[0],
+              "it ends without \"endsolid\" and may be cut off; 1 whole triangle read");
+}
+
 TEST_F(MeshIo, StlWeldsWhatIsZeroBeforeRounding) {
     const std::vector<std::array<float, 9>> facets{{0, 0, 0, 1, 0, 0, 0, 1, 0},
                                                    {1, 1e-40F, 0, 1, 1, 0, -0.0F, 1, -1e-40F}};
@@ -130,8 +143,10 @@ TEST_F(MeshIo, StlErrors) {
     EXPECT_TRUE(has(error_of("a.stl", "hello"), "neither binary STL"));
     const std::string facet = "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
                               "0\nvertex 0 1 0\nendloop\nendfacet\n";
-    EXPECT_TRUE(has(error_of("a.stl", facet), "truncated"));
+    EXPECT_TRUE(has(error_of("a.stl", facet + "facet normal"), "truncated"));
+    EXPECT_TRUE(has(error_of("a.stl", facet + "end face"), "\"face\" where \"solid\""));
     EXPECT_TRUE(has(error_of("a.stl", facet.substr(0, 60)), "truncated"));
+    EXPECT_TRUE(has(error_of("a.stl", "solid x\n"), "truncated"));
     EXPECT_TRUE(has(error_of("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n"),
                     "line 4 has \"zero\""));
 }
