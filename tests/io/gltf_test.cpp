@@ -296,6 +296,78 @@ TEST_F(Gltf, SkinsTakeTheirStoredPose) {
     EXPECT_EQ(bounds.max, glm::vec3(1, 6, 1));
 }
 
+TEST_F(Gltf, InstancesStandWhereTheirAttributesSay) {
+    // Two: at (2, 0, 0), twice as large; at (0, 0, 5), turned by 180 degrees about z.
+    const std::string bytes = cube_bytes() + GltfBytes{}
+                                                 .add<float>({2, 0, 0, 0, 0, 5})
+                                                 .add<std::int8_t>({0, 0, 0, 127, 0, 0, 127, 0})
+                                                 .add<float>({2, 2, 2, 1, 1, 1})
+                                                 .bytes();
+    const auto file = [&](const std::string& attributes) {
+        std::string json = cube_json(R"([{"name":"bolt","mesh":0,"translation":[0,10,0],)"
+                                     R"("extensions":{"EXT_mesh_gpu_instancing":{"attributes":)" +
+                                         attributes + "}}}]",
+                                     "", R"(,"extensionsRequired":["EXT_mesh_gpu_instancing"])");
+        const auto put = [&](const std::string& what, const std::string& by) {
+            json.replace(json.find(what), what.size(), by);
+        };
+        put(R"("count":36,"type":"SCALAR"})",
+            R"("count":36,"type":"SCALAR"},{"bufferView":2,"componentType":5126,"count":2,)"
+            R"("type":"VEC3"},{"bufferView":3,"componentType":5120,"normalized":true,"count":2,)"
+            R"("type":"VEC4"},{"bufferView":4,"componentType":5126,"count":2,"type":"VEC3"},)"
+            R"({"bufferView":4,"componentType":5126,"count":1,"type":"VEC3"})");
+        put(R"("byteLength":72}])",
+            R"("byteLength":72},{"buffer":0,"byteOffset":168,"byteLength":24},)"
+            R"({"buffer":0,"byteOffset":192,"byteLength":8},)"
+            R"({"buffer":0,"byteOffset":200,"byteLength":24}])");
+        put(R"([{"byteLength":168)", R"([{"byteLength":224)");
+        return to_glb(json, bytes);
+    };
+    const LoadedMesh loaded =
+        load("a.glb", file(R"({"TRANSLATION":2,"ROTATION":3,"SCALE":4,"_ID":1})"));
+    EXPECT_NEAR(volume(loaded.mesh), 8 + 1, 1e-4);
+    const Bounds bounds = bounds_of(loaded.mesh);
+    EXPECT_EQ(bounds.min, glm::vec3(-1, 9, 0));
+    EXPECT_EQ(bounds.max, glm::vec3(4, 12, 6));
+    ASSERT_EQ(loaded.parts.size(), 3U);
+    EXPECT_EQ(loaded.parts[1].name, "bolt 1");
+    EXPECT_EQ(loaded.parts[2].name, "bolt 2");
+    EXPECT_EQ(loaded.parts[2].parent, 0U);
+    EXPECT_EQ(loaded.parts[1].shape, loaded.parts[2].shape);
+    EXPECT_EQ(loaded.mesh.groups.at(0).object, "bolt/bolt 1");
+
+    EXPECT_EQ(refusal("a.glb", file(R"({"TRANSLATION":2,"SCALE":5})")),
+              "the instances of node 0 differ in number by attribute");
+    EXPECT_EQ(refusal("a.glb", file("{}")), "the instances of node 0 have no place");
+}
+
+TEST_F(Gltf, WhatTheFileHidesIsLeftOut) {
+    const std::string json =
+        cube_json(R"([{"children":[1,2]},{"mesh":0},{"children":[3],)"
+                  R"("extensions":{"KHR_node_visibility":{"visible":false}}},)"
+                  R"({"mesh":0,"extensions":{"KHR_node_visibility":{"visible":true}}}])",
+                  "", R"(,"extensionsRequired":["KHR_node_visibility"])");
+    const LoadedMesh loaded = load("a.glb", to_glb(json, cube_bytes()));
+    EXPECT_EQ(loaded.mesh.triangles.size(), 12U);
+    ASSERT_EQ(loaded.notes.size(), 1U);
+    EXPECT_EQ(loaded.notes[0], "1 mesh left out, which the file itself hides");
+}
+
+TEST_F(Gltf, ExtensionsThatMoveNothingAreNoReasonToRefuse) {
+    const std::string json =
+        cube_json(R"([{"mesh":0}])", "",
+                  R"(,"extensionsRequired":["KHR_materials_transmission","KHR_texture_basisu",)"
+                  R"("EXT_texture_webp","MSFT_texture_dds","KHR_lights_punctual"],)"
+                  R"("materials":[{"extensions":{"KHR_materials_pbrSpecularGlossiness":)"
+                  R"({"diffuseFactor":[1,0,0,1]}}}])");
+    std::string painted = json;
+    painted.replace(painted.find(R"("indices":1})"), 12, R"("indices":1,"material":0})");
+    const LoadedMesh loaded = load("a.glb", to_glb(painted, cube_bytes()));
+    EXPECT_EQ(loaded.mesh.triangles.size(), 12U);
+    EXPECT_TRUE(loaded.notes.empty());
+    EXPECT_EQ(loaded.mesh.groups.at(0).color, glm::vec3(1, 0, 0));
+}
+
 TEST_F(Gltf, RequiredExtensionsAreRefusedByName) {
     EXPECT_EQ(refusal("a.glb", to_glb(cube_json(R"([{"mesh":0}])", "",
                                                 R"(,"extensionsRequired":["XY_shape"])"),

@@ -1,6 +1,7 @@
 #include "document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <stdexcept>
 
@@ -74,14 +75,47 @@ Json parse(std::string_view text) {
     }
 }
 
-void check_extensions(const Json& json, std::initializer_list<std::string_view> known) {
+/// The extensions that say where geometry is, and are heeded.
+constexpr std::array heeded{"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+                            "KHR_draco_mesh_compression", "KHR_mesh_quantization",
+                            "KHR_node_visibility"};
+
+/// How the names of extensions begin that move nothing: they say what materials look like, what
+/// pictures are packed in, what shines on them, and what is known of parts.
+constexpr std::array moving_nothing{"ADOBE_materials_",
+                                    "EXT_instance_features",
+                                    "EXT_lights_",
+                                    "EXT_materials_",
+                                    "EXT_mesh_features",
+                                    "EXT_structural_metadata",
+                                    "EXT_texture_",
+                                    "KHR_animation_pointer",
+                                    "KHR_audio",
+                                    "KHR_interactivity",
+                                    "KHR_lights_",
+                                    "KHR_materials_",
+                                    "KHR_node_hoverability",
+                                    "KHR_node_selectability",
+                                    "KHR_texture_",
+                                    "KHR_xmp",
+                                    "MSFT_packing_",
+                                    "MSFT_texture_"};
+
+bool can_be_drawn(std::string_view extension) {
+    return std::ranges::find(heeded, extension) != heeded.end() ||
+           std::ranges::any_of(moving_nothing, [&](std::string_view begin) {
+               return extension.starts_with(begin);
+           });
+}
+
+void check_extensions(const Json& json) {
     const Json* required = find(json, "extensionsRequired");
     if (required == nullptr) return;
     if (!required->is_array()) refuse("\"extensionsRequired\" is no list");
     for (const Json& name : *required) {
         if (!name.is_string()) refuse("\"extensionsRequired\" holds something else than names");
         const auto& extension = name.get_ref<const std::string&>();
-        if (std::ranges::find(known, std::string_view{extension}) == known.end())
+        if (!can_be_drawn(extension))
             refuse("it requires the extension " + extension.substr(0, 60) +
                    ", which is not supported");
     }
@@ -97,7 +131,7 @@ std::string numbered(std::string_view what, std::uint64_t number) {
     return std::string(what) + ' ' + std::to_string(number);
 }
 
-Document open_document(std::string_view file, std::initializer_list<std::string_view> known) {
+Document open_document(std::string_view file) {
     Document document;
     if (file.starts_with(binary_mark)) {
         const Chunks chunks = chunks_of(file);
@@ -111,7 +145,7 @@ Document open_document(std::string_view file, std::initializer_list<std::string_
     const std::string version = text(*asset, "version", "");
     if (!version.starts_with("2."))
         refuse("it is glTF \"" + version.substr(0, 20) + "\"; only glTF 2.0 is read");
-    check_extensions(document.json, known);
+    check_extensions(document.json);
     return document;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -18,8 +17,9 @@ struct Document {
 };
 
 /// Takes a .gltf or .glb file apart; which of them it is, its first bytes say. Refuses what is no
-/// glTF 2.0, and by name every extension that is required and not among `known`.
-Document open_document(std::string_view file, std::initializer_list<std::string_view> known);
+/// glTF 2.0, and by name every extension that is required and may place geometry in a way not known
+/// here.
+Document open_document(std::string_view file);
 
 /// Throws std::runtime_error.
 [[noreturn]] void refuse(const std::string& cause);

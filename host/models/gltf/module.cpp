@@ -9,9 +9,7 @@ namespace {
 using namespace lineatlas;
 
 Soup read(const models::Request& request) {
-    const gltf::Document document =
-        gltf::open_document(request.bytes, {"KHR_mesh_quantization", "EXT_meshopt_compression",
-                                            "KHR_draco_mesh_compression"});
+    const gltf::Document document = gltf::open_document(request.bytes);
     gltf::Buffers buffers{document, request};
     return gltf::read_scene(document, buffers);
 }

@@ -29,6 +29,22 @@ float coded(double linear) {
     return static_cast<float>(value);
 }
 
+/// A place as nodes and instances have it.
+struct Placement {
+    std::array<double, 3> translation{}, scale{1, 1, 1};
+    std::array<double, 4> rotation{0, 0, 0, 1};
+
+    glm::dmat4 matrix() const {
+        glm::dmat4 matrix =
+            glm::mat4_cast(glm::dquat{rotation[3], rotation[0], rotation[1], rotation[2]});
+        for (int axis = 0; axis < 3; ++axis) {
+            matrix[axis] *= scale[static_cast<std::size_t>(axis)];
+            matrix[3][axis] = translation[static_cast<std::size_t>(axis)];
+        }
+        return matrix;
+    }
+};
+
 glm::dmat4 local_matrix(const Json& node, const std::string& of) {
     std::array<double, 16> columns{};
     glm::dmat4 matrix{1};
@@ -36,22 +52,16 @@ glm::dmat4 local_matrix(const Json& node, const std::string& of) {
         for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = columns[static_cast<std::size_t>(i)];
         return matrix;
     }
-    std::array<double, 3> translation{}, scale{1, 1, 1};
-    std::array<double, 4> rotation{0, 0, 0, 1};
-    read_numbers(node, "translation", of, translation);
-    read_numbers(node, "rotation", of, rotation);
-    read_numbers(node, "scale", of, scale);
-    const glm::dquat turn{rotation[3], rotation[0], rotation[1], rotation[2]};
-    matrix = glm::mat4_cast(turn);
-    for (int axis = 0; axis < 3; ++axis) {
-        matrix[axis] *= scale[static_cast<std::size_t>(axis)];
-        matrix[3][axis] = translation[static_cast<std::size_t>(axis)];
-    }
-    return matrix;
+    Placement placement;
+    read_numbers(node, "translation", of, placement.translation);
+    read_numbers(node, "rotation", of, placement.rotation);
+    read_numbers(node, "scale", of, placement.scale);
+    return placement.matrix();
 }
 
 struct Node {
     bool visited = false;
+    bool hidden = false;  ///< by KHR_node_visibility, of its own or of what it is in
     glm::dmat4 matrix{1}; ///< to the world
     std::uint32_t part = no_part;
     std::string path; ///< its own name after those above it
@@ -69,6 +79,10 @@ class Scene {
         if (points_ > 0)
             soup_.notes.push_back(std::to_string(points_) + (points_ == 1 ? " set" : " sets") +
                                   " of points left out");
+        if (hidden_meshes_ > 0)
+            soup_.notes.push_back(std::to_string(hidden_meshes_) +
+                                  (hidden_meshes_ == 1 ? " mesh" : " meshes") +
+                                  " left out, which the file itself hides");
         soup_.format = "glTF 2.0";
         soup_.up = glm::vec3{0, 1, 0};
         soup_.unit = 1000;
@@ -123,6 +137,7 @@ class Scene {
             const Node* above = parent != nobody ? &nodes_[parent] : nullptr;
             node.matrix = local_matrix(json, of);
             if (above != nullptr) node.matrix = above->matrix * node.matrix;
+            node.hidden = (above != nullptr && above->hidden) || hides_itself(json, of);
             const std::string name = models::part_name(text(json, "name", ""), of);
             node.path = above != nullptr ? above->path + '/' + name : name;
             node.part = static_cast<std::uint32_t>(soup_.parts.size());
@@ -132,6 +147,18 @@ class Scene {
             for (auto child = children.rbegin(); child != children.rend(); ++child)
                 left.push_back({*child, index, level + 1});
         }
+    }
+
+    static bool hides_itself(const Json& json, const std::string& of) {
+        const Json* extension = extension_of(json, "KHR_node_visibility", of);
+        if (extension == nullptr) return false;
+        const Json* visible = find(*extension, "visible");
+        return visible != nullptr && visible->is_boolean() && !visible->get<bool>();
+    }
+
+    static const Json* extension_of(const Json& object, const char* name, const std::string& of) {
+        const Json* extensions = find_object(object, "extensions", of);
+        return extensions != nullptr ? find_object(*extensions, name, of) : nullptr;
     }
 
     const std::vector<Primitive>& mesh_of(const Json& node, const std::string& of) {
@@ -150,11 +177,60 @@ class Scene {
     void place_mesh(std::uint64_t index) {
         const Json& json = element(document_, "nodes", index);
         const std::string of = numbered("node", index);
-        const Json* extensions = find_object(json, "extensions", of);
-        if (extensions != nullptr && find(*extensions, "EXT_mesh_gpu_instancing") != nullptr)
-            refuse("it uses the extension EXT_mesh_gpu_instancing, which is not supported");
         if (find(json, "mesh") == nullptr) return;
         const Node& node = nodes_[index];
+        if (node.hidden) {
+            ++hidden_meshes_;
+            return;
+        }
+        const Json* instancing = extension_of(json, "EXT_mesh_gpu_instancing", of);
+        if (instancing == nullptr) return place(node, json, of);
+        const std::string name = soup_.parts[node.part].name;
+        std::size_t number = 0;
+        for (const glm::dmat4& matrix : instance_matrices(*instancing, of)) {
+            constexpr std::size_t most_parts = 1U << 18U;
+            if (soup_.parts.size() >= most_parts)
+                refuse("with all its instances it has more than 262144 parts");
+            const std::string own_name = name + ' ' + std::to_string(++number);
+            const Node instance{.matrix = node.matrix * matrix,
+                                .part = static_cast<std::uint32_t>(soup_.parts.size()),
+                                .path = node.path + '/' + own_name};
+            soup_.parts.push_back({.name = own_name, .parent = node.part});
+            place(instance, json, of);
+        }
+    }
+
+    /// Where EXT_mesh_gpu_instancing puts what a node holds, to the node.
+    std::vector<glm::dmat4> instance_matrices(const Json& extension, const std::string& node) {
+        const std::string of = "the instances of " + node;
+        const Json* attributes = find_object(extension, "attributes", of);
+        if (attributes == nullptr) refuse(of + " have no \"attributes\"");
+        std::optional<std::size_t> count;
+        const auto read = [&](const char* key, const char* type, std::uint64_t width) {
+            if (find(*attributes, key) == nullptr) return Values{.width = width, .numbers = {}};
+            Values values =
+                read_values(document_, buffers_, whole(*attributes, key, of), type, width);
+            if (count && *count != values.size()) refuse(of + " differ in number by attribute");
+            count = values.size();
+            return values;
+        };
+        const Values translations = read("TRANSLATION", "VEC3", 3);
+        const Values rotations = read("ROTATION", "VEC4", 4);
+        const Values scales = read("SCALE", "VEC3", 3);
+        if (!count) refuse(of + " have no place");
+        std::vector<glm::dmat4> matrices;
+        for (std::size_t i = 0; i < *count; ++i) {
+            Placement placement;
+            if (translations.size() > 0)
+                std::copy_n(translations[i], 3, placement.translation.begin());
+            if (rotations.size() > 0) std::copy_n(rotations[i], 4, placement.rotation.begin());
+            if (scales.size() > 0) std::copy_n(scales[i], 3, placement.scale.begin());
+            matrices.push_back(placement.matrix());
+        }
+        return matrices;
+    }
+
+    void place(const Node& node, const Json& json, const std::string& of) {
         const std::uint32_t object = objects_++;
         soup_.parts[node.part].object = object;
         soup_.parts[node.part].shape = static_cast<std::uint32_t>(whole(json, "mesh", of));
@@ -265,11 +341,14 @@ class Scene {
 
     /// Nothing where a picture says it.
     static std::optional<glm::vec3> color_of(const Json& material, const std::string& of) {
-        const Json* surface = find_object(material, "pbrMetallicRoughness", of);
+        const Json* older = extension_of(material, "KHR_materials_pbrSpecularGlossiness", of);
+        const Json* surface =
+            older != nullptr ? older : find_object(material, "pbrMetallicRoughness", of);
         if (surface == nullptr) return glm::vec3{1};
-        if (find(*surface, "baseColorTexture") != nullptr) return std::nullopt;
+        if (find(*surface, older ? "diffuseTexture" : "baseColorTexture") != nullptr)
+            return std::nullopt;
         std::array<double, 4> factor{1, 1, 1, 1};
-        read_numbers(*surface, "baseColorFactor", of, factor);
+        read_numbers(*surface, older ? "diffuseFactor" : "baseColorFactor", of, factor);
         return glm::vec3{coded(factor[0]), coded(factor[1]), coded(factor[2])};
     }
 
@@ -282,6 +361,7 @@ class Scene {
     std::map<std::pair<std::uint32_t, std::uint64_t>, std::uint32_t> groups_;
     std::uint32_t objects_ = 0;
     std::size_t points_ = 0;
+    std::size_t hidden_meshes_ = 0;
     Soup soup_;
 };
 
