@@ -208,6 +208,23 @@ TEST_F(ThreeMf, WhatIsNotSupportedIsRefusedByName) {
               "it has beam lattices, which are not supported");
 }
 
+TEST_F(ThreeMf, SlicesBesideAMeshAreSaid) {
+    std::string object = cube_object(2, "a");
+    object.insert(object.find("<object") + 7, R"( s:slicestackid="1")");
+    const std::string slices = R"(<s:slicestack id="1" zbottom="0"><s:slice ztop="1"><s:vertices>)"
+                               R"(<s:vertex x="0" y="0"/><s:vertex x="1" y="0"/>)"
+                               R"(<s:vertex x="0" y="1"/></s:vertices><s:polygon startv="0">)"
+                               R"(<s:segment v2="1"/><s:segment v2="2"/><s:segment v2="0"/>)"
+                               R"(</s:polygon></s:slice></s:slicestack>)";
+    const LoadedMesh loaded =
+        load_model(slices + object, R"(<item objectid="2"/><item objectid="2"/>)",
+                   R"(xmlns:s="http://schemas.microsoft.com/3dmanufacturing/slice/2015/07")");
+    EXPECT_EQ(loaded.mesh.triangles.size(), 24U);
+    ASSERT_EQ(loaded.notes.size(), 1U);
+    EXPECT_EQ(loaded.notes[0], "slices of 1 object are not read; what is drawn is its mesh, which "
+                               "may be coarser");
+}
+
 TEST_F(ThreeMf, BrokenPackagesAreRefusedInALine) {
     const std::string cube = cube_object(1, "a");
     const std::string whole = to_3mf(threemf_model(cube, one_item));

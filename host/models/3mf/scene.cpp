@@ -44,6 +44,10 @@ class Scene {
                           item, NMR::lib3mf_builditem_getobjecttransform))});
         }
         if (soup_.parts.empty()) refuse("its list of what is to be built is empty");
+        if (sliced_ > 0)
+            soup_.notes.push_back("slices of " + std::to_string(sliced_) +
+                                  (sliced_ == 1 ? " object" : " objects") +
+                                  " are not read; what is drawn is its mesh, which may be coarser");
         soup_.format = "3MF";
         soup_.up = glm::vec3{0, 0, 1}; // away from the plate that it is printed on
         soup_.unit = length_of(value<DWORD>(model_, NMR::lib3mf_model_getunit));
@@ -108,6 +112,7 @@ class Scene {
         auto known = shapes_.find(id);
         if (known == shapes_.end()) {
             const auto number = static_cast<std::uint32_t>(shapes_.size());
+            if (value<DWORD>(object, NMR::lib3mf_meshobject_getslicestackid) != 0) ++sliced_;
             known = shapes_.emplace(id, Shape{number, read_mesh(model_, object)}).first;
         }
         return known->second;
@@ -148,6 +153,7 @@ class Scene {
     const Handle& model_;
     std::map<DWORD, Shape> shapes_; ///< by the object's number
     std::uint32_t objects_ = 0;
+    std::size_t sliced_ = 0; ///< objects whose shape is in slices, too
     Soup soup_;
 };
 
