@@ -103,6 +103,38 @@ TEST_F(Iges, AssembliesKeepNamesPlacesAndColours) {
     }
 }
 
+TEST_F(Iges, ALoneFaceKeepsItsPlace) {
+    gp_Trsf up;
+    up.SetTranslation(gp_Vec(0, 0, 160));
+    const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(30).Shape().Moved(TopLoc_Location(up));
+    for (const bool solids : {false, true}) {
+        SCOPED_TRACE(solids);
+        const LoadedMesh loaded =
+            load("a.igs", to_iges({{"ball", ball, {gp_Trsf{}}, 1, 0, 0}}, solids));
+        const Bounds bounds = bounds_of(loaded.mesh);
+        EXPECT_NEAR(bounds.min.z, 130, 0.1);
+        EXPECT_NEAR(bounds.max.z, 190, 0.1);
+        ASSERT_EQ(loaded.mesh.groups.size(), 1U);
+        ASSERT_TRUE(loaded.mesh.groups[0].color);
+        EXPECT_NEAR(loaded.mesh.groups[0].color->x, 1, 0.01);
+        EXPECT_NEAR(loaded.mesh.groups[0].color->y, 0, 0.01);
+    }
+}
+
+TEST_F(Iges, FacesSomeMicrometresApartAreSewn) {
+    const auto edges_with_a_face_moved_by = [&](double gap) {
+        std::vector<NamedShape> shapes;
+        const TopoDS_Shape box = BRepPrimAPI_MakeBox(100, 200, 300).Shape();
+        gp_Trsf away;
+        away.SetTranslation(gp_Vec(0, 0, gap));
+        for (TopExp_Explorer each(box, TopAbs_FACE); each.More(); each.Next())
+            shapes.push_back({"face", each.Current(), {shapes.empty() ? away : gp_Trsf{}}});
+        return edges_of(load("a.iges", to_iges(shapes, false)).mesh);
+    };
+    EXPECT_EQ(edges_with_a_face_moved_by(0.01), (EdgeCounts{12, 0, 0, 0}));
+    EXPECT_EQ(edges_with_a_face_moved_by(1)[3], 8U) << "a gap that one sees stays";
+}
+
 TEST_F(Iges, InchesBecomeMillimetres) {
     const LoadedMesh loaded =
         load("a.igs", to_iges({{"box", BRepPrimAPI_MakeBox(25.4, 50.8, 1).Shape(), {gp_Trsf{}}}},

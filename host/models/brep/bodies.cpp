@@ -72,6 +72,16 @@ TopoDS_Shape with_solids(const TopoDS_Shape& sewn) {
     return result;
 }
 
+/// A lone face that was sewn may have a place of its own, which must not pass for an instance's.
+TopoDS_Shape without_place(const TopoDS_Shape& shape) {
+    if (shape.Location().IsIdentity()) return shape;
+    TopoDS_Compound around;
+    BRep_Builder builder;
+    builder.MakeCompound(around);
+    builder.Add(around, shape);
+    return around;
+}
+
 class Bodies {
   public:
     Bodies(Assembly& assembly, const ShapeNames& names, double tolerance)
@@ -212,32 +222,52 @@ class Bodies {
         return common;
     }
 
+    /// Edges of one body that other programs wrote may lie some micrometres apart. The wider reach
+    /// counts where it leaves fewer edges free.
+    Handle(BRepBuilderAPI_Sewing)
+        best_sewing(const std::vector<TopoDS_Shape>& faces, double size) const {
+        constexpr double share = 1e-5, wide_share = 1e-4;
+        const auto sewn_within = [&](double reach) {
+            const Handle(BRepBuilderAPI_Sewing) sewing =
+                new BRepBuilderAPI_Sewing(std::max(tolerance_, reach));
+            for (const TopoDS_Shape& face : faces) sewing->Add(face);
+            sewing->Perform();
+            return sewing;
+        };
+        const Handle(BRepBuilderAPI_Sewing) narrow = sewn_within(share * size);
+        if (narrow->SewedShape().IsNull() || narrow->NbFreeEdges() == 0 ||
+            wide_share * size <= tolerance_)
+            return narrow;
+        const Handle(BRepBuilderAPI_Sewing) wide = sewn_within(wide_share * size);
+        const bool better =
+            !wide->SewedShape().IsNull() && wide->NbFreeEdges() < narrow->NbFreeEdges();
+        return better ? wide : narrow;
+    }
+
     TopoDS_Shape sew_faces(const TopoDS_Shape& group) {
-        constexpr double share = 1e-5;
-        BRepBuilderAPI_Sewing sewing(std::max(tolerance_, share * size_of(group)));
+        std::vector<TopoDS_Shape> faces;
         TopoDS_Compound curves;
         BRep_Builder builder;
         builder.MakeCompound(curves);
-        bool has_curves = false, has_faces = false;
+        bool has_curves = false;
         for (TopoDS_Iterator each(group); each.More(); each.Next()) {
             if (each.Value().ShapeType() == TopAbs_FACE) {
-                sewing.Add(each.Value());
-                has_faces = true;
+                faces.push_back(each.Value());
             } else {
                 builder.Add(curves, each.Value());
                 has_curves = true;
             }
         }
-        if (!has_faces) return group;
-        sewing.Perform();
-        if (sewing.SewedShape().IsNull()) return group; // faces without a common edge, then
+        if (faces.empty()) return group;
+        const Handle(BRepBuilderAPI_Sewing) sewing = best_sewing(faces, size_of(group));
+        if (sewing->SewedShape().IsNull()) return group; // faces without a common edge, then
         const std::optional<glm::vec3> common = common_color(group);
-        for (TopExp_Explorer faces(group, TopAbs_FACE); faces.More(); faces.Next()) {
-            const std::optional<glm::vec3> own = colors_->color(faces.Current());
+        for (const TopoDS_Shape& face : faces) {
+            const std::optional<glm::vec3> own = colors_->color(face);
             const std::optional<glm::vec3> color = own ? own : common;
-            if (color) colors_->add(sewing.ModifiedSubShape(faces.Current()), *color);
+            if (color) colors_->add(sewing->ModifiedSubShape(face), *color);
         }
-        const TopoDS_Shape result = with_solids(sewing.SewedShape());
+        const TopoDS_Shape result = without_place(with_solids(sewing->SewedShape()));
         if (!has_curves) return result;
         builder.Add(curves, result);
         return curves;
