@@ -57,6 +57,23 @@ TopoDS_Shape rounded_box() {
     return fillet.Shape();
 }
 
+TEST_F(Brep, PartsInOtherFilesAreNamed) {
+    const std::string step =
+        to_step_apart({{"Head", BRepPrimAPI_MakeBox(1, 2, 3).Shape(), {gp_Trsf{}}},
+                       {"Tail", BRepPrimAPI_MakeCylinder(1, 2).Shape(), {gp_Trsf{}}}},
+                      "part_");
+    try {
+        load("a.step", step);
+        FAIL() << "read";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string_view{error.what()}.find(
+                      R"(its parts are in other files, which are not read: "part_Head.stp", )"
+                      R"("part_Tail.stp")"),
+                  std::string_view::npos)
+            << error.what();
+    }
+}
+
 TEST_F(Brep, EdgesAreOfTheirKinds) {
     const auto edges = [&](const TopoDS_Shape& shape) {
         return edges_of(load("a.brep", to_brep(shape)).mesh);

@@ -61,15 +61,13 @@ Handle(TDocStd_Document) document_of(const std::vector<NamedShape>& shapes) {
     return document;
 }
 
-} // namespace
-
-std::string to_step(const std::vector<NamedShape>& shapes) {
+std::string write_step(const std::vector<NamedShape>& shapes, const char* prefix) {
     STEPCAFControl_Controller::Init();
     const Handle(TDocStd_Document) document = document_of(shapes);
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
-    if (!writer.Transfer(document))
+    if (!writer.Transfer(document, STEPControl_AsIs, prefix))
         throw std::runtime_error("Open CASCADE does not write the shapes");
     // The writer has no stream: its model has.
     std::ostringstream text;
@@ -79,6 +77,16 @@ std::string to_step(const std::vector<NamedShape>& shapes) {
     step.SendModel(StepAP214::Protocol());
     step.Print(text);
     return text.str();
+}
+
+} // namespace
+
+std::string to_step(const std::vector<NamedShape>& shapes) {
+    return write_step(shapes, nullptr);
+}
+
+std::string to_step_apart(const std::vector<NamedShape>& shapes, const char* prefix) {
+    return write_step(shapes, prefix);
 }
 
 std::string in_inches(std::string step) {

@@ -19,6 +19,9 @@ struct NamedShape {
 /// An assembly as a STEP file, written by Open CASCADE.
 std::string to_step(const std::vector<NamedShape>& shapes);
 
+/// The file of the assembly alone: its parts are in others, whose names begin with `prefix`.
+std::string to_step_apart(const std::vector<NamedShape>& shapes, const char* prefix);
+
 /// The same file, whose lengths are inches. (Open CASCADE has had several ways to write these.)
 std::string in_inches(std::string step);
 

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <stdexcept>
 
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -53,6 +56,30 @@ void note_unit(STEPCAFControl_Reader& reader, Assembly& assembly) {
     });
     if (unit.empty() || unit == "millimetre" || unit == "mm") return;
     assembly.notes.push_back("its lengths in " + unit + " are drawn in millimetres");
+}
+
+/// "HEAD.stp", "TAIL.stp" and 3 more: where an assembly has its parts; empty where it has all of
+/// them itself.
+std::string other_files(const STEPCAFControl_Reader& reader) {
+    constexpr std::size_t most = 5;
+    std::set<std::string> names;
+    for (NCollection_DataMap<TCollection_AsciiString, Handle(STEPCAFControl_ExternFile)>::Iterator
+             each(reader.ExternFiles());
+         each.More(); each.Next())
+        names.insert('"' + models::part_name(each.Key().ToCString(), "a file") + '"');
+    std::string text;
+    std::size_t number = 0;
+    for (const std::string& name : names) {
+        if (number++ == most) return text + " and " + std::to_string(names.size() - most) + " more";
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+}
+
+bool has_shapes(const Assembly& assembly) {
+    return std::ranges::any_of(assembly.instances, [](const Instance& instance) {
+        return TopExp_Explorer(instance.shape, TopAbs_VERTEX).More();
+    });
 }
 
 /// The numbers that faces and edges have in the file.
@@ -104,6 +131,11 @@ Assembly read_step(std::string_view file) {
     note_unit(reader, assembly);
     find_entities(reader, assembly.entities);
     read_document(document, assembly);
+    if (const std::string others = other_files(reader); !others.empty()) {
+        const std::string cause = "in other files, which are not read: " + others;
+        if (!has_shapes(assembly)) throw std::runtime_error("its parts are " + cause);
+        assembly.notes.push_back("parts of it are " + cause);
+    }
     return assembly;
 }
 
