@@ -15,13 +15,6 @@
 namespace lineatlas {
 namespace {
 
-/// Whether the path's part, or one that it is in, is called so.
-bool names_part(const std::string& pattern, const PartPath& path) {
-    return matches(pattern, path.whole()) ||
-           std::ranges::any_of(path.names,
-                               [&](const std::string& name) { return matches(pattern, name); });
-}
-
 /// The names of parts, as many as a line holds.
 std::string listed(const std::vector<PartPath>& paths) {
     constexpr std::size_t most = 12;
@@ -53,14 +46,17 @@ void PartFilter::apply(LoadedMesh& loaded) const {
     if (!given()) return;
     const PartPaths paths = part_paths(loaded);
     const auto wanted_part = [&](const PartPath& path) {
-        const auto named = [&](const std::string& pattern) { return names_part(pattern, path); };
+        const auto named = [&](const std::string& pattern) {
+            return names_part(pattern, path.whole());
+        };
         return (only_.empty() || std::ranges::any_of(only_, named)) &&
                std::ranges::none_of(hidden_, named);
     };
     for (const auto* patterns : {&only_, &hidden_}) {
         for (const std::string& pattern : *patterns) {
-            if (std::ranges::any_of(
-                    paths.paths, [&](const PartPath& path) { return names_part(pattern, path); }))
+            if (std::ranges::any_of(paths.paths, [&](const PartPath& path) {
+                    return names_part(pattern, path.whole());
+                }))
                 continue;
             throw UsageError(fmt::format("{}: no part is called \"{}\"; {}",
                                          patterns == &only_ ? "--only" : "--hide", pattern,

@@ -22,7 +22,7 @@ bool operator==(const Pen& a, const Pen& b) {
 }
 
 bool fits(const PenMatch& match, const MeshGroup& group) {
-    return (match.object.empty() || matches(match.object, group.object)) &&
+    return (match.object.empty() || names_part(match.object, group.object)) &&
            (match.material.empty() || matches(match.material, group.material));
 }
 

@@ -75,7 +75,7 @@ Pen pen_of_object(const Style& style, const std::string& object) {
     Pen pen = style.pen;
     for (const PenRule& rule : style.pens)
         if (rule.match.kinds.empty() && rule.match.material.empty() && !rule.match.hidden &&
-            (rule.match.object.empty() || matches(rule.match.object, object)))
+            (rule.match.object.empty() || names_part(rule.match.object, object)))
             take(pen, rule, style);
     return pen;
 }

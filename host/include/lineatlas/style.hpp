@@ -93,8 +93,10 @@ struct PenMatch {
     /// Any of these: names of `line_kind_names`, or "outline": what of a visible line has the model
     /// on one side and the background on the other; lines of files and of cuts are none.
     std::vector<std::string> kinds{};
-    std::string object{};   ///< MeshGroup::object of a face beside the line; * and ? as in files
-    std::string material{}; ///< MeshGroup::material of the same face, likewise
+    /// MeshGroup::object of a face beside the line, or a name in it as between slashes: "Bolt*"
+    /// fits "arm/Bolt 2" and what is in it. `*` stands for any letters, `?` for one.
+    std::string object{};
+    std::string material{}; ///< MeshGroup::material of the same face, as a whole
     bool hidden = false;    ///< hidden lines (Style::hidden); else visible ones
 };
 
