@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array edge_names{"sharp", "smooth", "seam", "free"}; ///< of KnownEdge::Kind
+/// Of KnownEdge::Kind, those that files have.
+constexpr std::array edge_names{"sharp", "smooth", "seam", "free", "wire"};
 
 template <class Vector>
 Json list(const Vector& v) {
@@ -90,8 +91,12 @@ std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths
         for (int corner = 0; corner < 3; ++corner)
             part_of_position[mesh.triangles[i][corner]] = part;
     }
-    for (const std::uint32_t part : paths.of_polyline)
-        if (part != PartPaths::none) ++counts[part].polylines;
+    for (std::size_t i = 0; i < paths.of_polyline.size(); ++i) {
+        const std::uint32_t part = paths.of_polyline[i];
+        if (part == PartPaths::none) continue;
+        ++counts[part].polylines;
+        for (const std::uint32_t position : mesh.polylines[i]) part_of_position[position] = part;
+    }
     std::set<std::uint32_t> known;
     for (const KnownEdge& edge : mesh.known_edges) {
         const std::uint32_t part = part_of_position[edge.from];

@@ -41,6 +41,7 @@ KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) {
     for (const KnownEdge& edge : mesh.known_edges) {
         check_index(edge.from, mesh.positions.size());
         check_index(edge.to, mesh.positions.size());
+        if (edge.kind == KnownEdge::Kind::wire) continue;
         const std::uint32_t p = vertices[edge.from], q = vertices[edge.to];
         if (p == unused || q == unused || p == q) continue;
         all_ = all_ || edge.kind != KnownEdge::Kind::marked;

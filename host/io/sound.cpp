@@ -71,7 +71,7 @@ bool is_sound(const Mesh& mesh) {
                std::ranges::adjacent_find(line) == line.end();
     };
     const auto is_edge = [&](const KnownEdge& edge) {
-        return is_vertex(edge.from) && is_vertex(edge.to) && edge.kind <= KnownEdge::Kind::free;
+        return is_vertex(edge.from) && is_vertex(edge.to) && edge.kind <= KnownEdge::Kind::wire;
     };
     const auto is_curve = [](const std::optional<EdgeCurve>& curve) {
         return !curve || (is_finite(curve->center) && is_finite(curve->u) && is_finite(curve->v));

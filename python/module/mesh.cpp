@@ -114,7 +114,7 @@ void warn_of_lost_digits(glm::dvec3 origin) {
 }
 
 /// The names of KnownEdge::Kind, in its order.
-constexpr std::array known_edge_kinds{"sharp", "smooth", "seam", "free", "marked"};
+constexpr std::array known_edge_kinds{"sharp", "smooth", "seam", "free", "wire", "marked"};
 
 void add_known_edges(Mesh& mesh, const EdgesByKind& edges) {
     if (!edges) return;

@@ -47,7 +47,7 @@ ELSEWHERE = {
     "extract_lines()": "Renderer()",
     # meshes
     "KnownEdge": "Mesh(known_edges)", "KnownEdge.Kind": "Mesh(known_edges)", "KnownEdge.Kind.free": "Mesh(known_edges)",
-    "KnownEdge.Kind.marked": "Mesh(known_edges)", "KnownEdge.Kind.seam": "Mesh(known_edges)",
+    "KnownEdge.Kind.marked": "Mesh(known_edges)", "KnownEdge.Kind.wire": "Mesh(known_edges)", "KnownEdge.Kind.seam": "Mesh(known_edges)",
     "KnownEdge.Kind.sharp": "Mesh(known_edges)", "KnownEdge.Kind.smooth": "Mesh(known_edges)",
     "KnownEdge.from": "Mesh(known_edges)", "KnownEdge.to": "Mesh(known_edges)", "KnownEdge.kind": "Mesh(known_edges)",
     "MeshArrays": "Mesh()", "MeshArrays.indices": "Mesh(triangles)", "MeshArrays.materials": "Mesh(triangle_group)",

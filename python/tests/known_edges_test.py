@@ -34,7 +34,7 @@ class KnownEdges(unittest.TestCase):
 
     def test_what_does_not_fit_is_refused(self) -> None:
         for edges, error, said in (
-                ({"bent": [[0, 1]]}, lineatlas.UsageError, 'no kind "bent"; there is sharp, smooth, seam, free, marked'),
+                ({"bent": [[0, 1]]}, lineatlas.UsageError, 'no kind "bent"; there is sharp, smooth, seam, free, wire, marked'),
                 ({"marked": [[0, 8]]}, lineatlas.UsageError, "known_edges: entry 0 is 8, not one of 0 to 7"),
                 ({"marked": [0, 1]}, lineatlas.UsageError, r"known_edges must have the shape \(n, 2\), not \(2\)"),
                 ({"marked": [[0.5, 1]]}, TypeError, "known_edges must be whole numbers"),

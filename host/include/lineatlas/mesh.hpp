@@ -25,7 +25,7 @@ struct MeshGroup {
 };
 
 /// An edge of which the file itself says what it is, as files of exact surfaces do (STEP). It runs
-/// along edges of triangles.
+/// along edges of triangles, or along a polyline.
 struct KnownEdge {
     /// What a KnownEdge is.
     enum class Kind : std::uint32_t {
@@ -33,6 +33,7 @@ struct KnownEdge {
         smooth, ///< between two faces that go over into each other
         seam,   ///< where a face that goes round, as a cylinder's, meets itself: never a line
         free,   ///< of one face only: a boundary
+        wire,   ///< of no face: a polyline; says nothing of edges of triangles
         marked, ///< a crease by hand, however small its angle; says nothing of other edges
     };
     std::uint32_t from = 0;  ///< index into Mesh::positions
@@ -72,7 +73,7 @@ struct Mesh {
     std::vector<std::uint32_t> polyline_object{};
     /// Where there are any, they say which edges are creases and boundaries, and angles between
     /// triangles do not: those within a curved face are the tessellation's own. Where all of them
-    /// are KnownEdge::Kind::marked, angles decide of all others.
+    /// are KnownEdge::Kind::marked or wire, angles decide of all others.
     std::vector<KnownEdge> known_edges{};
     /// Per number of a file's edge (KnownEdge::edge) its curve, or nothing where it is none of
     /// these. It may end before the last number. Paths leave as such (SvgOptions::curves).

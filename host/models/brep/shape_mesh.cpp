@@ -230,12 +230,16 @@ class Stitcher {
         const std::optional<KnownEdge::Kind> kind = kind_of(edge, faces);
         const std::vector<std::uint32_t>& points =
             points_of_edge_[static_cast<std::size_t>(index - 1)];
-        if (!kind) return;
+        if (kind) add_known(edge, points, *kind);
+    }
+
+    void add_known(const TopoDS_Edge& edge, const std::vector<std::uint32_t>& points,
+                   KnownEdge::Kind kind) {
         const std::uint32_t number = mesh_.edge_count++;
         mesh_.edge_curves.push_back(curve_of(edge));
         mesh_.edge_shapes.push_back(edge);
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            mesh_.edges.push_back({points[i], points[i + 1], *kind, number});
+            mesh_.edges.push_back({points[i], points[i + 1], kind, number});
     }
 
     void add_line(const TopoDS_Edge& edge) {
@@ -245,6 +249,7 @@ class Stitcher {
         mesh_.lines.push_back(make_points(edge, polygon->NbNodes(), [&](int i) {
             return point_of(polygon->Nodes()(i + 1), location);
         }));
+        add_known(edge, mesh_.lines.back(), KnownEdge::Kind::wire);
     }
 
     TopTools_IndexedMapOfShape vertices_, faces_;
