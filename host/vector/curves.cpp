@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -54,6 +56,14 @@ class PathCurves::Finder {
         for (std::uint32_t i = 1; i < steps.size(); ++i)
             if (!go_on(steps[i - 1], steps[i])) found.push_back(i);
         return found;
+    }
+
+    /// That of all steps of a path, or null.
+    const Ellipse* ellipse_of(const VectorPath& path) {
+        const std::vector<Step> steps = steps_of(path);
+        for (std::size_t i = 1; i < steps.size(); ++i)
+            if (!go_on(steps[i - 1], steps[i])) return nullptr;
+        return steps.front().ellipse;
     }
 
     /// Whether the mesh has any that paths may be bent along.
@@ -187,11 +197,33 @@ class PathCurves::Finder {
         if (curve_of(edge) == nullptr) return nullptr;
         return ellipse_of(ellipses_, edge, [&] { return mesh_.edge_curves[edge]; });
     }
-    const Ellipse* ellipse_of_surface(std::uint32_t surface) {
-        return ellipse_of(outlines_, surface, [&] {
-            const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
-            return sphere_outline(mesh_.surfaces.shapes[placed.shape], placed.model_from_shape);
-        });
+    /// Of the silhouette of a surface, where it goes through a place.
+    const Ellipse* ellipse_of_surface(std::uint32_t surface, glm::dvec3 place) {
+        const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
+        const SurfaceShape& shape = mesh_.surfaces.shapes[placed.shape];
+        const Ellipse* const sphere = ellipse_of(
+            outlines_, surface, [&] { return sphere_outline(shape, placed.model_from_shape); });
+        return sphere != nullptr ? sphere : around_axis(shape, placed.model_from_shape, place);
+    }
+
+    /// The circle about the axis of a revolution through a place of its silhouette, if the eye is
+    /// on the axis.
+    const Ellipse* around_axis(const SurfaceShape& shape, const glm::dmat4x3& placed,
+                               glm::dvec3 place) {
+        if (shape.kind != SurfaceShape::Kind::revolution) return nullptr;
+        const glm::dvec3 axis = glm::normalize(glm::dmat3{placed} * shape.axis);
+        const glm::dvec3 foot = placed * glm::dvec4{shape.point, 1};
+        const glm::dvec3 to_eye = glm::dvec3{eye_} - foot * double{eye_.w};
+        constexpr double rounding = 1e-6; // of cameras, which are floats
+        if (!(glm::length(glm::cross(to_eye, axis)) < rounding * glm::length(to_eye)))
+            return nullptr;
+        const glm::dvec3 center = foot + glm::dot(place - foot, axis) * axis;
+        const glm::dvec3 out = place - center;
+        const std::optional<Ellipse> circle = Ellipse::seen(
+            {.center = center, .u = out, .v = glm::cross(axis, out)}, clip_from_world_, size_);
+        if (!circle) return nullptr;
+        if (circles_.empty() || !circle->is(circles_.back())) circles_.push_back(*circle);
+        return &circles_.back();
     }
 
     /// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing of other
@@ -374,7 +406,8 @@ class PathCurves::Finder {
             const bool on_mesh = !on_surface && is_contour(piece.source);
             const std::uint32_t edge = on_surface || on_mesh ? none : edges_.edge_of(piece.source);
             const Ellipse* const ellipse =
-                on_surface ? ellipse_of_surface(surface) : ellipse_of(edge);
+                on_surface ? ellipse_of_surface(surface, path.points[piece.point].world)
+                           : ellipse_of(edge);
             if (!known[piece.point])
                 step = {
                     .edge = edge, .on_surface = on_surface, .on_mesh = on_mesh, .ellipse = ellipse};
@@ -497,8 +530,9 @@ class PathCurves::Finder {
     glm::vec4 eye_;
     glm::dmat4 clip_from_world_;
     glm::dvec2 size_;
-    Ellipses ellipses_; ///< of edges
-    Ellipses outlines_; ///< of surfaces
+    Ellipses ellipses_;           ///< of edges
+    Ellipses outlines_;           ///< of surfaces
+    std::deque<Ellipse> circles_; ///< about axes of surfaces
 };
 
 PathCurves::PathCurves(const Mesh* mesh, const Camera& camera) {
@@ -517,6 +551,32 @@ void PathCurves::bend(std::vector<VectorPath>& paths) const {
 void PathCurves::name(std::vector<VectorPath>& paths) const {
     if (!finder_) return;
     for (VectorPath& path : paths) finder_->name(path);
+}
+
+std::vector<std::uint32_t> PathCurves::numbers(const std::vector<VectorPath>& paths) const {
+    if (!finder_ || !finder_->knows_curves()) return {};
+    struct Seen {
+        double x; ///< of the centre
+        const Ellipse* ellipse;
+        std::uint32_t path;
+    };
+    std::vector<Seen> seen;
+    for (std::uint32_t i = 0; i < paths.size(); ++i)
+        if (const Ellipse* const ellipse = finder_->ellipse_of(paths[i]))
+            seen.push_back({ellipse->arc(0, 0).center.x, ellipse, i});
+    std::ranges::sort(seen, {}, [](const Seen& one) { return std::pair{one.x, one.path}; });
+    constexpr double rounding = 0.01; // pixels, more than Ellipse::is() allows
+    std::vector<std::uint32_t> result(paths.size(), no_curve);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        std::uint32_t number = seen[i].path;
+        for (std::size_t k = i; k-- > 0 && seen[i].x - seen[k].x < rounding;) {
+            if (!seen[i].ellipse->is(*seen[k].ellipse)) continue;
+            number = result[seen[k].path];
+            break;
+        }
+        result[seen[i].path] = number;
+    }
+    return result;
 }
 
 std::vector<std::uint32_t> PathCurves::joints(const VectorPath& path) const {

@@ -28,6 +28,11 @@ class PathCurves {
     /// Names the file's edge or face that each piece shows.
     void name(std::vector<VectorPath>& paths) const;
 
+    /// Per path a number that those have in common which lie on one circle or ellipse on the screen
+    /// all along, or no_curve. Empty where no curves are known.
+    std::vector<std::uint32_t> numbers(const std::vector<VectorPath>& paths) const;
+    static constexpr std::uint32_t no_curve = 0xFFFFFFFF;
+
     /// The points of a path, ascending, at which a curve begins or ends: where one touches a line
     /// or another curve, hardly anything bends.
     std::vector<std::uint32_t> joints(const VectorPath& path) const;

@@ -109,7 +109,8 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     curves.bend(drawing.paths);
     simplify(drawing.paths, options.tolerance, curves);
     curves.name(drawing.paths);
-    drawing.paths = remove_overlaps(std::move(drawing.paths), picture);
+    const std::vector<std::uint32_t> along = curves.numbers(drawing.paths);
+    drawing.paths = remove_overlaps(std::move(drawing.paths), picture, along);
     sort_for_drawing(drawing.paths);
     if (options.mesh != nullptr) add_groups(*options.mesh, drawing);
     if (options.plotter) drawing.travel = order_for_plotter(drawing.paths);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -10,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/line_pens.hpp"
+#include "curves.hpp"
 #include "paths.hpp"
 #include "segment_grid.hpp"
 
@@ -110,17 +112,62 @@ bool is_along_curves(const VectorPath& path) {
     return piece.edge != VectorPiece::none || piece.face != VectorPiece::none;
 }
 
-/// Paths in the order in which they claim their place.
-std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
-    struct Claim {
-        bool hidden;
-        bool inside; ///< of the outline
-        bool scrap; ///< so short that chords of two depths may have left it of a line along another
-        int kind;
-        double depth;
-        std::size_t path;
-        auto operator<=>(const Claim&) const = default;
+/// Where a path stands in the order in which paths claim their place.
+struct Claim {
+    bool hidden;
+    bool inside; ///< of the outline
+    bool scrap;  ///< so short that chords of two depths may have left it of a line along another
+    int kind;
+    double depth;
+    bool after = false; ///< another line along its curve
+    std::size_t path;
+    auto operator<=>(const Claim&) const = default;
+};
+
+/// Of the lines along one curve the one of which most is seen claims its place before the others.
+void join_claims(const std::vector<VectorPath>& paths, std::span<const std::uint32_t> curves,
+                 std::vector<Claim>& claims) {
+    using Line = std::pair<LineKind, std::uint32_t>; // of an edge
+    struct Curve {
+        Claim first;
+        std::map<Line, double> lengths{};
+        Line longest{};
     };
+    std::map<std::pair<bool, std::uint32_t>, Curve> seen; // by what is hidden, and their numbers
+    const auto line_of = [&](std::size_t i) {
+        return Line{paths[i].kind, paths[i].pieces.front().edge};
+    };
+    const auto is_on_curve = [&](std::size_t i) { return curves[i] != PathCurves::no_curve; };
+    for (const Claim& claim : claims) {
+        if (!is_on_curve(claim.path)) continue;
+        Curve& curve =
+            seen.try_emplace({claim.hidden, curves[claim.path]}, Curve{claim}).first->second;
+        curve.first = std::min(curve.first, claim);
+        curve.lengths[line_of(claim.path)] += length_of(paths[claim.path]);
+    }
+    for (auto& [number, curve] : seen) {
+        const auto longest = std::ranges::max_element(
+            curve.lengths, {}, [](const auto& length) { return length.second; });
+        curve.longest = longest->first;
+    }
+    for (Claim& claim : claims) {
+        if (!is_on_curve(claim.path)) continue;
+        const Curve& curve = seen.at({claim.hidden, curves[claim.path]});
+        if (curve.lengths.size() == 1) continue;
+        Claim moved = curve.first;
+        moved.path = claim.path;
+        if (line_of(claim.path) != curve.longest) {
+            moved.after = true;
+            claim = std::max(claim, moved);
+        } else if (!claim.scrap) {
+            claim = moved;
+        }
+    }
+}
+
+/// Paths in the order in which they claim their place.
+std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths,
+                                     std::span<const std::uint32_t> curves) {
     std::vector<Claim> claims;
     claims.reserve(paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -132,6 +179,7 @@ std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths) {
                           .depth = mean_depth(path),
                           .path = i});
     }
+    if (!curves.empty()) join_claims(paths, curves, claims);
     std::ranges::sort(claims);
     std::vector<std::size_t> order;
     order.reserve(claims.size());
@@ -240,11 +288,13 @@ class Overlaps {
 
 } // namespace
 
-std::vector<VectorPath> remove_overlaps(std::vector<VectorPath> paths, glm::dvec2 picture) {
+std::vector<VectorPath> remove_overlaps(std::vector<VectorPath> paths, glm::dvec2 picture,
+                                        std::span<const std::uint32_t> curves) {
     Overlaps overlaps{picture};
     std::vector<VectorPath> result;
     result.reserve(paths.size());
-    for (const std::size_t i : claim_order(paths)) overlaps.claim(std::move(paths[i]), result);
+    for (const std::size_t i : claim_order(paths, curves))
+        overlaps.claim(std::move(paths[i]), result);
     return result;
 }
 

@@ -9,20 +9,26 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <glm/geometric.hpp>
+#include <gp.hxx>
 #include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
@@ -330,6 +336,84 @@ TEST_F(RoundThings, RimsOfSplinesAreCirclesToo) {
     ASSERT_EQ(top.paths.size(), 1U);
     ASSERT_EQ(top.paths[0].curves.size(), 1U);
     EXPECT_NEAR(top.paths[0].curves[0].arc.major.x / scale_of(view_, 800) / 25, 1, 1e-6);
+}
+
+/// A bored plate with a circle of the file's own, turned about the axis, at one height of the bore.
+TopoDS_Shape plate_with_a_wire(double height) {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeCylinder(25, 4).Shape();
+    const TopoDS_Shape bore = BRepPrimAPI_MakeCylinder(7.5, 4).Shape();
+    TopoDS_Compound all;
+    BRep_Builder builder;
+    builder.MakeCompound(all);
+    builder.Add(all, BRepAlgoAPI_Cut(plate, bore).Shape());
+    const gp_Ax2 turned(gp_Pnt(0, 0, height), gp::DZ(), gp_Dir(1, 0.3, 0));
+    builder.Add(all, BRepBuilderAPI_MakeEdge(gp_Circ(turned, 7.5)).Edge());
+    return all;
+}
+
+/// What coincides on paper is drawn once, though its chords do not.
+TEST_F(RoundThings, ACurveOfTheFileOverARimIsOneCircle) {
+    for (const double height : {0.0, 2.0, 4.0, 6.0}) {
+        SCOPED_TRACE(height);
+        const VectorDrawing top = drawing("a.brep", to_brep(plate_with_a_wire(height)), "top",
+                                          {1000, 800}, Projection::orthographic);
+        std::vector<double> radii;
+        for (const VectorPath& path : top.paths) {
+            if (!path.visible) continue;
+            ASSERT_EQ(path.curves.size(), 1U);
+            EXPECT_TRUE(path.closed);
+            EXPECT_EQ(path.curves[0].arc.ratio, 1);
+            radii.push_back(path.curves[0].arc.major.x / scale_of(view_, 800));
+        }
+        std::ranges::sort(radii);
+        ASSERT_EQ(radii.size(), 2U);
+        EXPECT_NEAR(radii[0] / 7.5, 1, 1e-6);
+        EXPECT_NEAR(radii[1] / 25, 1, 1e-6);
+    }
+}
+
+/// Seen along its axis, a torus turns away along two circles.
+TEST_F(RoundThings, SilhouettesAroundTheAxisOfViewAreCircles) {
+    const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+    const VectorDrawing top =
+        drawing("a.brep", to_brep(torus), "top", {1000, 800}, Projection::orthographic);
+    std::vector<double> radii;
+    for (const VectorPath& path : top.paths) {
+        if (!path.visible) continue;
+        ASSERT_EQ(path.curves.size(), 1U);
+        EXPECT_TRUE(path.closed);
+        EXPECT_FALSE(path.curves[0].cubic);
+        EXPECT_EQ(path.curves[0].arc.ratio, 1);
+        radii.push_back(path.curves[0].arc.major.x / scale_of(view_, 800));
+    }
+    std::ranges::sort(radii);
+    ASSERT_EQ(radii.size(), 2U);
+    EXPECT_NEAR(radii[0] / 15, 1, 1e-5);
+    EXPECT_NEAR(radii[1] / 25, 1, 1e-5);
+}
+
+/// Edges and faces are called in SVG what the file calls them.
+TEST_F(RoundThings, TagsNameEntities) {
+    const std::string step =
+        to_step({{"pin", BRepPrimAPI_MakeCylinder(2, 8).Shape(), {gp_Trsf{}}}});
+    const VectorDrawing pin =
+        drawing("a.step", step, "isometric", {400, 300}, Projection::orthographic);
+    const std::string svg = to_svg(pin);
+    const auto is_of = [&](const std::string& entity, const std::string& type) {
+        const std::size_t at = step.find("\n" + entity + " = " + type);
+        return at != std::string::npos;
+    };
+    std::size_t edges = 0, faces = 0;
+    const std::string before = "entity ";
+    for (std::size_t at = svg.find(before); at != std::string::npos;
+         at = svg.find(before, at + 1)) {
+        const std::size_t begin = at + before.size();
+        const std::string entity = svg.substr(begin, svg.find(';', begin) - begin);
+        edges += is_of(entity, "EDGE_CURVE") ? 1 : 0;
+        faces += is_of(entity, "ADVANCED_FACE") ? 1 : 0;
+    }
+    EXPECT_GE(edges, 2U); // the rims
+    EXPECT_GE(faces, 2U); // the silhouettes of its side
 }
 
 } // namespace
