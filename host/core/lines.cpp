@@ -168,7 +168,7 @@ class Extraction {
         // Where the file says how surfaces look, they do.
         if (mesh.corner_normals.empty() && turn_outwards(welded_, edges_, parts_))
             edges_ = mesh_edges(welded_);
-        if (mends) see_lying_faces_as_one(welded_, edges_);
+        if (mends) between_bodies_ = see_lying_faces_as_one(welded_, parts_, edges_);
         first_face_.reserve(edges_.size());
         for (const MeshEdge& edge : edges_) first_face_.push_back(edge.face_a);
         replace_slivers(welded_, edges_);
@@ -216,6 +216,7 @@ class Extraction {
                                  ? known.classify(edges_[i], welded_, bends_[i], options_)
                                  : classify(edges_[i], welded_, bends_[i], options_));
         }
+        leave_out_joints();
         if (known.all() || options_.crease || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
         const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
@@ -225,6 +226,18 @@ class Extraction {
             ++left_out_.noisy_creases;
         }
         times_.creases = milliseconds_since(start);
+    }
+
+    /// Where bodies of one material meet in one plane, no line is seen.
+    void leave_out_joints() {
+        if (between_bodies_.empty()) return;
+        const std::vector<std::uint32_t> material = materials_of(mesh_.groups, welded_, {});
+        for (const std::uint32_t i : between_bodies_) {
+            const MeshEdge& edge = edges_[i];
+            if (kinds_[i] == LineKind::material && bends_[i] < flat_bend &&
+                material[edge.face_a] == material[edge.face_b & LA_FACE_INDEX])
+                kinds_[i].reset();
+        }
     }
 
     /// Nothing passes through, or abuts on, a body that is closed and alone.
@@ -476,6 +489,7 @@ class Extraction {
     WeldedMesh welded_;
     std::vector<MeshEdge> edges_;
     std::vector<std::uint32_t> first_face_; ///< of edges, before a neighbour stands for a sliver
+    std::vector<std::uint32_t> between_bodies_; ///< edges that several meet at
     std::vector<glm::dvec3> normals_;
     std::vector<double> bends_;                  ///< of edges
     std::vector<std::optional<LineKind>> kinds_; ///< nothing: never a line

@@ -1,7 +1,10 @@
 #include "core/lying_faces.hpp"
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 #include "lineatlas/lines.hpp"
@@ -94,6 +97,64 @@ TEST(LyingFaces, AreOfTheFirstsMaterialWhereOneIs) {
     for (std::size_t i = 32; i < 64; ++i) add(i);
     for (std::size_t i = 1; i < 32; i += 2) add(i);
     EXPECT_EQ(extract_lines(mesh).kind_counts[LA_KIND_MATERIAL], 16U) << "the border alone";
+}
+
+/// Boxes from one place to another, which share vertices where they touch.
+struct Box {
+    glm::vec3 low, high;
+    const char* material;
+};
+Mesh boxes(const std::vector<Box>& all) {
+    Mesh mesh;
+    for (const Box& box : all) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (int i = 0; i < 8; ++i)
+            mesh.positions.push_back(
+                glm::mix(box.low, box.high, glm::bvec3{(i & 1) != 0, (i & 2) != 0, (i & 4) != 0}));
+        constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
+            {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+        for (const auto& f : faces) {
+            mesh.triangles.push_back(glm::uvec3{f[0], f[1], f[2]} + first);
+            mesh.triangles.push_back(glm::uvec3{f[0], f[2], f[3]} + first);
+        }
+        mesh.triangle_group.resize(mesh.triangles.size(),
+                                   static_cast<std::uint32_t>(mesh.groups.size()));
+        mesh.groups.push_back({.object = "", .material = box.material});
+    }
+    return mesh;
+}
+
+TEST(LyingFaces, BodiesThatAbutAreOne) {
+    const Box left{{0, 0, 0}, {2, 3, 1}, "brick"};
+    const LineSet same = extract_lines(boxes({left, {{2, 0, 0}, {5, 3, 1}, "brick"}}));
+    // Of four edges each body has its part.
+    EXPECT_EQ(same.kind_counts[LA_KIND_CREASE], 12U + 4U);
+    EXPECT_EQ(same.segments.size(), 12U + 4U);
+    const LineSet other = extract_lines(boxes({left, {{2, 0, 0}, {5, 3, 1}, "stone"}}));
+    EXPECT_EQ(other.kind_counts[LA_KIND_CREASE], 12U + 4U);
+    EXPECT_EQ(other.kind_counts[LA_KIND_MATERIAL], 4U);
+    // Four tiles meet at edges of three bodies and more.
+    const LineSet tiles = extract_lines(boxes({{{0, 0, 0}, {1, 1, 1}, "tile"},
+                                               {{1, 0, 0}, {2, 1, 1}, "tile"},
+                                               {{0, 1, 0}, {1, 2, 1}, "tile"},
+                                               {{1, 1, 0}, {2, 2, 1}, "tile"}}));
+    EXPECT_EQ(tiles.kind_counts[LA_KIND_CREASE], 4U + 2U * 8U);
+    EXPECT_EQ(tiles.segments.size(), tiles.kind_counts[LA_KIND_CREASE] + 1U)
+        << "the middle, which four walls look at from all sides";
+}
+
+TEST(LyingFaces, WhereTwoPlacesAreOpenTheEdgeStays) {
+    // Two that have an edge in common.
+    const LineSet lines =
+        extract_lines(boxes({{{0, 0, 0}, {1, 1, 1}, "a"}, {{1, 1, 0}, {2, 2, 1}, "a"}}));
+    EXPECT_EQ(lines.kind_counts[LA_KIND_CREASE], 22U);
+    EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 1U);
+    // A wall on a floor, both sheets: from below it is not seen, but from above it is.
+    Mesh sheets;
+    sheets.positions = {{0, 0, 0},  {0, 2, 0},  {1, 0, 0}, {1, 2, 0},
+                        {-1, 0, 0}, {-1, 2, 0}, {0, 0, 1}, {0, 2, 1}};
+    sheets.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 0, 1}, {4, 1, 5}, {0, 1, 7}, {0, 7, 6}};
+    EXPECT_EQ(extract_lines(sheets).kind_counts[LA_KIND_BOUNDARY], 6U + 3U + 1U);
 }
 
 } // namespace
