@@ -19,8 +19,11 @@ namespace {
 constexpr double small_share = 0.02;
 /// so small that nobody wants to see it from so far with at most this one,
 constexpr double tiny_share = 0.001;
-/// and far away where the frame would be at most this large without it.
-constexpr float far_ratio = 0.5F;
+/// and far away where the frame is at least so many times as large for its sake.
+constexpr float far_ratio = 2;
+/// So it is of specks: few enough that nobody wants to see them from afar, and each at most this
+/// share of the rest's extent.
+constexpr float speck_ratio = 1.25F, speck_share = 0.01F;
 /// The model in slices along an axis: gaps narrower than one are not seen.
 constexpr std::size_t slices = 256;
 
@@ -94,6 +97,7 @@ std::optional<FarPart> find_far_part(const LineSet& lines) {
                            [&](const Slices& along) { return along.main_part(most); });
     Bounds main;
     std::size_t stray = 0;
+    float longest = 0;
     for_each_box(lines, [&](const Bounds& box) {
         bool inside = true;
         for (int axis = 0; axis < 3; ++axis) {
@@ -101,14 +105,19 @@ std::optional<FarPart> find_far_part(const LineSet& lines) {
             inside = inside && slice_of(box.min[axis], axis) >= first &&
                      slice_of(box.max[axis], axis) <= last;
         }
-        if (inside)
+        if (inside) {
             main = joined(main, box);
-        else
+        } else {
             ++stray;
+            longest = std::max(longest, extent(box));
+        }
     });
-    const float ratio = extent(all) / extent(main);
-    if (stray == 0 || stray > most || !(ratio * far_ratio >= 1)) return std::nullopt;
-    return FarPart{.count = stray, .total = total, .rest = main, .ratio = ratio};
+    if (stray == 0 || stray > most) return std::nullopt;
+    const FarPart far{
+        .count = stray, .total = total, .rest = main, .ratio = extent(all) / extent(main)};
+    const bool specks = is_left_out(far) && longest <= speck_share * extent(main);
+    if (!(far.ratio >= (specks ? speck_ratio : far_ratio))) return std::nullopt;
+    return far;
 }
 
 bool is_left_out(const FarPart& far) {
