@@ -176,6 +176,17 @@ std::vector<VectorPath> join_all(std::vector<VectorPath> paths, double gap) {
     return joined;
 }
 
+/// What comes back to its start is a contour, which machines that cut treat as one.
+void close(VectorPath& path, double gap) {
+    const glm::dvec2 start = path.points.front().at, end = path.points.back().at;
+    constexpr std::size_t fewest_points = 4;
+    if (path.closed || path.points.size() < fewest_points || glm::distance(start, end) > gap ||
+        length_of(path) < 4 * gap)
+        return;
+    if (start != end) bridge(path, path.points.front());
+    path.closed = true;
+}
+
 } // namespace
 
 PenTravel order_for_plotter(std::vector<VectorPath>& paths, double gap) {
@@ -191,6 +202,7 @@ PenTravel order_for_plotter(std::vector<VectorPath>& paths, double gap) {
         first = last;
     }
     paths = join_all(std::move(paths), gap);
+    for (VectorPath& path : paths) close(path, gap);
     travel.after = travel_of(paths);
     travel.paths_after = paths.size();
     return travel;

@@ -91,6 +91,22 @@ TEST(Plotter, JoinsEndsThatMeet) {
     EXPECT_NEAR(travel.after, 0.2, 1e-9);
 }
 
+TEST(Plotter, ClosesWhatComesBackToItsStart) {
+    std::vector<VectorPath> paths{
+        path_through(LineKind::boundary, true, {{0, 0}, {10, 0}, {10, 10}}),
+        path_through(LineKind::boundary, true, {{0, 0.05}, {0, 10}, {10, 10}}),
+        path_through(LineKind::file, true, {{20, 0}, {30, 0}, {30, 10}, {20, 0.5}}),
+        path_through(LineKind::section, true, {{40, 0}, {40.05, 0}, {40.05, 0.05}, {40, 0}}),
+    };
+    order_for_plotter(paths);
+    ASSERT_EQ(paths.size(), 3U);
+    EXPECT_TRUE(paths[0].closed);
+    EXPECT_EQ(paths[0].points.front().at, paths[0].points.back().at);
+    EXPECT_NEAR(length_of(paths[0]), 40, 0.06);
+    EXPECT_EQ(paths[0].pieces.back().point + 2, paths[0].points.size());
+    EXPECT_FALSE(paths[1].closed) << "it ends half a pixel away";
+}
+
 TEST(Plotter, LoopsStartWhereThePenIs) {
     std::vector<VectorPath> paths{
         path_through(LineKind::crease, true, {{0, 0}, {50, 50}}),
