@@ -1,16 +1,15 @@
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "base/numbers.hpp"
 #include "command_line/part_filter.hpp"
 #include "command_line/read_options.hpp"
 #include "command_line/values.hpp"
@@ -44,19 +43,16 @@ struct Making {
 };
 
 float parse_degrees(const std::string& text) {
-    float value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-        throw UsageError("\"" + text + "\" is no angle");
-    return value * radians_per_degree;
+    const std::optional<float> value = number_from<float>(text);
+    if (!value) throw UsageError("\"" + text + "\" is no angle");
+    return *value * radians_per_degree;
 }
 
 /// What the model's file is read with.
 LoadOptions load_options(const DrawingFile& drawing) {
     LoadOptions options;
     if (const auto deflection = described(drawing.description, "--deflection"))
-        std::from_chars(deflection->data(), deflection->data() + deflection->size(),
-                        options.deflection);
+        options.deflection = number_from(*deflection).value_or(options.deflection);
     return options;
 }
 

@@ -1,10 +1,9 @@
 #include "section_options.hpp"
 
-#include <charconv>
-
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -48,16 +47,18 @@ Hatching SectionOptions::hatching() const {
     if (hatching_.empty()) return result;
     result.none = hatching_ == "none";
     if (result.none) return result;
-    const char* const end = hatching_.data() + hatching_.size();
-    auto [rest, error] = std::from_chars(hatching_.data(), end, result.spacing);
-    if (error == std::errc{} && rest != end && *rest == ',') {
-        const auto angle = std::from_chars(rest + 1, end, result.angle);
-        rest = angle.ptr;
-        error = angle.ec;
+    std::string_view rest = hatching_;
+    const auto spacing = take_number<decltype(result.spacing)>(rest);
+    std::optional<decltype(result.angle)> angle = result.angle;
+    if (rest.starts_with(',')) {
+        rest.remove_prefix(1);
+        angle = take_number<decltype(result.angle)>(rest);
     }
+    if (spacing) result.spacing = *spacing;
+    if (angle) result.angle = *angle;
     const bool in_range =
         result.spacing > 0 && result.spacing < 1e15 && result.angle >= -360 && result.angle <= 360;
-    if (error != std::errc{} || rest != end || !in_range)
+    if (!spacing || !angle || !rest.empty() || !in_range)
         throw UsageError("--hatching \"" + hatching_ +
                          "\" is none; it is a spacing, as in 2.5, with degrees, as in 2.5,30, or "
                          "\"none\"");

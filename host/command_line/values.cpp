@@ -1,7 +1,6 @@
 #include "values.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -9,20 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
 namespace {
-
-/// A whole string as a number; nothing if anything else stands in it.
-template <class T>
-std::optional<T> parse_number(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 struct FrameRange {
     int first;
@@ -35,7 +25,7 @@ std::optional<FrameRange> parse_frame_range(const std::string& text) {
     const std::size_t dash = text.find('-');
     const std::size_t cross = text.find('x');
     const auto number = [&](std::size_t begin, std::size_t end) {
-        return parse_number<int>(std::string_view{text}.substr(begin, end - begin));
+        return number_from<int>(std::string_view{text}.substr(begin, end - begin));
     };
     const std::optional<int> first = number(0, dash);
     if (!first || *first < 0) return std::nullopt;
@@ -65,8 +55,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
 glm::ivec2 parse_size(std::string_view option, const std::string& text) {
     const std::vector<std::string> parts = split(text, 'x');
     if (parts.size() == 2) {
-        const std::optional<int> width = parse_number<int>(parts[0]);
-        const std::optional<int> height = parse_number<int>(parts[1]);
+        const std::optional<int> width = number_from<int>(parts[0]);
+        const std::optional<int> height = number_from<int>(parts[1]);
         if (width && height && *width > 0 && *height > 0) return {*width, *height};
     }
     throw UsageError(fmt::format(
@@ -75,7 +65,7 @@ glm::ivec2 parse_size(std::string_view option, const std::string& text) {
 
 std::optional<float> parse_crease(std::string_view option, const std::string& text) {
     if (text == "auto") return std::nullopt;
-    const std::optional<float> degrees = parse_number<float>(text);
+    const std::optional<float> degrees = number_from<float>(text);
     if (degrees && *degrees >= 0 && *degrees <= 180) // NaN is not
         return *degrees * std::numbers::pi_v<float> / 180;
     throw UsageError(fmt::format("{} must be auto or from 0 to 180 degrees, not {}", option, text));
@@ -90,8 +80,7 @@ glm::dvec3 parse_point(std::string_view option, const std::string& text) {
     glm::dvec3 result{0};
     bool good = parts.size() == 3;
     for (int i = 0; good && i < 3; ++i) {
-        const std::optional<double> value =
-            parse_number<double>(parts[static_cast<std::size_t>(i)]);
+        const std::optional<double> value = number_from<double>(parts[static_cast<std::size_t>(i)]);
         good = value && std::isfinite(static_cast<float>(*value));
         if (good) result[i] = *value;
     }

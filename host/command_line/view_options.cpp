@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
 #include "values.hpp"
 
@@ -34,20 +34,17 @@ double millimetres_of(const std::string& unit) {
 
 /// "1:50" as 0.02.
 double parse_scale(const std::string& text) {
-    std::array<double, 2> parts{};
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto [rest, error] = std::from_chars(at, end, parts[i]);
-        const bool in_range = parts[i] >= 1e-6 && parts[i] <= 1e6;
-        if (error != std::errc{} || !in_range || (i == 0 && (rest == end || *rest != ':'))) {
-            at = nullptr;
-            break;
-        }
-        at = i == 0 ? rest + 1 : rest;
-    }
-    if (at != end) throw UsageError("--scale \"" + text + "\" is none; it is written as in 1:50");
-    return parts[0] / parts[1];
+    const auto in_range = [](const std::optional<double>& part) {
+        return part && *part >= 1e-6 && *part <= 1e6;
+    };
+    std::string_view rest = text;
+    const std::optional<double> drawn = take_number(rest);
+    const bool goes_on = rest.starts_with(':');
+    if (goes_on) rest.remove_prefix(1);
+    const std::optional<double> real = take_number(rest);
+    if (!in_range(drawn) || !goes_on || !in_range(real) || !rest.empty())
+        throw UsageError("--scale \"" + text + "\" is none; it is written as in 1:50");
+    return *drawn / *real;
 }
 
 /// The largest scale of ISO 5455 that is no larger than this.

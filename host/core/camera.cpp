@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -69,17 +69,13 @@ constexpr std::array named_directions{
 
 /// "30,-12.5": two numbers, the second from -90 to 90.
 std::optional<glm::vec2> parse_angles(std::string_view text) {
-    glm::vec2 angles;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (int i = 0; i < 2; ++i) {
-        const auto [rest, error] = std::from_chars(at, end, angles[i]);
-        if (error != std::errc{} || !std::isfinite(angles[i])) return {};
-        at = rest;
-        if (i == 0 && (at == end || *at++ != ',')) return {};
-    }
-    if (at != end || std::abs(angles[1]) > 90) return {};
-    return angles;
+    const std::optional<float> azimuth = take_number<float>(text);
+    if (!azimuth || !text.starts_with(',')) return {};
+    text.remove_prefix(1);
+    const std::optional<float> elevation = take_number<float>(text);
+    if (!elevation || !text.empty() || !std::isfinite(*azimuth) || !(std::abs(*elevation) <= 90))
+        return {};
+    return glm::vec2{*azimuth, *elevation};
 }
 
 glm::vec2 angles_of(std::string_view name) {

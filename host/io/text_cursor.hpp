@@ -7,6 +7,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/numbers.hpp"
+
 namespace lineatlas {
 
 /// The whole token as a number; `nan` and `inf` are numbers here, and what is too large is
@@ -24,11 +26,7 @@ inline std::optional<double> parse_number(std::string_view token) {
 }
 
 inline std::optional<long long> parse_integer(std::string_view token) {
-    if (token.starts_with('+')) token.remove_prefix(1);
-    long long value = 0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (end != token.data() + token.size() || error != std::errc()) return {};
-    return value;
+    return number_from<long long>(token);
 }
 
 /// Walks the tokens of a text that may have LF, CRLF or CR line ends, and knows its line.

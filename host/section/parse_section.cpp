@@ -1,9 +1,9 @@
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/section.hpp"
 
@@ -17,18 +17,15 @@ namespace {
                     text));
 }
 
-std::optional<double> take_number(std::string_view& text) {
-    double value = 0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || !(std::abs(value) <= 1e15)) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
-    return value;
+std::optional<double> take_coordinate(std::string_view& text) {
+    const std::optional<double> value = take_number(text);
+    return value && std::abs(*value) <= 1e15 ? value : std::nullopt;
 }
 
 std::optional<glm::dvec3> parse_point(std::string_view text) {
     glm::dvec3 point{0};
     for (int axis = 0; axis < 3; ++axis) {
-        const std::optional<double> value = take_number(text);
+        const std::optional<double> value = take_coordinate(text);
         if (!value) return std::nullopt;
         point[axis] = *value;
         const bool comma = text.starts_with(',');
@@ -58,7 +55,7 @@ SectionPlane parse_section(std::string_view text, const Bounds& bounds) {
     const std::size_t axis = std::string_view{"xyz"}.find(rest[0]);
     if (axis == std::string_view::npos) refuse(text);
     rest.remove_prefix(2);
-    std::optional<double> at = take_number(rest);
+    std::optional<double> at = take_coordinate(rest);
     if (!at || (rest != "" && rest != "%")) refuse(text);
     const auto i = static_cast<glm::length_t>(axis);
     if (rest == "%") {

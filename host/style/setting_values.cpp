@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -7,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
+#include "base/numbers.hpp"
 #include "setting.hpp"
 
 namespace lineatlas {
@@ -30,11 +30,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::optional<double> number_from_text(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
+    return number_from(text);
 }
 
 std::string toml_string(std::string_view text) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/numbers.hpp"
 #include "flatten.hpp"
 
 namespace lineatlas {
@@ -43,10 +43,10 @@ class PathParser {
 
     bool number(double& value) {
         skip_spaces();
-        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        const std::optional<double> found = take_number(rest_);
         constexpr double largest = 1e9; // of what any drawing has; its square is finite
-        if (error != std::errc{} || !(std::abs(value) <= largest)) return false;
-        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        if (!found || !(std::abs(*found) <= largest)) return false;
+        value = *found;
         return true;
     }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "check_drawing.hpp"
 #include "lineatlas/vector.hpp"
 #include "svg_groups.hpp"
@@ -28,9 +29,7 @@ double depth(double value) {
 double short_float(double value) {
     char text[32];
     const auto [end, error] = std::to_chars(text, text + sizeof text, static_cast<float>(value));
-    double result = 0;
-    std::from_chars(text, end, result);
-    return result;
+    return number_from({text, end}).value_or(0);
 }
 
 Json piece_json(const VectorPiece& piece) {

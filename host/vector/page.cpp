@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
+#include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 
@@ -49,15 +49,6 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-/// The number that `text` starts with, which is cut off it; nothing for none.
-std::optional<double> take_number(std::string_view& text) {
-    double value = 0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || !std::isfinite(value)) return {};
-    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
-    return value;
-}
-
 std::optional<Unit> unit_named(std::string_view name) {
     const auto found = std::ranges::find(units, name, &NamedUnit::name);
     if (found == units.end()) return {};
@@ -89,7 +80,7 @@ Length parse_length(std::string_view text, Unit unit) {
     std::string_view rest = word;
     const std::optional<double> value = take_number(rest);
     const std::optional<Unit> own = rest.empty() ? unit : unit_named(rest);
-    if (!value || !own || *value < 0 || *value > largest) {
+    if (!value || !own || !(*value >= 0 && *value <= largest)) {
         throw UsageError("\"" + std::string{text} +
                          "\" is no length; must be a number from 0 on with px, mm or in, as in "
                          "10mm");
