@@ -1,4 +1,6 @@
-#include <sstream>
+#include <cstddef>
+#include <string>
+#include <utility>
 
 #include <fmt/core.h>
 #include <pugixml.hpp>
@@ -98,6 +100,13 @@ class PathWriter {
     pugi::xml_node group_;
 };
 
+struct TextWriter : pugi::xml_writer {
+    void write(const void* bytes, std::size_t size) override {
+        text.append(static_cast<const char*>(bytes), size);
+    }
+    std::string text;
+};
+
 } // namespace
 
 std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options) {
@@ -110,9 +119,9 @@ std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options) {
     if (!options.certificate.empty()) add_text(svg, "metadata", options.certificate);
     if (options.background) add_background(svg, drawing.style, sheet);
     PathWriter{svg, drawing, sheet, options}.write_all();
-    std::ostringstream out;
+    TextWriter out;
     document.save(out, " ", pugi::format_indent | pugi::format_save_file_text, pugi::encoding_utf8);
-    return out.str();
+    return std::move(out.text);
 }
 
 } // namespace lineatlas
