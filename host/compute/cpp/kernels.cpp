@@ -2,6 +2,10 @@
 // CMake gives the compiler's options.
 #include <utility>
 
+// Kernels are OpenCL C: not all use all of a header, nor all that they are given.
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "host_kernels.hpp"
 
 #include "constants.h"

@@ -353,10 +353,10 @@ struct LanesOf {
     friend LanesOf min(const LanesOf& a, const LanesOf& b) { return b.all < a.all ? b.all : a.all; }
     friend LanesOf max(const LanesOf& a, const LanesOf& b) { return a.all < b.all ? b.all : a.all; }
     friend LanesOf fmin(const LanesOf& a, const LanesOf& b) {
-        return (b.all < a.all) | (a.all != a.all) ? b.all : a.all;
+        return ((b.all < a.all) | (a.all != a.all)) ? b.all : a.all;
     }
     friend LanesOf fmax(const LanesOf& a, const LanesOf& b) {
-        return (a.all < b.all) | (a.all != a.all) ? b.all : a.all;
+        return ((a.all < b.all) | (a.all != a.all)) ? b.all : a.all;
     }
     friend LanesOf fabs(const LanesOf& a) {
         return __builtin_bit_cast(All, __builtin_bit_cast(Mask, a.all) & 0x7FFFFFFF);
