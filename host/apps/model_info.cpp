@@ -9,7 +9,7 @@
 
 #include "base/printable.hpp"
 #include "core/up_axis.hpp"
-#include "io/extension.hpp"
+#include "io/model_types.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/lines.hpp"
 #include "style/colors.hpp"

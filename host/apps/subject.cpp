@@ -12,7 +12,7 @@
 #include "core/far_part.hpp"
 #include "core/up_axis.hpp"
 #include "curve_fineness.hpp"
-#include "io/extension.hpp"
+#include "io/model_types.hpp"
 #include "io/odd_triangles.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"

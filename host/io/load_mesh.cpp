@@ -1,11 +1,9 @@
-#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
-#include <iterator>
 #include <new>
 #include <string>
 #include <string_view>
@@ -17,6 +15,7 @@
 #include "mesh_readers.hpp"
 #include "mesh_source.hpp"
 #include "model_loader.hpp"
+#include "model_types.hpp"
 #include "obj.hpp"
 #include "soup.hpp"
 
@@ -36,13 +35,14 @@ Soup read_soup(MeshSource source, const std::string& extension, const LoadOption
     SourceFile& model = source.model;
     if (is_read_by_module(extension))
         return read_by_module(model, extension, source.named, options);
-    if (extension == ".stl") return read_stl(model);
+    const ModelReader reader = find_model_type(extension)->reader;
+    if (reader == ModelReader::stl) return read_stl(model);
 
     refuse_other_types(model, extension);
     model.bytes.erase(0, model.bytes.size() - without_utf8_mark(model.bytes).size());
-    if (extension == ".obj") return read_obj(std::move(model), source.materials, progress);
-    if (extension == ".ply") return read_ply(model);
-    if (extension == ".off") return read_off(model);
+    if (reader == ModelReader::obj) return read_obj(std::move(model), source.materials, progress);
+    if (reader == ModelReader::ply) return read_ply(model);
+    if (reader == ModelReader::off) return read_off(model);
     return read_om(model);
 }
 
@@ -67,23 +67,21 @@ ReadLimits limits_of(const LoadOptions& options) {
 
 MeshSource read_mesh_source(const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);
-    constexpr std::string_view known[] = {".obj", ".ply", ".stl", ".off", ".om"};
+    const ModelType* const type = find_model_type(extension);
     MeshSource source{.model = read_source(path), .materials = {}};
     if (is_read_by_module(extension)) {
         refuse_other_types(source.model, extension);
-        if (extension == ".gltf" || extension == ".glb")
-            source.named = read_gltf_files(source.model);
+        if (type->reader == ModelReader::gltf) source.named = read_gltf_files(source.model);
         prepare_module(extension);
         return source;
     }
-    if (std::find(std::begin(known), std::end(known), extension) == std::end(known)) {
+    if (type == nullptr) {
         refuse_other_models(source.model, extension);
         refuse_other_types(source.model, extension);
-        throw read_error(path, "unknown mesh type \"" + printable(extension) +
-                                   "\"; known are .obj, .ply, .stl, .off, .om, .gltf, .glb, .3mf, "
-                                   ".step, .stp, .iges, .igs and .brep");
+        throw read_error(path, "unknown mesh type \"" + printable(extension) + "\"; known are " +
+                                   model_extensions());
     }
-    if (extension == ".obj") source.materials = read_material_files(source.model);
+    if (type->reader == ModelReader::obj) source.materials = read_material_files(source.model);
     return source;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 
+#include "model_types.hpp"
 #include "module_files.hpp"
 
 namespace lineatlas {
@@ -31,19 +32,14 @@ const models::Module& module_of() {
     return module;
 }
 
-struct Extension {
-    std::string_view name;
+struct Reader {
+    ModelReader reader;
     const Family* family;
     const models::Module& (*module)();
 };
-template <const Family& family>
-constexpr Extension extension_of(std::string_view name) {
-    return {name, &family, module_of<family>};
-}
-constexpr std::array extensions{
-    extension_of<gltf>(".gltf"), extension_of<gltf>(".glb"),  extension_of<brep>(".step"),
-    extension_of<brep>(".stp"),  extension_of<brep>(".iges"), extension_of<brep>(".igs"),
-    extension_of<brep>(".brep"), extension_of<brep>(".brp"),  extension_of<threemf>(".3mf")};
+constexpr std::array readers{Reader{ModelReader::gltf, &gltf, module_of<gltf>},
+                             Reader{ModelReader::threemf, &threemf, module_of<threemf>},
+                             Reader{ModelReader::brep, &brep, module_of<brep>}};
 
 struct Other {
     std::string_view extension, what, convert;
@@ -58,6 +54,14 @@ constexpr std::array others{
     Other{".usdc", "a USD scene", "convert it to GLB, with Blender for one"},
     Other{".usdz", "a USD scene", "convert it to GLB, with Blender for one"},
     Other{".ifc", "an IFC building", "convert it to GLB, with IfcConvert for one"},
+    Other{".x_t", "a Parasolid model", "export it as STEP"},
+    Other{".x_b", "a Parasolid model", "export it as STEP"},
+    Other{".jt", "a JT model", "export it as STEP"},
+    Other{".sat", "an ACIS model", "export it as STEP"},
+    Other{".sab", "an ACIS model", "export it as STEP"},
+    Other{".3dm", "a Rhino model", "export it from Rhino as STEP or OBJ"},
+    Other{".ipt", "an Inventor part", "export it from Inventor as STEP"},
+    Other{".catpart", "a CATIA part", "export it from CATIA as STEP"},
     Other{".fcstd", "a FreeCAD document", "export it from FreeCAD as STEP"},
     Other{".sldprt", "a SolidWorks part", "export it from SolidWorks as STEP"},
     Other{".dwg", "a DWG drawing", "export its solids as STEP"},
@@ -65,9 +69,11 @@ constexpr std::array others{
     Other{".skp", "a SketchUp model", "export it from SketchUp as GLB or OBJ"},
 };
 
-const Extension* find(std::string_view extension) {
-    const auto* const found = std::ranges::find(extensions, extension, &Extension::name);
-    return found == extensions.end() ? nullptr : found;
+const Reader* find(std::string_view extension) {
+    const ModelType* const type = find_model_type(extension);
+    if (type == nullptr) return nullptr;
+    const auto* const found = std::ranges::find(readers, type->reader, &Reader::reader);
+    return found == readers.end() ? nullptr : found;
 }
 
 /// What a library says, as one line of moderate length.
@@ -83,7 +89,7 @@ bool is_read_by_module(std::string_view extension) {
 }
 
 bool may_crash(std::string_view extension) {
-    const Extension* const found = find(extension);
+    const Reader* const found = find(extension);
     return found != nullptr && found->family->crashes;
 }
 

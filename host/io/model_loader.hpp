@@ -12,7 +12,9 @@ namespace lineatlas {
 
 // Models that modules read: scenes (glTF, 3MF) and exact surfaces (STEP, IGES, BREP).
 
-/// Whether a module reads files of this extension (lower case, with its dot).
+// `extension`: of ModelType, in lower case.
+
+/// Whether a module reads such files.
 bool is_read_by_module(std::string_view extension);
 
 /// Whether what reads them crashes on damaged ones: then a process of its own must do it.

@@ -1,14 +1,13 @@
 #include "files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <string>
 #include <string_view>
 
 #include "io/extension.hpp"
-#include "io/model_loader.hpp"
+#include "io/model_types.hpp"
 #include "lineatlas/error.hpp"
 #include "saving.hpp"
 
@@ -20,10 +19,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_recent = 12;
 
 bool can_open(const fs::path& file) {
-    static constexpr std::array<std::string_view, 7> known{".obj", ".ply",  ".stl", ".off",
-                                                           ".om",  ".toml", ".json"};
     const std::string extension = lower_extension(file);
-    return std::ranges::find(known, extension) != known.end() || is_read_by_module(extension);
+    return find_model_type(extension) != nullptr || extension == ".toml" || extension == ".json";
 }
 
 } // namespace
