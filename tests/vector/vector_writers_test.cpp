@@ -50,14 +50,47 @@ TEST(PathData, IsRelativeOrNot) {
 
 TEST(PathData, Arcs) {
     const Outline half{.points = {{{10, 20}, 1}, {{30, 20}}}};
-    EXPECT_EQ(path_data(half, 2, false), "M10 20A10 10 0 0 1 30 20");
-    EXPECT_EQ(path_data(half, 2, true), "m10 20a10 10 0 0 1 20 0");
+    EXPECT_EQ(path_data(half, 2, false), "M10 20A10 10 0 0 1 20 10 10 10 0 0 1 30 20");
+    EXPECT_EQ(path_data(half, 2, true), "m10 20a10 10 0 0 1 10-10 10 10 0 0 1 10 10");
     const Outline circle{.points = {{{10, 20}, -1}, {{30, 20}, -1}}, .closed = true};
-    EXPECT_EQ(path_data(circle, 2, true), "m10 20a10 10 0 0 0 20 0 10 10 0 0 0-20 0z");
+    EXPECT_EQ(path_data(circle, 2, true),
+              "m10 20a10 10 0 0 0 10 10 10 10 0 0 0 10-10 10 10 0 0 0-10-10 10 10 0 0 0-10 10z");
     // Three quarters of a circle, and a straight way back.
     const double bulge = std::tan(3 * std::numbers::pi / 8);
     const Outline most{.points = {{{10, 0}, bulge}, {{0, -10}}}, .closed = true};
-    EXPECT_EQ(path_data(most, 2, true), "m10 0a10 10 0 1 1-10-10z");
+    EXPECT_EQ(path_data(most, 2, true),
+              "m10 0a10 10 0 0 1-10 10 10 10 0 0 1-10-10 10 10 0 0 1 10-10z");
+}
+
+/// What reads SVG finds the centre of an arc by its ends, which are rounded.
+TEST(PathData, ArcsAreWhereTheyBelong) {
+    const glm::dvec2 center{512.0296351, 409.2964947};
+    for (const double radius : {463.8009, 31.4159, 2000.7}) {
+        for (const double sweep : {0.5, 2.0, 3.0, std::numbers::pi, 3.3, 5.0, 6.2}) {
+            const VectorArc arc{
+                .center = center, .major = {radius, 0}, .from = 0.7, .sweep = sweep};
+            const Outline outline{
+                .points = {{.at = arc.at(0.7), .bulge = std::tan(sweep / 4), .arc = arc},
+                           {arc.at(0.7 + sweep)}}};
+            std::string data = path_data(outline, 2, false);
+            std::ranges::replace_if(
+                data, [](char c) { return c == 'M' || c == 'A'; }, ' ');
+            std::istringstream numbers{data};
+            glm::dvec2 from{0};
+            numbers >> from.x >> from.y;
+            double rx = 0, ry = 0, turn = 0, large = 0, onwards = 0;
+            glm::dvec2 to{0};
+            while (numbers >> rx >> ry >> turn >> large >> onwards >> to.x >> to.y) {
+                ASSERT_EQ(large, 0);
+                const glm::dvec2 half = 0.5 * (to - from);
+                const double rest = std::sqrt(std::max(0.0, rx * rx - glm::dot(half, half)));
+                const glm::dvec2 found =
+                    from + half + rest * glm::normalize(glm::dvec2{-half.y, half.x});
+                EXPECT_LE(glm::distance(found, center), 0.02) << radius << ' ' << sweep;
+                from = to;
+            }
+        }
+    }
 }
 
 TEST(PathData, ErrorsDoNotAddUp) {
