@@ -92,7 +92,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
 }
 
 void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part) {
-    const auto [low, size] = std::pair{part.low, part.size()};
+    const glm::ivec2 low = part.low, size = part.size();
     depth_.fit(area(size) * sizeof(float));
     surfaces_.begin(frame, size);
     frame.clock.gl("depth", [&] {

@@ -74,7 +74,8 @@ Ring bridged(Ring outline, std::vector<Ring> holes) {
     std::ranges::sort(holes, std::ranges::greater{},
                       [](const Ring& hole) { return hole[rightmost(hole)].at.x; });
     for (Ring& hole : holes) {
-        std::ranges::rotate(hole, hole.begin() + static_cast<std::ptrdiff_t>(rightmost(hole)));
+        std::rotate(hole.begin(), hole.begin() + static_cast<std::ptrdiff_t>(rightmost(hole)),
+                    hole.end());
         const std::size_t corner = visible_corner(outline, hole.front().at);
         Ring bridge = std::move(hole);
         bridge.push_back(bridge.front());

@@ -103,23 +103,24 @@ class PlaneCutter {
         beyond = places_[beyond];
         const bool is_corner = distances_[beyond] == 0;
         const std::uint64_t key = std::uint64_t{is_corner ? beyond : below} << 32U | beyond;
-        const auto [found, is_new] = points_.emplace(key, beyond);
-        if (!is_new) return found->second;
+        const auto entry = points_.emplace(key, beyond);
+        std::uint32_t& number = entry.first->second;
+        if (const bool is_new = entry.second; !is_new) return number;
         const glm::dvec3 p{mesh_.positions[below]}, q{mesh_.positions[beyond]};
         const glm::vec3 at = is_corner ? mesh_.positions[beyond]
                                        : plane_.placed(glm::mix(p, q, share(below, beyond)));
         bool is_known = false;
         on_plane_.visit(at, [&](std::uint32_t point) {
-            found->second = point;
+            number = point;
             return is_known = true;
         });
-        if (is_known) return found->second;
+        if (is_known) return number;
         if (!is_corner) {
-            found->second = static_cast<std::uint32_t>(cut_.mesh.positions.size());
+            number = static_cast<std::uint32_t>(cut_.mesh.positions.size());
             cut_.mesh.positions.push_back(at);
         }
-        on_plane_.add(found->second);
-        return found->second;
+        on_plane_.add(number);
+        return number;
     }
 
     Corner cut_corner(const Corner& below, const Corner& beyond) {

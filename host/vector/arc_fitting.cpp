@@ -132,8 +132,9 @@ class ArcFinder {
         if (arc == pieces.end()) return outline_of(pieces);
         if (closed_) { // a loop that starts within an arc would have it in two
             points_.pop_back();
-            std::ranges::rotate(
-                points_, points_.begin() + static_cast<std::ptrdiff_t>(arc->last % points_.size()));
+            std::rotate(points_.begin(),
+                        points_.begin() + static_cast<std::ptrdiff_t>(arc->last % points_.size()),
+                        points_.end());
             points_.push_back(points_.front());
             pieces = find_pieces();
         }

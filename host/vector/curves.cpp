@@ -426,13 +426,13 @@ class PathCurves::Finder {
         if (first == steps.size()) return;
         const auto count = static_cast<std::uint32_t>(steps.size());
         const auto by = static_cast<std::ptrdiff_t>(first);
-        std::ranges::rotate(steps, steps.begin() + by);
+        std::rotate(steps.begin(), steps.begin() + by, steps.end());
         path.points.pop_back();
-        std::ranges::rotate(path.points, path.points.begin() + by);
+        std::rotate(path.points.begin(), path.points.begin() + by, path.points.end());
         path.points.push_back(path.points.front());
         const auto begins_behind = std::ranges::find_if(
             path.pieces, [&](const VectorPiece& piece) { return piece.point >= first; });
-        std::ranges::rotate(path.pieces, begins_behind);
+        std::rotate(path.pieces.begin(), begins_behind, path.pieces.end());
         for (VectorPiece& piece : path.pieces)
             piece.point = (piece.point + count - static_cast<std::uint32_t>(first)) % count;
     }

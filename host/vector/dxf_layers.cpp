@@ -66,7 +66,8 @@ const std::string& linetype_of(const PenStroke::Dashes& dashes, std::vector<DxfL
         if (type.dashes.dash == dashes.dash && type.dashes.gap == dashes.gap) return type.name;
     }
     const std::string number = known.empty() ? "" : std::to_string(known.size() + 1);
-    return known.emplace_back("DASHED" + number, dashes).name;
+    known.push_back({"DASHED" + number, dashes});
+    return known.back().name;
 }
 
 } // namespace

@@ -48,10 +48,11 @@ class Lengths {
           cuts_(cuts) {}
 
     void apply() {
-        const auto hidden = std::ranges::stable_partition(strip_.strokes, &Stroke::visible);
-        seen_.assign(strip_.strokes.begin(), hidden.begin());
+        const auto hidden = std::stable_partition(strip_.strokes.begin(), strip_.strokes.end(),
+                                                  [](const Stroke& one) { return one.visible; });
+        seen_.assign(strip_.strokes.begin(), hidden);
         if (seen_.empty()) return;
-        strip_.strokes.erase(strip_.strokes.begin(), hidden.begin());
+        strip_.strokes.erase(strip_.strokes.begin(), hidden);
         if (strip_.closed) find_seam();
         for (const ShortStroke& stroke : meeting(long_enough(filled()))) emit(stroke);
         std::ranges::stable_sort(strip_.strokes, {}, &Stroke::from);

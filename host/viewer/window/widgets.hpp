@@ -28,7 +28,9 @@ inline bool contains(const std::string& text, const std::string& searched) {
     const auto equal = [](unsigned char a, unsigned char b) {
         return std::tolower(a) == std::tolower(b);
     };
-    return !std::ranges::search(text, searched, equal).empty() || searched.empty();
+    return std::search(text.begin(), text.end(), searched.begin(), searched.end(), equal) !=
+               text.end() ||
+           searched.empty();
 }
 
 /// Of an InvisibleButton that keys reach, too: newer versions leave others out.
