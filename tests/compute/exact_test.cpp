@@ -177,13 +177,19 @@ TEST_P(ExactTest, ABoxOnAFloor) {
 TEST_P(ExactTest, CoincidentFacesAndTouchingBoxes) {
     const Camera camera = square_camera(side, 600, 10);
     Mesh mesh;
+    // Of one material the common edges were seams.
+    mesh.groups = {{.object = "", .material = "left"},
+                   {.object = "", .material = "right"},
+                   {.object = "", .material = "panel"}};
+    const auto of_group = [&](std::uint32_t group) {
+        mesh.triangle_group.resize(mesh.triangles.size(), group);
+    };
     add_box(mesh, {20, 50, -40}, {100, 150, 0});
+    of_group(0);
     add_box(mesh, {100, 50, -40}, {180, 150, 0}); // shares the face at x = 100
-    // Lies in the front faces of both; of one material with them its edges were seams.
-    mesh.triangle_group.assign(mesh.triangles.size(), 0);
-    mesh.groups = {{.object = "", .material = "box"}, {.object = "", .material = "panel"}};
-    add_panel(mesh, {30, 60}, {170, 140}, 0);
-    mesh.triangle_group.resize(mesh.triangles.size(), 1);
+    of_group(1);
+    add_panel(mesh, {30, 60}, {170, 140}, 0); // lies in the front faces of both
+    of_group(2);
     // The common edge is in front; the others of that face are inside or behind.
     EXPECT_NEAR(seen_edge(mesh, {100, 50, 0}, {100, 150, 0}, camera), 100, exactly);
     EXPECT_NEAR(seen_edge(mesh, {100, 50, -40}, {100, 150, -40}, camera), 0, 1e-6F);

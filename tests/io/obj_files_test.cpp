@@ -17,7 +17,7 @@ TEST_F(MeshIo, NamesWhatIsNoMeshFile) {
     EXPECT_TRUE(has(error_of("empty.off", ""), "the file is empty"));
     EXPECT_TRUE(has(error_of("mesh.xyz", "1 2 3"),
                     "known are .obj, .ply, .stl, .off, .om, .gltf, .glb, "
-                    ".3mf, .step, .stp, .iges, .igs and .brep"));
+                    ".3mf, .step, .stp, .iges, .igs, .brep and .brp"));
     EXPECT_TRUE(has(error_of("noextension", "1 2 3"), "known are .obj"));
     for (const char* extension : {"obj", "ply", "stl", "off", "om"})
         EXPECT_TRUE(has(error_of(std::string("picture.") + extension, "\x89PNG\r\n\x1A\n____"),
