@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/spans.hpp"
 #include "contact.hpp"
 #include "diagonal.hpp"
 
@@ -21,26 +22,8 @@ constexpr double least_part = 1e-3; ///< shorter parts are neither lines nor sea
 constexpr double most_bend = 0.017453292519943295; ///< of faces in one plane: 1 degree
 const double least_cosine = std::cos(most_bend);
 
-/// From one share of an edge to another.
-struct Span {
-    double from, to;
-};
-
-using Spans = std::vector<Span>; ///< ascending, apart from each other
-
-/// Sorts them and closes gaps of less than `gap`.
-void join(Spans& spans, double gap) {
-    std::ranges::sort(spans, {}, &Span::from);
-    std::size_t count = 0;
-    for (const Span span : spans) {
-        if (count > 0 && span.from - spans[count - 1].to < gap) {
-            spans[count - 1].to = std::max(spans[count - 1].to, span.to);
-        } else {
-            spans[count++] = span;
-        }
-    }
-    spans.resize(count);
-}
+/// Shares of an edge: ascending, apart from each other.
+using Spans = std::vector<Span>;
 
 Spans both(const Spans& a, const Spans& b) {
     Spans result;
@@ -55,7 +38,7 @@ Spans both(const Spans& a, const Spans& b) {
 
 Spans either(Spans a, const Spans& b, double gap) {
     a.insert(a.end(), b.begin(), b.end());
-    join(a, gap);
+    join_spans(a, gap);
     return a;
 }
 
@@ -161,7 +144,7 @@ class SeamFinder {
             const Span span = part_over(face, a, b);
             if (span.from < span.to) spans.push_back(span);
         }
-        join(spans, least(edge));
+        join_spans(spans, least(edge));
         std::erase_if(spans, [&](const Span& span) {
             return span.to - span.from < least(edge) && (span.from > 0 || span.to < 1);
         });

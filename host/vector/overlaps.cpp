@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/spans.hpp"
 #include "core/line_pens.hpp"
 #include "curves.hpp"
 #include "paths.hpp"
@@ -37,11 +38,6 @@ constexpr double longest_touch = 16;
 
 /// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching.
 constexpr std::array<int, LA_KIND_COUNT> kind_rank{4, 2, 3, 5, 0, 6, 1, 7};
-
-/// From one place of a line or path to another.
-struct Span {
-    double from, to; ///< pixels from its start
-};
 
 struct Line {
     glm::dvec2 a, along; ///< its start and unit direction
@@ -71,20 +67,6 @@ std::optional<Span> part_along(const Line& line, const Line& other) {
     span = {std::max(span.from, std::min(one, two)), std::min(span.to, std::max(one, two))};
     if (span.to - span.from < shortest_overlap) return {};
     return span;
-}
-
-/// Sorts them and joins those with less than `gap` between them.
-void join_spans(std::vector<Span>& spans, double gap) {
-    std::ranges::sort(spans, {}, &Span::from);
-    std::size_t count = 0;
-    for (const Span span : spans) {
-        if (count > 0 && span.from - spans[count - 1].to < gap) {
-            spans[count - 1].to = std::max(spans[count - 1].to, span.to);
-        } else {
-            spans[count++] = span;
-        }
-    }
-    spans.resize(count);
 }
 
 /// What is left of [0, length] without `covered`, which is sorted.
