@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/spans.hpp"
 #include "chain.hpp"
 #include "contact.hpp"
 
@@ -239,11 +240,6 @@ class NearPlaces {
     std::unordered_map<Cell, Known, CellHash> known_;
     static constexpr std::size_t bits_per_place = 16;
     std::vector<bool> marked_; ///< by hash, cells that are in `known_`
-};
-
-/// From one place of a line to another, in model units.
-struct Span {
-    double from, to;
 };
 
 class Doubles {
