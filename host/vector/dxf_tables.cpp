@@ -142,9 +142,12 @@ Handle write_tables(DxfText& text, const DxfLayers& layers, glm::dvec2 size) {
     write_table(text, "STYLE", 1, [&](Handle table) { write_text_style(text, table); });
     write_table(text, "VIEW", 0);
     write_table(text, "UCS", 0);
-    write_table(text, "APPID", 1, [&](Handle table) {
-        begin_record(text, "APPID", "AcDbRegAppTableRecord", table, "ACAD");
-        text.add(70, 0);
+    constexpr std::array applications{std::string_view{"ACAD"}, dxf_application};
+    write_table(text, "APPID", static_cast<int>(applications.size()), [&](Handle table) {
+        for (const std::string_view name : applications) {
+            begin_record(text, "APPID", "AcDbRegAppTableRecord", table, name);
+            text.add(70, 0);
+        }
     });
     write_table(text, "DIMSTYLE", 1, [&](Handle table) {
         begin_record(text, "DIMSTYLE", "AcDbDimStyleTableRecord", table, "Standard");

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <string_view>
+
 #include "dxf_layers.hpp"
 #include "dxf_text.hpp"
 
 namespace lineatlas {
+
+/// Under this name extended data of entities says what they show.
+inline constexpr std::string_view dxf_application = "LINEATLAS";
 
 /// What stands before the lines of a drawing of this size: tables and blocks. Returns the handle of
 /// the block that lines belong to.

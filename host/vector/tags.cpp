@@ -26,10 +26,16 @@ std::string list(const char* what, const std::vector<std::string>& names) {
 
 } // namespace
 
+std::vector<std::string> entities_of(const VectorPath& path) {
+    std::vector<std::string> entities;
+    for (const VectorPiece& piece : path.pieces)
+        if (piece.entity != 0) add_once(entities, fmt::format("#{}", piece.entity));
+    return entities;
+}
+
 std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
     std::vector<std::string> objects;
     std::vector<std::string> materials;
-    std::vector<std::string> entities;
     std::string edges, triangles; // of smooth silhouettes and of intersections
     const VectorPiece* last = nullptr;
     for (const VectorPiece& piece : path.pieces) {
@@ -39,7 +45,6 @@ std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
             add_once(objects, drawing.groups[piece.group].object);
             add_once(materials, drawing.groups[piece.group].material);
         }
-        if (piece.entity != 0) add_once(entities, fmt::format("#{}", piece.entity));
         const LineSource& source = piece.source;
         if (source.crossing != LineSource::none)
             triangles += fmt::format(" {}x{}", source.triangle, source.crossing);
@@ -49,7 +54,7 @@ std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
             triangles += fmt::format(" {}", source.triangle);
     }
     std::string text =
-        list("object", objects) + list("material", materials) + list("entity", entities);
+        list("object", objects) + list("material", materials) + list("entity", entities_of(path));
     if (!triangles.empty()) text += "triangles" + triangles;
     if (!edges.empty()) text += (triangles.empty() ? "edges" : "; edges") + edges;
     return text;

@@ -414,6 +414,13 @@ TEST_F(RoundThings, TagsNameEntities) {
     }
     EXPECT_GE(edges, 2U); // the rims
     EXPECT_GE(faces, 2U); // the silhouettes of its side
+    // In DXF as extended data of every entity.
+    const std::string dxf = to_dxf(pin);
+    std::size_t named = 0;
+    const std::string data = "1001\nLINEATLAS\n1000\nentity #";
+    for (std::size_t at = dxf.find(data); at != std::string::npos; at = dxf.find(data, at + 1))
+        ++named;
+    EXPECT_EQ(named, pin.paths.size());
 }
 
 } // namespace
