@@ -339,6 +339,11 @@ TEST_F(Gltf, InstancesStandWhereTheirAttributesSay) {
     EXPECT_EQ(refusal("a.glb", file(R"({"TRANSLATION":2,"SCALE":5})")),
               "the instances of node 0 differ in number by attribute");
     EXPECT_EQ(refusal("a.glb", file("{}")), "the instances of node 0 have no place");
+    // Zeros without a view take no room in the file.
+    std::string many = file(R"({"TRANSLATION":5})");
+    const std::string view = R"("bufferView":4,"componentType":5126,"count":1,)";
+    many.replace(many.find(view), view.size(), R"("componentType":5126,"count":9999999,         )");
+    EXPECT_EQ(refusal("a.glb", many), "with all its instances it has more than 262144 parts");
 }
 
 TEST_F(Gltf, WhatTheFileHidesIsLeftOut) {

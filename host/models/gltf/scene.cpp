@@ -188,9 +188,7 @@ class Scene {
         const std::string name = soup_.parts[node.part].name;
         std::size_t number = 0;
         for (const glm::dmat4& matrix : instance_matrices(*instancing, of)) {
-            constexpr std::size_t most_parts = 1U << 18U;
-            if (soup_.parts.size() >= most_parts)
-                refuse("with all its instances it has more than 262144 parts");
+            if (soup_.parts.size() >= most_parts) refuse_many_parts();
             const std::string own_name = name + ' ' + std::to_string(++number);
             const Node instance{.matrix = node.matrix * matrix,
                                 .part = static_cast<std::uint32_t>(soup_.parts.size()),
@@ -198,6 +196,11 @@ class Scene {
             soup_.parts.push_back({.name = own_name, .parent = node.part});
             place(instance, json, of);
         }
+    }
+
+    static constexpr std::size_t most_parts = 1U << 18U;
+    [[noreturn]] static void refuse_many_parts() {
+        refuse("with all its instances it has more than 262144 parts");
     }
 
     /// Where EXT_mesh_gpu_instancing puts what a node holds, to the node.
@@ -212,6 +215,7 @@ class Scene {
                 read_values(document_, buffers_, whole(*attributes, key, of), type, width);
             if (count && *count != values.size()) refuse(of + " differ in number by attribute");
             count = values.size();
+            if (*count > most_parts) refuse_many_parts();
             return values;
         };
         const Values translations = read("TRANSLATION", "VEC3", 3);
