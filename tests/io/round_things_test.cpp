@@ -51,6 +51,22 @@ double scale_of(const View& view, int height) {
 const std::vector<std::string> level{"front", "back", "left", "right"};
 const std::vector<std::string> aslant{"isometric", "30,20", "75,35", "130,-20", "250,10"};
 
+/// The radii of all that is seen, which is whole circles: smallest first, in the model's units.
+std::vector<double> circles(const VectorDrawing& drawing, double scale) {
+    std::vector<double> radii;
+    for (const VectorPath& path : drawing.paths) {
+        if (!path.visible) continue;
+        EXPECT_TRUE(path.closed);
+        EXPECT_EQ(path.curves.size(), 1U);
+        if (path.curves.size() != 1) return {};
+        EXPECT_FALSE(path.curves[0].cubic);
+        EXPECT_EQ(path.curves[0].arc.ratio, 1);
+        radii.push_back(path.curves[0].arc.major.x / scale);
+    }
+    std::ranges::sort(radii);
+    return radii;
+}
+
 class RoundThings : public Brep {
   protected:
     /// A drawing of a file.
@@ -280,15 +296,7 @@ TEST_F(RoundThings, RimsAreTheFilesOwnCircles) {
         const VectorDrawing top =
             drawing("a.step", file, "top", {1000, 800}, Projection::orthographic);
         const double scale = scale_of(view_, 800);
-        std::vector<double> radii;
-        for (const VectorPath& path : top.paths) {
-            if (!path.visible) continue;
-            ASSERT_EQ(path.curves.size(), 1U);
-            EXPECT_EQ(path.curves[0].arc.ratio, 1);
-            EXPECT_TRUE(path.closed);
-            radii.push_back(path.curves[0].arc.major.x / scale);
-        }
-        std::ranges::sort(radii);
+        const std::vector<double> radii = circles(top, scale);
         ASSERT_EQ(radii.size(), 2U);
         EXPECT_NEAR(radii[0] / (7.5 * unit), 1, 1e-6);
         EXPECT_NEAR(radii[1] / (25 * unit), 1, 1e-6);
@@ -357,15 +365,7 @@ TEST_F(RoundThings, ACurveOfTheFileOverARimIsOneCircle) {
         SCOPED_TRACE(height);
         const VectorDrawing top = drawing("a.brep", to_brep(plate_with_a_wire(height)), "top",
                                           {1000, 800}, Projection::orthographic);
-        std::vector<double> radii;
-        for (const VectorPath& path : top.paths) {
-            if (!path.visible) continue;
-            ASSERT_EQ(path.curves.size(), 1U);
-            EXPECT_TRUE(path.closed);
-            EXPECT_EQ(path.curves[0].arc.ratio, 1);
-            radii.push_back(path.curves[0].arc.major.x / scale_of(view_, 800));
-        }
-        std::ranges::sort(radii);
+        const std::vector<double> radii = circles(top, scale_of(view_, 800));
         ASSERT_EQ(radii.size(), 2U);
         EXPECT_NEAR(radii[0] / 7.5, 1, 1e-6);
         EXPECT_NEAR(radii[1] / 25, 1, 1e-6);
@@ -377,16 +377,7 @@ TEST_F(RoundThings, SilhouettesAroundTheAxisOfViewAreCircles) {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
     const VectorDrawing top =
         drawing("a.brep", to_brep(torus), "top", {1000, 800}, Projection::orthographic);
-    std::vector<double> radii;
-    for (const VectorPath& path : top.paths) {
-        if (!path.visible) continue;
-        ASSERT_EQ(path.curves.size(), 1U);
-        EXPECT_TRUE(path.closed);
-        EXPECT_FALSE(path.curves[0].cubic);
-        EXPECT_EQ(path.curves[0].arc.ratio, 1);
-        radii.push_back(path.curves[0].arc.major.x / scale_of(view_, 800));
-    }
-    std::ranges::sort(radii);
+    const std::vector<double> radii = circles(top, scale_of(view_, 800));
     ASSERT_EQ(radii.size(), 2U);
     EXPECT_NEAR(radii[0] / 15, 1, 1e-5);
     EXPECT_NEAR(radii[1] / 25, 1, 1e-5);
