@@ -46,9 +46,8 @@ void PartFilter::apply(LoadedMesh& loaded) const {
     if (!given()) return;
     const PartPaths paths = part_paths(loaded);
     const auto wanted_part = [&](const PartPath& path) {
-        const auto named = [&](const std::string& pattern) {
-            return names_part(pattern, path.whole());
-        };
+        const std::string whole = path.whole();
+        const auto named = [&](const std::string& pattern) { return names_part(pattern, whole); };
         return (only_.empty() || std::ranges::any_of(only_, named)) &&
                std::ranges::none_of(hidden_, named);
     };
