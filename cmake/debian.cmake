@@ -1,6 +1,5 @@
-# Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the
-# rest. Nobody installs OpenImageIO, which images has, who has no use for it; nor Embree, which rays
-# has, nor Open CASCADE, which brep has, nor cairo, which pdf has.
+# Debian packages by CPack (./run package). The libraries are apart from the tool, and io from the rest. Large dependencies are
+# optional: OpenImageIO comes with the package images, Embree with rays, Open CASCADE with brep, cairo with pdf.
 set(LINEATLAS_MAINTAINER "The lineatlas developers <maintainers@lineatlas.invalid>"
     CACHE STRING "Who answers for the packages")
 set(CPACK_GENERATOR DEB)
@@ -60,6 +59,9 @@ describe_package(io-development liblineatlas-io-dev libdevel
                  "${io} ${same}, liblineatlas-dev ${same}"
                  "line drawings of 3D models - to develop with files")
 describe_package(tool lineatlas graphics "${io} ${same}" "line drawings of 3D models")
+describe_package(documents lineatlas-doc doc "" "line drawings of 3D models - documents and examples")
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
+list(APPEND tool_suggests lineatlas-doc)
 if(TARGET lineatlas-view)
     describe_package(viewer lineatlas-viewer graphics "lineatlas ${same}"
                      "line drawings of 3D models - viewer")
@@ -108,7 +110,7 @@ list(JOIN tool_suggests ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${drivers}")
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "${drivers}${tool_recommends}")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "liblineatlas-io-dev, libepoxy-dev, pkg-config")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "lineatlas-doc, liblineatlas-io-dev, libepoxy-dev, pkg-config")
 foreach(component RUNTIME IO)
     set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/triggers)
 endforeach()

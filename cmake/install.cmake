@@ -112,11 +112,4 @@ install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
 
 install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES README.md docs/styles.md docs/output.md docs/vector.md docs/devices.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
-install(DIRECTORY styles DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tool)
-install(FILES docs/embedding.md docs/install.md docs/backends.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
-        COMPONENT development)
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)

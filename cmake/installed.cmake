@@ -48,9 +48,26 @@ else()
 endif()
 add_custom_target(manuals ALL DEPENDS ${manual_pages})
 
+# README and docs with all that they link to. Without Python they are installed with the links of the checkout.
+set(documents ${CMAKE_BINARY_DIR}/documents)
+if(Python_Interpreter_FOUND)
+    file(RELATIVE_PATH headers_from_documents ${CMAKE_INSTALL_FULL_DOCDIR} ${CMAKE_INSTALL_FULL_INCLUDEDIR}/lineatlas)
+    file(GLOB_RECURSE document_files CONFIGURE_DEPENDS docs/* styles/* examples/* farm/*)
+    add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/documents.stamp
+        COMMAND ${Python_EXECUTABLE} ${PROJECT_SOURCE_DIR}/packaging/documents.py ${PROJECT_SOURCE_DIR} ${documents}
+                ${headers_from_documents}
+        COMMAND ${CMAKE_COMMAND} -E touch ${CMAKE_BINARY_DIR}/documents.stamp
+        DEPENDS packaging/documents.py README.md CHANGELOG.md SECURITY.md ${document_files} VERBATIM)
+    add_custom_target(documents ALL DEPENDS ${CMAKE_BINARY_DIR}/documents.stamp)
+    install(DIRECTORY ${documents}/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
+else()
+    install(FILES README.md CHANGELOG.md SECURITY.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
+    install(DIRECTORY docs styles examples farm DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
+endif()
+
 # All that is installed; tests need not be there.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
-                                    lineatlas-png lineatlas manuals
+                                    lineatlas-png lineatlas manuals $<TARGET_NAME_IF_EXISTS:documents>
                                     ${bench_programs} $<TARGET_NAME_IF_EXISTS:lineatlas-view>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas_python>
                                     $<TARGET_NAME_IF_EXISTS:lineatlas-images>

@@ -137,8 +137,9 @@ enter "$root" desktop-file-validate /usr/share/applications/lineatlas.desktop ||
 enter "$root" bash -c '. /usr/share/bash-completion/completions/lineatlas
 COMP_WORDS=(lineatlas dr); COMP_CWORD=1; _lineatlas; [ "${COMPREPLY[*]}" = draw ]' || fail "no completion"
 
-mapfile -t files < <(own liblineatlas-dev liblineatlas-io-dev)
+mapfile -t files < <(own liblineatlas-dev liblineatlas-io-dev lineatlas-doc)
 step "apt install to develop" install --no-install-recommends "${files[@]}" g++ pkg-config
+[ -e "$root/usr/share/doc/lineatlas/docs/images/overview.png" ] || fail "no pictures of the documents"
 sed -n '/^\/\/ first.cpp/,/^```/p' README.md | sed '$d' >"$root/root/first.cpp"
 # shellcheck disable=SC2016
 step "the README's program, compiled and run" enter "$root" sh -ec 'cd /root
