@@ -84,6 +84,7 @@ class Commands(unittest.TestCase):
         for name in ["part", "flange"]:
             (self.folder / f"{name}.step").write_bytes(pin)
         (self.folder / "walk.json").write_text(next(blocks((ROOT / "docs/output.md").read_text(), "json")))
+        (self.folder / "widths.toml").write_text(next(blocks((ROOT / "docs/solves.md").read_text(), "toml")))
         said = self.run_line("lineatlas --version").stdout
         self.has_rays, self.has_step = [re.search(rf"^{part}.*not", said, re.MULTILINE) is None for part in ["rays", "brep"]]
 
@@ -105,6 +106,13 @@ class Commands(unittest.TestCase):
                         self.assertTrue((self.folder / name).exists(), f"{name} is not there")
                     ran += 1
         self.assertGreater(ran, 30)
+
+    def test_the_same_command_makes_the_same_bytes(self):
+        for kind in ["svg", "pdf", "dxf", "json", "png"]:
+            first, second = [self.folder / f"{name}.{kind}" for name in ("first", "second")]
+            for path in (first, second):
+                self.assertEqual(0, self.run_line(f"lineatlas draw model.obj -o {path.name}").returncode)
+            self.assertEqual(first.read_bytes(), second.read_bytes(), kind)
 
     def test_a_command_that_is_wrong_fails(self):
         self.assertEqual(2, self.run_line("lineatlas draw model.obj -o a.svg --nothing").returncode)
