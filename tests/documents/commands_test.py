@@ -107,6 +107,17 @@ class Commands(unittest.TestCase):
                     ran += 1
         self.assertGreater(ran, 30)
 
+    def test_circles_are_circles(self):
+        page = (ROOT / "docs/solves.md")
+        lines = [line for line in commands(page) if "round.dxf" in line or "found.dxf" in line]
+        self.assertEqual(2, len(lines))
+        for line in lines:
+            if ".step" in line and not self.has_step:
+                continue
+            self.assertEqual(0, self.run_line(line).returncode)
+            drawing = (self.folder / re.search(r"-o (\S+)", line)[1]).read_text()
+            self.assertRegex(drawing, r"\nCIRCLE\r?\n", line)
+
     def test_the_same_command_makes_the_same_bytes(self):
         for kind in ["svg", "pdf", "dxf", "json", "png"]:
             first, second = [self.folder / f"{name}.{kind}" for name in ("first", "second")]
