@@ -38,6 +38,11 @@ class Pages(unittest.TestCase):
         self.assertEqual(1, len(faults("| a | b |\n|---|---|\n| 1 |\n")))
         self.assertEqual([], faults("| a | `b|c` |\n|---|---|\n| 1 | 2 |\n\n```sh\nls | wc\n```\n"))
 
+    def test_the_reference_names_every_public_header(self):
+        page = (ROOT / "docs/reference/main.md").read_text()
+        headers = {f"lineatlas/{header.name}" for header in (ROOT / "host/include/lineatlas").iterdir()}
+        self.assertEqual(headers, set(re.findall(r"lineatlas/\w+\.hpp", page)))
+
     def test_long_pages_are_not_longer(self):
         lines = sum(len((ROOT / f"docs/{name}.md").read_text().splitlines()) for name in LONG)
         self.assertLess(lines, 3000)
