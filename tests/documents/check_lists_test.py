@@ -31,7 +31,7 @@ def missing(text):
     """What a check-list names that is not there, or does not know the list's example."""
     example = re.search(r"^Example: `(.*)`$", text, re.MULTILINE)[1]
     found = []
-    for item in re.findall(r"^- (.*)$", text, re.MULTILINE):
+    for item in re.findall(r"^- (.*(?:\n  .*)*)", text, re.MULTILINE):
         for path in files(item.split(":")[0], example):
             if not path.exists():
                 found.append(f"{path}: there is none")
