@@ -14,7 +14,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# dpkg 1.22 wants to see what a package links of the others.
+# Libraries of the other packages are here: dpkg 1.22 looks for everything that a package links.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -30,7 +30,7 @@ file(WRITE ${changelog} "lineatlas (${packaged_version}) unstable; urgency=mediu
 execute_process(COMMAND ${GZIP} -9nkf ${changelog} COMMAND_ERROR_IS_FATAL ANY)
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
 
-# PACKAGE is what COMPONENT is installed as.
+# Describes the Debian package PACKAGE, which installs COMPONENT.
 function(describe_package component package section depends summary)
     string(TOUPPER ${component} upper)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package} PARENT_SCOPE)
@@ -45,8 +45,7 @@ Visibility is computed by OpenCL kernels that share buffers with OpenGL." PARENT
     install(FILES ${changelog}.gz DESTINATION ${folder} COMPONENT ${component})
 endfunction()
 
-# Neither drivers of OpenGL and OpenCL nor their loaders are linked: pictures need those of OpenGL,
-# paths none.
+# Neither drivers nor their loaders are linked. Pictures need those of OpenGL; paths need none.
 set(drivers "libegl1, libopengl0 | libgl1, libgl1-mesa-dri | libgl1-nvidia-glvnd-glx, ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
 set(base liblineatlas${lineatlas_soversion})
 set(io liblineatlas-io${lineatlas_soversion})
@@ -91,7 +90,7 @@ if(TARGET lineatlas-pdf)
     list(APPEND tool_suggests lineatlas-pdf)
 endif()
 if(TARGET lineatlas_python)
-    # The module is compiled for one version of Python, as Debian has one.
+    # The module is compiled for one version of Python; Debian has one.
     math(EXPR next_python "${Python_VERSION_MINOR} + 1")
     describe_package(python python3-lineatlas python
         "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy, ${io} ${same}"

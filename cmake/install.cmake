@@ -48,7 +48,7 @@ add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
     ROOMS base io polygon PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader
                                          $<TARGET_NAME_IF_EXISTS:PkgConfig::seccomp>)
 
-# The io room looks for it here, seen from the shared library and from the tool.
+# Modules of the room io, which looks for them beside the shared library and beside the tool.
 install(TARGETS lineatlas-png LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
 if(TARGET lineatlas-gltf)
     install(TARGETS lineatlas-gltf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
@@ -56,7 +56,7 @@ endif()
 if(TARGET lineatlas-3mf)
     install(TARGETS lineatlas-3mf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT io)
 endif()
-# Beside them in the same folder, for whoever wants OpenImageIO or Open CASCADE on the machine.
+# Modules with large dependencies (OpenImageIO, Open CASCADE), in components of their own.
 if(TARGET lineatlas-images)
     install(TARGETS lineatlas-images
             LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT images)
@@ -66,12 +66,12 @@ if(TARGET lineatlas-brep)
             LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep
             RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT brep)
 endif()
-# What checks drawings, found by the tool in the same folder.
+# The module that checks drawings.
 if(TARGET lineatlas-rays)
     install(TARGETS lineatlas-rays LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT rays)
 endif()
 
-# What writes PDF, likewise.
+# The module that writes PDF.
 if(TARGET lineatlas-pdf)
     install(TARGETS lineatlas-pdf LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/lineatlas COMPONENT pdf)
 endif()

@@ -6,7 +6,7 @@ foreach(name frames kernels interop quality tune)
     endif()
 endforeach()
 
-# In packages of their own, since the tool needs neither: it runs those that are beside it.
+# Benchmarks and viewer are packages of their own. The tool needs neither; it runs those that it finds beside it.
 if(bench_programs)
     install(TARGETS ${bench_programs} RUNTIME COMPONENT bench)
 endif()
@@ -19,7 +19,7 @@ if(TARGET lineatlas-view)
 endif()
 
 set(manual_pages)
-# NAME.1 of the component, as the program, and what follows it, describes itself.
+# Makes the manual page NAME.1 of what the program, run with the arguments that follow it, says in --help.
 function(add_manual_page name component program)
     set(page ${CMAKE_BINARY_DIR}/man/${name}.1.gz)
     add_custom_command(OUTPUT ${page}
@@ -65,7 +65,7 @@ else()
     install(DIRECTORY docs styles examples farm DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documents)
 endif()
 
-# All that is installed; tests need not be there.
+# Everything that is installed, without the tests.
 add_custom_target(installed DEPENDS lineatlas_shared lineatlas_headless_shared lineatlas_io_shared
                                     lineatlas-png lineatlas manuals $<TARGET_NAME_IF_EXISTS:documents>
                                     ${bench_programs} $<TARGET_NAME_IF_EXISTS:lineatlas-view>

@@ -23,7 +23,7 @@ if(HAS_OPENIMAGEIO)
     add_dependencies(lineatlas_io lineatlas-images)
 endif()
 
-# Models of other kinds, each family by a module of its own.
+# A module for each family of model formats that needs a library.
 function(add_model_module name)
     file(GLOB sources CONFIGURE_DEPENDS host/models/${name}/*.cpp)
     add_module(${name} SOURCES ${sources} LIBRARIES lineatlas_options glm::glm ${ARGN})
@@ -57,14 +57,14 @@ if(HAS_BREP)
     add_model_module(brep ${opencascade_exchange} TKXSBase TKXCAF TKMesh TKLCAF TKCAF TKShHealing
                           TKTopAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
     target_include_directories(lineatlas-brep SYSTEM PRIVATE ${opencascade_includes})
-    # What reads with it for programs that embed the library, in a process that may crash.
+    # The process that reads for programs that embed the library, and may crash.
     add_executable(lineatlas-reader host/reader/main.cpp ${sanitizer_sources})
     target_link_libraries(lineatlas-reader PRIVATE lineatlas_io)
     set_target_properties(lineatlas-reader PROPERTIES
         RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/lineatlas)
 endif()
 
-# What checks drawings. A version of Embree takes no program of another one.
+# The module that checks drawings. Embree 3 and 4 have different interfaces.
 foreach(version 4 3)
     if(NOT embree_FOUND)
         find_package(embree ${version} CONFIG QUIET)
@@ -84,7 +84,7 @@ if(HAS_PDF)
                LIBRARIES lineatlas_options glm::glm PkgConfig::cairo)
 endif()
 
-# Messages tell what was left out from what is not installed.
+# Lets messages tell a module that was left out from one that is not installed.
 get_property(modules GLOBAL PROPERTY lineatlas_modules)
 set_source_files_properties(host/io/module_file.cpp PROPERTIES COMPILE_DEFINITIONS
     "LINEATLAS_LIBRARIES_FROM_PROGRAMS=\"${libraries_from_programs}\";LINEATLAS_MODULES=\"${modules}\"")

@@ -1,5 +1,5 @@
-# Parts that need libraries which not everybody has. Configuring ends with a table of all of them:
-# built, or left out and why. -DLINEATLAS_<PART>=OFF leaves one out on purpose.
+# Parts with libraries of their own. Configuring ends with a table of all parts: built, or left out and why.
+# -DLINEATLAS_<PART>=OFF leaves one out on purpose.
 option(LINEATLAS_ALL_PARTS "What cannot be built is an error, not left out" OFF)
 
 function(say_part what state)

@@ -27,7 +27,7 @@ def main(content, folder, version):
     info = content / f"lineatlas-{version}.dist-info"
     (content / "lineatlas-VERSION.dist-info").rename(info)
     python = f"cp3{sys.version_info.minor}"
-    # What is linked asks for no newer glibc than the one that it is built with.
+    # The wheel needs no newer glibc than that of the machine that builds it.
     libc = platform.libc_ver()[1].replace(".", "_")
     tag = f"{python}-{python}-manylinux_{libc}_{platform.machine()}"
     (info / "METADATA").write_text(metadata(version))

@@ -25,7 +25,7 @@ rm -rf "$target"
 mkdir -p "$target"/{bin,tests,lib/lineatlas,share/docs,share/licenses}
 target=$(cd "$target" && pwd)
 
-# From the machine that runs it: libc, whose loader comes with it, and drivers' libraries.
+# Libraries that the machine brings: libc with its loader, and drivers.
 is_of_the_machine() {
     case $1 in
     ld-linux* | linux-vdso* | libc.so* | libm.so* | libdl.so* | libpthread.so* | librt.so*) ;;
@@ -34,7 +34,7 @@ is_of_the_machine() {
     esac
 }
 
-# Taken only where the machine has none or too old ones (lib/environment.sh): its drivers need its own.
+# Libraries that are used only if the machine has none, or too old ones (lib/environment.sh): its drivers need its own.
 fallback_for() {
     case $1 in
     libstdc++.so* | libgcc_s.so*) echo stdc++ ;;

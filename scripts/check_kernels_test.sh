@@ -34,6 +34,6 @@ expect "a kernel that does not run" pyramid.cl "KERNEL(pyramid" \
     "#define unused_tables(in, out, inout, unordered) in(float, depth)
 KERNEL(unused, CountParameters) {}
 KERNEL(pyramid" "did not run: .*unused"
-# What it reads there, which is anything, decides whether it writes too, and whether Oclgrind lives to tell.
+# What the kernel reads there is chance. It decides whether the kernel writes there too, and whether Oclgrind survives.
 expect "a stroke beyond an atlas that is too small" filter.cl \
     "return is_in_atlas(work->capacity, s, l) ? l : 0u;" "return l;" "Invalid (read|write)|failed under Oclgrind"

@@ -29,8 +29,8 @@ fi
 [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null
 cmake --build build/fuzz --target "fuzz_$target" -- --quiet
 export LINEATLAS_MODULE_DIR=$PWD/build/fuzz/lib/lineatlas
-# Open CASCADE crashes by itself on damaged files, which the process that reads takes: the fuzzer
-# goes on, and a finding is what the tool does not answer in one line.
+# Open CASCADE crashes on damaged files, and the tool's reading process takes the crash. So the fuzzer goes on after a crash,
+# and only an input that the tool does not answer in one line is a finding.
 by_itself=()
 replayed=
 case $target in

@@ -27,7 +27,7 @@ is_of_the_machine() {
     *) return 1 ;;
     esac
 }
-# Other packages of the process may bring the same libraries: these have names of their own.
+# The libraries get names of their own, since other packages in the process may bring the same ones.
 new_name() { # libNAME.so.N
     echo "${1%%.so*}-lineatlas.so${1#*.so}"
 }
