@@ -17,6 +17,7 @@
 #include "edges_by_place.hpp"
 #include "paths.hpp"
 #include "seen_ellipse.hpp"
+#include "spline_edges.hpp"
 
 namespace lineatlas {
 namespace {
@@ -46,7 +47,7 @@ double angle_between(glm::dvec2 a, glm::dvec2 b) {
 class PathCurves::Finder {
   public:
     Finder(const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), edges_(mesh), eye_(camera.eye()),
+        : mesh_(mesh), edges_(mesh), splines_(mesh), eye_(camera.eye()),
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
           size_(camera.size) {}
 
@@ -67,7 +68,7 @@ class PathCurves::Finder {
     }
 
     /// Whether the mesh has any that paths may be bent along.
-    bool knows_curves() const { return !mesh_.edge_curves.empty(); }
+    bool knows_curves() const { return !mesh_.edge_curves.empty() || !splines_.empty(); }
 
     /// Before any points are left out: each step is one piece.
     void bend(VectorPath& path) const {
@@ -340,10 +341,18 @@ class PathCurves::Finder {
         if (!end.at_end) reverse(path);
     }
 
-    /// A way along an edge's curve: the angles of its ends.
+    /// A way along an edge: from where and how far, in angles of its curve or, where it is a
+    /// spline, in shares of the chord.
     struct Turn {
         const EdgeCurve* curve;
+        const SplineEdges::Span* spline = nullptr;
         double from, by;
+
+        glm::dvec3 place(double share) const {
+            const double at = from + share * by;
+            return spline != nullptr ? spline->at(at) : place_on(*curve, at);
+        }
+        double angle() const { return spline != nullptr ? spline->turn * by : by; }
     };
 
     static double angle_on(const EdgeCurve& curve, glm::dvec3 world) {
@@ -358,7 +367,11 @@ class PathCurves::Finder {
     /// Between two points of a chord; nothing where the chord is not one of the curve.
     std::optional<Turn> turn_of(const LineSource& source, const VectorPoint& a,
                                 const VectorPoint& b) const {
-        const EdgeCurve* const known = curve_of(edges_.edge_of(source));
+        const std::uint32_t piece = edges_.piece_of(source);
+        if (const SplineEdges::Span* const spline = splines_.span(piece))
+            return spline_turn(*spline, a, b);
+        const EdgeCurve* const known =
+            piece == none ? nullptr : curve_of(mesh_.known_edges[piece].edge);
         if (known == nullptr) return {};
         const EdgeCurve& curve = *known;
         const double whole = chord_of(curve, source);
@@ -372,16 +385,30 @@ class PathCurves::Finder {
         return Turn{.curve = &curve, .from = at_a, .by = std::remainder(at_b - at_a, turn)};
     }
 
+    /// The same of a spline.
+    static std::optional<Turn> spline_turn(const SplineEdges::Span& spline, const VectorPoint& a,
+                                           const VectorPoint& b) {
+        constexpr double rounding = 1e-5;
+        const double from = spline.share_of(a.world), to = spline.share_of(b.world);
+        const glm::dvec3 chord = spline.to - spline.from;
+        const auto is_beside = [&](double share, const VectorPoint& point) {
+            return glm::distance(spline.from + share * chord, point.world) <=
+                   rounding * (glm::length(chord) + glm::length(spline.from));
+        };
+        if (!is_beside(from, a) || !is_beside(to, b)) return {};
+        return Turn{.curve = nullptr, .spline = &spline, .from = from, .by = to - from};
+    }
+
     static int chords_of(const Turn& turn, const VectorPoint& a, const VectorPoint& b) {
         constexpr double most = 64;
-        const double sagitta = glm::distance(a.at, b.at) * std::abs(turn.by) / 8;
+        const double sagitta = glm::distance(a.at, b.at) * std::abs(turn.angle()) / 8;
         return static_cast<int>(std::clamp(std::ceil(std::sqrt(sagitta / most_off)), 1.0, most));
     }
 
     VectorPoint point_on(const Turn& turn, const VectorPoint& a, const VectorPoint& b,
                          double share) const {
         VectorPoint point;
-        point.world = place_on(*turn.curve, turn.from + share * turn.by);
+        point.world = turn.place(share);
         const glm::dvec4 clip = clip_from_world_ * glm::dvec4{point.world, 1};
         point.at = on_screen(point.world);
         point.depth = 0.5 * (1 + clip.z / clip.w);
@@ -527,6 +554,7 @@ class PathCurves::Finder {
 
     const Mesh& mesh_;
     EdgesByPlace edges_;
+    SplineEdges splines_;
     glm::vec4 eye_;
     glm::dmat4 clip_from_world_;
     glm::dvec2 size_;

@@ -16,22 +16,28 @@ class EdgesByPlace {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge
 
     explicit EdgesByPlace(const Mesh& mesh) : mesh_(mesh) {
-        for (const KnownEdge& edge : mesh.known_edges) {
+        for (std::uint32_t i = 0; i < mesh.known_edges.size(); ++i) {
+            const KnownEdge& edge = mesh.known_edges[i];
             const std::uint32_t from = places_.emplace(place(edge.from), edge.from).first->second;
             const std::uint32_t to = places_.emplace(place(edge.to), edge.to).first->second;
-            edges_.emplace(pair_key(from, to), edge.edge);
+            pieces_.emplace(pair_key(from, to), i);
         }
     }
 
     /// The number of the edge that a segment is a part of, or `none`.
     std::uint32_t edge_of(const LineSource& source) const {
-        if (edges_.empty() || source.from >= mesh_.positions.size() ||
+        const std::uint32_t piece = piece_of(source);
+        return piece == none ? none : mesh_.known_edges[piece].edge;
+    }
+    /// Which of Mesh::known_edges that is, or `none`.
+    std::uint32_t piece_of(const LineSource& source) const {
+        if (pieces_.empty() || source.from >= mesh_.positions.size() ||
             source.to >= mesh_.positions.size())
             return none;
         const auto from = places_.find(place(source.from)), to = places_.find(place(source.to));
         if (from == places_.end() || to == places_.end()) return none;
-        const auto found = edges_.find(pair_key(from->second, to->second));
-        return found == edges_.end() ? none : found->second;
+        const auto found = pieces_.find(pair_key(from->second, to->second));
+        return found == pieces_.end() ? none : found->second;
     }
 
   private:
@@ -51,7 +57,7 @@ class EdgesByPlace {
 
     const Mesh& mesh_;
     std::unordered_map<Place, std::uint32_t, Hash> places_;
-    std::unordered_map<std::uint64_t, std::uint32_t> edges_;
+    std::unordered_map<std::uint64_t, std::uint32_t> pieces_;
 };
 
 } // namespace lineatlas

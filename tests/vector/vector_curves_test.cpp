@@ -1,5 +1,6 @@
 // Edges that a file knows to be round: what of them a drawing shows, and how it leaves.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -35,6 +36,8 @@ class Round {
     }
 
     void add_straight(glm::vec3 from, glm::vec3 to) { add({from, to}, std::nullopt); }
+    /// An edge along some other curve, through points of it.
+    void add_through(const std::vector<glm::vec3>& points) { add(points, std::nullopt); }
 
     /// Makes one path of all edges so far.
     void end_path(bool closed) {
@@ -264,6 +267,88 @@ TEST(Curves, OfADrawingFitItsPaths) {
     drawing.paths.push_back(
         {.points = {{}, {}}, .pieces = {}, .curves = {{.first = 0, .last = 2}}});
     EXPECT_THROW(to_svg(drawing), UsageError);
+}
+
+/// A wave, whose height at x is that.
+double wave(double x) {
+    return 50 + 30 * std::sin((x - 20) * pi / 80);
+}
+
+/// Pixels between a point and the wave, nearly.
+double off_wave(glm::dvec2 at) {
+    const double slope = 30 * pi / 80 * std::cos((at.x - 20) * pi / 80);
+    return std::abs(at.y - (100 - wave(at.x))) / std::hypot(1, slope);
+}
+
+Round round_wave(int chords) {
+    std::vector<glm::vec3> points;
+    for (int i = 0; i <= chords; ++i) {
+        const float x = 20 + 160.0F * static_cast<float>(i) / static_cast<float>(chords);
+        points.emplace_back(x, wave(x), 0.5F);
+    }
+    Round round;
+    round.add_through(points);
+    round.end_path(false);
+    return round;
+}
+
+TEST(Curves, ASplineRunsBetweenItsPoints) {
+    const Round round = round_wave(36);
+    double off_chords = 0;
+    const std::vector<glm::vec3>& points = round.lines.set.vertices;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec3 middle = 0.5 * (glm::dvec3{points[i - 1]} + glm::dvec3{points[i]});
+        off_chords = std::max(off_chords, off_wave({middle.x, 100 - middle.y}));
+    }
+    EXPECT_GT(off_chords, 0.1);
+    const VectorDrawing drawing = drawn_whole(round);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    const VectorPath& path = drawing.paths[0];
+    for (const VectorPoint& point : path.points) EXPECT_LT(off_wave(point.at), 0.01);
+    ASSERT_FALSE(path.curves.empty());
+    EXPECT_EQ(path.curves.front().first, 0U);
+    EXPECT_EQ(path.curves.back().last + 1, path.points.size());
+    EXPECT_LT(path.curves.size(), 12U);
+    for (const VectorCurve& curve : path.curves) {
+        ASSERT_TRUE(curve.cubic);
+        const glm::dvec2 from = path.points[curve.first].at, to = path.points[curve.last].at;
+        for (int i = 0; i <= 16; ++i) {
+            const double t = i / 16.0, r = 1 - t;
+            EXPECT_LT(off_wave(r * r * r * from + 3 * r * r * t * curve.cubic->first_control +
+                               3 * r * t * t * curve.cubic->last_control + t * t * t * to),
+                      0.03);
+        }
+    }
+}
+
+TEST(Curves, WhatIsSeenOfASplineEndsOnIt) {
+    const Round round = round_wave(36);
+    Cuts cuts{round.lines.set, test::flat_camera()};
+    cuts.add(7, 0.5F, 1, true);
+    cuts.add(8, 0, 1, true);
+    cuts.add(9, 0, 0.5F, true);
+    const VectorDrawing drawing = drawn(round, cuts.intervals);
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    for (const VectorPoint& point : drawing.paths[0].points) EXPECT_LT(off_wave(point.at), 0.01);
+}
+
+/// What turns by more than a curve's chords is a corner, and what turns alone.
+TEST(Curves, CornersOfAnEdgeStay) {
+    for (const double turn : {60.0, 10.0}) {
+        const double slope = std::tan(turn * pi / 180);
+        Round round;
+        std::vector<glm::vec3> points;
+        for (int x = 20; x <= 180; x += 20)
+            points.emplace_back(x, 20 + (x > 100 ? slope * (x - 100) : 0.0), 0.5F);
+        round.add_through(points);
+        round.end_path(false);
+        const VectorDrawing drawing = drawn_whole(round);
+        ASSERT_EQ(drawing.paths.size(), 1U);
+        for (const VectorPoint& point : drawing.paths[0].points) {
+            const double x = point.at.x;
+            EXPECT_NEAR(100 - point.at.y, 20 + (x > 100 ? slope * (x - 100) : 0.0), 1e-3);
+        }
+    }
 }
 
 } // namespace

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/mesh.hpp"
+
+namespace lineatlas {
+
+/// Edges of a file that run neither straight nor along a circle or an ellipse (Mesh::edge_curves).
+/// Their points lie on the curve itself; between two of them it runs as the cubic does that has
+/// there the directions of the polynomials through the points about.
+class SplineEdges {
+  public:
+    explicit SplineEdges(const Mesh& mesh);
+
+    /// The curve over a chord, by the share of the chord.
+    struct Span {
+        glm::dvec3 from, to; ///< the chord's ends
+        glm::dvec3 out, in;  ///< the curve's derivatives at them
+        double turn;         ///< angle between these
+
+        glm::dvec3 at(double share) const;
+        /// Of the place on the chord next to a point; not within 0 and 1 if it lies beyond.
+        double share_of(glm::dvec3 point) const;
+    };
+    /// That of one of Mesh::known_edges by its index, or null where the chord is the edge.
+    const Span* span(std::uint32_t piece) const;
+
+    bool empty() const { return spans_.empty(); }
+
+  private:
+    /// Of pieces that are one after the other those of an edge, and go on from place to place.
+    void add_run(const Mesh& mesh, std::uint32_t first, std::uint32_t count);
+    void add_smooth(std::span<const glm::dvec3> points, std::uint32_t first);
+
+    std::unordered_map<std::uint32_t, Span> spans_;
+};
+
+} // namespace lineatlas
