@@ -293,8 +293,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameSettings settings = frame_settings_of(arguments);
     check_arguments(arguments, settings);
     const glm::ivec2 size = parse_size("--size", arguments.size);
-    const Style style = arguments.style.style();
     const bool by_paths = is_path_file(arguments.output);
+    const Style given = arguments.style.style();
+    const Style style = by_paths ? arguments.paths.on_paper(given, size) : given;
     FrameOptions options = frame_options(arguments, settings, size);
     options.style = style;
     std::optional<ImageWriter> writer;               // paths need none, nor all that it loads

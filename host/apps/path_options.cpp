@@ -88,6 +88,11 @@ void PathOptions::check(const std::filesystem::path& output, Method method) cons
     if (certify_) check_ray_module();
 }
 
+Style PathOptions::on_paper(const Style& style, glm::ivec2 size) const {
+    const SvgOptions options = svg();
+    return options.page ? style_on_page(style, size, *options.page, options.margin) : style;
+}
+
 SvgOptions PathOptions::svg() const {
     SvgOptions options;
     if (!page_.empty()) {

@@ -24,6 +24,8 @@ class PathOptions {
     bool tags() const { return !no_tags_; }
     bool certify() const { return certify_; }
     SvgOptions svg() const; ///< of DXF and PDF too
+    /// The style of a picture of that size, with lengths of paper where there is a page.
+    Style on_paper(const Style& style, glm::ivec2 size) const;
 
   private:
     CLI::App* app_ = nullptr;

@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
+#include "base/numbers.hpp"
+#include "base/units.hpp"
 #include "colors.hpp"
 #include "core/pens.hpp"
 #include "lineatlas/style.hpp"
@@ -55,6 +57,31 @@ SettingOf<Struct> number(std::string key, Member member, Range range, std::strin
                 member(object) = narrowed;
                 return true;
             }};
+}
+
+/// Pixels: a number of them, or a length on paper, of which 96 are an inch.
+inline std::optional<double> pixels_of(const SettingValue& value) {
+    if (const double* pixels = std::get_if<double>(&value)) return *pixels;
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) return std::nullopt;
+    std::string_view rest = *text;
+    const std::optional<double> number = take_number(rest);
+    const NamedUnit* unit = unit_named(rest);
+    if (!number || unit == nullptr) return std::nullopt;
+    return *number * unit->pixels;
+}
+
+/// A length of strokes.
+template <class Struct = Style, class Member>
+SettingOf<Struct> length(std::string key, Member member, Range range, std::string help) {
+    SettingOf<Struct> made =
+        number<Struct>(std::move(key), member, range, "pixels", std::move(help));
+    made.values += ", or a length on paper as \"0.5mm\"";
+    made.set = [set = std::move(made.set)](Struct& object, const SettingValue& value) {
+        const std::optional<double> pixels = pixels_of(value);
+        return pixels && set(object, *pixels);
+    };
+    return made;
 }
 
 template <class Struct = Style, class Member>

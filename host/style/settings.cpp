@@ -17,7 +17,7 @@ namespace {
 
 using namespace makers;
 
-constexpr float longest = 10'000; // pixels
+constexpr Range up_to_longest{0, 10'000}; // pixels
 
 bool is_direction(std::span<const double> v) {
     const auto good = [](double c) { return std::abs(c) <= 1e6; };
@@ -110,11 +110,10 @@ Setting focus() {
 template <class Pen>
 void add_pen(std::vector<Setting>& table, const std::string& name, const std::string& prefix,
              const std::string& whose, Pen pen) {
-    const Range length{0, longest};
     table.push_back(mark(
         name, [=](auto& s) -> auto& { return pen(s).mark; }, "", "Mark of " + whose));
-    table.push_back(number(
-        prefix + "width", [=](auto& s) -> auto& { return pen(s).width; }, {0, 1000, true}, "pixels",
+    table.push_back(length(
+        prefix + "width", [=](auto& s) -> auto& { return pen(s).width; }, {0, 1000, true},
         "Width of " + whose));
     table.push_back(color(
         prefix + "color", [=](auto& s) -> auto& { return pen(s).color; }, "Colour of " + whose));
@@ -134,9 +133,9 @@ void add_pen(std::vector<Setting>& table, const std::string& name, const std::st
     table.push_back(choice(
         prefix + "path-cap", [=](auto& s) -> auto& { return pen(s).path_cap; }, caps,
         "Ends of " + whose + " where the line itself ends"));
-    table.push_back(number(
-        prefix + "cap-length", [=](auto& s) -> auto& { return pen(s).cap_length; }, length,
-        "pixels", "Length of tapered and textured ends of " + whose));
+    table.push_back(length(
+        prefix + "cap-length", [=](auto& s) -> auto& { return pen(s).cap_length; }, up_to_longest,
+        "Length of tapered and textured ends of " + whose));
     table.push_back(profile(
         prefix + "width-profile", [=](auto& s) -> auto& { return pen(s).width_profile; }, {0, 4},
         "Factors of the width of " + whose + " from start to end"));
@@ -146,7 +145,6 @@ void add_pen(std::vector<Setting>& table, const std::string& name, const std::st
 }
 
 std::vector<Setting> make_settings() {
-    const Range length{0, longest};
     const Range share{0, 1};
     std::vector<Setting> t;
     add_pen(
@@ -157,23 +155,23 @@ std::vector<Setting> make_settings() {
     add_pen(
         t, "hidden-pen", "hidden-", "hidden lines", [](auto& s) -> auto& { return s.hidden_pen; });
 
-    t.push_back(number(
-        "fill-holes", [](auto& s) -> auto& { return s.filter.fill_holes; }, length, "pixels",
+    t.push_back(length(
+        "fill-holes", [](auto& s) -> auto& { return s.filter.fill_holes; }, up_to_longest,
         "Shorter holes in a line are closed"));
-    t.push_back(number(
-        "drop-runs", [](auto& s) -> auto& { return s.filter.drop_runs; }, length, "pixels",
+    t.push_back(length(
+        "drop-runs", [](auto& s) -> auto& { return s.filter.drop_runs; }, up_to_longest,
         "Shorter visible runs are left out"));
-    t.push_back(number(
-        "overshoot", [](auto& s) -> auto& { return s.filter.overshoot; }, length, "pixels",
+    t.push_back(length(
+        "overshoot", [](auto& s) -> auto& { return s.filter.overshoot; }, up_to_longest,
         "Strokes are longer by this at both ends"));
     t.push_back(number(
         "overshoot-variation", [](auto& s) -> auto& { return s.filter.overshoot_variation; }, share,
         "", "Share of the overshoot that varies from path to path"));
-    t.push_back(number(
-        "undershoot", [](auto& s) -> auto& { return s.filter.undershoot; }, length, "pixels",
+    t.push_back(length(
+        "undershoot", [](auto& s) -> auto& { return s.filter.undershoot; }, up_to_longest,
         "Strokes end this far before what hides them"));
-    t.push_back(number(
-        "halo", [](auto& s) -> auto& { return s.filter.halo; }, length, "pixels",
+    t.push_back(length(
+        "halo", [](auto& s) -> auto& { return s.filter.halo; }, up_to_longest,
         "Gap in the farther of two crossing lines"));
 
     t.push_back(number(

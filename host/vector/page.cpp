@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
+#include "base/units.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 
@@ -29,16 +30,9 @@ constexpr std::array named_pages{
 
 constexpr double largest = 1e6;
 
-struct NamedUnit {
-    std::string_view name;
-    Unit unit;
-    double pixels; ///< in one of it
-};
-constexpr std::array units{NamedUnit{"px", Unit::px, 1}, NamedUnit{"mm", Unit::mm, 96 / 25.4},
-                           NamedUnit{"in", Unit::in, 96}};
-
+/// Units stand in paper_units as in Unit.
 double pixels_in(Unit unit) {
-    return units[static_cast<std::size_t>(unit)].pixels;
+    return paper_units[static_cast<std::size_t>(unit)].pixels;
 }
 
 std::string lower(std::string_view text) {
@@ -49,10 +43,10 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-std::optional<Unit> unit_named(std::string_view name) {
-    const auto found = std::ranges::find(units, name, &NamedUnit::name);
-    if (found == units.end()) return {};
-    return found->unit;
+std::optional<Unit> parse_small(std::string_view name) {
+    const NamedUnit* found = unit_named(name);
+    if (found == nullptr) return {};
+    return static_cast<Unit>(found - paper_units.data());
 }
 
 [[noreturn]] void refuse_page(std::string_view text) {
@@ -70,7 +64,7 @@ double length_in(Length length, Unit unit) {
 }
 
 Unit parse_unit(std::string_view text) {
-    const std::optional<Unit> unit = unit_named(lower(text));
+    const std::optional<Unit> unit = parse_small(lower(text));
     if (!unit) throw UsageError("unknown unit \"" + std::string{text} + "\"; must be px, mm or in");
     return *unit;
 }
@@ -79,7 +73,7 @@ Length parse_length(std::string_view text, Unit unit) {
     const std::string word = lower(text);
     std::string_view rest = word;
     const std::optional<double> value = take_number(rest);
-    const std::optional<Unit> own = rest.empty() ? unit : unit_named(rest);
+    const std::optional<Unit> own = rest.empty() ? unit : parse_small(rest);
     if (!value || !own || !(*value >= 0 && *value <= largest)) {
         throw UsageError("\"" + std::string{text} +
                          "\" is no length; must be a number from 0 on with px, mm or in, as in "
@@ -98,7 +92,7 @@ Page parse_page(std::string_view text) {
     if (!width || !rest.starts_with('x')) refuse_page(text);
     rest.remove_prefix(1);
     const std::optional<double> height = take_number(rest);
-    const std::optional<Unit> unit = unit_named(rest);
+    const std::optional<Unit> unit = parse_small(rest);
     if (!height || !unit) refuse_page(text);
     const auto in_range = [](double value) { return value > 0 && value <= largest; };
     if (!in_range(*width) || !in_range(*height)) refuse_page(text);

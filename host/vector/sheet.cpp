@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/style_lengths.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -38,6 +39,15 @@ Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin
     sheet.digits =
         static_cast<int>(std::clamp(std::ceil(-std::log10(precision * sheet.scale)), 0.0, 6.0));
     return sheet;
+}
+
+Style style_on_page(const Style& style, glm::ivec2 picture, const Page& page, Length margin) {
+    const Sheet sheet = lay_out(picture, page, margin, Unit::px);
+    Style result = style;
+    if (!(style.made_for > 0)) return result;
+    multiply_lengths(result, static_cast<float>(1 / sheet.scale));
+    result.made_for = 0;
+    return result;
 }
 
 } // namespace lineatlas

@@ -124,6 +124,17 @@ py::array intervals(Drawer& drawer, const SizeArgument& size, const MaybeView& v
     return array_of(std::move(rows), {count});
 }
 
+/// The paper of a file that has one.
+struct Paper {
+    std::optional<Page> page;
+    Length margin;
+};
+
+Paper paper_of(const std::optional<std::string>& page, const std::string& margin) {
+    if (!page) return {.page = {}, .margin = parse_length(margin, Unit::px)};
+    return {.page = parse_page(*page), .margin = parse_length(margin, Unit::mm)};
+}
+
 /// The drawing as paths.
 struct PathArguments {
     const SizeArgument& size;
@@ -131,6 +142,7 @@ struct PathArguments {
     const UpArgument& up;
     const MaybeStyle& style;
     const MaybeOptions& options;
+    const Paper& paper;
     bool plotter;
     const py::object& progress;
 };
@@ -138,13 +150,14 @@ struct PathArguments {
 /// As text, by `written`, without the interpreter's lock.
 template <class Written>
 std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Written& written) {
-    const FrameOptions frame =
-        path_options(arguments.options, style_of(arguments.style), arguments.size);
+    FrameOptions frame = path_options(arguments.options, style_of(arguments.style), arguments.size);
     std::string flaw, of_framing;
     std::string text = released(arguments.progress, [&](const Progress& asked) {
         const auto [camera, framed] =
             camera_of(arguments.view, arguments.size, arguments.up, drawer.subject()->lines);
         of_framing = framed;
+        if (const Paper& paper = arguments.paper; paper.page)
+            frame.style = style_on_page(frame.style, camera.size, *paper.page, paper.margin);
         // Hidden ones too: what hides a line may bridge a gap in it.
         const FoundIntervals found = drawer.intervals(camera, frame, true, asked);
         const LineSet& lines = found.subject->lines;
@@ -161,17 +174,6 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
     return text;
 }
 
-/// The paper of a file that has one.
-struct Paper {
-    std::optional<Page> page;
-    Length margin;
-};
-
-Paper paper_of(const std::optional<std::string>& page, const std::string& margin) {
-    if (!page) return {.page = {}, .margin = parse_length(margin, Unit::px)};
-    return {.page = parse_page(*page), .margin = parse_length(margin, Unit::mm)};
-}
-
 std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                 const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                 const MaybePage& page, const Word<"margin">& margin, Flag<"plotter"> plotter,
@@ -186,7 +188,7 @@ std::string svg(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                            .curves = curves,
                            .fit_arcs = fit_arcs,
                            .title = title};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
+    return draw_paths(drawer, {size, view, up, style, options, paper, plotter, progress},
                       [&](const VectorDrawing& drawing) { return to_svg(drawing, sheet); });
 }
 
@@ -200,7 +202,7 @@ std::string dxf(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                            .curves = curves,
                            .fit_arcs = fit_arcs,
                            .description = {}};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
+    return draw_paths(drawer, {size, view, up, style, options, paper, plotter, progress},
                       [&](const VectorDrawing& drawing) { return to_dxf(drawing, sheet); });
 }
 
@@ -216,14 +218,14 @@ py::bytes pdf(Drawer& drawer, const SizeArgument& size, const MaybeView& view, c
                            .curves = curves,
                            .fit_arcs = fit_arcs,
                            .title = title};
-    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
+    return draw_paths(drawer, {size, view, up, style, options, paper, plotter, progress},
                       [&](const VectorDrawing& drawing) { return to_pdf(drawing, sheet); });
 }
 
 std::string json(Drawer& drawer, const SizeArgument& size, const MaybeView& view,
                  const UpArgument& up, const MaybeStyle& style, const MaybeOptions& options,
                  Flag<"plotter"> plotter, Flag<"tags"> tags, const py::object& progress) {
-    return draw_paths(drawer, {size, view, up, style, options, plotter, progress},
+    return draw_paths(drawer, {size, view, up, style, options, {}, plotter, progress},
                       [&](const VectorDrawing& drawing) {
                           return to_json(drawing, {.tags = tags, .description = {}});
                       });

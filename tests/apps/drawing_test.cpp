@@ -118,6 +118,17 @@ TEST_F(DrawingTest, PaperAndPlotter) {
     EXPECT_EQ(text.find("edges"), std::string::npos);
 }
 
+TEST_F(DrawingTest, WidthsArePapersOnAnyPage) {
+    for (const std::string page : {"a6", "a4", "a0"}) {
+        const Result result = run("draw --scene clevis --size 300x200 --style technical --page " +
+                                  page + " -o " + path("p.svg"));
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        const std::string text = text_of("p.svg");
+        for (const char* width : {"stroke-width=\"0.5\"", "stroke-width=\"0.25\""})
+            EXPECT_NE(text.find(width), std::string::npos) << page << ": " << width;
+    }
+}
+
 TEST_F(DrawingTest, JsonToo) {
     const Result result = run("draw --scene clevis --size 300x200 -o " + path("c.json"));
     EXPECT_EQ(result.exit_code, 0) << result.output;

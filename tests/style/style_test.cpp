@@ -198,8 +198,19 @@ TEST(Settings, ValuesLandInTheirMembers) {
     EXPECT_EQ(style.pen.mark, "marks/mine.png");
 }
 
+TEST(Settings, LengthsMayBeThoseOfPaper) {
+    Style style;
+    apply_setting(style, "width=0.5mm");
+    EXPECT_FLOAT_EQ(style.pen.width, 0.5F * 96 / 25.4F);
+    apply_setting(style, "halo=\"0.125in\"");
+    EXPECT_EQ(style.filter.halo, 12);
+    apply_setting(style, "hidden-width=3px");
+    EXPECT_EQ(style.hidden_pen.width, 3);
+}
+
 TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
-    EXPECT_EQ(refusal("width=0"), "width must be a number above 0 and at most 1000 pixels, not 0");
+    EXPECT_EQ(refusal("width=0"), "width must be a number above 0 and at most 1000 pixels, or a "
+                                  "length on paper as \"0.5mm\", not 0");
     EXPECT_EQ(refusal("cap=rond"), "cap must be one of butt, round, taper, texture, not \"rond\"; "
                                    "did you mean \"round\"?");
     EXPECT_EQ(refusal("widht=2"), "there is no setting \"widht\"; did you mean \"width\"?");
@@ -211,6 +222,11 @@ TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
                                "width=1,2",
                                "width=[2]",
                                "width=\"2\"",
+                               "width=0mm",
+                               "width=0.5cm",
+                               "width=mm",
+                               "width=11in", // 1056 pixels
+                               "opacity=1mm",
                                "color=[0,1,2]",
                                "color=[",
                                "color=\"",

@@ -159,6 +159,13 @@ TEST(Pages, ThePictureIsCentredAndTurnsThePage) {
     const SvgOptions pixels{.margin = {4, Unit::px}};
     EXPECT_EQ(lay_out({100, 50}, pixels).size, (glm::dvec2{108, 58}));
     EXPECT_EQ(lay_out({100, 50}, pixels).digits, 2);
+    Style style{.pen = {.width = 2}, .made_for = 768};
+    // A width of 277 mm for 1600 pixels.
+    const Style on_page = style_on_page(style, {1600, 900}, *options.page, options.margin);
+    EXPECT_NEAR(on_page.pen.width * 277 / 1600, 2 * 25.4 / 96, 1e-6);
+    EXPECT_EQ(on_page.made_for, 0);
+    style.made_for = 0;
+    EXPECT_EQ(style_on_page(style, {1600, 900}, *options.page).pen.width, 2);
     const SvgOptions narrow{.page = parse_page("a6"), .margin = {60, Unit::mm}};
     EXPECT_THROW(lay_out({100, 50}, narrow), UsageError);
 }

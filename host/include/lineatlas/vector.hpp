@@ -171,6 +171,13 @@ struct Page {
 /// UsageError that names them.
 LINEATLAS_API Page parse_page(std::string_view text);
 
+/// A style for a picture of so many pixels that is scaled to fit on a page: lengths of a style that
+/// grow with its picture (Style::made_for) are those of paper, 96 pixels to an inch, whatever the
+/// size of the page. Other styles stay as they are. Throws UsageError when the margin leaves no
+/// room.
+LINEATLAS_API Style style_on_page(const Style& style, glm::ivec2 picture, const Page& page,
+                                  Length margin = {});
+
 /// How a drawing is written as SVG.
 struct SvgOptions {
     Unit units = Unit::px; ///< of the page's width and height in the file

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace lineatlas {
+
+/// A unit of length on paper, and how many pixels of CSS, 96 to an inch, are in one of it.
+struct NamedUnit {
+    std::string_view name;
+    double pixels;
+};
+inline constexpr std::array paper_units{NamedUnit{"px", 1}, NamedUnit{"mm", 96 / 25.4},
+                                        NamedUnit{"in", 96}};
+
+/// `name` in small letters.
+constexpr const NamedUnit* unit_named(std::string_view name) {
+    for (const NamedUnit& unit : paper_units)
+        if (unit.name == name) return &unit;
+    return nullptr;
+}
+
+} // namespace lineatlas
