@@ -15,8 +15,7 @@
 namespace lineatlas {
 namespace {
 
-constexpr double widest_crack = 1e-5; ///< share of the model's diagonal
-constexpr double least_length = 20;   ///< cracks are wide at most a share of their edges: 1 over it
+constexpr double least_length = 20; ///< cracks are wide at most a share of their edges: 1 over it
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -35,9 +34,7 @@ struct Boundary {
 class CrackCloser {
   public:
     CrackCloser(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges)
-        : mesh_(mesh), widest_(std::max(widest_crack * diagonal_of(mesh.vertices),
-                                        2 * static_cast<double>(mesh.precision))),
-          merged_(mesh.vertices.size()) {
+        : mesh_(mesh), widest_(widest_crack_of(mesh)), merged_(mesh.vertices.size()) {
         for (const MeshEdge& edge : edges) {
             if (edge.face_count == 1 && distance(edge.p, edge.q) > least_length * widest_)
                 boundaries_.push_back(boundary(edge));
@@ -194,6 +191,11 @@ void remove_collapsed(WeldedMesh& mesh) {
 }
 
 } // namespace
+
+double widest_crack_of(const WeldedMesh& mesh) {
+    constexpr double share = 1e-5; // of the model's diagonal
+    return std::max(share * diagonal_of(mesh.vertices), 2 * mesh.precision);
+}
 
 std::size_t close_cracks(WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
     CrackCloser closer{mesh, edges};

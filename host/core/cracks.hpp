@@ -8,13 +8,17 @@
 
 namespace lineatlas {
 
+/// How far apart boundaries may be that lie on each other: 0.001 % of the model's diagonal, or what
+/// Mesh::precision allows.
+double widest_crack_of(const WeldedMesh& mesh);
+
 /// Makes one edge of two where boundaries of a mesh lie on each other but for rounding: many
 /// programs write each face of a body, or each patch of a surface, with corners of its own, which
-/// agree to a few digits. Both ends have to meet, within 0.001 % of the model's diagonal or what
-/// Mesh::precision allows, and the edge must be much longer than that. The vertices are merged into
-/// the first of them, so that all that follows finds one surface there; none is removed. Triangles
-/// that lose a corner by it are. Returns how many boundaries became
-/// one edge with another; if any, `edges` are no longer those of the mesh.
+/// agree to a few digits. Both ends have to meet, within widest_crack_of() the mesh, and the edge
+/// must be much longer than that. The vertices are merged into the first of them, so that all that
+/// follows finds one surface there; none is removed. Triangles that lose a corner by it are.
+/// Returns how many boundaries became one edge with another; if any, `edges` are no longer those of
+/// the mesh.
 std::size_t close_cracks(WeldedMesh& mesh, const std::vector<MeshEdge>& edges);
 
 } // namespace lineatlas

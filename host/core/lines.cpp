@@ -31,6 +31,7 @@
 #include "parts.hpp"
 #include "progress.hpp"
 #include "seams.hpp"
+#include "t_junctions.hpp"
 #include "triangle_tree.hpp"
 #include "weld.hpp"
 
@@ -201,8 +202,11 @@ class Extraction {
 
     /// A number means every edge by that number, and who names edges has whole surfaces.
     void close_gaps() {
-        left_out_.cracks = close_cracks(welded_, edges_);
-        if (left_out_.cracks > 0) edges_ = mesh_edges(welded_);
+        for (const auto& close : {close_cracks, close_t_junctions}) {
+            const std::size_t closed = close(welded_, edges_);
+            if (closed > 0) edges_ = mesh_edges(welded_);
+            left_out_.cracks += closed;
+        }
     }
 
     bool wanted(LineKind kind) const { return (options_.lines & mask_of(kind)) != 0; }

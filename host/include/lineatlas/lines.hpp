@@ -112,7 +112,9 @@ struct LeftOut {
     std::size_t noisy_creases = 0; ///< bent by more than 28.8 degrees, as noise of a surface is
     std::size_t seams = 0;         ///< boundaries and creases over which faces go on
     std::size_t cut_seams = 0;     ///< those of which a part is a line
-    std::size_t cracks = 0; ///< pairs of boundaries kept apart by rounding alone, made one edge
+    /// Pairs of boundaries kept apart by rounding, or by corners of one within the other, made one
+    /// edge.
+    std::size_t cracks = 0;
 };
 
 /// Milliseconds that steps of extract_lines() took.
