@@ -67,12 +67,10 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                       .pieces = *pieces,
                       .shifts = *shifts,
                       .carried = *carried});
-        stages.carry_runs({.first = 0,
-                           .arcs = *on.arcs,
-                           .carried = *carried,
-                           .record = *runs.record,
-                           .run_capacity = runs.capacity,
-                           .runs = *runs.runs});
+        stages.launch<compute::kernels::carry_runs>(
+            runs.capacity,
+            {.count = runs.capacity, .first = 0, .viewport = {}, .frame = 0, .limit = 0},
+            {.arcs = *on.arcs, .carried = *carried, .record = *runs.record, .runs = *runs.runs});
         stages.device().finish();
     };
     run();

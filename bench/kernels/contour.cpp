@@ -105,7 +105,8 @@ Job prepare_turn(compute::Stages& stages, std::uint32_t n) {
                        objects = to_device(device, object_values),
                        turns = to_device(device, turn_values);
     const auto run = [=, &stages] {
-        stages.contour_turn({*rest, *objects, *turns, n, *corners});
+        stages.launch_each<compute::kernels::contour_turn>(
+            n, {.rest = *rest, .objects = *objects, .turns = *turns, .corners = *corners});
         stages.device().finish();
     };
     run();
@@ -131,7 +132,11 @@ Job prepare_normals(compute::Stages& stages, std::uint32_t n) {
                        places = to_device(device, place_values),
                        corners = to_device(device, std::vector<ContourCorner>(n));
     const auto run = [=, &stages] {
-        stages.contour_normals({*vertices, *triangles, *offsets, *places, n, *corners});
+        stages.launch_each<compute::kernels::contour_normals>(n, {.vertices = *vertices,
+                                                                  .triangles = *triangles,
+                                                                  .offsets = *offsets,
+                                                                  .places = *places,
+                                                                  .corners = *corners});
         stages.device().finish();
     };
     run();

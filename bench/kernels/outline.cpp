@@ -106,19 +106,26 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     const std::uint32_t most = LA_OUTLINE_BESIDE * seen;
     const auto run = [=, &stages] {
         find_seen();
-        stages.list(*numbers, n, *listed);
-        const compute::OutlineArgs outline{.table = on.table(),
-                                           .clipped = on.atlas().clipped,
-                                           .seen = *listed,
-                                           .count = seen,
-                                           .viewport = Paths::viewport,
-                                           .depth = body,
-                                           .parallel = false,
-                                           .clip_from_world = glm::mat4{1},
-                                           .lift = 0,
-                                           .pushed = *pushed};
-        stages.outline_push(outline);
-        stages.outline_push_in(outline, *offsets);
+        stages.launch_each<compute::kernels::scan_list>(n, {.values = *numbers, .list = *listed});
+        const compute::OutlineParameters outline{.count = seen,
+                                                 .viewport = Paths::viewport,
+                                                 .reach = 0.5F,
+                                                 .depth = body,
+                                                 .parallel = 0,
+                                                 .capacity = 0,
+                                                 .clip_from_world = glm::mat4{1},
+                                                 .lift = 0};
+        stages.launch<compute::kernels::outline_push>(seen, outline,
+                                                      {.segments = *on.segments,
+                                                       .seen = *listed,
+                                                       .vertices = *on.vertices,
+                                                       .clipped = *on.clipped,
+                                                       .pushed = *pushed});
+        stages.launch<compute::kernels::outline_push_in>(seen, outline,
+                                                         {.seen = *listed,
+                                                          .clipped = *on.clipped,
+                                                          .beside_offsets = *offsets,
+                                                          .pushed = *pushed});
         stages.outline_parts({.segment_count = n,
                               .numbers = *numbers,
                               .arcs = *on.arcs,

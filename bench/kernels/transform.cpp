@@ -111,7 +111,8 @@ Job prepare_bounds(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer triangles = to_device(device, terrain.triangles);
     const SharedBuffer clusters = to_device(device, values);
     const auto run = [=, &stages] {
-        stages.transform_bounds({*vertices, *triangles, *clusters, count});
+        stages.launch_each<compute::kernels::transform_bounds>(
+            count, {.vertices = *vertices, .triangles = *triangles, .clusters = *clusters});
         stages.device().finish();
     };
     run();
@@ -139,7 +140,8 @@ Job prepare_forget(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer jumped = to_device(device, jumped_values);
     const SharedBuffer ranges = to_device(device, std::vector<std::uint32_t>(n, ~0U));
     const auto run = [=, &stages] {
-        stages.transform_forget({*segments, n, *objects, *jumped, *ranges});
+        stages.launch_each<compute::kernels::transform_forget>(
+            n, {.segments = *segments, .objects = *objects, .jumped = *jumped, .ranges = *ranges});
         stages.device().finish();
     };
     run();

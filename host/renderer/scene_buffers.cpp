@@ -158,10 +158,11 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
         tables_.cluster_triangles =
             upload(device(), bytes_of(ordered_triangles()), purpose::motion);
     }
-    stages_->transform_bounds({.vertices = *tables_.vertices,
-                               .triangles = *tables_.cluster_triangles,
-                               .clusters = *tables_.clusters,
-                               .count = static_cast<std::uint32_t>(clusters_.size())});
+    const auto count = static_cast<std::uint32_t>(clusters_.size());
+    stages_->launch_each<compute::kernels::transform_bounds>(
+        count, {.vertices = *tables_.vertices,
+                .triangles = *tables_.cluster_triangles,
+                .clusters = *tables_.clusters});
     normals_.expect(*stages_, tables_, triangle_count_);
 }
 

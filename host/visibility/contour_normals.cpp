@@ -24,12 +24,12 @@ void ContourNormals::expect(compute::Stages& stages, const LineTables& lines,
 void ContourNormals::find(compute::Stages& stages, const LineTables& lines) {
     if (!are_old_) return;
     const LineTables::Chunk& chunk = lines.contour_chunk();
-    stages.contour_normals({.vertices = *lines.vertices,
-                            .triangles = *lines.triangles,
-                            .offsets = *offsets_,
-                            .places = *places_,
-                            .count = chunk.corner_count(),
-                            .corners = *chunk.corners});
+    stages.launch_each<compute::kernels::contour_normals>(chunk.corner_count(),
+                                                          {.vertices = *lines.vertices,
+                                                           .triangles = *lines.triangles,
+                                                           .offsets = *offsets_,
+                                                           .places = *places_,
+                                                           .corners = *chunk.corners});
     are_old_ = false;
 }
 

@@ -92,22 +92,18 @@ void MovingTables::transform(const Rest& rest, compute::Buffer* drawn) {
                        .cluster_count = cluster_count_,
                        .clusters = *clusters_});
     if (turns_ && rest.corners != nullptr) {
-        stages_.contour_turn({.rest = *rest.corners,
-                              .objects = *objects_,
-                              .turns = *turns_,
-                              .count = corner_count_,
-                              .corners = *corners_});
+        stages_.launch_each<compute::kernels::contour_turn>(
+            corner_count_,
+            {.rest = *rest.corners, .objects = *objects_, .turns = *turns_, .corners = *corners_});
     }
 }
 
 void MovingTables::forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
                           compute::Buffer& ranges) {
     device_.upload(*jumped_, std::as_bytes(jumped));
-    stages_.transform_forget({.segments = table.segments,
-                              .segment_count = table.segment_count,
-                              .objects = *objects_,
-                              .jumped = *jumped_,
-                              .ranges = ranges});
+    stages_.launch_each<compute::kernels::transform_forget>(
+        table.segment_count,
+        {.segments = table.segments, .objects = *objects_, .jumped = *jumped_, .ranges = ranges});
 }
 
 std::uint64_t MovingTables::bytes() const {

@@ -71,7 +71,8 @@ class BatchesTest : public StageTest {
                                             .out = {*clipped, *counts, *arcs},
                                             .batches = by_batches ? &batches : nullptr};
         if (by_batches) {
-            stages().project_clip_boxes(table, batches);
+            stages().launch<compute::kernels::project_clip_boxes>(batches.batches(), {n}, table,
+                                                                  compute::BatchBoxes{*boxes});
             stages().project_clip_batches(args, drops_hidden);
         }
         stages().project_clip(args);

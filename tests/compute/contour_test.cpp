@@ -257,11 +257,9 @@ TEST_P(ContourStage, NormalsTurnWithTheirObjects) {
     const auto rest = put(made), corners = put(std::vector<ContourCorner>(made.size()));
     const auto objects = put(std::vector<std::uint32_t>{0, 1, 2, 3});
     const auto rows = put(turns);
-    stages().contour_turn({.rest = *rest,
-                           .objects = *objects,
-                           .turns = *rows,
-                           .count = static_cast<std::uint32_t>(made.size()),
-                           .corners = *corners});
+    stages().launch_each<compute::kernels::contour_turn>(
+        static_cast<std::uint32_t>(made.size()),
+        {.rest = *rest, .objects = *objects, .turns = *rows, .corners = *corners});
     const auto turned = get<ContourCorner>(*corners, made.size());
     for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(turned[i].vertex, made[i].vertex);
     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(turned[0].normal[axis], made[0].normal[axis]);
@@ -282,12 +280,11 @@ TEST_P(ContourStage, NormalsAnewAreThoseOfTrianglesByTheirAngles) {
     const auto places = put(std::vector<std::uint32_t>{0, 4, 8, 9, 12, 15, 18});
     const auto corners =
         put(std::vector<ContourCorner>{{0, {9, 9, 9}}, {0, {9, 9, 9}}, {0, {9, 9, 9}}});
-    stages().contour_normals({.vertices = *vertices,
-                              .triangles = *triangles,
-                              .offsets = *offsets,
-                              .places = *places,
-                              .count = 3,
-                              .corners = *corners});
+    stages().launch_each<compute::kernels::contour_normals>(3, {.vertices = *vertices,
+                                                                .triangles = *triangles,
+                                                                .offsets = *offsets,
+                                                                .places = *places,
+                                                                .corners = *corners});
     const auto found = get<ContourCorner>(*corners, 3);
     expect_normal(found[0], glm::vec3{1, 1, 1} / std::sqrt(3.0F), 2e-5F);
     expect_normal(found[1], glm::vec3{1, 0, 3} / std::sqrt(10.0F), 2e-5F);

@@ -118,17 +118,15 @@ void append_normals(std::vector<std::byte>& result, compute::Stages& stages, con
         to_device(stages.device(), std::vector<std::uint32_t>(lines.vertices.size(), 0));
     const auto turns = to_device(stages.device(), std::vector<float>{0, -1, 0, 2, 0, 0, 0, 0, 1});
     const auto turned = stages.device().allocate(chunk.corners->size());
-    stages.contour_normals({.vertices = *tables.vertices,
-                            .triangles = *tables.triangles,
-                            .offsets = *offsets,
-                            .places = *places,
-                            .count = chunk.corner_count(),
-                            .corners = *chunk.corners});
-    stages.contour_turn({.rest = *chunk.corners,
-                         .objects = *objects,
-                         .turns = *turns,
-                         .count = chunk.corner_count(),
-                         .corners = *turned});
+    stages.launch_each<compute::kernels::contour_normals>(chunk.corner_count(),
+                                                          {.vertices = *tables.vertices,
+                                                           .triangles = *tables.triangles,
+                                                           .offsets = *offsets,
+                                                           .places = *places,
+                                                           .corners = *chunk.corners});
+    stages.launch_each<compute::kernels::contour_turn>(
+        chunk.corner_count(),
+        {.rest = *chunk.corners, .objects = *objects, .turns = *turns, .corners = *turned});
     append(result, read_back<ContourCorner>(stages.device(), *turned, chunk.corner_count()));
 }
 

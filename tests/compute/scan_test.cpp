@@ -70,7 +70,7 @@ TEST_P(Scan, WhatIsNumberedIsListed) {
         const auto list =
             to_device(*on_.device, std::vector<std::uint32_t>(expected.size() + 1, 7));
         on_.stages.scan(*values, n, compute::ScanKind::saturate);
-        on_.stages.list(*values, n, *list);
+        on_.stages.launch_each<compute::kernels::scan_list>(n, {.values = *values, .list = *list});
         expected.push_back(7); // and nothing behind it
         EXPECT_TRUE(equal(read_back<std::uint32_t>(*on_.device, *list, expected.size()), expected))
             << "n = " << n;

@@ -76,8 +76,8 @@ TEST_P(TransformStage, BoundsAreThoseOfAClustersOwnTriangles) {
         {1, 5, -3}, {2, -4, 7}, {0, 6, 1}, {-9, -9, -9}, {8, 8, 8}, {3, 0, 9}});
     const auto triangles = put(std::vector<glm::uvec3>{{3, 3, 4}, {0, 1, 2}, {2, 1, 5}, {4, 4, 4}});
     const auto boxes = put(std::vector<Cluster>{{{}, {}, 1, 2}, {{}, {}, 3, 1}});
-    stages().transform_bounds(
-        {.vertices = *vertices, .triangles = *triangles, .clusters = *boxes, .count = 2});
+    stages().launch_each<compute::kernels::transform_bounds>(
+        2, {.vertices = *vertices, .triangles = *triangles, .clusters = *boxes});
     const auto seen = get<Cluster>(*boxes, 2);
     EXPECT_TRUE(equal<float>({seen[0].low, seen[0].low + 3}, {0, -4, -3}));
     EXPECT_TRUE(equal<float>({seen[0].high, seen[0].high + 3}, {3, 6, 9}));
@@ -94,11 +94,8 @@ TEST_P(TransformStage, SegmentsOfObjectsThatJumpedAreForgotten) {
     const auto objects = put(std::vector<std::uint32_t>{2, 1, 0, 1});
     const auto jumped = put(std::vector<std::uint8_t>{0, 1, 0});
     const auto ranges = put(std::vector<std::uint32_t>{11, 12, 13, 14});
-    stages().transform_forget({.segments = *segments,
-                               .segment_count = 4,
-                               .objects = *objects,
-                               .jumped = *jumped,
-                               .ranges = *ranges});
+    stages().launch_each<compute::kernels::transform_forget>(
+        4, {.segments = *segments, .objects = *objects, .jumped = *jumped, .ranges = *ranges});
     EXPECT_TRUE(equal(get<std::uint32_t>(*ranges, 4), {0, 12, 0, 14}));
 }
 

@@ -179,7 +179,7 @@ TEST_F(GlSharing, CopiesBringWhatWasWrittenAndNoMore) {
     EXPECT_TRUE(equal(seen_by_gl(), expected));
     // A kernel that only reads: nothing comes back.
     const auto list = cpp->allocate(64);
-    stages.list(table.compute(), 3, *list);
+    stages.launch_each<compute::kernels::scan_list>(3, {.values = table.compute(), .list = *list});
     clear_by_gl(table.gl(), 7); // behind its back
     EXPECT_TRUE(equal(seen_by_gl(), std::vector<std::uint32_t>(count, 7)));
     // Nor does what lies behind the part that means something.

@@ -140,7 +140,8 @@ TEST(ProfileSizes, AsDevicesLogThem) {
         const auto ranges = device->allocate(96), others = device->allocate(32);
         const auto forget = [&] {
             device->clear(*others, others->size());
-            stages.transform_forget({*others, 1, *others, *others, *ranges});
+            stages.launch_each<compute::kernels::transform_forget>(
+                1, {.segments = *others, .objects = *others, .jumped = *others, .ranges = *ranges});
             device->finish();
         };
         EXPECT_EQ(logged(*device, forget, "transform_forget").bytes, 3 * 32U + 2 * 96U)

@@ -48,15 +48,13 @@ MovedTables moved_on(compute::Stages& stages, const LineSet& lines,
                       .cluster_objects = *cluster_objects,
                       .cluster_count = cluster_count,
                       .clusters = *clusters});
-    stages.transform_bounds({.vertices = *vertices,
-                             .triangles = *triangles,
-                             .clusters = *bounds,
-                             .count = cluster_count});
-    stages.transform_forget({.segments = *segments,
-                             .segment_count = static_cast<std::uint32_t>(lines.segments.size()),
-                             .objects = *object_buffer,
-                             .jumped = *jumped_buffer,
-                             .ranges = *ranges});
+    stages.launch_each<compute::kernels::transform_bounds>(
+        cluster_count, {.vertices = *vertices, .triangles = *triangles, .clusters = *bounds});
+    stages.launch_each<compute::kernels::transform_forget>(
+        static_cast<std::uint32_t>(lines.segments.size()), {.segments = *segments,
+                                                            .objects = *object_buffer,
+                                                            .jumped = *jumped_buffer,
+                                                            .ranges = *ranges});
     return {.vertices = read_back<glm::vec3>(device, *vertices, n),
             .drawn = read_back<glm::vec3>(device, *drawn, n),
             .clusters = read_back<Cluster>(device, *clusters, cluster_count),

@@ -31,7 +31,10 @@ bool Batches::has_segments(const SegmentTable& table) {
                             .vertices = &table.vertices,
                             .version = table.version,
                             .count = table.segment_count - table.candidates.count});
-    if (step == Step::make) stages_.project_clip_boxes(table, this->table());
+    if (step == Step::make) {
+        stages_.launch<kernels::project_clip_boxes>(this->table().batches(), {count_}, table,
+                                                    BatchBoxes{*boxes_});
+    }
     return step != Step::wait;
 }
 
@@ -40,7 +43,10 @@ bool Batches::has_triangles(const SegmentTable& table) {
                             .vertices = &table.vertices,
                             .version = table.version,
                             .count = table.triangle_count});
-    if (step == Step::make) stages_.surfaces_boxes(table, this->table());
+    if (step == Step::make) {
+        stages_.launch<kernels::surfaces_boxes>(this->table().batches(), {count_}, table,
+                                                BatchBoxes{*boxes_});
+    }
     return step != Step::wait;
 }
 

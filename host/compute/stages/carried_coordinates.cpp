@@ -45,12 +45,10 @@ void CarriedCoordinates::find(const SegmentTable& table, std::uint32_t first,
 
 void CarriedCoordinates::apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity) {
     if (count_ == 0) return;
-    stages_.carry_runs({.first = first_,
-                        .arcs = *arcs_,
-                        .carried = tables_[Table::carried],
-                        .record = record,
-                        .run_capacity = run_capacity,
-                        .runs = runs});
+    stages_.launch<kernels::carry_runs>(
+        run_capacity,
+        {.count = run_capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0},
+        {.arcs = *arcs_, .carried = tables_[Table::carried], .record = record, .runs = runs});
 }
 
 } // namespace lineatlas::compute

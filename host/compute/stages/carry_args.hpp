@@ -33,14 +33,4 @@ struct CarryArgs {
     Buffer& carried;  ///< out: two int32 per silhouette, 1/256 pixels
 };
 
-/// Runs with their arc lengths along paths, which become the coordinates that were carried.
-struct CarryRunsArgs {
-    std::uint32_t first; ///< segment of silhouettes
-    Buffer& arcs;        ///< of ClippedTable
-    Buffer& carried;     ///< of CarryArgs
-    Buffer& record;      ///< of the runs
-    std::uint32_t run_capacity;
-    Buffer& runs; ///< in and out
-};
-
 } // namespace lineatlas::compute

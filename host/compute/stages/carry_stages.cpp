@@ -22,26 +22,17 @@ void Stages::carry(const CarryArgs& args) {
         .frame = args.frame,
         .limit = static_cast<la_uint>(std::floor(args.limit * LA_ARC_UNITS_PER_PIXEL))};
     const Origins origins{*args.table.origins};
-    launch<kernels::carry_recall>(n, tuning_.local_size, parameters, args.table, args.clipped, args,
-                                  origins);
+    launch<kernels::carry_recall>(n, parameters, args.table, args.clipped, args, origins);
     scan(args.lengths, n, ScanKind::wrap);
-    launch<kernels::carry_keep>(n, tuning_.local_size, parameters, args.table, args);
+    launch<kernels::carry_keep>(n, parameters, args.table, args);
     scan(args.kept, n, ScanKind::saturate);
-    list(args.kept, n, args.list);
-    launch<kernels::carry_breaks>(n, tuning_.local_size, parameters, args.table, args);
+    launch_each<kernels::scan_list>(n, {.values = args.kept, .list = args.list});
+    launch<kernels::carry_breaks>(n, parameters, args.table, args);
     scan(args.breaks, n, ScanKind::saturate);
     scan(args.means, n, ScanKind::wrap);
-    launch<kernels::carry_pieces>(n, tuning_.local_size, parameters, args);
-    launch<kernels::carry_settle>(n, tuning_.local_size, parameters, args);
-    launch<kernels::carry_place>(n, tuning_.local_size, parameters, args.table, args.clipped, args,
-                                 origins);
-}
-
-void Stages::carry_runs(const CarryRunsArgs& args) {
-    launch<kernels::carry_runs>(
-        args.run_capacity, tuning_.local_size,
-        {.count = args.run_capacity, .first = args.first, .viewport = {}, .frame = 0, .limit = 0},
-        args);
+    launch<kernels::carry_pieces>(n, parameters, args);
+    launch<kernels::carry_settle>(n, parameters, args);
+    launch<kernels::carry_place>(n, parameters, args.table, args.clipped, args, origins);
 }
 
 } // namespace lineatlas::compute

@@ -16,25 +16,6 @@ struct FacingArgs {
     Buffer& front; ///< out: a byte per triangle
 };
 
-/// Normals of what has another shape.
-struct ContourNormalsArgs {
-    Buffer& vertices;
-    Buffer& triangles;
-    Buffer& offsets; ///< uint32: where each corner's part of `places` begins, and one more
-    Buffer& places;  ///< uint32: a corner of a triangle each, 3 times its number and from 0 to 2
-    std::uint32_t count;
-    Buffer& corners; ///< in and out: `ContourCorner` each
-};
-
-/// Normals of objects that have moved.
-struct ContourTurnArgs {
-    Buffer& rest;    ///< `ContourCorner` each: as the model was made
-    Buffer& objects; ///< per vertex a uint32
-    Buffer& turns;   ///< per object the three rows of its normal_turn()
-    std::uint32_t count;
-    Buffer& corners; ///< out: turned
-};
-
 /// Which faces contours cross.
 struct ContourArgs {
     ContourTables contours;

@@ -5,14 +5,6 @@
 
 namespace lineatlas::compute {
 
-void Stages::contour_normals(const ContourNormalsArgs& args) {
-    launch<kernels::contour_normals>(args.count, tuning_.local_size, {args.count}, args);
-}
-
-void Stages::contour_turn(const ContourTurnArgs& args) {
-    launch<kernels::contour_turn>(args.count, tuning_.local_size, {args.count}, args);
-}
-
 void Stages::contour(const ContourArgs& args) {
     const ContourTables& contours = args.contours;
     const auto corner_count =
@@ -24,18 +16,18 @@ void Stages::contour(const ContourArgs& args) {
                                  .contours = 0,
                                  .eye = args.eye};
     launch<kernels::contour_facing>(
-        corner_count, tuning_.local_size, parameters,
+        corner_count, parameters,
         {.corners = *contours.corners, .vertices = args.vertices, .facing = facing});
     parameters.count = contours.face_count;
     launch<kernels::contour_cross>(
-        contours.face_count, tuning_.local_size, parameters,
+        contours.face_count, parameters,
         {.face_corners = *contours.face_corners, .facing = facing, .numbers = args.numbers});
 }
 
 void Stages::contour_places(const ContourPlacesArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
     const ContourTables& contours = *candidates.contours;
-    launch<kernels::contour_places>(args.count, tuning_.local_size,
+    launch<kernels::contour_places>(args.count,
                                     {.count = args.count,
                                      .first_vertex = contours.vertex_count,
                                      .first_number = candidates.kept_edges(),
@@ -58,16 +50,15 @@ void Stages::silhouette(const SilhouetteArgs& args) {
     const SilhouetteCandidates& candidates = args.table.candidates;
     const std::uint32_t count = candidates.kept_edges();
     launch<kernels::silhouette>(
-        count, tuning_.local_size,
-        {.count = count, .first = candidates.first, .replaced = count, .contours = 0}, args.table,
-        args);
+        count, {.count = count, .first = candidates.first, .replaced = count, .contours = 0},
+        args.table, args);
     scan(args.numbers, candidates.drawable(), ScanKind::saturate);
 }
 
 void Stages::silhouette_list(const SilhouetteListArgs& args) {
     const SilhouetteCandidates& candidates = args.candidates;
     const std::uint32_t count = candidates.drawable();
-    launch<kernels::silhouette_list>(count, tuning_.local_size,
+    launch<kernels::silhouette_list>(count,
                                      {.count = count,
                                       .first = candidates.first,
                                       .replaced = candidates.kept_edges(),
@@ -102,8 +93,7 @@ void Stages::chain(const ChainArgs& args) {
                                .lifted = args.lifted ? 1U : 0U,
                                .follows = args.positions_before != nullptr ? 1U : 0U,
                                .outside = args.view.from_outside ? 1U : 0U};
-    launch<kernels::chain_link>(args.count, tuning_.local_size, parameters, args.table, args,
-                                absent);
+    launch<kernels::chain_link>(args.count, parameters, args.table, args, absent);
     // A stretch is twice as long after each step; that a loop is one shows when it has gone round.
     const auto steps = static_cast<std::uint32_t>(std::bit_width(args.count)) + 2;
     device_.clear(args.going, steps * sizeof(la_uint));
@@ -111,16 +101,15 @@ void Stages::chain(const ChainArgs& args) {
     Buffer* from = &args.ways;
     Buffer* to = &args.longer;
     for (parameters.step = 0; parameters.step < steps; ++parameters.step) {
-        launch<kernels::chain_jump>(parameters.count, tuning_.local_size, parameters,
+        launch<kernels::chain_jump>(parameters.count, parameters,
                                     {.ways = *from, .longer = *to, .going = args.going});
         std::swap(from, to);
     }
     parameters.count = args.count;
-    launch<kernels::chain_place>(args.count, tuning_.local_size, parameters,
+    launch<kernels::chain_place>(args.count, parameters,
                                  {.ways = *from, .places = args.places, .lengths = args.starts});
     scan(args.starts, args.count, ScanKind::saturate);
-    launch<kernels::chain_write>(args.count, tuning_.local_size, parameters, args.table, args,
-                                 absent);
+    launch<kernels::chain_write>(args.count, parameters, args.table, args, absent);
 }
 
 } // namespace lineatlas::compute

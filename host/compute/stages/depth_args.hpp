@@ -27,23 +27,6 @@ struct TransformArgs {
     Buffer& clusters; ///< out: with boxes around the moved ones
 };
 
-/// New boxes for clusters whose vertices have changed.
-struct BoundsArgs {
-    Buffer& vertices;
-    Buffer& triangles; ///< 3 uint32 each, in the order of the clusters
-    Buffer& clusters;  ///< in and out
-    std::uint32_t count;
-};
-
-/// What `temporal` is not to average: lines of objects that have moved far.
-struct ForgetArgs {
-    Buffer& segments;
-    std::uint32_t segment_count;
-    Buffer& objects; ///< as in TransformArgs
-    Buffer& jumped;  ///< per object a byte: 1 if it has
-    Buffer& ranges;  ///< in and out, of History
-};
-
 /// The triangles of a model as `depth` draws them.
 struct MeshletTables {
     Buffer& clusters;    ///< `Cluster` each

@@ -68,10 +68,9 @@ void Stages::depth(const DepthArgs& args) {
     Buffer& order = scratch(Scratch::depth_order, stride);
     Buffer& total = scratch(Scratch::depth_total, 1);
     Buffer& next = scratch(Scratch::depth_next, 1);
-    launch<kernels::depth_bin>(model.count, tuning_.local_size, parameters, model, args,
-                               Places{places});
+    launch<kernels::depth_bin>(model.count, parameters, model, args, Places{places});
     if (tiles.x <= 0 || tiles.y <= 0) return;
-    launch<kernels::depth_order>(
+    launch_grouped<kernels::depth_order>(
         1, 1, parameters,
         {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
     // Launch after launch goes on from what is stored.
@@ -93,29 +92,29 @@ void Stages::depth(const DepthArgs& args) {
         parameters.end =
             parameters.begin + std::min(tuning_.depth_clusters, model.count - parameters.begin);
         device_.clear(next, sizeof(la_uint));
-        launch<kernels::depth_tiles>(workers, 1, parameters,
-                                     {.boxes = boxes,
-                                      .nearest = nearest,
-                                      .order = order,
-                                      .total = total,
-                                      .clusters = model.clusters,
-                                      .meshlets = model.meshlets,
-                                      .vertex_list = model.vertex_list,
-                                      .corners = model.corners,
-                                      .vertices = args.vertices,
-                                      .next = next,
-                                      .depth = depth,
-                                      .numbers = numbers,
-                                      .pyramid = args.tiles,
-                                      .blank = blank,
-                                      .seen = args.seen},
-                                     kernel);
+        launch_grouped<kernels::depth_tiles>(workers, 1, parameters,
+                                             {.boxes = boxes,
+                                              .nearest = nearest,
+                                              .order = order,
+                                              .total = total,
+                                              .clusters = model.clusters,
+                                              .meshlets = model.meshlets,
+                                              .vertex_list = model.vertex_list,
+                                              .corners = model.corners,
+                                              .vertices = args.vertices,
+                                              .next = next,
+                                              .depth = depth,
+                                              .numbers = numbers,
+                                              .pyramid = args.tiles,
+                                              .blank = blank,
+                                              .seen = args.seen},
+                                             kernel);
     } while (parameters.end < model.count);
 }
 
 void Stages::planes(const PlanesArgs& args) {
     launch<kernels::planes>(
-        args.model.count, tuning_.local_size,
+        args.model.count,
         {.count = args.model.count,
          .world_from_screen = args.view.world_from_screen,
          .contact = args.contact,

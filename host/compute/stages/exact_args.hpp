@@ -55,20 +55,6 @@ struct OutlineSeenArgs {
     Buffer& numbers; ///< out: segment_count + 1 uint32: how many there are before each, and in all
 };
 
-/// What lies beside them, for `visible` to look at.
-struct OutlineArgs {
-    SegmentTable table;
-    ClippedTable clipped;
-    Buffer& seen; ///< a uint32 each: segments, as list() has them
-    std::uint32_t count;
-    glm::vec2 viewport; ///< pixels
-    float depth;        ///< pixels that a body must be deep on the other side
-    bool parallel;      ///< a parallel view
-    glm::mat4 clip_from_world;
-    std::uint32_t lift; ///< as in ExactParameters
-    Buffer& pushed;     ///< out: `ClippedSegment`, 2 of each, then LA_OUTLINE_WITHIN
-};
-
 /// Of what is seen of the ways beside segments, which parts are outline.
 struct OutlinePartsArgs {
     std::uint32_t segment_count;

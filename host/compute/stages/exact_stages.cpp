@@ -61,33 +61,26 @@ ExactParameters in_chunks(const ExactArgs& args, const Tuning& tuning) {
 
 void Stages::surfaces(const ExactArgs& args) {
     const ExactParameters parameters = in_chunks(args, tuning_);
-    launch<kernels::surfaces_vertices>(parameters.vertex_count, tuning_.local_size, parameters,
-                                       args.table, args);
+    launch<kernels::surfaces_vertices>(parameters.vertex_count, parameters, args.table, args);
     device_.clear(args.occluders, tiles_of(parameters) * sizeof(la_uint));
     if (args.batches != nullptr) {
         ExactParameters by_batch = parameters;
         by_batch.count = args.batches->batches();
         const std::uint32_t items = parameters.slices > 1 ? LA_BATCH * parameters.slices : 1;
-        launch<kernels::surfaces_occluders>(by_batch.count * items, tuning_.local_size, by_batch,
-                                            args.table, args, BatchBoxes{args.batches->boxes});
+        launch<kernels::surfaces_occluders>(by_batch.count * items, by_batch, args.table, args,
+                                            BatchBoxes{args.batches->boxes});
         surfaces_batches(args, *args.batches, true);
     }
-    launch<kernels::surfaces_faces>(parameters.triangle_count * parameters.slices,
-                                    tuning_.local_size, parameters, args.table, args,
-                                    may_be_absent(args));
-}
-
-void Stages::surfaces_boxes(const SegmentTable& table, const BatchTable& batches) {
-    launch<kernels::surfaces_boxes>(batches.batches(), tuning_.local_size, {batches.count}, table,
-                                    BatchBoxes{batches.boxes});
+    launch<kernels::surfaces_faces>(parameters.triangle_count * parameters.slices, parameters,
+                                    args.table, args, may_be_absent(args));
 }
 
 void Stages::surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden) {
     ExactParameters parameters = args.parameters;
     parameters.count = batches.batches();
     parameters.keeps_hidden = drops_hidden ? 0 : 1;
-    launch<kernels::surfaces_batches>(parameters.count, tuning_.local_size, parameters, batches,
-                                      args, BatchBoxes{batches.boxes});
+    launch<kernels::surfaces_batches>(parameters.count, parameters, batches, args,
+                                      BatchBoxes{batches.boxes});
 }
 
 void Stages::tile_lists(const ExactArgs& args) {
@@ -97,36 +90,37 @@ void Stages::tile_lists(const ExactArgs& args) {
     const std::uint32_t chunks =
         divide_up(parameters.triangle_count, parameters.chunk) * parameters.slices;
     device_.clear(args.ends, counts * sizeof(la_uint));
-    launch<kernels::tile_lists_count>(chunks, tuning_.block_local_size, parameters, args.table,
-                                      args, may_be_absent(args), Counts{args.ends});
+    launch_grouped<kernels::tile_lists_count>(chunks, tuning_.block_local_size, parameters,
+                                              args.table, args, may_be_absent(args),
+                                              Counts{args.ends});
     scan(args.ends, counts, ScanKind::saturate);
-    launch<kernels::tile_lists_groups>(tiles, tuning_.local_size, parameters, args,
-                                       Offsets{args.ends});
+    launch<kernels::tile_lists_groups>(tiles, parameters, args, Offsets{args.ends});
     scan(args.groups, tiles, ScanKind::saturate);
     const std::size_t ranged = tuning_.face_lists ? std::size_t{2} * tiles : 1;
     Buffer& ranges = scratch(Scratch::list_ranges, ranged);
     device_.clear(ranges, ranged * sizeof(la_uint));
-    launch<kernels::tile_lists_fill>(chunks, tuning_.block_local_size, parameters, args.table, args,
-                                     may_be_absent(args), ListRanges{ranges});
+    launch_grouped<kernels::tile_lists_fill>(chunks, tuning_.block_local_size, parameters,
+                                             args.table, args, may_be_absent(args),
+                                             ListRanges{ranges});
     if (tuning_.face_lists) return arrange_by_entries(args, parameters, ranges);
-    launch<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters, args.table,
-                                        args);
+    launch_grouped<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters,
+                                                args.table, args);
 }
 
 void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters,
                                 Buffer& ranges) {
     const std::uint32_t tiles = tiles_of(parameters), entries = parameters.entry_capacity;
-    const std::uint32_t keys = tiles * LA_LIST_KEYS, group = tuning_.local_size;
+    const std::uint32_t keys = tiles * LA_LIST_KEYS;
     const KeyTables lists{scratch(Scratch::list_keys, std::size_t{keys} + 1),
                           scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
     device_.clear(lists.keys, keys * sizeof(la_uint));
-    launch<kernels::tile_lists_keys>(entries, group, parameters, args, lists, ListRanges{ranges});
+    launch<kernels::tile_lists_keys>(entries, parameters, args, lists, ListRanges{ranges});
     scan(lists.keys, keys, ScanKind::saturate);
-    launch<kernels::tile_lists_place>(entries, group, parameters, args, lists);
-    launch<kernels::tile_lists_sort>(entries, group, parameters, args, lists);
-    launch<kernels::tile_lists_write>(entries, group, parameters, args.table, args);
-    launch<kernels::tile_lists_boxes>(parameters.group_capacity, group, parameters, args);
-    launch<kernels::tile_lists_behind>(tiles, group, parameters, args);
+    launch<kernels::tile_lists_place>(entries, parameters, args, lists);
+    launch<kernels::tile_lists_sort>(entries, parameters, args, lists);
+    launch<kernels::tile_lists_write>(entries, parameters, args.table, args);
+    launch<kernels::tile_lists_boxes>(parameters.group_capacity, parameters, args);
+    launch<kernels::tile_lists_behind>(tiles, parameters, args);
 }
 
 void Stages::visible(const ExactArgs& args) {
@@ -135,30 +129,30 @@ void Stages::visible(const ExactArgs& args) {
     if (tuning_.face_lists)
         count_pieces(args, parameters);
     else
-        launch<kernels::visible_count>(n, tuning_.local_size, parameters, args.table, args.clipped,
-                                       args, may_be_absent(args), Counts{args.span_offsets});
+        launch<kernels::visible_count>(n, parameters, args.table, args.clipped, args,
+                                       may_be_absent(args), Counts{args.span_offsets});
     scan(args.span_offsets, n, ScanKind::saturate);
     visible_write(args);
 }
 
 void Stages::count_pieces(const ExactArgs& args, const ExactParameters& parameters) {
-    const std::uint32_t n = parameters.count, group = tuning_.local_size;
+    const std::uint32_t n = parameters.count;
     const ExactTables absent = may_be_absent(args);
     Buffer& offsets = scratch(Scratch::piece_offsets, std::size_t{n} + 1);
-    launch<kernels::visible_pieces>(n, group, parameters, args.table, args.clipped, args, absent,
+    launch<kernels::visible_pieces>(n, parameters, args.table, args.clipped, args, absent,
                                     Counts{offsets});
     scan(offsets, n, ScanKind::saturate);
     const auto count = read_one<la_uint>(device_, offsets, n);
     const PieceTables pieces{offsets, scratch(Scratch::piece_parts, std::size_t{count} + 1),
                              scratch(Scratch::piece_kept, std::size_t{4} * count)};
-    launch<kernels::visible_cut>(count, group, parameters, args.table, args.clipped, args, absent,
-                                 pieces, Counts{pieces.part_offsets});
+    launch<kernels::visible_cut>(count, parameters, args.table, args.clipped, args, absent, pieces,
+                                 Counts{pieces.part_offsets});
     scan(pieces.part_offsets, count, ScanKind::saturate);
     const std::size_t parts = read_one<la_uint>(device_, pieces.part_offsets, count);
     const RawParts raw{scratch(Scratch::raw_parts, 2 * parts)};
-    launch<kernels::visible_parts>(count, group, parameters, args.table, args.clipped, args, absent,
+    launch<kernels::visible_parts>(count, parameters, args.table, args.clipped, args, absent,
                                    pieces, raw);
-    launch<kernels::visible_join>(n, group, parameters, args.clipped, pieces, raw,
+    launch<kernels::visible_join>(n, parameters, args.clipped, pieces, raw,
                                   Counts{args.span_offsets});
 }
 
@@ -167,32 +161,16 @@ void Stages::visible_write(const ExactArgs& args) {
     if (tuning_.face_lists) {
         const PieceTables pieces{scratch_[Scratch::piece_offsets], scratch_[Scratch::piece_parts],
                                  scratch_[Scratch::piece_kept]};
-        return launch<kernels::visible_spans>(parameters.count, tuning_.local_size, parameters,
+        return launch<kernels::visible_spans>(parameters.count, parameters,
                                               Offsets{args.span_offsets}, args.clipped, pieces,
                                               args, RawParts{scratch_[Scratch::raw_parts]});
     }
-    launch<kernels::visible_write>(parameters.count, tuning_.local_size, parameters,
-                                   Offsets{args.span_offsets}, args.table, args.clipped, args,
-                                   may_be_absent(args));
+    launch<kernels::visible_write>(parameters.count, parameters, Offsets{args.span_offsets},
+                                   args.table, args.clipped, args, may_be_absent(args));
 }
 
 namespace {
 
-OutlineParameters parameters_of(const OutlineArgs& args) {
-    constexpr float beside = 0.5F; // pixels
-    return {.count = args.count,
-            .viewport = args.viewport,
-            .reach = beside,
-            .depth = args.depth,
-            .parallel = args.parallel ? 1U : 0U,
-            .capacity = 0,
-            .clip_from_world = args.clip_from_world,
-            .lift = args.lift};
-}
-
-struct BesideOffsets {
-    Buffer& beside_offsets;
-};
 /// What is seen of the ways beside segments, on either side and on the other one.
 struct WayTables {
     Buffer &beside_offsets, &beside, &within_offsets, &within;
@@ -206,19 +184,8 @@ WayTables ways_of(const OutlinePartsArgs& args) {
 
 void Stages::outline_seen(const OutlineSeenArgs& args) {
     const std::uint32_t n = args.table.segment_count;
-    launch<kernels::outline_seen>(n, tuning_.local_size, {n}, args.table, args.clipped, args.spans,
-                                  args);
+    launch_each<kernels::outline_seen>(n, args.table, args.clipped, args.spans, args);
     scan(args.numbers, n, ScanKind::saturate);
-}
-
-void Stages::outline_push(const OutlineArgs& args) {
-    launch<kernels::outline_push>(args.count, tuning_.local_size, parameters_of(args), args.table,
-                                  args.clipped, args);
-}
-
-void Stages::outline_push_in(const OutlineArgs& args, Buffer& beside_offsets) {
-    launch<kernels::outline_push_in>(args.count, tuning_.local_size, parameters_of(args),
-                                     args.clipped, args, BesideOffsets{beside_offsets});
 }
 
 void Stages::outline_parts(const OutlinePartsArgs& args) {
@@ -226,18 +193,17 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
     parameters.count = args.segment_count;
     parameters.depth = args.depth;
     parameters.capacity = args.part_capacity;
-    launch<kernels::outline_parts_count>(args.segment_count, tuning_.local_size, parameters, args,
-                                         ways_of(args), Counts{args.part_offsets});
+    launch<kernels::outline_parts_count>(args.segment_count, parameters, args, ways_of(args),
+                                         Counts{args.part_offsets});
     scan(args.part_offsets, args.segment_count, ScanKind::saturate);
-    launch<kernels::outline_parts_write>(args.segment_count, tuning_.local_size, parameters, args,
-                                         ways_of(args));
+    launch<kernels::outline_parts_write>(args.segment_count, parameters, args, ways_of(args));
 }
 
 Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,
                             const SpanTable& spans, const SpansParameters& parameters) {
     Buffer& counts = scratch(Scratch::block_counts, parameters.blocks + 1);
-    launch<kernels::spans_count>(parameters.blocks, tuning_.block_local_size, parameters, table,
-                                 clipped, spans, Counts{counts});
+    launch_grouped<kernels::spans_count>(parameters.blocks, tuning_.block_local_size, parameters,
+                                         table, clipped, spans, Counts{counts});
     scan(counts, parameters.blocks, ScanKind::saturate);
     return counts;
 }
@@ -254,9 +220,10 @@ void Stages::span_runs(const SpanRunsArgs& args) {
                                      .span_capacity = args.spans.capacity,
                                      .capacity = args.run_capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
-    launch<kernels::spans_runs>(std::max(parameters.blocks, 1U), // the first writes the record
-                                tuning_.block_local_size, parameters, args.table, args.clipped,
-                                args.spans, args, BlockOffsets{counts});
+    launch_grouped<kernels::spans_runs>(
+        std::max(parameters.blocks, 1U), // the first writes the record
+        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
+        BlockOffsets{counts});
 }
 
 void Stages::span_intervals(const SpanIntervalsArgs& args) {
@@ -271,9 +238,10 @@ void Stages::span_intervals(const SpanIntervalsArgs& args) {
                                      .span_capacity = args.spans.capacity,
                                      .capacity = args.interval_capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
-    launch<kernels::spans_intervals>(std::max(parameters.blocks, 1U), // the first writes the total
-                                     tuning_.block_local_size, parameters, args.table, args.clipped,
-                                     args.spans, args, BlockOffsets{counts});
+    launch_grouped<kernels::spans_intervals>(
+        std::max(parameters.blocks, 1U), // the first writes the total
+        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
+        BlockOffsets{counts});
 }
 
 } // namespace lineatlas::compute

@@ -224,6 +224,18 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t see
     stages_.visible_write(arguments());
 }
 
+namespace {
+
+/// Tables of outline_push and outline_push_in.
+struct OutlineWays {
+    Buffer &seen, &pushed;
+};
+struct BesideOffsets {
+    Buffer& beside_offsets;
+};
+
+} // namespace
+
 OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
     const std::uint32_t segments = parameters_.count;
     tables_.fit(Table::numbers, (segments + 1ULL) * sizeof(la_uint));
@@ -240,20 +252,22 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
     }
     tables_.make_room(Table::seen, std::uint64_t{seen} * sizeof(la_uint));
     tables_.make_room(Table::pushed, ways * sizeof(ClippedSegment));
-    stages_.list(tables_[Table::numbers], segments, tables_[Table::seen]);
-    const OutlineArgs outline{.table = *table_,
-                              .clipped = clipped,
-                              .seen = tables_[Table::seen],
-                              .count = seen,
-                              .viewport = parameters_.viewport,
-                              .depth = depth,
-                              .parallel = parameters_.depth_rate > 0,
-                              .clip_from_world = parameters_.clip_from_world,
-                              .lift = parameters_.lift,
-                              .pushed = tables_[Table::pushed]};
-    stages_.outline_push(outline);
+    stages_.launch_each<kernels::scan_list>(
+        segments, {.values = tables_[Table::numbers], .list = tables_[Table::seen]});
+    constexpr float reach = 0.5F; // pixels
+    const OutlineParameters outline{.count = seen,
+                                    .viewport = parameters_.viewport,
+                                    .reach = reach,
+                                    .depth = depth,
+                                    .parallel = parameters_.depth_rate > 0 ? 1U : 0U,
+                                    .capacity = 0,
+                                    .clip_from_world = parameters_.clip_from_world,
+                                    .lift = parameters_.lift};
+    const OutlineWays pushed{tables_[Table::seen], tables_[Table::pushed]};
+    stages_.launch<kernels::outline_push>(seen, outline, *table_, clipped, pushed);
     find_beside(clipped, seen, LA_OUTLINE_BESIDE, beside_);
-    stages_.outline_push_in(outline, tables_[beside_.offsets]);
+    stages_.launch<kernels::outline_push_in>(seen, outline, clipped, pushed,
+                                             BesideOffsets{tables_[beside_.offsets]});
     find_beside(clipped, seen, LA_OUTLINE_WITHIN, within_);
     part_capacity_ = std::max(part_capacity_, beside_.capacity);
     for (bool again = true; again;) {

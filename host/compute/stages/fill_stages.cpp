@@ -38,22 +38,21 @@ FillColorsParameters colors_parameters(const FillArgs& args) {
 void Stages::fill(const FillArgs& args) {
     const glm::ivec2 wanted = args.part.size();
     if (wanted.x <= 0 || wanted.y <= 0) return;
-    launch<kernels::fill_colors>(args.model.count, tuning_.local_size, colors_parameters(args),
-                                 args.model, args,
+    launch<kernels::fill_colors>(args.model.count, colors_parameters(args), args.model, args,
                                  Colors{args.colors != nullptr ? *args.colors : args.numbers});
     const std::uint32_t block = tuning_.atlas_block;
     const std::uint32_t blocks = divide_up(static_cast<std::uint32_t>(wanted.x), block);
-    launch<kernels::fill_pixels>(blocks * static_cast<std::uint32_t>(wanted.y),
-                                 tuning_.block_local_size,
-                                 {.size = args.size,
-                                  .low = args.part.low,
-                                  .wanted = wanted,
-                                  .origin = args.origin,
-                                  .row = args.row,
-                                  .scale = args.scale,
-                                  .block = block,
-                                  .blocks = blocks},
-                                 args);
+    launch_grouped<kernels::fill_pixels>(blocks * static_cast<std::uint32_t>(wanted.y),
+                                         tuning_.block_local_size,
+                                         {.size = args.size,
+                                          .low = args.part.low,
+                                          .wanted = wanted,
+                                          .origin = args.origin,
+                                          .row = args.row,
+                                          .scale = args.scale,
+                                          .block = block,
+                                          .blocks = blocks},
+                                         args);
 }
 
 } // namespace lineatlas::compute

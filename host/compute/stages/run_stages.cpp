@@ -40,12 +40,13 @@ void Stages::compact(const CompactArgs& args) {
                                        .blocks = blocks,
                                        .run_capacity = args.run_capacity};
     Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
-    launch<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
-                                   args.atlas.clipped, args.atlas, Counts{counts});
+    launch_grouped<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
+                                           args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
-    launch<kernels::compact_write>(std::max(blocks, 1U), // the first writes the record
-                                   tuning_.block_local_size, parameters, args.table,
-                                   args.atlas.clipped, args.atlas, args, BlockOffsets{counts});
+    launch_grouped<kernels::compact_write>(std::max(blocks, 1U), // the first writes the record
+                                           tuning_.block_local_size, parameters, args.table,
+                                           args.atlas.clipped, args.atlas, args,
+                                           BlockOffsets{counts});
 }
 
 void Stages::halo(const HaloArgs& args) {
@@ -58,7 +59,7 @@ void Stages::halo(const HaloArgs& args) {
                               .total = 0};
     Buffer& ends = scratch(Scratch::halo_ends, tile_count + std::size_t{1});
     device_.clear(ends, tile_count * sizeof(la_uint));
-    launch<kernels::halo_count>(items, tuning_.local_size, parameters, args, Counts{ends});
+    launch<kernels::halo_count>(items, parameters, args, Counts{ends});
     scan(ends, tile_count, ScanKind::saturate);
     parameters.total = read_one<la_uint>(device_, ends, tile_count);
     constexpr std::size_t tables = 7;      // of struct Lists
@@ -69,8 +70,8 @@ void Stages::halo(const HaloArgs& args) {
     halo_lists_.make_room((parameters.total + std::uint64_t{tuning_.halo_lanes}) * tables *
                           sizeof(la_uint));
     Buffer& lists = *halo_lists_;
-    launch<kernels::halo_fill>(items, tuning_.local_size, parameters, args, Lists{ends, lists});
-    launch<kernels::halo_cut>(items, tuning_.local_size, parameters, args.table, args.clipped, args,
+    launch<kernels::halo_fill>(items, parameters, args, Lists{ends, lists});
+    launch<kernels::halo_cut>(items, parameters, args.table, args.clipped, args,
                               Lists{ends, lists});
 }
 
@@ -85,15 +86,15 @@ void Stages::filter(const FilterArgs& args) {
                                       .filtered_capacity = args.filtered_capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
     Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any: it isn't read
-    launch<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
-                                  args.atlas.clipped, args.atlas, args, Cuts{cuts}, Counts{counts});
+    launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
+                                          args.atlas.clipped, args.atlas, args, Cuts{cuts},
+                                          Counts{counts});
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::filter_write>(n, tuning_.block_local_size, parameters, args.table,
-                                  args.atlas.clipped, args.atlas, args, Cuts{cuts},
-                                  RunOffsets{counts});
-    launch<kernels::filter_show>(args.filtered_capacity, tuning_.local_size,
-                                 {args.filtered_capacity}, args, args.atlas);
-    launch<kernels::filter_show_ends>(n, tuning_.local_size, {n}, args.table, args.atlas, args);
+    launch_grouped<kernels::filter_write>(n, tuning_.block_local_size, parameters, args.table,
+                                          args.atlas.clipped, args.atlas, args, Cuts{cuts},
+                                          RunOffsets{counts});
+    launch_each<kernels::filter_show>(args.filtered_capacity, args, args.atlas);
+    launch_each<kernels::filter_show_ends>(n, args.table, args.atlas, args);
 }
 
 void Stages::outline_samples(const OutlineSamplesArgs& args) {
@@ -109,12 +110,11 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
                                               .numbered = args.depth.surfaces ? 1U : 0U,
                                               .sample_capacity = args.sample_capacity,
                                               .part_capacity = args.part_capacity};
-    launch<kernels::outline_samples_count>(n, tuning_.local_size, parameters, args.table,
-                                           args.clipped, args.depth.tables(),
-                                           Counts{args.part_offsets});
+    launch<kernels::outline_samples_count>(n, parameters, args.table, args.clipped,
+                                           args.depth.tables(), Counts{args.part_offsets});
     scan(args.part_offsets, n, ScanKind::saturate);
-    launch<kernels::outline_samples_write>(n, tuning_.local_size, parameters, args.table,
-                                           args.clipped, args.depth.tables(), args);
+    launch<kernels::outline_samples_write>(n, parameters, args.table, args.clipped,
+                                           args.depth.tables(), args);
 }
 
 void Stages::pens(const PensArgs& args) {
@@ -131,10 +131,9 @@ void Stages::pens(const PensArgs& args) {
                                     .run_capacity = n,
                                     .drawn_capacity = args.drawn_capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    launch<kernels::pens_count>(n, tuning_.local_size, parameters, args, outlines, Counts{counts});
+    launch<kernels::pens_count>(n, parameters, args, outlines, Counts{counts});
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::pens_write>(std::max(n, 1U), tuning_.local_size, parameters, args, outlines,
-                                RunOffsets{counts});
+    launch<kernels::pens_write>(std::max(n, 1U), parameters, args, outlines, RunOffsets{counts});
 }
 
 void Stages::density(const DensityArgs& args) {
@@ -158,12 +157,12 @@ void Stages::density(const DensityArgs& args) {
         device_.clear(args.grid, planes * sizeof(la_uint));
     else
         device_.upload(args.grid, std::as_bytes(args.drawn_before));
-    launch<kernels::density_lines>(items, tuning_.local_size, parameters, args.table,
-                                   args.atlas.clipped, args.atlas, args);
-    launch<kernels::density_smooth>(LA_DENSITY_BINS * plane, tuning_.local_size, parameters,
+    launch<kernels::density_lines>(items, parameters, args.table, args.atlas.clipped, args.atlas,
+                                   args);
+    launch<kernels::density_smooth>(LA_DENSITY_BINS * plane, parameters,
                                     {.grid = args.grid, .smooth = smooth});
     const auto share_out = [&] {
-        launch<kernels::density_weights>(plane, tuning_.local_size, parameters,
+        launch<kernels::density_weights>(plane, parameters,
                                          {.grid = args.grid,
                                           .smooth = smooth,
                                           .excess = excess,
@@ -171,8 +170,7 @@ void Stages::density(const DensityArgs& args) {
                                           .drawn = drawn});
     };
     share_out();
-    launch<kernels::density_excess>(plane, tuning_.local_size, parameters,
-                                    {.drawn = drawn, .excess = excess});
+    launch<kernels::density_excess>(plane, parameters, {.drawn = drawn, .excess = excess});
     parameters.again = 1;
     share_out();
 }

@@ -6,31 +6,21 @@
 namespace lineatlas::compute {
 
 void Stages::transform(const TransformArgs& args) {
-    launch<kernels::transform>(args.vertex_count, tuning_.local_size, {args.vertex_count}, args);
-    launch<kernels::transform_boxes>(args.cluster_count, tuning_.local_size, {args.cluster_count},
-                                     {.rest = args.rest_clusters,
-                                      .objects = args.cluster_objects,
-                                      .matrices = args.matrices,
-                                      .clusters = args.clusters});
-}
-
-void Stages::transform_bounds(const BoundsArgs& args) {
-    launch<kernels::transform_bounds>(args.count, tuning_.local_size, {args.count}, args);
-}
-
-void Stages::transform_forget(const ForgetArgs& args) {
-    launch<kernels::transform_forget>(args.segment_count, tuning_.local_size, {args.segment_count},
-                                      args);
+    launch_each<kernels::transform>(args.vertex_count, args);
+    launch_each<kernels::transform_boxes>(args.cluster_count, {.rest = args.rest_clusters,
+                                                               .objects = args.cluster_objects,
+                                                               .matrices = args.matrices,
+                                                               .clusters = args.clusters});
 }
 
 void Stages::pyramid(const PyramidArgs& args) {
     const glm::ivec2 tiles = tiles_for(args.depth_size);
-    launch<kernels::pyramid>(static_cast<std::uint32_t>(tiles.x * tiles.y), tuning_.local_size,
+    launch<kernels::pyramid>(static_cast<std::uint32_t>(tiles.x * tiles.y),
                              {.depth_size = args.depth_size, .tile_count = tiles}, args);
 }
 
 void Stages::cull(const CullArgs& args) {
-    launch<kernels::cull>(args.count, tuning_.local_size,
+    launch<kernels::cull>(args.count,
                           {.count = args.count,
                            .clip_from_world = args.clip_from_world,
                            .depth_size = args.depth_size,
@@ -40,12 +30,7 @@ void Stages::cull(const CullArgs& args) {
 
 void Stages::facing(const FacingArgs& args) {
     const std::uint32_t n = args.table.triangle_count;
-    launch<kernels::facing>(n, tuning_.local_size, {.count = n, .eye = args.eye}, args.table, args);
-}
-
-void Stages::project_clip_boxes(const SegmentTable& table, const BatchTable& batches) {
-    launch<kernels::project_clip_boxes>(batches.batches(), tuning_.local_size, {batches.count},
-                                        table, BatchBoxes{batches.boxes});
+    launch<kernels::facing>(n, {.count = n, .eye = args.eye}, args.table, args);
 }
 
 namespace {
@@ -89,14 +74,12 @@ ClipTables may_be_absent(const ProjectClipArgs& args) {
 void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
     ProjectClipParameters parameters = parameters_of(args);
     if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
-    launch<kernels::project_clip_batches>(args.batches->batches(), tuning_.local_size, parameters,
-                                          may_be_absent(args));
+    launch<kernels::project_clip_batches>(args.batches->batches(), parameters, may_be_absent(args));
 }
 
 void Stages::project_clip(const ProjectClipArgs& args) {
-    launch<kernels::project_clip>(args.table.segment_count, tuning_.local_size, parameters_of(args),
-                                  args.table, may_be_absent(args), args, args.out,
-                                  Counts{args.out.offsets});
+    launch<kernels::project_clip>(args.table.segment_count, parameters_of(args), args.table,
+                                  may_be_absent(args), args, args.out, Counts{args.out.offsets});
 }
 
 void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
@@ -111,26 +94,23 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
             std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
         const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
         Buffer& sums = scratch(Scratch::scan_sums, chunks);
-        launch<kernels::scan_chunks_reduce>(chunks, 1, parameters, {values, sums},
-                                            kernel_of<kernels::scan_chunks_reduce>(variant));
-        launch<kernels::scan_chunks_apply>(chunks, 1, parameters, {values, sums},
-                                           kernel_of<kernels::scan_chunks_apply>(variant));
+        launch_grouped<kernels::scan_chunks_reduce>(
+            chunks, 1, parameters, {values, sums}, kernel_of<kernels::scan_chunks_reduce>(variant));
+        launch_grouped<kernels::scan_chunks_apply>(chunks, 1, parameters, {values, sums},
+                                                   kernel_of<kernels::scan_chunks_apply>(variant));
         return;
     }
     const std::uint32_t items = divide_up(n, tuning_.scan_per_item);
     const std::uint32_t tiles = divide_up(items, tuning_.scan_tile);
     const ScanParameters parameters{.n = n, .chunk = 0};
     Buffer& sums = scratch(Scratch::scan_sums, tiles);
-    launch<kernels::scan_tiles_reduce>(items, tuning_.scan_tile, parameters, {values, sums},
-                                       kernel_of<kernels::scan_tiles_reduce>(variant));
-    launch<kernels::scan_tiles_sums>(tuning_.scan_tile, tuning_.scan_tile, {.n = tiles, .chunk = 0},
-                                     {sums}, kernel_of<kernels::scan_tiles_sums>(variant));
-    launch<kernels::scan_tiles_apply>(items, tuning_.scan_tile, parameters, {values, sums},
-                                      kernel_of<kernels::scan_tiles_apply>(variant));
-}
-
-void Stages::list(Buffer& values, std::uint32_t n, Buffer& list) {
-    launch<kernels::scan_list>(n, tuning_.local_size, {n}, {.values = values, .list = list});
+    launch_grouped<kernels::scan_tiles_reduce>(items, tuning_.scan_tile, parameters, {values, sums},
+                                               kernel_of<kernels::scan_tiles_reduce>(variant));
+    launch_grouped<kernels::scan_tiles_sums>(tuning_.scan_tile, tuning_.scan_tile,
+                                             {.n = tiles, .chunk = 0}, {sums},
+                                             kernel_of<kernels::scan_tiles_sums>(variant));
+    launch_grouped<kernels::scan_tiles_apply>(items, tuning_.scan_tile, parameters, {values, sums},
+                                              kernel_of<kernels::scan_tiles_apply>(variant));
 }
 
 } // namespace lineatlas::compute

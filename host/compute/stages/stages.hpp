@@ -40,41 +40,53 @@ class Stages {
 
     Device& device() const { return device_; }
 
+    /// One kernel, `items` work-items of it: nothing if there are none.
+    template <class K>
+    void launch(std::uint32_t items, const typename K::Parameters& parameters,
+                const typename K::Tables& tables) {
+        launch_grouped<K>(items, tuning_.local_size, parameters, tables);
+    }
+    /// Each table is that of its name in the first of `groups` that has one.
+    template <class K, class... Groups>
+    requires(sizeof...(Groups) > 0 && (!std::same_as<Groups, typename K::Tables> &&
+                                       ...)) void launch(std::uint32_t items,
+                                                         const typename K::Parameters& parameters,
+                                                         const Groups&... groups) {
+        launch_grouped<K>(items, tuning_.local_size, parameters, groups...);
+    }
+    /// The same of a kernel with no parameter but how many elements it does something for.
+    template <class K>
+    void launch_each(std::uint32_t count, const typename K::Tables& tables) {
+        launch<K>(count, CountParameters{count}, tables);
+    }
+    template <class K, class... Groups>
+    void launch_each(std::uint32_t count, const Groups&... groups) {
+        launch<K>(count, CountParameters{count}, groups...);
+    }
+
     void transform(const TransformArgs& args);
-    void transform_bounds(const BoundsArgs& args);
-    void transform_forget(const ForgetArgs& args);
     /// Throws DeviceError for more clusters than the device can sort.
     void depth(const DepthArgs& args);
     void planes(const PlanesArgs& args);
     void pyramid(const PyramidArgs& args);
     void cull(const CullArgs& args);
     void facing(const FacingArgs& args);
-    void contour_normals(const ContourNormalsArgs& args);
-    void contour_turn(const ContourTurnArgs& args);
     void contour(const ContourArgs& args);
     void silhouette(const SilhouetteArgs& args);
     void silhouette_list(const SilhouetteListArgs& args);
     void contour_places(const ContourPlacesArgs& args);
     void chain(const ChainArgs& args);
-    /// Boxes around the first segments, in batches.
-    void project_clip_boxes(const SegmentTable& table, const BatchTable& batches);
     /// Which of args.batches lie outside the frustum or, where `drops_hidden`, behind the pyramid:
     /// then it must be that of numbered triangles, and nobody asks how long lines are.
     void project_clip_batches(const ProjectClipArgs& args, bool drops_hidden);
     void project_clip(const ProjectClipArgs& args);
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
     void scan(Buffer& values, std::uint32_t n, ScanKind kind);
-    /// `values`: of n inputs that were 0 or 1, scanned. `list`, out: a uint32 for each that was 1,
-    /// which one it is, ascending.
-    void list(Buffer& values, std::uint32_t n, Buffer& list);
     void carry(const CarryArgs& args);
-    void carry_runs(const CarryRunsArgs& args);
     void atlas(const AtlasArgs& args);
     void temporal(const TemporalArgs& args);
     void intervals(const IntervalsArgs& args);
     void surfaces(const ExactArgs& args);
-    /// Boxes around all triangles, in batches.
-    void surfaces_boxes(const SegmentTable& table, const BatchTable& batches);
     /// After occluders are found: which batches of segments or triangles lie outside the picture
     /// or, where `drops_hidden`, behind faces that cover whole tiles.
     void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
@@ -85,9 +97,6 @@ class Stages {
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
     void outline_seen(const OutlineSeenArgs& args);
-    void outline_push(const OutlineArgs& args);
-    /// `beside_offsets`: of what is seen of the ways of outline_push().
-    void outline_push_in(const OutlineArgs& args, Buffer& beside_offsets);
     void outline_parts(const OutlinePartsArgs& args);
     void outline_samples(const OutlineSamplesArgs& args);
     void pens(const PensArgs& args);
@@ -105,23 +114,23 @@ class Stages {
                             Buffer& ranges);
     /// What visible_count does, piece by piece: of each segment in each tile. Waits.
     void count_pieces(const ExactArgs& args, const ExactParameters& parameters);
-    /// Launches `items` work-items in groups of `group`; nothing if there are none. Each table is
-    /// that of its name in the first of `groups` that has one.
-    template <class K, class... Groups>
-    requires(sizeof...(Groups) > 0 && (!std::same_as<Groups, typename K::Tables> &&
-                                       ...)) void launch(std::uint32_t items, std::uint32_t group,
-                                                         const typename K::Parameters& parameters,
-                                                         const Groups&... groups) {
-        launch<K>(items, group, parameters, K::tables_of(groups...));
-    }
     template <class K>
-    void launch(std::uint32_t items, std::uint32_t group, const typename K::Parameters& parameters,
-                const typename K::Tables& tables, const Kernel& kernel = kernel_of<K>()) {
+    void launch_grouped(std::uint32_t items, std::uint32_t group,
+                        const typename K::Parameters& parameters, const typename K::Tables& tables,
+                        const Kernel& kernel = kernel_of<K>()) {
         if (items == 0) return;
         const auto list = K::list(tables);
         for (std::size_t i = 0; i < list.size(); ++i)
             if (kernel.tables[i].access != Access::in) ++list[i]->writes_;
         device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
+    }
+    template <class K, class... Groups>
+    requires(sizeof...(Groups) > 0 &&
+             (!std::same_as<Groups, typename K::Tables> &&
+              ...)) void launch_grouped(std::uint32_t items, std::uint32_t group,
+                                        const typename K::Parameters& parameters,
+                                        const Groups&... groups) {
+        launch_grouped<K>(items, group, parameters, K::tables_of(groups...));
     }
 
     /// Those of `args`, or such of which nothing is known.

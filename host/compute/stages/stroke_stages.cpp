@@ -27,11 +27,11 @@ void Stages::list_strokes(const StrokeListArgs& args) {
                                           .capacity = args.lists.capacity};
     const std::size_t ends = stroke_ends(tuning_, args.viewport);
     device_.clear(args.lists.ends, ends * sizeof(la_uint));
-    launch<kernels::strokes_count>(parameters.chunks, tuning_.block_local_size, parameters, args,
-                                   Counts{args.lists.ends});
+    launch_grouped<kernels::strokes_count>(parameters.chunks, tuning_.block_local_size, parameters,
+                                           args, Counts{args.lists.ends});
     scan(args.lists.ends, static_cast<std::uint32_t>(ends - 1), ScanKind::saturate);
-    launch<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters, args,
-                                  args.lists);
+    launch_grouped<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters,
+                                          args, args.lists);
 }
 
 void Stages::draw_strokes(const StrokeArgs& args) {
@@ -67,15 +67,16 @@ void Stages::draw_strokes(const StrokeArgs& args) {
     do {
         parameters.begin = parameters.end;
         parameters.end += std::min(tuning_.longest_chunk, args.run_count - parameters.end);
-        launch<kernels::strokes_tiles>(items, group, parameters,
-                                       {.runs = args.runs,
-                                        .ends = args.lists.ends,
-                                        .entries = args.lists.entries,
-                                        .alpha = args.alpha,
-                                        .mark = args.mark != nullptr ? *args.mark : unread,
-                                        .weights = args.weights != nullptr ? *args.weights : unread,
-                                        .coverage = args.coverage,
-                                        .shown = args.shown});
+        launch_grouped<kernels::strokes_tiles>(
+            items, group, parameters,
+            {.runs = args.runs,
+             .ends = args.lists.ends,
+             .entries = args.lists.entries,
+             .alpha = args.alpha,
+             .mark = args.mark != nullptr ? *args.mark : unread,
+             .weights = args.weights != nullptr ? *args.weights : unread,
+             .coverage = args.coverage,
+             .shown = args.shown});
         parameters.again = 1;
     } while (parameters.end < args.run_count);
 }

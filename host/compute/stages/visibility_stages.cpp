@@ -10,7 +10,7 @@ void Stages::atlas(const AtlasArgs& args) {
     constexpr std::uint32_t variants = 4; // of probes per axis, whole and then tiled
     const DepthTile tile = args.tile != nullptr ? *args.tile : DepthTile{};
     const std::uint32_t variant = args.probes - 1 + (args.tile != nullptr ? variants : 0);
-    launch<kernels::atlas>(
+    launch_grouped<kernels::atlas>(
         divide_up(args.atlas.capacity, tuning_.atlas_block), tuning_.block_local_size,
         {.count = args.segment_count,
          .depth_size = args.depth.size,
@@ -47,13 +47,14 @@ void Stages::temporal(const TemporalArgs& args) {
     const std::uint32_t n = args.segment_count;
     const SegmentAtlas& atlas = args.atlas;
     const ChainOrder* chains = args.chains;
-    launch<kernels::temporal>(divide_up(n, tuning_.segment_block), tuning_.block_local_size,
-                              {.count = n,
-                               .capacity = atlas.capacity,
-                               .block = tuning_.segment_block,
-                               .history = args.use,
-                               .first = chains != nullptr ? chains->first : n},
-                              args.atlas.clipped, args.atlas, args.history, before_of(args));
+    launch_grouped<kernels::temporal>(divide_up(n, tuning_.segment_block), tuning_.block_local_size,
+                                      {.count = n,
+                                       .capacity = atlas.capacity,
+                                       .block = tuning_.segment_block,
+                                       .history = args.use,
+                                       .first = chains != nullptr ? chains->first : n},
+                                      args.atlas.clipped, args.atlas, args.history,
+                                      before_of(args));
     if (chains != nullptr) {
         device_.copy(chains->positions, chains->positions_before,
                      std::size_t{chains->candidates} * sizeof(la_uint));
@@ -80,13 +81,15 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .surfaces = args.depth.surface_parameters()};
     const std::uint32_t items = std::max(blocks, 1U); // the first writes the total
     Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
-    launch<kernels::intervals_count>(items, tuning_.block_local_size, parameters, args.table,
-                                     args.atlas.clipped, args.atlas, Counts{counts});
+    launch_grouped<kernels::intervals_count>(items, tuning_.block_local_size, parameters,
+                                             args.table, args.atlas.clipped, args.atlas,
+                                             Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
-    launch<kernels::intervals_write>(items, tuning_.block_local_size, parameters, args.table,
-                                     args.atlas.clipped, args.atlas, args, BlockOffsets{counts});
-    launch<kernels::intervals_refine>(args.interval_capacity, tuning_.local_size, parameters,
-                                      args.table, args.atlas.clipped, args.depth.tables(), args);
+    launch_grouped<kernels::intervals_write>(items, tuning_.block_local_size, parameters,
+                                             args.table, args.atlas.clipped, args.atlas, args,
+                                             BlockOffsets{counts});
+    launch<kernels::intervals_refine>(args.interval_capacity, parameters, args.table,
+                                      args.atlas.clipped, args.depth.tables(), args);
 }
 
 } // namespace lineatlas::compute
