@@ -51,14 +51,9 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #endif
 #define DEPTH_TILE 240 // as Tuning::depth_tile
 
-namespace in_transform {
-#include "transform.cl"
-}
-namespace in_depth {
-#undef LANES
-#undef LANES_IN_USE
-#include "depth.cl"
-} // namespace in_depth
+// Each file of kernels in a namespace of its own: CMake lists those that have one form.
+#include "kernel_files.hpp"
+
 #define NUMBERED
 namespace in_numbered_depth {
 #undef LANES
@@ -66,84 +61,6 @@ namespace in_numbered_depth {
 #include "depth.cl"
 } // namespace in_numbered_depth
 #undef NUMBERED
-namespace in_planes {
-#undef LANES
-#undef LANES_IN_USE
-#include "planes.cl"
-} // namespace in_planes
-namespace in_pyramid {
-#undef LANES
-#undef LANES_IN_USE
-#include "pyramid.cl"
-} // namespace in_pyramid
-namespace in_cull {
-#include "cull.cl"
-}
-namespace in_facing {
-#include "facing.cl"
-}
-namespace in_contour {
-#include "contour.cl"
-}
-namespace in_silhouette {
-#include "silhouette.cl"
-}
-namespace in_chain {
-#include "chain.cl"
-}
-namespace in_project_clip {
-#include "project_clip.cl"
-}
-namespace in_carry {
-#include "carry.cl"
-}
-namespace in_temporal {
-#include "temporal.cl"
-}
-namespace in_surfaces {
-#include "surfaces.cl"
-}
-namespace in_tile_lists {
-#include "tile_lists.cl"
-}
-namespace in_visible {
-#undef LANES
-#undef LANES_IN_USE
-#include "visible.cl"
-} // namespace in_visible
-namespace in_spans {
-#include "spans.cl"
-}
-namespace in_compact {
-#include "compact.cl"
-}
-namespace in_halo {
-#undef LANES
-#undef LANES_IN_USE
-#include "halo.cl"
-} // namespace in_halo
-namespace in_filter {
-#include "filter.cl"
-}
-namespace in_density {
-#include "density.cl"
-}
-namespace in_outline {
-#include "outline.cl"
-}
-namespace in_pens {
-#include "pens.cl"
-}
-namespace in_fill {
-#undef LANES
-#undef LANES_IN_USE
-#include "fill.cl"
-} // namespace in_fill
-namespace in_strokes {
-#undef LANES
-#undef LANES_IN_USE
-#include "strokes.cl"
-} // namespace in_strokes
 
 #define SCAN_SATURATE 0
 namespace in_scan_0 {
@@ -155,13 +72,6 @@ namespace in_scan_0 {
 namespace in_scan_1 {
 #include "scan.cl"
 }
-
-namespace in_intervals {
-#undef LANES
-#undef LANES_IN_USE
-#include "intervals.cl"
-#undef PROBES
-} // namespace in_intervals
 
 #define PROBES_PER_AXIS 1
 #include "atlas_variants.hpp"
