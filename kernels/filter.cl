@@ -255,8 +255,7 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
             run->stroke_end = stroke.y;
             run->address = l > 0 ? frame.offsets[i] : 0u;
             run->flags = run_start << LA_RUN_START_SHIFT | run_end << LA_RUN_END_SHIFT |
-                         stroke_kinds | (l == 0 ? LA_RUN_SOLID : 0u) |
-                         (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
+                         stroke_kinds | (l == 0 ? LA_RUN_SOLID : 0u);
         }
         ++work->count;
         begins = false;

@@ -12,11 +12,16 @@
 #define LA_KIND_INTERSECTION 5u
 #define LA_KIND_SECTION 6u
 #define LA_KIND_HATCHING 7u
-#define LA_KIND_COUNT 8u
+#define LA_KIND_RIDGE 8u
+#define LA_KIND_VALLEY 9u
+#define LA_KIND_COUNT 10u
+
+/* Kinds of line that run within faces, in a kind mask: no edges. */
+#define LA_KINDS_WITHIN (1u << LA_KIND_INTERSECTION | 1u << LA_KIND_RIDGE | 1u << LA_KIND_VALLEY)
 
 /* Segment.tag: the kind in the low bits, then flags. */
-#define LA_TAG_KIND_MASK 0x7u
-#define LA_TAG_CLOSED 0x8u   /* the path is a loop: its last segment continues in its first */
+#define LA_TAG_KIND_MASK 0xFu
+#define LA_TAG_CLOSED 0x200u /* the path is a loop: its last segment continues in its first */
 #define LA_TAG_CONTOUR 0x20u /* of a frame: a silhouette of a smooth surface, see contour.cl */
 #define LA_TAG_SOLID 0x40u   /* of what contours run through: a closed part, wound outwards */
 /* Of a frame: a contour that its own part hides; one that is seen from the back of its surface. */
@@ -45,7 +50,6 @@
 #define LA_RUN_END_SHIFT 3u
 #define LA_STROKE_START_SHIFT 6u /* of the stroke that the run is a part of */
 #define LA_STROKE_END_SHIFT 9u
-#define LA_RUN_KIND_SHIFT 12u
 #define LA_RUN_SOLID 0x8000u /* visible all along: the atlas has no samples of it */
 #define LA_RUN_BIN_SHIFT 16u /* priority of the line, in 1/LA_BIN_STEPS of a bin, see `density` */
 #define LA_RUN_BIN_MASK 0xFFu

@@ -139,7 +139,7 @@ KERNEL(project_clip, ProjectClipParameters) {
         l = 1; /* a path must not look broken (§4.1) */
     }
     const float2 across = float2(-d.y, d.x) / length_px;
-    const bool within = contour || kind == LA_KIND_INTERSECTION;
+    const bool within = contour || (1u << kind & LA_KINDS_WITHIN) != 0;
     const uint p_index = segments[i].p, q_index = segments[i].q;
     const uint own_a = own_face(face_a, within, p_index, q_index, cp, cq, across, length_px,
                                 vertices, triangles, clip_from_world, world_from_clip, viewport);

@@ -187,8 +187,7 @@ static void write_run(const Frame frame, const uint i, const float start_sample,
     run->stroke_end = run->end_arc;
     run->address = address;
     run->flags = start_style << LA_RUN_START_SHIFT | end_style << LA_RUN_END_SHIFT |
-                 start_style << LA_STROKE_START_SHIFT | end_style << LA_STROKE_END_SHIFT |
-                 (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT | flags;
+                 start_style << LA_STROKE_START_SHIFT | end_style << LA_STROKE_END_SHIFT | flags;
 }
 
 /* The point of the model at share u of what the screen shows of segment i. */

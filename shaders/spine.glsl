@@ -56,7 +56,7 @@ uint own_face(uint face, uint kind, uvec2 ends, vec4 p, vec4 q, vec2 across, flo
     uint description = describe_own_face(a, b, c, corner, p, q, across, length_px,
                                          to_matrix(clip_from_world), to_matrix(world_from_clip),
                                          viewport);
-    return kind == LA_KIND_INTERSECTION ? within_own_face(description) : description;
+    return (1u << kind & LA_KINDS_WITHIN) != 0u ? within_own_face(description) : description;
 }
 
 uint face_number(uint face) {

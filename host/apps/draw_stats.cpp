@@ -26,9 +26,10 @@ void print_lines(const LineSet& lines) {
     print_output(fmt::format(
         "left out: {} creases that are noise; {} seams, and parts of {} more; {} cracks\n",
         left_out.noisy_creases, left_out.seams, left_out.cut_seams, left_out.cracks));
-    print_output(
-        fmt::format("extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms\n",
-                    lines.times.creases, lines.times.seams, lines.times.intersections));
+    print_output(fmt::format(
+        "extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms, "
+        "ridges {:.1f} ms\n",
+        lines.times.creases, lines.times.seams, lines.times.intersections, lines.times.ridges));
 }
 
 } // namespace

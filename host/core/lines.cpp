@@ -30,6 +30,7 @@
 #include "pair_key.hpp"
 #include "parts.hpp"
 #include "progress.hpp"
+#include "ridges.hpp"
 #include "seams.hpp"
 #include "t_junctions.hpp"
 #include "triangle_tree.hpp"
@@ -187,6 +188,7 @@ class Extraction {
         done_(0.7F);
         collect_lines();
         add_intersections();
+        add_ridges();
         done_(0.9F);
         LineSet result = assemble();
         done_(1);
@@ -415,6 +417,37 @@ class Extraction {
                                          .crossing = welded_.triangle_source[one.face_b]}});
         }
         times_.intersections = milliseconds_since(start);
+    }
+
+    /// Of a mesh whose file knows its surfaces or edges nobody asks: it was designed.
+    void add_ridges() {
+        const LineKindMask kinds = mask_of(LineKind::ridge) | mask_of(LineKind::valley);
+        if ((options_.lines & kinds) == 0 || !mesh_.surfaces.empty()) return;
+        const std::int64_t start = host_nanoseconds();
+        const std::vector<std::uint32_t> faces = undesigned_faces(welded_, edges_, bends_, parts_);
+        for (const Ridge& ridge : find_ridges(welded_, edges_, faces, drawn_edges()))
+            if (wanted(ridge.kind)) add_ridge(ridge);
+        times_.ridges = milliseconds_since(start);
+    }
+
+    std::vector<bool> drawn_edges() const {
+        std::vector<bool> drawn(edges_.size(), false);
+        for (std::size_t i = 0; i < edges_.size(); ++i)
+            drawn[i] = kinds_[i] && *kinds_[i] != LineKind::silhouette;
+        return drawn;
+    }
+
+    void add_ridge(const Ridge& ridge) {
+        const auto vertex = [&](const EdgePlace& place) {
+            return added_.at(place.from, place.to, place.share);
+        };
+        for (std::size_t i = 0; i < ridge.faces.size(); ++i)
+            fixed_.push_back({.p = vertex(ridge.points[i]),
+                              .q = vertex(ridge.points[i + 1]),
+                              .face_a = ridge.faces[i],
+                              .face_b = ridge.faces[i],
+                              .kind = ridge.kind,
+                              .source = {.triangle = welded_.triangle_source[ridge.faces[i]]}});
     }
 
     /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes:

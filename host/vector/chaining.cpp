@@ -177,14 +177,22 @@ class PathMaker {
         if (step.segment < lines_.sources.size()) piece.source = lines_.sources[step.segment];
         if (step.reversed) std::swap(piece.source.from, piece.source.to);
         path.points.push_back(place(step, to, passed));
-        if (is_contour(lines_, step.segment)) {
+        if (is_contour(lines_, step.segment) || runs_through(piece.source)) {
             piece.over_start = over(step.segment, path.points.end()[-2].world);
             piece.over_end = over(step.segment, path.points.back().world);
         }
         path.pieces.push_back(piece);
     }
 
-    /// Over which place of a contour's triangle a point lies, as shares of its corners.
+    /// Whether it is a ridge or a valley: all else that lies in a triangle has edges or another
+    /// one.
+    static bool runs_through(const LineSource& source) {
+        return source.triangle != LineSource::none && source.from == LineSource::none &&
+               source.crossing == LineSource::none;
+    }
+
+    /// Over which place of its triangle a point of a contour, ridge or valley lies, as shares of
+    /// its corners.
     glm::vec3 over(std::uint32_t segment, glm::dvec3 point) const {
         const glm::uvec3 triangle = lines_.triangles[lines_.segments[segment].face_a];
         const auto corner = [&](int k) { return glm::dvec3{lines_.vertices[triangle[k]]}; };

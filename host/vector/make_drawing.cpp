@@ -25,9 +25,9 @@
 namespace lineatlas {
 namespace {
 
-/// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching. What
-/// outlines the model is drawn last.
-constexpr std::array<int, LA_KIND_COUNT> drawn_rank{2, 4, 1, 5, 6, 3, 7, 0};
+/// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching,
+/// ridge, valley. What outlines the model is drawn last.
+constexpr std::array<int, LA_KIND_COUNT> drawn_rank{4, 6, 3, 7, 8, 5, 9, 0, 2, 1};
 
 void sort_for_drawing(std::vector<VectorPath>& paths) {
     std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {

@@ -36,8 +36,9 @@ constexpr double longest_scrap = 12; ///< pixels
 /// pixels.
 constexpr double longest_touch = 16;
 
-/// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching.
-constexpr std::array<int, LA_KIND_COUNT> kind_rank{4, 2, 3, 5, 0, 6, 1, 7};
+/// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching,
+/// ridge, valley.
+constexpr std::array<int, LA_KIND_COUNT> kind_rank{4, 2, 3, 5, 0, 6, 1, 9, 7, 8};
 
 struct Line {
     glm::dvec2 a, along; ///< its start and unit direction

@@ -36,7 +36,7 @@ std::vector<std::string> entities_of(const VectorPath& path) {
 std::string tags_text(const VectorDrawing& drawing, const VectorPath& path) {
     std::vector<std::string> objects;
     std::vector<std::string> materials;
-    std::string edges, triangles; // of smooth silhouettes and of intersections
+    std::string edges, triangles; // of smooth silhouettes, of intersections, ridges and valleys
     const VectorPiece* last = nullptr;
     for (const VectorPiece& piece : path.pieces) {
         if (last != nullptr && last->segment == piece.segment) continue;

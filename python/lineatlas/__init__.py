@@ -74,6 +74,8 @@ class LineKind(_enum.IntEnum):
     intersection = 5
     section = 6
     hatching = 7
+    ridge = 8
+    valley = 9
 
 
 def _renderer(model: _Model, arguments: dict[str, _Any]) -> Renderer:

@@ -43,6 +43,8 @@ class LineKind(enum.IntEnum):
     intersection = 5
     section = 6
     hatching = 7
+    ridge = 8
+    valley = 9
 
 def draw(
     model: _Model,

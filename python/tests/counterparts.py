@@ -4,7 +4,7 @@ members. Python's are written as they are used: Class.member, function(parameter
 SAME = """
 Camera Camera.projection Camera.view Cancelled DeviceError Error FileError MismatchError UsageError
 LineKind LineKind.boundary LineKind.crease LineKind.file LineKind.hatching LineKind.intersection LineKind.material
-LineKind.section LineKind.silhouette Mesh Mesh.groups Mesh.known_edges Mesh.polylines Mesh.positions Mesh.triangle_group
+LineKind.ridge LineKind.section LineKind.silhouette LineKind.valley Mesh Mesh.groups Mesh.known_edges Mesh.polylines Mesh.positions Mesh.triangle_group
 Mesh.polyline_object Mesh.triangle_object Mesh.triangles Pick Pick.distance Pick.kind Pick.object Pick.position
 Pick.segment Pick.triangle Pick.world Renderer Scene Scene.mesh Scene.name Scene.view Style View View.eye View.far View.near View.projection
 View.target View.up

@@ -79,7 +79,7 @@ TEST_P(CompactStage, ARunIsARowOfSamplesThatAreNotHiddenWhole) {
                                   .end_sample = 6.5F,
                                   .address = 0,
                                   .samples = 16,
-                                  .flags = hidden_ends | LA_KIND_BOUNDARY << LA_RUN_KIND_SHIFT,
+                                  .flags = hidden_ends,
                                   .segment = 0,
                                   .stroke_start = -11,
                                   .stroke_end = -3,

@@ -18,13 +18,13 @@ struct Drawn {
 };
 using DrawnLines = std::map<std::uint32_t, Drawn>; ///< by segment
 
-DrawnLines silhouettes_of(const Renderer::Samples& samples) {
+DrawnLines silhouettes_of(const LineSet& lines, const Renderer::Samples& samples) {
     DrawnLines result;
     for (const lineatlas::Run& run : samples.runs) {
         const bool whole =
             run.start_sample == 0 && run.end_sample == static_cast<float>(run.samples);
-        if (!whole || (run.flags >> LA_RUN_KIND_SHIFT & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE)
-            continue;
+        const std::uint32_t kind = lines.segments[run.segment].tag & LA_TAG_KIND_MASK;
+        if (!whole || kind != LA_KIND_SILHOUETTE) continue;
         const float length = std::hypot(run.end[0] - run.start[0], run.end[1] - run.start[1]);
         result[run.segment] = {run.start_arc, run.end_arc, length};
     }
@@ -67,7 +67,7 @@ class Carry : public testing::Test {
             make_camera({.eye = 2.7F * glm::vec3{std::sin(angle), 0, std::cos(angle)}},
                         canvas_.size(), lines_.bounds);
         renderer.draw(camera, options, canvas_.framebuffer());
-        return silhouettes_of(renderer.read_samples());
+        return silhouettes_of(lines_, renderer.read_samples());
     }
     /// Mean share that crawls while the picture moves by so many pixels a frame.
     double mean_crawling(const FrameOptions& options, int frames) {

@@ -69,7 +69,7 @@ const std::map<std::string, std::string>& samples() {
         {"halo", "9"},
         {"density", "0.25"},
         {"hidden-density", "0.25"},
-        {"density-priority", "0,0.25,0.5,0.75,1,0.125,1,0.5"},
+        {"density-priority", "0,0.25,0.5,0.75,1,0.125,1,0.5,0.25,0"},
         {"fill", "toon"},
         {"fill-color", "0.1,0.2,0.3"},
         {"light", "-1,2,0.5"},
@@ -177,7 +177,7 @@ TEST(Settings, ValuesLandInTheirMembers) {
     EXPECT_EQ(style.filter.halo, 9);
     EXPECT_EQ(style.density.limit, 0.25F);
     EXPECT_EQ(style.density.priority,
-              (std::array<float, 8>{0, 0.25F, 0.5F, 0.75F, 1, 0.125F, 1, 0.5F}));
+              (std::array<float, 10>{0, 0.25F, 0.5F, 0.75F, 1, 0.125F, 1, 0.5F, 0.25F, 0}));
     EXPECT_EQ(style.fill.mode, FillMode::toon);
     EXPECT_EQ(style.fill.color, glm::vec3(0.1F, 0.2F, 0.3F));
     EXPECT_EQ(style.fill.light, glm::vec3(-1, 2, 0.5F));
@@ -252,7 +252,7 @@ TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
                                "opacity-profile=1,1.5",
                                "width-profile=1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1",
                                "density-priority=1,1,1,1,1",
-                               "density-priority=1,1,1,1,1,1,1,2",
+                               "density-priority=1,1,1,1,1,1,1,1,1,2",
                                "light=0,0,0",
                                "light=1,2",
                                "light=nan,0,1",
@@ -335,7 +335,7 @@ std::vector<Misuse> misuses() {
     number(
         "hidden-density", [](Style& s) -> float& { return s.hidden_density; }, -1, 101);
     number(
-        "density-priority", [](Style& s) -> float& { return s.density.priority[7]; }, -1, 2);
+        "density-priority", [](Style& s) -> float& { return s.density.priority[9]; }, -1, 2);
     add(
         "fill", [](Style& s) -> FillMode& { return s.fill.mode; }, FillMode{4});
     add_color("fill-color", [](Style& s) -> glm::vec3& { return s.fill.color; });

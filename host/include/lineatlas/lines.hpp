@@ -31,11 +31,15 @@ enum class LineKind : std::uint32_t {
     intersection = LA_KIND_INTERSECTION, ///< where parts pass through each other; no edge
     section = LA_KIND_SECTION,           ///< the outline of a cut: Section::mesh has it
     hatching = LA_KIND_HATCHING,         ///< on the faces of a cut
+    /// Along the crest of a surface that nobody designed, as of a scan; no edge.
+    ridge = LA_KIND_RIDGE,
+    valley = LA_KIND_VALLEY, ///< the same along its furrows
 };
 
 /// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
-    "crease", "boundary", "material", "silhouette", "file", "intersection", "section", "hatching"};
+    "crease",       "boundary", "material", "silhouette", "file",
+    "intersection", "section",  "hatching", "ridge",      "valley"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
@@ -85,9 +89,11 @@ struct LineObject {
 /// edge.
 struct LineSource {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
-    std::uint32_t from = none;     ///< index into Mesh::positions of the segment's start p
-    std::uint32_t to = none;       ///< index into Mesh::positions of its end q
-    std::uint32_t triangle = none; ///< into Mesh::triangles, has both; none for a file's polyline
+    std::uint32_t from = none; ///< index into Mesh::positions of the segment's start p
+    std::uint32_t to = none;   ///< index into Mesh::positions of its end q
+    /// Into Mesh::triangles, has both; of a ridge or valley what it runs through, which has no
+    /// positions; none for a file's polyline.
+    std::uint32_t triangle = none;
     /// Of an intersection the other triangle of the two that it lies in, while it has no positions.
     std::uint32_t crossing = none;
 };
@@ -122,6 +128,7 @@ struct LineTimes {
     double creases = 0;       ///< telling those of the model from noise
     double seams = 0;         ///< finding where faces go on
     double intersections = 0; ///< of parts
+    double ridges = 0;        ///< and valleys
 };
 
 /// Where silhouettes of smooth surfaces may run: one segment through a triangle, from edge to edge,

@@ -36,8 +36,8 @@ struct VectorPiece {
     float to = 1;              ///< and at which it ends
     std::uint32_t segment = 0; ///< index into LineSet::segments
     LineSource source{};       ///< in the mesh, in the direction of the path
-    /// Of a smooth silhouette, which runs through `source.triangle` and has no edge: over which
-    /// place of it the piece starts, as shares of its three corners. Else 0.
+    /// Of a smooth silhouette, a ridge or a valley, which runs through `source.triangle` and has no
+    /// edge: over which place of it the piece starts, as shares of its three corners. Else 0.
     glm::vec3 over_start{0};
     glm::vec3 over_end{0};      ///< the same of its end
     std::uint32_t group = none; ///< index into VectorDrawing::groups

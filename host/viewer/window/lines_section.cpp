@@ -13,8 +13,8 @@ namespace {
 
 /// In the order of line_kind_names.
 constexpr std::array<const char*, line_kind_names.size()> labels{
-    "Creases",           "Boundaries",    "Materials", "Silhouettes",
-    "Lines of the file", "Intersections", "Sections",  "Hatching"};
+    "Creases",       "Boundaries", "Materials", "Silhouettes", "Lines of the file",
+    "Intersections", "Sections",   "Hatching",  "Ridges",      "Valleys"};
 
 /// Width and colour of a kind.
 bool pen_row(Ui& ui, std::string_view kind) {

@@ -14,6 +14,8 @@ KINDS = [
     ("material", "Materials", "Between parts and materials"),
     ("intersection", "Intersections", "Where parts pass through each other"),
     ("file", "Loose edges", "Edges of no face"),
+    ("ridge", "Ridges", "Crests of scanned and sculpted surfaces"),
+    ("valley", "Valleys", "Furrows of scanned and sculpted surfaces"),
 ]
 # The items of a flag enum by its bits.
 KIND_ITEMS = [(name, label, what, 1 << bit) for bit, (name, label, what) in enumerate(KINDS)]

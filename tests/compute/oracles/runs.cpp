@@ -110,8 +110,7 @@ Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, floa
     run.samples = l;
     run.segment = i;
     run.flags = start.kind << LA_RUN_START_SHIFT | end.kind << LA_RUN_END_SHIFT |
-                start.kind << LA_STROKE_START_SHIFT | end.kind << LA_STROKE_END_SHIFT |
-                (frame.segments[i].tag & LA_TAG_KIND_MASK) << LA_RUN_KIND_SHIFT;
+                start.kind << LA_STROKE_START_SHIFT | end.kind << LA_STROKE_END_SHIFT;
     return run;
 }
 
