@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "base/numbers.hpp"
+#include "core/drawing_scale.hpp"
 #include "lineatlas/error.hpp"
 #include "values.hpp"
 
@@ -30,39 +30,6 @@ double millimetres_of(const std::string& unit) {
         throw UsageError("--unit must be mm, cm, m, in or ft, not \"" + unit + "\"");
     }
     return known->millimetres;
-}
-
-/// "1:50" as 0.02.
-double parse_scale(const std::string& text) {
-    const auto in_range = [](const std::optional<double>& part) {
-        return part && *part >= 1e-6 && *part <= 1e6;
-    };
-    std::string_view rest = text;
-    const std::optional<double> drawn = take_number(rest);
-    const bool goes_on = rest.starts_with(':');
-    if (goes_on) rest.remove_prefix(1);
-    const std::optional<double> real = take_number(rest);
-    if (!in_range(drawn) || !goes_on || !in_range(real) || !rest.empty())
-        throw UsageError("--scale \"" + text + "\" is none; it is written as in 1:50");
-    return *drawn / *real;
-}
-
-/// The largest scale of ISO 5455 that is no larger than this.
-std::string standard_scale(double largest) {
-    constexpr std::array steps{1, 2, 5};
-    for (int power = 6; power >= 0; --power) {
-        for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-            const double larger = *step * std::pow(10, power);
-            if (larger <= largest) return fmt::format("{}:1", larger);
-        }
-    }
-    for (int power = 0; power <= 9; ++power) {
-        for (const int step : steps) {
-            const double smaller = step * std::pow(10, power);
-            if (1 / smaller <= largest) return fmt::format("1:{}", smaller);
-        }
-    }
-    return {};
 }
 
 /// Half of the smallest picture about the target that holds all points, in model units.
@@ -115,7 +82,7 @@ void ViewOptions::check() const {
     if (!view_.empty()) view_direction(view_, {0, 1, 0});
     const bool parallel = projection() == Projection::orthographic;
     if (to_scale()) {
-        parse_scale(scale_);
+        parse_scale("--scale", scale_);
         millimetres_of(unit_);
         if (!parallel) throw UsageError("--scale needs --projection orthographic");
         if (app_->count("--fov") > 0) throw UsageError("--scale and --fov exclude each other");
@@ -167,7 +134,7 @@ void ViewOptions::apply(View& view, glm::dvec3 origin, bool up_is_guessed) const
 
 View ViewOptions::scaled(const View& view, double millimetres, glm::ivec2 size,
                          std::span<const glm::vec3> points, std::optional<double> of_file) const {
-    const double scale = parse_scale(scale_);
+    const double scale = parse_scale("--scale", scale_);
     const bool says_unit = app_->count("--unit") > 0 || !of_file;
     const double unit = says_unit ? millimetres_of(unit_) : *of_file;
     const glm::dvec2 paper = millimetres * glm::dvec2{size};

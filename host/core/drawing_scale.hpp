@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace lineatlas {
+
+/// "1:50" as 0.02; both numbers from 1e-6 to 1e10. Throws UsageError that names `option`.
+double parse_scale(std::string_view option, const std::string& text);
+
+/// The largest scale of ISO 5455 that is no larger than this; empty below 1:5000000000.
+std::string standard_scale(double largest);
+
+} // namespace lineatlas
