@@ -5,17 +5,16 @@
 
 #include <fmt/core.h>
 
+#include "line_groups.hpp"
 #include "path_data.hpp"
 #include "pen_stroke.hpp"
+#include "svg_document.hpp"
+#include "tags.hpp"
 
 namespace lineatlas {
 namespace {
 
 constexpr int opacity_digits = 3;
-
-void set(pugi::xml_node& node, const char* name, const std::string& value) {
-    node.append_attribute(name) = value.c_str();
-}
 
 const char* join_text(Join join) {
     switch (join) {
@@ -49,6 +48,18 @@ void set_stroke(pugi::xml_node& group, const Pen& pen, const Sheet& sheet) {
     }
 }
 
+pugi::xml_node add_group(pugi::xml_node& parent, const LineGroup& lines, const Sheet& sheet,
+                         const SvgPaths& how) {
+    const std::string kind{lines.kind_name()};
+    const std::string name = how.prefix + lines.name();
+    pugi::xml_node group = parent.append_child("g");
+    set(group, "id", name);
+    set(group, "class", kind + (lines.visible ? " visible" : " hidden"));
+    if (how.layers) mark_layer(group, lines.visible ? name : how.prefix + kind + " (hidden)");
+    set_stroke(group, lines.pen, sheet);
+    return group;
+}
+
 } // namespace
 
 std::string color_text(glm::vec3 color) {
@@ -58,18 +69,19 @@ std::string color_text(glm::vec3 color) {
     return fmt::format("#{:02x}{:02x}{:02x}", channel(color.x), channel(color.y), channel(color.z));
 }
 
-pugi::xml_node add_group(pugi::xml_node& svg, const LineGroup& lines, const Sheet& sheet,
-                         bool layers) {
-    const std::string kind{lines.kind_name()};
-    pugi::xml_node group = svg.append_child("g");
-    set(group, "id", lines.name());
-    set(group, "class", kind + (lines.visible ? " visible" : " hidden"));
-    if (layers) {
-        set(group, "inkscape:groupmode", "layer");
-        set(group, "inkscape:label", lines.visible ? lines.name() : kind + " (hidden)");
+void write_paths(pugi::xml_node& parent, const VectorDrawing& drawing, const Sheet& sheet,
+                 const SvgPaths& how) {
+    for (const LineGroup& group : line_groups(drawing)) {
+        pugi::xml_node node = add_group(parent, group, sheet, how);
+        for (const VectorPath& path : group.paths) {
+            const std::string data =
+                path_data(outline_of(path, sheet, how.arcs), sheet.digits, how.relative);
+            if (data.empty()) continue;
+            pugi::xml_node element = node.append_child("path");
+            set(element, "d", data);
+            if (how.tags) add_text(element, "desc", tags_text(drawing, path));
+        }
     }
-    set_stroke(group, lines.pen, sheet);
-    return group;
 }
 
 } // namespace lineatlas

@@ -4,15 +4,24 @@
 
 #include <pugixml.hpp>
 
-#include "line_groups.hpp"
 #include "lineatlas/vector.hpp"
+#include "outline.hpp"
 #include "sheet.hpp"
 
 namespace lineatlas {
 
-/// An element for paths of one group, with how the style draws them.
-pugi::xml_node add_group(pugi::xml_node& svg, const LineGroup& lines, const Sheet& sheet,
-                         bool layers);
+/// How paths stand in an SVG.
+struct SvgPaths {
+    bool tags = true;   ///< where each path comes from
+    bool layers = true; ///< mark groups as layers of Inkscape
+    bool relative = true;
+    ArcChoice arcs{};
+    std::string prefix{}; ///< of names of groups
+};
+
+/// Adds a group for the paths of each pen, and the paths.
+void write_paths(pugi::xml_node& parent, const VectorDrawing& drawing, const Sheet& sheet,
+                 const SvgPaths& how);
 
 /// "#rrggbb".
 std::string color_text(glm::vec3 color);
