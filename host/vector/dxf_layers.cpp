@@ -13,11 +13,7 @@ namespace {
 /// ISO 128-20, hundredths of a millimetre.
 constexpr std::array line_weights{13, 18, 25, 35, 50, 70, 100, 140, 200};
 
-int nearest_weight(double millimetres) {
-    return *std::ranges::min_element(line_weights, {}, [&](int weight) {
-        return std::abs(std::log(weight / (100 * millimetres)));
-    });
-}
+constexpr double usual_width = 0.25; ///< millimetres, of a layer whose entities say their own
 
 /// A colour of AutoCAD's index: 10 to 249 are 24 hues, each in five lightnesses, full and half.
 glm::dvec3 indexed_color(int index) {
@@ -72,11 +68,25 @@ const std::string& linetype_of(const PenStroke::Dashes& dashes, std::vector<DxfL
 
 } // namespace
 
-DxfLayers dxf_layers(std::span<const LineGroup> groups, const Sheet& sheet) {
-    DxfLayers found;
+int nearest_weight(double millimetres) {
+    return *std::ranges::min_element(line_weights, {}, [&](int weight) {
+        return std::abs(std::log(weight / (100 * millimetres)));
+    });
+}
+
+DxfLayer own_layer(const std::string& name, const Pen& pen) {
+    return {.name = name,
+            .linetype = "CONTINUOUS",
+            .color_index = nearest_index(pen.color),
+            .color = whole_color(pen.color),
+            .line_weight = nearest_weight(usual_width)};
+}
+
+void add_layers(DxfLayers& found, std::span<const LineGroup> groups, const Sheet& sheet,
+                const std::string& prefix) {
     for (const LineGroup& group : groups) {
         const PenStroke stroke = pen_stroke(group.pen, sheet);
-        found.layers.push_back({.name = group.name(),
+        found.layers.push_back({.name = prefix + group.name(),
                                 .linetype = stroke.dashes
                                                 ? linetype_of(*stroke.dashes, found.linetypes)
                                                 : "CONTINUOUS",
@@ -84,7 +94,6 @@ DxfLayers dxf_layers(std::span<const LineGroup> groups, const Sheet& sheet) {
                                 .color = whole_color(stroke.color),
                                 .line_weight = nearest_weight(stroke.width)});
     }
-    return found;
 }
 
 } // namespace lineatlas

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,17 @@ struct DxfLayer {
 
 struct DxfLayers {
     std::vector<DxfLinetype> linetypes;
-    std::vector<DxfLayer> layers; ///< one per group
+    std::vector<DxfLayer> layers;
 };
 
-DxfLayers dxf_layers(std::span<const LineGroup> groups, const Sheet& sheet);
+/// Adds one per group, in their order.
+void add_layers(DxfLayers& to, std::span<const LineGroup> groups, const Sheet& sheet,
+                const std::string& prefix = {});
+
+/// A layer of a sheet's own, in the colour of a pen.
+DxfLayer own_layer(const std::string& name, const Pen& pen);
+
+/// The nearest of ISO 128-20, hundredths of a millimetre.
+int nearest_weight(double millimetres);
 
 } // namespace lineatlas

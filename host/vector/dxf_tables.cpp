@@ -122,6 +122,54 @@ void write_point(DxfText& text, std::string_view name, glm::dvec2 point) {
     text.add(10, point);
 }
 
+void write_objects(DxfText& text) {
+    text.begin_section("OBJECTS");
+    const Handle root = text.begin("DICTIONARY", nobody);
+    text.add(100, "AcDbDictionary");
+    text.add(281, 1);
+    text.add(3, "ACAD_GROUP");
+    text.add_handle(350, text.last_handle() + 1);
+    text.begin("DICTIONARY", root);
+    text.add(100, "AcDbDictionary");
+    text.add(281, 1);
+    text.end_section();
+}
+
+DxfText dxf_header(glm::dvec2 size, Handle last) {
+    DxfText text;
+    text.begin_section("HEADER");
+    begin_variable(text, "$ACADVER");
+    text.add(1, "AC1018");
+    begin_variable(text, "$DWGCODEPAGE");
+    text.add(3, "ANSI_1252");
+    begin_variable(text, "$HANDSEED");
+    text.add_handle(5, last + 1);
+    begin_variable(text, "$INSUNITS");
+    text.add(70, 4); // millimetres
+    begin_variable(text, "$MEASUREMENT");
+    text.add(70, 1); // metric
+    begin_variable(text, "$LTSCALE");
+    text.add(40, 1.0); // patterns of linetypes are millimetres too
+    begin_variable(text, "$LWDISPLAY");
+    text.add(290, 1); // show widths
+    write_point(text, "$EXTMIN", {0, 0});
+    text.add(30, 0.0);
+    write_point(text, "$EXTMAX", size);
+    text.add(30, 0.0);
+    write_point(text, "$LIMMIN", {0, 0});
+    write_point(text, "$LIMMAX", size);
+    text.end_section();
+    return text;
+}
+
+/// A line of it has at most so many characters (AutoCAD's limit is 2049).
+void add_comment(DxfText& text, std::string_view comment) {
+    constexpr std::size_t longest = 250;
+    const std::string line = dxf_line(comment);
+    for (std::size_t at = 0; at < line.size(); at += longest)
+        text.add(999, std::string_view{line}.substr(at, longest));
+}
+
 } // namespace
 
 Handle write_tables(DxfText& text, const DxfLayers& layers, glm::dvec2 size) {
@@ -161,44 +209,14 @@ Handle write_tables(DxfText& text, const DxfLayers& layers, glm::dvec2 size) {
     return records.front();
 }
 
-void write_objects(DxfText& text) {
-    text.begin_section("OBJECTS");
-    const Handle root = text.begin("DICTIONARY", nobody);
-    text.add(100, "AcDbDictionary");
-    text.add(281, 1);
-    text.add(3, "ACAD_GROUP");
-    text.add_handle(350, text.last_handle() + 1);
-    text.begin("DICTIONARY", root);
-    text.add(100, "AcDbDictionary");
-    text.add(281, 1);
-    text.end_section();
-}
-
-DxfText dxf_header(glm::dvec2 size, Handle last) {
+std::string dxf_file(DxfText body, glm::dvec2 size, std::span<const std::string> comments) {
+    write_objects(body);
+    body.add(0, "EOF");
     DxfText text;
-    text.begin_section("HEADER");
-    begin_variable(text, "$ACADVER");
-    text.add(1, "AC1018");
-    begin_variable(text, "$DWGCODEPAGE");
-    text.add(3, "ANSI_1252");
-    begin_variable(text, "$HANDSEED");
-    text.add_handle(5, last + 1);
-    begin_variable(text, "$INSUNITS");
-    text.add(70, 4); // millimetres
-    begin_variable(text, "$MEASUREMENT");
-    text.add(70, 1); // metric
-    begin_variable(text, "$LTSCALE");
-    text.add(40, 1.0); // patterns of linetypes are millimetres too
-    begin_variable(text, "$LWDISPLAY");
-    text.add(290, 1); // show widths
-    write_point(text, "$EXTMIN", {0, 0});
-    text.add(30, 0.0);
-    write_point(text, "$EXTMAX", size);
-    text.add(30, 0.0);
-    write_point(text, "$LIMMIN", {0, 0});
-    write_point(text, "$LIMMAX", size);
-    text.end_section();
-    return text;
+    for (const std::string& comment : comments) add_comment(text, comment);
+    text.append(dxf_header(size, body.last_handle()));
+    text.append(body);
+    return text.take();
 }
 
 } // namespace lineatlas

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "dxf_layers.hpp"
@@ -14,10 +16,7 @@ inline constexpr std::string_view dxf_application = "LINEATLAS";
 /// the block that lines belong to.
 DxfText::Handle write_tables(DxfText& text, const DxfLayers& layers, glm::dvec2 size);
 
-/// What stands behind them.
-void write_objects(DxfText& text);
-
-/// The file's first section. `last`: the largest handle in the others.
-DxfText dxf_header(glm::dvec2 size, DxfText::Handle last);
+/// The file: `body` holds all sections from the tables to the entities. Comments stand before them.
+std::string dxf_file(DxfText body, glm::dvec2 size, std::span<const std::string> comments);
 
 } // namespace lineatlas
