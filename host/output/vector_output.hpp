@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame_output.hpp"
+#include "lineatlas/sheet.hpp"
 #include "lineatlas/vector.hpp"
 #include "path_file.hpp"
 
@@ -23,16 +24,6 @@ struct VectorFrame {
                               const std::filesystem::path& path)>
         certify{};
 };
-
-/// What a camera sees of lines.
-struct SeenLines {
-    std::vector<Interval> intervals;
-    std::vector<OutlinePart> outlines; ///< if the style has pens for them
-};
-
-/// Finds what `camera` sees of lines, hidden intervals too: what hides a line may bridge a gap in
-/// it.
-using FindLines = std::function<SeenLines(const Camera& camera)>;
 
 /// Frames as paths, by extension.
 class VectorOutput final : public FrameOutput {

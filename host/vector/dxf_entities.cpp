@@ -50,6 +50,25 @@ void DxfEntities::write(const LineGroup& group, const Sheet& sheet, const ArcCho
     }
 }
 
+void DxfEntities::write(const Outline& outline, const DxfLook& look) {
+    look_ = look;
+    entities_.clear();
+    write(outline);
+}
+
+void DxfEntities::write(const SheetText& text) {
+    look_ = {.layer = text.layer};
+    begin("TEXT", "AcDbText");
+    add_point(10, text.at);
+    text_.add(40, text.height);
+    text_.add(1, dxf_line(text.text));
+    if (text.upward) text_.add(50, 90.0);
+    const bool aligned = text.anchor != TextAnchor::start;
+    if (aligned) text_.add(72, static_cast<int>(text.anchor));
+    if (aligned) add_point(11, text.at);
+    text_.add(100, "AcDbText");
+}
+
 /// What is an ellipse, or cubics in a row, is an entity of its own, and so is what lies between
 /// two.
 void DxfEntities::write(const Outline& outline) {

@@ -5,6 +5,7 @@
 
 #include "dxf_text.hpp"
 #include "line_groups.hpp"
+#include "lineatlas/sheet.hpp"
 #include "outline.hpp"
 
 namespace lineatlas {
@@ -28,6 +29,8 @@ class DxfEntities {
     /// All paths of a group.
     void write(const LineGroup& group, const Sheet& sheet, const ArcChoice& arcs,
                const DxfLook& look);
+    void write(const Outline& outline, const DxfLook& look);
+    void write(const SheetText& text);
 
   private:
     void write(const Outline& outline);

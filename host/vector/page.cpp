@@ -3,10 +3,13 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
+#include "page_name.hpp"
 
 namespace lineatlas {
 namespace {
@@ -47,6 +50,12 @@ std::optional<Unit> parse_small(std::string_view name) {
     const NamedUnit* found = unit_named(name);
     if (found == nullptr) return {};
     return static_cast<Unit>(found - paper_units.data());
+}
+
+std::string with_capital(std::string_view name) {
+    std::string result{name};
+    result.front() = static_cast<char>(result.front() - 'a' + 'A');
+    return result;
 }
 
 [[noreturn]] void refuse_page(std::string_view text) {
@@ -97,6 +106,15 @@ Page parse_page(std::string_view text) {
     const auto in_range = [](double value) { return value > 0 && value <= largest; };
     if (!in_range(*width) || !in_range(*height)) refuse_page(text);
     return {.width = {*width, *unit}, .height = {*height, *unit}};
+}
+
+std::string page_name(const Page& page) {
+    const auto side = [](Length length) { return length_in(length, Unit::mm); };
+    for (const NamedPage& known : named_pages)
+        if (side(known.page.width) == side(page.width) &&
+            side(known.page.height) == side(page.height))
+            return with_capital(known.name);
+    return fmt::format("{:.6g} x {:.6g} mm", side(page.width), side(page.height));
 }
 
 } // namespace lineatlas

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/export.hpp"
+#include "lineatlas/lines.hpp"
+#include "lineatlas/style.hpp"
+#include "lineatlas/vector.hpp"
+
+/// @file
+/// Sheets: several views of one model on one page, as a workshop takes them. lay_out_sheet() says
+/// where each view stands and by which camera it is drawn, make_vector_sheet() draws them all, and
+/// to_svg() and to_dxf() write the sheet.
+
+namespace lineatlas {
+
+/// On which side of the front view the others stand (ISO 5456-2).
+enum class ProjectionAngle {
+    first, ///< beyond the model: what is seen from above stands below
+    third, ///< before it: what is seen from above stands above
+};
+
+/// "first" or "third".
+LINEATLAS_API std::string_view name_of(ProjectionAngle angle);
+
+/// The other way; throws UsageError with both names.
+LINEATLAS_API ProjectionAngle parse_projection_angle(std::string_view name);
+
+/// What a title block says (ISO 7200), UTF-8; an empty field is left empty, to be filled by hand.
+struct SheetFields {
+    std::string title{};    ///< of the drawing
+    std::string file{};     ///< name of the model's file
+    std::string owner{};    ///< of the drawing in law
+    std::string number{};   ///< by which the owner knows the drawing
+    std::string creator{};  ///< who drew it
+    std::string approver{}; ///< who approved it
+    std::string date{};     ///< of issue
+};
+
+/// Sets the field of that name, such as "title". Throws UsageError with all names.
+LINEATLAS_API void set_field(SheetFields& fields, std::string_view name, std::string value);
+
+/// What is on a sheet.
+struct SheetOptions {
+    /// Sides to look from, as view_direction() takes them, each once. The six named sides are
+    /// aligned with the front; any other is a pictorial view, which shows no hidden lines and
+    /// stands where there is room.
+    std::vector<std::string> views{"front", "top", "right", "isometric"};
+    ProjectionAngle angle = ProjectionAngle::third; ///< of the aligned views
+    /// The sheet. A named format stands upright if it is at most as wide as A4, else it lies on its
+    /// side (ISO 5457).
+    Page page = parse_page("a3");
+    /// One for all views, as in "1:2"; empty: the largest of ISO 5455 that fits.
+    std::string scale{};
+    double unit = 1;       ///< millimetres in a unit of the model, above 0
+    glm::vec3 up{0, 1, 0}; ///< the model's, a unit axis
+    SheetFields fields{};  ///< of the title block
+};
+
+/// "front,30,20,top" as the sides "front", "30,20" and "top". Throws UsageError for a side that
+/// view_direction() does not know, for one that is named twice, and for none.
+LINEATLAS_API std::vector<std::string> parse_views(std::string_view text);
+
+/// A view and where it stands.
+struct SheetView {
+    std::string name;       ///< the side, as "front"
+    bool pictorial = false; ///< not aligned with others; without hidden lines
+    Camera camera{};        ///< draws the view; orthographic
+    double scale = 1;       ///< millimetres of paper in a pixel of the camera's picture
+    glm::dvec2 corner{0};   ///< millimetres: where the upper left corner of that picture lies
+    glm::dvec2 low{0};      ///< millimetres: upper left corner of the box around what is drawn
+    glm::dvec2 high{0};     ///< its lower right corner
+};
+
+/// A line of the sheet's own, straight from point to point.
+struct SheetLine {
+    std::string layer;              ///< "frame" or "title-block"
+    double width = 0.25;            ///< millimetres
+    std::vector<glm::dvec2> points; ///< millimetres; two at least
+};
+
+/// A circle of the sheet's own.
+struct SheetCircle {
+    std::string layer;    ///< as of lines
+    double width = 0.25;  ///< millimetres
+    glm::dvec2 center{0}; ///< millimetres
+    double radius = 1;    ///< millimetres
+};
+
+/// Where a text stands beside its point.
+enum class TextAnchor {
+    start,  ///< it starts there
+    middle, ///< its middle is there
+    end,    ///< it ends there
+};
+
+/// A text of the sheet's own, on one line.
+struct SheetText {
+    std::string layer;                     ///< as of lines
+    glm::dvec2 at{0};                      ///< millimetres, on the line that letters stand on
+    double height = 2.5;                   ///< of capital letters, millimetres
+    std::string text;                      ///< UTF-8
+    TextAnchor anchor = TextAnchor::start; ///< which part of it is at the point
+    bool upward = false;                   ///< read from below to above, else from left to right
+};
+
+/// A page with places for views, its frame and its title block. Millimetres from the upper left
+/// corner, y down.
+struct SheetLayout {
+    glm::dvec2 size{0};                 ///< of the page
+    std::string scale{};                ///< of all views, as in "1:2"
+    std::string title{};                ///< of the document
+    std::vector<SheetView> views{};     ///< in the order in which they were asked for
+    std::vector<SheetLine> lines{};     ///< of frame and title block
+    std::vector<SheetCircle> circles{}; ///< of the symbol in the title block
+    std::vector<SheetText> texts{};     ///< of frame and title block
+};
+
+/// Lays out a sheet for a model that these points span, such as LineSet::vertices. Throws
+/// UsageError where there are no points, for options that are out of range, for a page that has no
+/// room, and for a scale that does not fit, with one that does.
+LINEATLAS_API SheetLayout lay_out_sheet(std::span<const glm::vec3> points,
+                                        const SheetOptions& options = {});
+
+/// What a camera sees of lines.
+struct SeenLines {
+    std::vector<Interval> intervals; ///< hidden ones, too
+    /// Of the same, as LineVisibility::outlines() gives them; only a style with pens for outlines
+    /// needs them.
+    std::vector<OutlinePart> outlines{};
+};
+
+/// Finds what `camera` sees of lines, hidden intervals too: what hides a line may bridge a gap in
+/// it. LineVisibility::find() does, and Renderer::read_intervals().
+using FindLines = std::function<SeenLines(const Camera& camera)>;
+
+/// A sheet with its views drawn.
+struct VectorSheet {
+    SheetLayout layout;                  ///< where they stand
+    std::vector<VectorDrawing> drawings; ///< one for each of SheetLayout::views
+};
+
+/// Draws every view of a layout. A pixel of the style is that of CSS, 1/96 inch, whatever the
+/// paper's size: Style::made_for says nothing here. Throws as make_vector_drawing() and `find` do.
+LINEATLAS_API VectorSheet make_vector_sheet(const LineSet& lines, const SheetLayout& layout,
+                                            const FindLines& find, const Style& style,
+                                            const VectorOptions& options = {});
+
+/// The style as it draws one view, in pixels of the view's camera.
+LINEATLAS_API Style style_of_view(const Style& style, const SheetView& view);
+
+/// How a sheet is written.
+struct SheetWriting {
+    bool background = true;    ///< the paper's colour, unless it is white; SVG
+    bool tags = true;          ///< where each path comes from; SVG
+    bool layers = true;        ///< mark groups as layers of Inkscape; SVG
+    bool curves = true;        ///< as in SvgOptions
+    bool fit_arcs = false;     ///< as in SvgOptions
+    std::string description{}; ///< the settings that made it, for people
+};
+
+/// The sheet as SVG 1.1 in millimetres: a group for each view, named after it, with groups as
+/// to_svg() of a drawing has them, and one for each layer of the sheet's own. Throws UsageError as
+/// that does, and where a layout has another number of views than there are drawings.
+LINEATLAS_API std::string to_svg(const VectorSheet& sheet, const SheetWriting& writing = {});
+
+/// The sheet as DXF of AutoCAD 2004 in millimetres from its lower left corner: layers as to_dxf()
+/// of a drawing has them, the view's name before each, and those of the sheet's own. Throws as
+/// to_svg() does.
+LINEATLAS_API std::string to_dxf(const VectorSheet& sheet, const SheetWriting& writing = {});
+
+} // namespace lineatlas

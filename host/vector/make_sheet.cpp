@@ -1,0 +1,29 @@
+#include "core/style_lengths.hpp"
+#include "lineatlas/sheet.hpp"
+#include "sheet_pixels.hpp"
+
+namespace lineatlas {
+
+Style style_of_view(const Style& style, const SheetView& view) {
+    Style result = style;
+    result.made_for = 0;
+    multiply_lengths(result, static_cast<float>(length_in({1, Unit::px}, Unit::mm) * sheet_pixels));
+    if (view.pictorial) result.hidden = false;
+    return result;
+}
+
+VectorSheet make_vector_sheet(const LineSet& lines, const SheetLayout& layout,
+                              const FindLines& find, const Style& style,
+                              const VectorOptions& options) {
+    VectorSheet sheet{.layout = layout, .drawings = {}};
+    for (const SheetView& view : layout.views) {
+        const SeenLines seen = find(view.camera);
+        VectorOptions own = options;
+        own.outlines = seen.outlines;
+        sheet.drawings.push_back(make_vector_drawing(lines, view.camera, seen.intervals,
+                                                     style_of_view(style, view), own));
+    }
+    return sheet;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lineatlas/sheet.hpp"
+
+namespace lineatlas {
+
+/// A place in the grid of a sheet's views: columns from left to right, rows from above to below,
+/// counted from those that are used.
+struct SheetCell {
+    int column = 0;
+    int row = 0;
+    bool operator==(const SheetCell&) const = default;
+};
+
+/// Whether a view is not aligned with others.
+bool is_pictorial(std::string_view view);
+
+/// A place for each view, all of them different: aligned ones where the angle of projection puts
+/// them, pictorial ones where they add the fewest columns and rows.
+std::vector<SheetCell> sheet_cells(const std::vector<std::string>& views, ProjectionAngle angle);
+
+} // namespace lineatlas

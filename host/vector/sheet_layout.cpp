@@ -1,0 +1,335 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "base/numbers.hpp"
+#include "core/drawing_scale.hpp"
+#include "core/picture_size.hpp"
+#include "lineatlas/error.hpp"
+#include "page_name.hpp"
+#include "sheet_frame.hpp"
+#include "sheet_grid.hpp"
+#include "sheet_pixels.hpp"
+#include "title_block.hpp"
+
+namespace lineatlas {
+namespace {
+
+struct NamedField {
+    std::string_view name;
+    std::string SheetFields::*member;
+};
+constexpr std::array fields{
+    NamedField{"title", &SheetFields::title},     NamedField{"file", &SheetFields::file},
+    NamedField{"owner", &SheetFields::owner},     NamedField{"number", &SheetFields::number},
+    NamedField{"creator", &SheetFields::creator}, NamedField{"approver", &SheetFields::approver},
+    NamedField{"date", &SheetFields::date},
+};
+
+constexpr double least_gap = 10; ///< between views, and from them to the frame; millimetres
+
+/// A side of the model. Lengths are in units of the model, from its middle, y down.
+struct Side {
+    std::string name;
+    bool pictorial;
+    ViewDirection direction;
+    glm::dvec2 low, high; ///< what it takes on paper
+    glm::dvec2 middle;    ///< what stands in the middle of its cell
+
+    /// How far it reaches from the middle of its cell.
+    glm::dvec2 reach() const { return glm::max(high - middle, middle - low); }
+};
+
+Side side_of(const std::string& name, std::span<const glm::vec3> points, glm::dvec3 center,
+             glm::vec3 up) {
+    const ViewDirection direction = view_direction(name, up);
+    const glm::dvec3 toward{direction.toward_eye};
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{direction.up}, toward));
+    const glm::dvec3 above = glm::cross(toward, right);
+    Side side{.name = name,
+              .pictorial = is_pictorial(name),
+              .direction = direction,
+              .low = glm::dvec2{std::numeric_limits<double>::infinity()},
+              .high = glm::dvec2{-std::numeric_limits<double>::infinity()},
+              .middle = glm::dvec2{0}};
+    for (const glm::vec3& point : points) {
+        const glm::dvec3 offset = glm::dvec3{point} - center;
+        const glm::dvec2 at{glm::dot(offset, right), -glm::dot(offset, above)};
+        side.low = glm::min(side.low, at);
+        side.high = glm::max(side.high, at);
+    }
+    if (side.pictorial) side.middle = 0.5 * (side.low + side.high);
+    return side;
+}
+
+/// The sides of a model in a grid.
+struct Grid {
+    std::vector<Side> sides;
+    std::vector<SheetCell> cells;
+    std::vector<double> columns, rows; ///< half of each, units of the model
+};
+
+Grid grid_of(std::vector<Side> sides, const SheetOptions& options) {
+    Grid grid{.sides = std::move(sides),
+              .cells = sheet_cells(options.views, options.angle),
+              .columns = {},
+              .rows = {}};
+    const auto widen = [](std::vector<double>& halves, int at, double half) {
+        const auto place = static_cast<std::size_t>(at);
+        if (halves.size() <= place) halves.resize(place + 1, 0);
+        halves[place] = std::max(halves[place], half);
+    };
+    for (std::size_t i = 0; i < grid.sides.size(); ++i) {
+        const glm::dvec2 reach = grid.sides[i].reach();
+        widen(grid.columns, grid.cells[i].column, reach.x);
+        widen(grid.rows, grid.cells[i].row, reach.y);
+    }
+    return grid;
+}
+
+double sum(const std::vector<double>& halves) {
+    double total = 0;
+    for (const double half : halves) total += 2 * half;
+    return total;
+}
+
+/// The middles of columns, or rows, that are spread evenly from `low` to `high`; nothing if gaps
+/// become too small.
+std::optional<std::vector<double>> spread(const std::vector<double>& halves, double scale,
+                                          double low, double high) {
+    const double gap = (high - low - scale * sum(halves)) / static_cast<double>(halves.size() + 1);
+    if (!(gap >= least_gap)) return {};
+    std::vector<double> middles;
+    double at = low;
+    for (const double half : halves) {
+        middles.push_back(at + gap + scale * half);
+        at = middles.back() + scale * half;
+    }
+    return middles;
+}
+
+/// Middles of the cells of all sides in this space; nothing where they have no room. `scale`:
+/// millimetres of paper for a unit of the model.
+std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, double scale,
+                                                 const SheetBox& space) {
+    const auto columns = spread(grid.columns, scale, space.low.x, space.high.x);
+    const auto rows = spread(grid.rows, scale, space.low.y, space.high.y);
+    if (!columns || !rows) return {};
+    std::vector<glm::dvec2> places;
+    for (const SheetCell& cell : grid.cells)
+        places.push_back({(*columns)[static_cast<std::size_t>(cell.column)],
+                          (*rows)[static_cast<std::size_t>(cell.row)]});
+    return places;
+}
+
+SheetBox box_on_paper(const Side& side, glm::dvec2 place, double scale) {
+    return {place + scale * (side.low - side.middle), place + scale * (side.high - side.middle)};
+}
+
+/// The same beside the title block, or where a view would meet that, above it.
+std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, double scale,
+                                                 const SheetBox& frame, const SheetBox& block) {
+    auto places = places_in(grid, scale, frame);
+    if (!places) return {};
+    for (std::size_t i = 0; i < places->size(); ++i)
+        if (box_on_paper(grid.sides[i], (*places)[i], scale).meets(block, 0.5 * least_gap))
+            return places_in(grid, scale, {frame.low, {frame.high.x, block.low.y}});
+    return places;
+}
+
+struct Fit {
+    std::string scale;
+    std::vector<glm::dvec2> places;
+};
+
+/// At the largest scale of ISO 5455. Throws UsageError if there is none.
+Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
+    const glm::dvec2 room = frame.size();
+    double largest =
+        std::min(room.x / (unit * sum(grid.columns)), room.y / (unit * sum(grid.rows)));
+    for (;;) {
+        const std::string scale = standard_scale(largest);
+        if (scale.empty()) throw UsageError("the model is too large for any scale on this page");
+        const double value = parse_scale("the scale", scale);
+        if (auto places = places_on(grid, unit * value, frame, block))
+            return {scale, std::move(*places)};
+        constexpr double smaller = 0.99;
+        if (value >= largest && largest < 1e-9) throw UsageError("the page has no room for views");
+        largest = smaller * value;
+    }
+}
+
+Fit fit(const Grid& grid, const SheetOptions& options, const SheetBox& frame,
+        const SheetBox& block) {
+    if (options.scale.empty()) return largest_fit(grid, options.unit, frame, block);
+    const double scale = options.unit * parse_scale("the scale", options.scale);
+    if (auto places = places_on(grid, scale, frame, block))
+        return {options.scale, std::move(*places)};
+    const auto paper = [&](const std::vector<double>& halves) {
+        return scale * sum(halves) + least_gap * static_cast<double>(halves.size() + 1);
+    };
+    throw UsageError(fmt::format(
+        "the scale {}: the views take {:.4g} x {:.4g} mm and the page has {:.4g} x {:.4g} mm "
+        "within its frame, less the title block; {} fits",
+        options.scale, paper(grid.columns), paper(grid.rows), frame.size().x, frame.size().y,
+        largest_fit(grid, options.unit, frame, block).scale));
+}
+
+/// Pixels of a camera's picture, and how many a unit of the model takes there.
+struct Pixels {
+    glm::dmat4 clip_from_world;
+    glm::dvec2 size;
+
+    explicit Pixels(const Camera& camera)
+        : clip_from_world(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
+          size(camera.size) {}
+
+    glm::dvec2 at(glm::dvec3 point) const {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4{point, 1};
+        return {0.5 * (1 + clip.x) * size.x, 0.5 * (1 - clip.y) * size.y};
+    }
+    double per_unit() const {
+        const glm::dvec3 row{clip_from_world[0][1], clip_from_world[1][1], clip_from_world[2][1]};
+        return 0.5 * size.y * glm::length(row);
+    }
+};
+
+/// A view of a side whose cell has its middle there. A float's rounding in the camera is taken back
+/// by scale and corner, so that views are aligned.
+SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 center,
+                  const Bounds& bounds) {
+    constexpr double around = 8; // pixels, so that no stroke is cut off
+    const glm::dvec2 extent = scale * sheet_pixels * (side.high - side.low) + 2 * around;
+    const glm::ivec2 size{glm::ceil(extent)};
+    check_picture(size);
+    const glm::dvec3 toward{side.direction.toward_eye};
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{side.direction.up}, toward));
+    const glm::dvec2 middle = 0.5 * (side.low + side.high);
+    const glm::dvec3 target = center + middle.x * right - middle.y * glm::cross(toward, right);
+    const View view{.eye = target + toward,
+                    .target = target,
+                    .up = side.direction.up,
+                    .projection = Projection::orthographic};
+    const auto height = static_cast<float>(size.y / (sheet_pixels * scale));
+    SheetView result{.name = side.name,
+                     .pictorial = side.pictorial,
+                     .camera = make_camera(with_shown_height(view, height), size, bounds)};
+    const Pixels pixels{result.camera};
+    result.scale = scale / pixels.per_unit();
+    const glm::dvec2 center_place = place - scale * side.middle;
+    result.corner = center_place - result.scale * pixels.at(center);
+    const SheetBox box = box_on_paper(side, place, scale);
+    result.low = box.low;
+    result.high = box.high;
+    return result;
+}
+
+void check(const SheetOptions& options) {
+    if (options.views.empty()) throw UsageError("a sheet has one view at least");
+    for (auto view = options.views.begin(); view != options.views.end(); ++view) {
+        view_direction(*view, {0, 1, 0});
+        if (std::find(options.views.begin(), view, *view) != view)
+            throw UsageError("the view \"" + *view + "\" is named twice; a sheet has each once");
+    }
+    if (!(options.unit > 0) || !std::isfinite(options.unit))
+        throw UsageError("the unit of the model must be a number of millimetres above 0");
+}
+
+/// Width and height in millimetres, as the sheet lies.
+glm::dvec2 page_size(const Page& page) {
+    constexpr double widest_upright = 216; // A4, Letter and Legal
+    const glm::dvec2 size{length_in(page.width, Unit::mm), length_in(page.height, Unit::mm)};
+    if (!(std::min(size.x, size.y) > 0) || !std::isfinite(size.x) || !std::isfinite(size.y))
+        throw UsageError("the page must have a width and a height");
+    if (!page.turns) return size;
+    const double shorter = std::min(size.x, size.y), longer = std::max(size.x, size.y);
+    return shorter <= widest_upright ? glm::dvec2{shorter, longer} : glm::dvec2{longer, shorter};
+}
+
+Bounds bounds_around(std::span<const glm::vec3> points) {
+    if (points.empty()) throw UsageError("a sheet: there is nothing to look at");
+    Bounds bounds;
+    for (const glm::vec3& point : points) {
+        bounds.min = glm::min(bounds.min, point);
+        bounds.max = glm::max(bounds.max, point);
+    }
+    return bounds;
+}
+
+/// Where the first side of a list ends: at a comma, but for that between two numbers.
+std::size_t end_of_view(std::string_view list) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    if (!number_from(list.substr(0, end)) || end == list.size()) return end;
+    return std::min(list.find(',', end + 1), list.size());
+}
+
+} // namespace
+
+std::string_view name_of(ProjectionAngle angle) {
+    return angle == ProjectionAngle::first ? "first" : "third";
+}
+
+ProjectionAngle parse_projection_angle(std::string_view name) {
+    for (const ProjectionAngle known : {ProjectionAngle::first, ProjectionAngle::third})
+        if (name_of(known) == name) return known;
+    throw UsageError("unknown angle of projection \"" + std::string{name} +
+                     "\"; must be first or third");
+}
+
+void set_field(SheetFields& values, std::string_view name, std::string value) {
+    const auto known = std::ranges::find(fields, name, &NamedField::name);
+    if (known != fields.end()) {
+        values.*known->member = std::move(value);
+        return;
+    }
+    std::string names;
+    for (const NamedField& field : fields)
+        names.append(names.empty() ? "" : ", ").append(field.name);
+    throw UsageError("a title block has no field \"" + std::string{name} + "\"; there is " + names);
+}
+
+std::vector<std::string> parse_views(std::string_view text) {
+    SheetOptions options{.views = {}};
+    for (bool goes_on = true; goes_on;) {
+        const std::size_t end = end_of_view(text);
+        options.views.emplace_back(text.substr(0, end));
+        goes_on = end < text.size();
+        text.remove_prefix(goes_on ? end + 1 : end);
+    }
+    check(options);
+    return options.views;
+}
+
+SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions& options) {
+    check(options);
+    const Bounds bounds = bounds_around(points);
+    const glm::dvec3 center = 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
+    std::vector<Side> sides;
+    for (const std::string& view : options.views)
+        sides.push_back(side_of(view, points, center, options.up));
+    const Grid grid = grid_of(std::move(sides), options);
+
+    SheetLayout layout{.size = page_size(options.page), .title = options.fields.title};
+    const SheetBox frame = frame_of(layout.size);
+    const SheetBox block = title_block_of(frame);
+    const Fit found = fit(grid, options, frame, block);
+    layout.scale = found.scale;
+    const double scale = options.unit * parse_scale("the scale", found.scale);
+    for (std::size_t i = 0; i < grid.sides.size(); ++i)
+        layout.views.push_back(view_of(grid.sides[i], found.places[i], scale, center, bounds));
+    add_frame(layout);
+    add_title_block(
+        layout, block, options.fields,
+        {.scale = layout.scale, .page = page_name(options.page), .angle = options.angle});
+    return layout;
+}
+
+} // namespace lineatlas

@@ -1,0 +1,110 @@
+#include <string>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "path_data.hpp"
+#include "sheet_writing.hpp"
+#include "svg_document.hpp"
+#include "svg_groups.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr int digits = 4; // a tenth of a micrometre
+
+/// Height of capital letters in usual fonts without serifs, by the font's size.
+constexpr double capital_height = 0.72;
+
+constexpr const char* anchor_names[] = {"start", "middle", "end"};
+
+std::string number(double value) {
+    return number_text(value, digits);
+}
+
+std::string point(glm::dvec2 at) {
+    return number(at.x) + " " + number(at.y);
+}
+
+void add_line(pugi::xml_node& group, const SheetLine& line) {
+    pugi::xml_node path = group.append_child("path");
+    std::string data = "M" + point(line.points.front());
+    const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
+    const std::size_t count = line.points.size() - (closed ? 1 : 0);
+    for (std::size_t i = 1; i < count; ++i) data += "L" + point(line.points[i]);
+    set(path, "d", data + (closed ? "z" : ""));
+    set(path, "stroke-width", number(line.width));
+}
+
+void add_circle(pugi::xml_node& group, const SheetCircle& circle) {
+    pugi::xml_node node = group.append_child("circle");
+    set(node, "cx", number(circle.center.x));
+    set(node, "cy", number(circle.center.y));
+    set(node, "r", number(circle.radius));
+    set(node, "stroke-width", number(circle.width));
+}
+
+void add_words(pugi::xml_node& group, const SheetText& text, const std::string& color) {
+    add_text(group, "text", text.text);
+    pugi::xml_node node = group.last_child();
+    set(node, "x", number(text.at.x));
+    set(node, "y", number(text.at.y));
+    if (text.upward) set(node, "transform", "rotate(-90 " + point(text.at) + ")");
+    set(node, "font-size", number(text.height / capital_height));
+    if (text.anchor != TextAnchor::start)
+        set(node, "text-anchor", anchor_names[static_cast<std::size_t>(text.anchor)]);
+    set(node, "stroke", "none");
+    set(node, "fill", color);
+}
+
+/// What the sheet has of its own in one layer.
+void add_own(pugi::xml_node& svg, const SheetLayout& layout, const std::string& layer,
+             const std::string& color, bool layers) {
+    pugi::xml_node group = svg.append_child("g");
+    set(group, "id", layer);
+    if (layers) mark_layer(group, layer);
+    set(group, "fill", "none");
+    set(group, "stroke", color);
+    set(group, "font-family", "sans-serif");
+    for (const SheetLine& line : layout.lines)
+        if (line.layer == layer) add_line(group, line);
+    for (const SheetCircle& circle : layout.circles)
+        if (circle.layer == layer) add_circle(group, circle);
+    for (const SheetText& text : layout.texts)
+        if (text.layer == layer) add_words(group, text, color);
+}
+
+void add_view(pugi::xml_node& svg, const SheetView& view, const VectorDrawing& drawing,
+              glm::dvec2 page, const SheetWriting& writing) {
+    pugi::xml_node group = svg.append_child("g");
+    const std::string name = name_in_file(view);
+    set(group, "id", name);
+    set(group, "class", "view");
+    if (writing.layers) mark_layer(group, name);
+    write_paths(group, drawing, place_of(view, page),
+                {.tags = writing.tags && !drawing.travel,
+                 .layers = writing.layers,
+                 .relative = true,
+                 .arcs = {writing.curves, writing.fit_arcs},
+                 .prefix = name + "-"});
+}
+
+} // namespace
+
+std::string to_svg(const VectorSheet& sheet, const SheetWriting& writing) {
+    check_sheet(sheet);
+    const SheetLayout& layout = sheet.layout;
+    pugi::xml_document document;
+    pugi::xml_node svg = add_svg(document, layout.size, {"mm", digits, writing.layers});
+    add_text(svg, "title", layout.title);
+    add_text(svg, "desc", writing.description);
+    if (writing.background) add_background(svg, style_of(sheet), layout.size, digits);
+    const std::string color = color_text(style_of(sheet).pen.color);
+    for (const std::string& layer : own_layers(layout))
+        add_own(svg, layout, layer, color, writing.layers);
+    for (std::size_t i = 0; i < layout.views.size(); ++i)
+        add_view(svg, layout.views[i], sheet.drawings[i], layout.size, writing);
+    return svg_text(document);
+}
+
+} // namespace lineatlas

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lineatlas/sheet.hpp"
+#include "sheet.hpp"
+
+namespace lineatlas {
+
+/// Throws UsageError for a sheet that no file can hold.
+void check_sheet(const VectorSheet& sheet);
+
+/// Where a view's picture lies, in millimetres.
+Sheet place_of(const SheetView& view, glm::dvec2 page);
+
+/// A view's name as groups and layers may have it: "front", "view_30_20".
+std::string name_in_file(const SheetView& view);
+
+/// The style that the sheet's own lines have their colours of: that of the first view.
+const Style& style_of(const VectorSheet& sheet);
+
+/// Layers of the sheet's own lines, circles and texts, each once, in order.
+std::vector<std::string> own_layers(const SheetLayout& layout);
+
+} // namespace lineatlas

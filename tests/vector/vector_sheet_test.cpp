@@ -1,0 +1,294 @@
+// Sheets: where views stand, how large they are drawn, what their files hold.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include "lineatlas/error.hpp"
+#include "lineatlas/sheet.hpp"
+#include "vector_support.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// The edges of a box, as lines that nothing hides. Its corners are where floats are not round.
+struct Box {
+    explicit Box(glm::vec3 low = {-31.3F, 17.7F, 5.1F}, glm::vec3 size = {120, 50, 70})
+        : low(low), high(low + size) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const auto& [u, v] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+                glm::vec3 a = low, b = low;
+                const int other = (axis + 1) % 3, last = (axis + 2) % 3;
+                a[other] = b[other] = u == 0 ? low[other] : high[other];
+                a[last] = b[last] = v == 0 ? low[last] : high[last];
+                b[axis] = high[axis];
+                lines.add(LineKind::crease, {a, b});
+            }
+        }
+    }
+
+    SheetLayout layout(const SheetOptions& options = {}) const {
+        return lay_out_sheet(lines.set.vertices, options);
+    }
+    VectorSheet sheet(const SheetOptions& options = {}, const Style& style = {}) const {
+        const auto find = [&](const Camera& camera) -> SeenLines {
+            test::Cuts cuts{lines.set, camera};
+            cuts.add_all();
+            return {cuts.intervals};
+        };
+        return make_vector_sheet(lines.set, layout(options), find, style);
+    }
+
+    glm::vec3 low, high;
+    test::Lines lines;
+};
+
+const SheetView& view_named(const SheetLayout& layout, const std::string& name) {
+    return *std::ranges::find(layout.views, name, &SheetView::name);
+}
+
+/// A group of SVG that stands for a view, or a layer.
+pugi::xml_node group(const pugi::xml_document& svg, const std::string& id) {
+    return svg.child("svg").find_child_by_attribute("g", "id", id.c_str());
+}
+
+pugi::xml_document parsed(const std::string& svg) {
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_string(svg.c_str()));
+    return document;
+}
+
+struct Lined {
+    glm::dvec2 from, to;
+    double length() const { return glm::distance(from, to); }
+};
+
+/// The LINEs of a DXF by their layers.
+std::multimap<std::string, Lined> lines_of(const std::string& dxf) {
+    std::multimap<std::string, Lined> found;
+    std::istringstream text{dxf};
+    std::string code, value, type, layer;
+    std::map<int, double> numbers;
+    while (std::getline(text, code) && std::getline(text, value)) {
+        const int number = std::stoi(code);
+        if (number == 0) {
+            if (type == "LINE")
+                found.emplace(layer, Lined{{numbers[10], numbers[20]}, {numbers[11], numbers[21]}});
+            type = value;
+            numbers.clear();
+        } else if (number == 8) {
+            layer = value;
+        } else if (number >= 10 && number < 40) {
+            numbers[number] = std::stod(value);
+        }
+    }
+    return found;
+}
+
+/// The place of a point of the model on paper, by the view's own camera.
+glm::dvec2 on_paper(const SheetView& view, glm::vec3 point) {
+    const glm::dmat4 clip = glm::dmat4{view.camera.projection} * glm::dmat4{view.camera.view};
+    const glm::dvec4 at = clip * glm::dvec4{point, 1};
+    const glm::dvec2 size{view.camera.size};
+    return view.corner +
+           view.scale * glm::dvec2{0.5 * (1 + at.x) * size.x, 0.5 * (1 - at.y) * size.y};
+}
+
+TEST(Sheet, ViewsStandWhereTheAngleOfProjectionPutsThem) {
+    const Box box;
+    for (const auto angle : {ProjectionAngle::first, ProjectionAngle::third}) {
+        SCOPED_TRACE(name_of(angle));
+        const SheetLayout layout = box.layout(
+            {.views = {"back", "front", "left", "top", "right", "bottom"}, .angle = angle});
+        const double sign = angle == ProjectionAngle::third ? 1 : -1;
+        const glm::dvec2 front = view_named(layout, "front").low;
+        const auto from_front = [&](const char* name) {
+            return view_named(layout, name).low - front;
+        };
+        EXPECT_LT(sign * from_front("top").y, -50);
+        EXPECT_GT(sign * from_front("bottom").y, 50);
+        EXPECT_GT(sign * from_front("right").x, 50);
+        EXPECT_LT(sign * from_front("left").x, -50);
+        EXPECT_GT(from_front("back").x, std::abs(from_front("right").x));
+    }
+}
+
+TEST(Sheet, ViewsAreAlignedToAThousandthOfAMillimetre) {
+    const Box box{{-1031.3F, 217.7F, 95.1F}, {333.3F, 55.7F, 91.9F}};
+    for (const std::string page : {"a4", "a0"}) {
+        const SheetLayout layout = box.layout({.page = parse_page(page)});
+        const SheetView& front = view_named(layout, "front");
+        const SheetView& top = view_named(layout, "top");
+        const SheetView& right = view_named(layout, "right");
+        for (const glm::vec3& corner : box.lines.set.vertices) {
+            EXPECT_NEAR(on_paper(front, corner).x, on_paper(top, corner).x, 1e-3);
+            EXPECT_NEAR(on_paper(front, corner).y, on_paper(right, corner).y, 1e-3);
+        }
+    }
+}
+
+TEST(Sheet, LengthsAreWhatTheScaleSays) {
+    const Box box;
+    for (const auto& [scale, factor] :
+         {std::pair{"1:1", 1.0}, {"1:2", 0.5}, {"2:1", 2.0}, {"1:10", 0.1}}) {
+        SCOPED_TRACE(scale);
+        const auto lines = lines_of(to_dxf(box.sheet({.page = parse_page("a1"), .scale = scale})));
+        std::multiset<long> found; // thousandths of a millimetre
+        for (auto [at, end] = lines.equal_range("front-crease"); at != end; ++at) {
+            found.insert(std::lround(at->second.length() * 1000));
+        }
+        const auto length = [&, own = factor](double size) {
+            return std::lround(own * size * 1000);
+        };
+        EXPECT_EQ(found, (std::multiset<long>{length(50), length(50), length(120), length(120)}));
+    }
+}
+
+TEST(Sheet, TheUnitOfTheModelCounts) {
+    const Box box{{0, 0, 0}, {4, 2, 1}};
+    const auto lines = lines_of(to_dxf(box.sheet({.scale = "1:1", .unit = 25.4})));
+    std::set<long> found;
+    for (auto [at, end] = lines.equal_range("front-crease"); at != end; ++at)
+        found.insert(std::lround(at->second.length() * 1000));
+    EXPECT_EQ(found, (std::set<long>{50800, 101600}));
+}
+
+TEST(Sheet, TheScaleIsTheLargestStandardOneThatFits) {
+    EXPECT_EQ(Box{}.layout().scale, "1:1");
+    EXPECT_EQ((Box{{0, 0, 0}, {1200, 500, 700}}.layout().scale), "1:10");
+    EXPECT_EQ((Box{{0, 0, 0}, {1.2F, 0.5F, 0.7F}}.layout().scale), "100:1");
+    EXPECT_EQ(Box{}.layout({.page = parse_page("a4")}).scale, "1:2");
+    try {
+        Box{}.layout({.scale = "2:1"});
+        FAIL() << "not refused";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string{error.what()}.find("1:1 fits"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Sheet, NoViewMeetsAnotherTheTitleBlockOrTheFrame) {
+    for (const std::string page : {"a3", "a4", "a0", "a6", "tabloid", "900x200mm"}) {
+        for (const glm::vec3 size : {glm::vec3{120, 50, 70}, {10, 200, 10}, {300, 10, 300}}) {
+            SCOPED_TRACE(page);
+            const SheetLayout layout = Box{{0, 0, 0}, size}.layout({.page = parse_page(page)});
+            std::vector<SheetView> boxes = layout.views;
+            SheetView block;
+            block.low = layout.size;
+            for (const SheetLine& line : layout.lines) {
+                if (line.layer != "title-block") continue;
+                for (const glm::dvec2 point : line.points) {
+                    block.low = glm::min(block.low, point);
+                    block.high = glm::max(block.high, point);
+                }
+            }
+            boxes.push_back(block);
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                EXPECT_GE(boxes[i].low.x, 20) << i;
+                EXPECT_GE(boxes[i].low.y, 10) << i;
+                EXPECT_LE(boxes[i].high.x, layout.size.x - 10) << i;
+                EXPECT_LE(boxes[i].high.y, layout.size.y - 10) << i;
+                for (std::size_t k = 0; k < i; ++k)
+                    EXPECT_TRUE(
+                        boxes[i].low.x > boxes[k].high.x || boxes[k].low.x > boxes[i].high.x ||
+                        boxes[i].low.y > boxes[k].high.y || boxes[k].low.y > boxes[i].high.y)
+                        << i << " meets " << k;
+            }
+        }
+    }
+}
+
+TEST(Sheet, APageStandsOrLiesAsIso5457HasIt) {
+    EXPECT_EQ(Box{}.layout({.page = parse_page("a4")}).size, (glm::dvec2{210, 297}));
+    EXPECT_EQ(Box{}.layout({.page = parse_page("a3")}).size, (glm::dvec2{420, 297}));
+    EXPECT_EQ(Box{}.layout({.page = parse_page("300x400mm")}).size, (glm::dvec2{300, 400}));
+}
+
+TEST(Sheet, ViewsAreNamedInAList) {
+    EXPECT_EQ(parse_views("front,top"), (std::vector<std::string>{"front", "top"}));
+    EXPECT_EQ(parse_views("30,-20.5,back"), (std::vector<std::string>{"30,-20.5", "back"}));
+    for (const char* wrong : {"", "front,", "front,,top", "middle", "front,30", "front,top,front"})
+        EXPECT_THROW(parse_views(wrong), UsageError) << wrong;
+    EXPECT_THROW(lay_out_sheet({}), UsageError);
+    EXPECT_THROW(Box{}.layout({.unit = 0}), UsageError);
+    EXPECT_THROW(Box{}.layout({.page = parse_page("80x80mm")}), UsageError);
+}
+
+TEST(Sheet, SvgHasAGroupForEachView) {
+    const pugi::xml_document svg = parsed(
+        to_svg(Box{}.sheet({.views = {"front", "30,20"}, .fields = {.title = "Box & lid"}})));
+    EXPECT_STREQ(svg.child("svg").attribute("width").value(), "420mm");
+    EXPECT_STREQ(svg.child("svg").child("title").text().get(), "Box & lid");
+    const pugi::xml_node front = group(svg, "front");
+    EXPECT_EQ(std::ranges::distance(front.child("g").children("path")), 4);
+    EXPECT_STREQ(front.child("g").attribute("id").value(), "front-crease");
+    EXPECT_TRUE(group(svg, "view_30_20"));
+    EXPECT_TRUE(group(svg, "frame"));
+    std::set<std::string> texts;
+    for (const pugi::xml_node text : group(svg, "title-block").children("text"))
+        texts.insert(text.text().get());
+    for (const char* text : {"Box & lid", "1:1", "A3"}) EXPECT_TRUE(texts.contains(text)) << text;
+}
+
+TEST(Sheet, PensAreAsWideOnEveryPage) {
+    Style style;
+    style.pen.width = 2;
+    style.made_for = 100;
+    for (const std::string page : {"a4", "a1"}) {
+        const pugi::xml_document svg =
+            parsed(to_svg(Box{}.sheet({.page = parse_page(page)}, style)));
+        EXPECT_NEAR(group(svg, "front").child("g").attribute("stroke-width").as_double(),
+                    2 * 25.4 / 96, 1e-4);
+    }
+}
+
+TEST(Sheet, PictorialViewsShowNoHiddenLines) {
+    Style style;
+    style.hidden = true;
+    const SheetLayout layout = Box{}.layout();
+    EXPECT_TRUE(style_of_view(style, view_named(layout, "front")).hidden);
+    EXPECT_FALSE(style_of_view(style, view_named(layout, "isometric")).hidden);
+}
+
+TEST(Sheet, TheSymbolSaysTheAngle) {
+    const auto side_of_rings = [](ProjectionAngle angle) {
+        const SheetLayout layout = Box{}.layout({.angle = angle});
+        const auto cone = std::ranges::find_if(layout.lines, [](const SheetLine& line) {
+            return line.layer == "title-block" && line.points.size() == 5 &&
+                   line.points[0].y != line.points[1].y && line.points[0].x != line.points[1].x;
+        });
+        return layout.circles.front().center.x - cone->points.front().x;
+    };
+    EXPECT_LT(side_of_rings(ProjectionAngle::third), 0);
+    EXPECT_GT(side_of_rings(ProjectionAngle::first), 0);
+    EXPECT_EQ(parse_projection_angle("first"), ProjectionAngle::first);
+    EXPECT_THROW(parse_projection_angle("second"), UsageError);
+}
+
+TEST(Sheet, LongTextsStayInTheirFields) {
+    SheetFields fields;
+    set_field(fields, "title", std::string(500, 'W'));
+    set_field(fields, "owner", "Ärzte & Söhne");
+    EXPECT_THROW(set_field(fields, "colour", "red"), UsageError);
+    const SheetLayout layout = Box{}.layout({.fields = fields});
+    const auto title = std::ranges::find_if(
+        layout.texts, [](const SheetText& text) { return text.text.ends_with("W..."); });
+    ASSERT_NE(title, layout.texts.end());
+    EXPECT_LT(static_cast<double>(title->text.size()) * 0.85 * title->height, 110);
+    EXPECT_NE(to_dxf(Box{}.sheet({.fields = fields})).find("\\U+00C4rzte & S\\U+00F6hne"),
+              std::string::npos);
+}
+
+TEST(Sheet, ASheetNeedsADrawingForEachView) {
+    VectorSheet sheet = Box{}.sheet();
+    sheet.drawings.pop_back();
+    EXPECT_THROW(to_svg(sheet), UsageError);
+    EXPECT_THROW(to_dxf(sheet), UsageError);
+}
+
+} // namespace
+} // namespace lineatlas
