@@ -41,8 +41,9 @@ struct Side {
     std::string name;
     bool pictorial;
     ViewDirection direction;
-    glm::dvec2 low, high; ///< what it takes on paper
-    glm::dvec2 middle;    ///< what stands in the middle of its cell
+    glm::dvec3 right, down; ///< of paper, in the model
+    glm::dvec2 low, high;   ///< what it takes on paper
+    glm::dvec2 middle;      ///< what stands in the middle of its cell
 
     /// How far it reaches from the middle of its cell.
     glm::dvec2 reach() const { return glm::max(high - middle, middle - low); }
@@ -53,16 +54,17 @@ Side side_of(const std::string& name, std::span<const glm::vec3> points, glm::dv
     const ViewDirection direction = view_direction(name, up);
     const glm::dvec3 toward{direction.toward_eye};
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{direction.up}, toward));
-    const glm::dvec3 above = glm::cross(toward, right);
     Side side{.name = name,
               .pictorial = is_pictorial(name),
               .direction = direction,
+              .right = right,
+              .down = glm::cross(right, toward),
               .low = glm::dvec2{std::numeric_limits<double>::infinity()},
               .high = glm::dvec2{-std::numeric_limits<double>::infinity()},
               .middle = glm::dvec2{0}};
     for (const glm::vec3& point : points) {
         const glm::dvec3 offset = glm::dvec3{point} - center;
-        const glm::dvec2 at{glm::dot(offset, right), -glm::dot(offset, above)};
+        const glm::dvec2 at{glm::dot(offset, side.right), glm::dot(offset, side.down)};
         side.low = glm::min(side.low, at);
         side.high = glm::max(side.high, at);
     }
@@ -210,18 +212,16 @@ SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 c
     const glm::dvec2 extent = scale * sheet_pixels * (side.high - side.low) + 2 * around;
     const glm::ivec2 size{glm::ceil(extent)};
     check_picture(size);
-    const glm::dvec3 toward{side.direction.toward_eye};
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{side.direction.up}, toward));
     const glm::dvec2 middle = 0.5 * (side.low + side.high);
-    const glm::dvec3 target = center + middle.x * right - middle.y * glm::cross(toward, right);
-    const View view{.eye = target + toward,
+    const glm::dvec3 target = center + middle.x * side.right + middle.y * side.down;
+    const double height = size.y / (sheet_pixels * scale);
+    const double distance = 0.5 * height / std::tan(0.5 * double{View{}.fov_y});
+    const View view{.eye = target + distance * glm::dvec3{side.direction.toward_eye},
                     .target = target,
                     .up = side.direction.up,
                     .projection = Projection::orthographic};
-    const auto height = static_cast<float>(size.y / (sheet_pixels * scale));
-    SheetView result{.name = side.name,
-                     .pictorial = side.pictorial,
-                     .camera = make_camera(with_shown_height(view, height), size, bounds)};
+    SheetView result{
+        .name = side.name, .pictorial = side.pictorial, .camera = make_camera(view, size, bounds)};
     const Pixels pixels{result.camera};
     result.scale = scale / pixels.per_unit();
     const glm::dvec2 center_place = place - scale * side.middle;
