@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+
+#include "lineatlas/image.hpp"
+#include "lineatlas/sheet.hpp"
 #include "lineatlas/vector.hpp"
 
 namespace lineatlas {
@@ -20,6 +24,14 @@ struct PdfOptions {
 /// The drawing as a PDF of one page. Throws UsageError when the margin leaves no room, FileError
 /// when the module that writes PDF cannot be loaded.
 std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options = {});
+
+/// The sheet as a PDF of one page. Text of ASCII letters is in a font that is the same on every
+/// machine. Throws UsageError as to_svg() of a sheet does, FileError as above.
+std::string to_pdf(const VectorSheet& sheet, const SheetWriting& writing = {});
+
+/// The same page as a picture of so many pixels per inch, 8 bits per channel. Throws as above, and
+/// UsageError for a picture that is too large.
+Image to_image(const VectorSheet& sheet, double dpi, const SheetWriting& writing = {});
 
 /// Throws FileError unless the module is where it should be. Loads nothing.
 void check_pdf_module();

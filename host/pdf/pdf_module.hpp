@@ -43,23 +43,43 @@ struct Strokes {
     std::vector<Way> ways;
 };
 
+/// A line of text.
+struct Text {
+    glm::vec3 color{0};
+    glm::dvec2 at{0};    ///< on the line that letters stand on
+    double height = 7;   ///< of capital letters
+    std::string text;    ///< UTF-8
+    double before = 0;   ///< share of its width that lies before the point, 0 to 1
+    bool upward = false; ///< read from below to above, else from left to right
+};
+
 /// A document of one page. Lengths are points, 72 to an inch, from its upper left corner, y down.
 struct Page {
     glm::dvec2 size{1};
     std::optional<glm::vec3> background;
     std::string title, subject; ///< UTF-8
     std::vector<Strokes> strokes;
+    std::vector<Text> texts;
+};
+
+/// Pixels from the upper left one, row by row: red, green, blue and alpha, 8 bits each, colours
+/// not multiplied by alpha.
+struct Pixels {
+    int width = 0, height = 0;
+    std::vector<unsigned char> values;
 };
 
 /// What the module lineatlas-pdf offers; it alone links cairo. What is refused ends in a
 /// std::runtime_error that says the cause in one line.
 struct Module {
     std::string (*write)(const Page& page);
+    /// The page as a picture of so many pixels per point.
+    Pixels (*paint)(const Page& page, double scale);
 };
 
 /// The module's one symbol. Its number changes with `Module`.
-inline constexpr const char* module_symbol = "lineatlas_pdf_2";
+inline constexpr const char* module_symbol = "lineatlas_pdf_3";
 
 } // namespace lineatlas::pdf
 
-extern "C" const lineatlas::pdf::Module lineatlas_pdf_2;
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_3;

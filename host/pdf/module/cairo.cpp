@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 
 #include <cairo-pdf.h>
@@ -82,9 +87,47 @@ void draw(cairo_t* context, const Strokes& strokes) {
     for (const Way& way : strokes.ways) draw(context, way);
 }
 
+/// Height of its capital letters, by its size: cairo's own font, which every machine has, knows
+/// ASCII alone; all else is in a font of the machine's.
+struct Font {
+    const char* family;
+    double capital_height;
+};
+Font font_for(const std::string& text) {
+    const bool ascii = std::ranges::all_of(text, [](char c) { return (c & 0x80) == 0; });
+    return ascii ? Font{"@cairo:", 0.67} : Font{"sans-serif", 0.72};
+}
+
+void draw(cairo_t* context, const Text& text) {
+    set_color(context, text.color, 1);
+    const Font font = font_for(text.text);
+    cairo_select_font_face(context, font.family, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context, text.height / font.capital_height);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context, text.text.c_str(), &extents);
+    cairo_save(context);
+    cairo_translate(context, text.at.x, text.at.y);
+    if (text.upward) cairo_rotate(context, -std::numbers::pi / 2);
+    cairo_move_to(context, -text.before * extents.x_advance, 0);
+    cairo_show_text(context, text.text.c_str());
+    cairo_restore(context);
+}
+
+void draw(cairo_t* context, const Page& page) {
+    if (page.background) {
+        set_color(context, *page.background, 1);
+        cairo_paint(context);
+    }
+    for (const Strokes& strokes : page.strokes) draw(context, strokes);
+    for (const Text& text : page.texts) draw(context, text);
+}
+
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Context = std::unique_ptr<cairo_t, Destroy>;
+
 std::string write(const Page& page) {
     std::string text;
-    const std::unique_ptr<cairo_surface_t, Destroy> surface{
+    const Surface surface{
         cairo_pdf_surface_create_for_stream(&append, &text, page.size.x, page.size.y)};
     check(cairo_surface_status(surface.get()));
     const auto describe = [&](cairo_pdf_metadata_t what, const char* value) {
@@ -95,21 +138,55 @@ std::string write(const Page& page) {
     describe(CAIRO_PDF_METADATA_CREATOR, "lineatlas " LINEATLAS_VERSION);
     // One drawing is one file, whenever it is written.
     describe(CAIRO_PDF_METADATA_CREATE_DATE, "");
-    const std::unique_ptr<cairo_t, Destroy> owned{cairo_create(surface.get())};
-    cairo_t* const context = owned.get();
-    if (page.background) {
-        set_color(context, *page.background, 1);
-        cairo_paint(context);
-    }
-    for (const Strokes& strokes : page.strokes) draw(context, strokes);
-    cairo_show_page(context);
-    check(cairo_status(context));
+    const Context context{cairo_create(surface.get())};
+    draw(context.get(), page);
+    cairo_show_page(context.get());
+    check(cairo_status(context.get()));
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
     return text;
 }
 
+/// A colour's channel that was multiplied by alpha, divided by it.
+unsigned char straight(std::uint32_t value, std::uint32_t alpha) {
+    if (alpha == 0) return 0;
+    return static_cast<unsigned char>(std::min(255U, (255 * value + alpha / 2) / alpha));
+}
+
+/// The pixels of cairo's own format, native 32-bit words of alpha, red, green and blue.
+Pixels pixels_of(cairo_surface_t* surface) {
+    cairo_surface_flush(surface);
+    Pixels pixels{.width = cairo_image_surface_get_width(surface),
+                  .height = cairo_image_surface_get_height(surface),
+                  .values = {}};
+    const unsigned char* row = cairo_image_surface_get_data(surface);
+    for (int y = 0; y < pixels.height; ++y, row += cairo_image_surface_get_stride(surface)) {
+        for (int x = 0; x < pixels.width; ++x) {
+            std::uint32_t word = 0;
+            std::memcpy(&word, row + 4 * x, sizeof word);
+            const std::uint32_t alpha = word >> 24U;
+            for (const unsigned shift : {16U, 8U, 0U})
+                pixels.values.push_back(straight(word >> shift & 0xFFU, alpha));
+            pixels.values.push_back(static_cast<unsigned char>(alpha));
+        }
+    }
+    return pixels;
+}
+
+Pixels paint(const Page& page, double scale) {
+    const auto side = [&](double points) { return static_cast<int>(std::lround(points * scale)); };
+    const Surface surface{
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, side(page.size.x), side(page.size.y))};
+    check(cairo_surface_status(surface.get()));
+    const Context context{cairo_create(surface.get())};
+    cairo_scale(context.get(), scale, scale);
+    draw(context.get(), page);
+    check(cairo_status(context.get()));
+    return pixels_of(surface.get());
+}
+
 } // namespace
 } // namespace lineatlas::pdf
 
-extern "C" const lineatlas::pdf::Module lineatlas_pdf_2{.write = lineatlas::pdf::write};
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_3{.write = lineatlas::pdf::write,
+                                                        .paint = lineatlas::pdf::paint};
