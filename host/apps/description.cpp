@@ -12,11 +12,13 @@
 namespace lineatlas::apps {
 namespace {
 
-/// They say where the picture goes and which of many it is; the camera stands for itself.
-constexpr std::array<std::string_view, 19> not_of_the_picture{
-    "MODEL",        "--output", "--eye",       "--target",      "--up",        "--fov",  "--view",
-    "--projection", "--at",     "--turntable", "--camera-path", "--frames",    "--unit", "--resume",
-    "--stats",      "--repeat", "--tile",      "--certify",     "--deflection"};
+/// They say where the picture goes, which of many it is and what draws it, which makes no
+/// difference; the camera stands for itself.
+constexpr std::array<std::string_view, 21> not_of_the_picture{
+    "MODEL",        "--output",     "--eye",   "--target",    "--up",          "--fov",
+    "--view",       "--projection", "--at",    "--turntable", "--camera-path", "--frames",
+    "--unit",       "--resume",     "--stats", "--repeat",    "--tile",        "--certify",
+    "--deflection", "--compute",    "--device"};
 
 std::string one_word(const std::string& text) {
     const bool plain = text.find_first_of(" \t\r\n'\"") == std::string::npos;

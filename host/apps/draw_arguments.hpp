@@ -17,6 +17,7 @@
 #include "profile_output.hpp"
 #include "section_options.hpp"
 #include "sequence_options.hpp"
+#include "sheet_arguments.hpp"
 #include "style/frame_settings.hpp"
 
 namespace lineatlas::apps {
@@ -41,6 +42,7 @@ struct DrawArguments {
     SequenceOptions sequence;
     PictureOptions picture;
     PathOptions paths;
+    SheetArguments sheet;
     DeviceOptions device;
     bool stats = false;
     ProfileOptions profile;

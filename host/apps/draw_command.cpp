@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
-#include "base/printable.hpp"
 #include "certifier.hpp"
 #include "command_line/session_file.hpp"
 #include "command_line/values.hpp"
 #include "compute/kernels.hpp"
 #include "core/line_pens.hpp"
 #include "description.hpp"
+#include "draw_sheet.hpp"
 #include "draw_stats.hpp"
 #include "empty_frames.hpp"
 #include "glpasses/headless_context.hpp"
@@ -24,7 +24,9 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
+#include "lineatlas/style_files.hpp"
 #include "lineatlas/visibility.hpp"
+#include "notes.hpp"
 #include "output/picture_output.hpp"
 #include "output/vector_output.hpp"
 #include "output_pattern.hpp"
@@ -47,12 +49,6 @@ FrameOptions frame_options(const DrawArguments& arguments, const FrameSettings& 
     if (is_path_file(arguments.output)) return settings.for_paths(size);
     if (arguments.sequence.given(arguments.output)) return settings.for_sequence();
     return settings.for_pixels();
-}
-
-void print_notes(const std::vector<std::string>& notes) {
-    if (notes.empty()) return;
-    const std::string line = fmt::format("lineatlas: {}", fmt::join(notes, "; "));
-    print_error(printable(line, longest_message) + '\n');
 }
 
 void check_range(std::string_view option, float value, float least, float most) {
@@ -81,6 +77,13 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     arguments.sections.check();
     arguments.profile.check();
     arguments.read.check();
+    arguments.sheet.check(arguments.view, arguments.output);
+    if (arguments.view.is_sheet()) {
+        arguments.paths.check_sheet(arguments.output, settings.method.value_or(Method::exact));
+        if (is_path_file(arguments.output)) return;
+        check_image_path(arguments.output);
+        return arguments.picture.check(arguments.output);
+    }
     arguments.paths.check(arguments.output, settings.method.value_or(Method::exact));
     if (is_path_file(arguments.output)) return;
     check_image_path(sequence ? OutputPattern{arguments.output}.path(0)
@@ -292,6 +295,7 @@ void forget_sources(Subject& subject) {
 void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameSettings settings = frame_settings_of(arguments);
     check_arguments(arguments, settings);
+    if (arguments.view.is_sheet()) return draw_sheet(arguments, app);
     const glm::ivec2 size = parse_size("--size", arguments.size);
     const bool by_paths = is_path_file(arguments.output);
     const Style given = arguments.style.style();
@@ -398,6 +402,7 @@ Command setup_draw(CLI::App& app) {
     a.sequence.declare(app);
     a.picture.declare(app);
     a.paths.declare(app);
+    a.sheet.declare(app);
     a.read.declare(app);
 
     const std::string device = "Device";
@@ -427,10 +432,12 @@ Command setup_draw(CLI::App& app) {
                "  lineatlas draw house.obj -o door.png --eye 12,1.7,9 --target 0,1.5,0 --fov 60\n"
                "  lineatlas draw chair.obj -o chair.svg --page a4 --margin 10mm --plotter\n"
                "  lineatlas draw bracket.stl -o front.dxf --view front --scale 1:2 --page a4\n"
+               "  lineatlas draw part.step -o sheet.pdf --views front,top,right,isometric\n"
                "  lineatlas draw chair.obj --turntable 120 -o chair.%04d.png\n"
                "  lineatlas draw --scene office --at 0.6 -o office.png --stats --repeat 20\n"
                "  lineatlas draw --scene ship -o ship.png --profile trace.json --profile -");
     return [arguments, &app] {
+        if (arguments->view.is_sheet()) arguments->style.set_usual(load_style(sheet_style));
         if (lower_extension(arguments->model) == ".toml")
             take_session(*arguments, app);
         else if (!arguments->model.empty())

@@ -23,6 +23,7 @@ constexpr const char* own_options[] = {"--units",    "--page",    "--margin",  "
 constexpr const char* of_paper[] = {"--units", "--page", "--margin", "--curves", "--fit-arcs"};
 constexpr const char* not_in_millimetres[] = {"--units", "--no-tags"};
 constexpr const char* only_for_pixels[] = {"--bits", "--dpi"};
+constexpr const char* only_for_svg[] = {"--no-tags"};
 
 constexpr std::string_view types_of_others[] = {".eps", ".ps", ".dwg", ".ai", ".hpgl"};
 
@@ -59,12 +60,12 @@ void PathOptions::declare(CLI::App& app) {
         ->group(group);
 }
 
+void PathOptions::refuse(std::span<const char* const> options, const std::string& why) const {
+    for (const char* option : options)
+        if (app_->count(option) > 0) throw UsageError(fmt::format("{} {}", option, why));
+}
+
 void PathOptions::check(const std::filesystem::path& output, Method method) const {
-    const auto refuse = [&](std::span<const char* const> options, const std::string& why) {
-        for (const char* option : options) {
-            if (app_->count(option) > 0) throw UsageError(fmt::format("{} {}", option, why));
-        }
-    };
     if (!is_path_file(output)) {
         if (std::ranges::find(types_of_others, lower_extension(output)) !=
             std::end(types_of_others))
@@ -91,6 +92,14 @@ void PathOptions::check(const std::filesystem::path& output, Method method) cons
 Style PathOptions::on_paper(const Style& style, glm::ivec2 size) const {
     const SvgOptions options = svg();
     return options.page ? style_on_page(style, size, *options.page, options.margin) : style;
+}
+
+void PathOptions::check_sheet(const std::filesystem::path& output, Method method) const {
+    const std::optional<PathFile> type = path_file_type(output);
+    if (type) refuse(only_for_pixels, "is for pictures of pixels; see --page");
+    if (type != PathFile::svg) refuse(only_for_svg, "is for SVG alone, which has tags");
+    if (method != Method::exact) throw UsageError("--method: a sheet comes from exact alone");
+    svg();
 }
 
 SvgOptions PathOptions::svg() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -20,6 +21,9 @@ class PathOptions {
     /// type of paths that is not written.
     void check(const std::filesystem::path& output, Method method) const;
 
+    /// The same for a sheet, whichever type it is written as.
+    void check_sheet(const std::filesystem::path& output, Method method) const;
+
     bool plotter() const { return plotter_; }
     bool tags() const { return !no_tags_; }
     bool certify() const { return certify_; }
@@ -28,6 +32,8 @@ class PathOptions {
     Style on_paper(const Style& style, glm::ivec2 size) const;
 
   private:
+    void refuse(std::span<const char* const> options, const std::string& why) const;
+
     CLI::App* app_ = nullptr;
     std::string units_, page_, margin_ = "0", curves_ = "auto";
     bool fit_arcs_ = false, plotter_ = false, no_tags_ = false, certify_ = false;

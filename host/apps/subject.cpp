@@ -109,6 +109,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .line_options = options,
                 .framed = std::move(points),
                 .view = view,
+                .up = up,
                 .sections = std::move(sections),
                 .notes = std::move(notes)};
     }
@@ -126,6 +127,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                     .line_options = options,
                     .framed = {},
                     .view = {},
+                    .up = up,
                     .origin = loaded.origin,
                     .unit = loaded.unit,
                     .sections = std::move(sections),
@@ -183,24 +185,67 @@ Pictures find_pictures_at(const DrawArguments& arguments, LineKindMask kinds, gl
     return pictures;
 }
 
+SheetLayout sheet_of(const DrawArguments& arguments, const Subject& subject) {
+    return lay_out_sheet(subject.framed,
+                         arguments.sheet.options(arguments.view, arguments.paths.svg().page,
+                                                 subject.name, subject.unit, subject.up));
+}
+
+/// Pixels that the largest view of a sheet takes, about.
+glm::ivec2 pixels_of_view(const DrawArguments& arguments) {
+    constexpr double share_of_page = 0.5, pixels_per_millimetre = 10;
+    const Page page = arguments.paths.svg().page.value_or(SheetOptions{}.page);
+    return glm::ivec2{
+        share_of_page * pixels_per_millimetre *
+        glm::dvec2{length_in(page.width, Unit::mm), length_in(page.height, Unit::mm)}};
+}
+
+SheetSubject find_sheet_at(const DrawArguments& arguments, LineKindMask kinds, double deflection) {
+    Subject subject = load_subject(arguments, kinds, pixels_of_view(arguments), deflection);
+    SheetLayout layout = sheet_of(arguments, subject);
+    return {std::move(subject), std::move(layout)};
+}
+
+/// Reads the model again where these pictures show curved faces that are too coarse; `read` does,
+/// with a deflection.
+template <class Found, class Read>
+Found fine_enough(const DrawArguments& arguments, Found found, std::span<const Camera> cameras,
+                  const Read& read) {
+    const Subject& subject = found.subject;
+    if (arguments.deflection > 0 || subject.deflection == 0) return found;
+    std::string note;
+    const std::optional<double> finer =
+        finer_deflection(subject.mesh, cameras, subject.deflection, note);
+    if (finer) found = read(*finer);
+    if (!note.empty()) found.subject.notes.push_back(note);
+    return found;
+}
+
 } // namespace
 
 Pictures find_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size) {
-    Pictures pictures = find_pictures_at(arguments, kinds, size, arguments.deflection);
+    const auto read = [&](double deflection) {
+        return find_pictures_at(arguments, kinds, size, deflection);
+    };
+    Pictures pictures = read(arguments.deflection);
     const Subject& subject = pictures.subject;
-    if (arguments.deflection > 0 || subject.deflection == 0) return pictures;
     std::vector<Camera> cameras;
     if (pictures.frames) {
         for (const SequenceFrame& frame : *pictures.frames) cameras.push_back(frame.camera);
     } else {
         cameras.push_back(make_camera(subject.view, size, subject.lines.bounds));
     }
-    std::string note;
-    const std::optional<double> finer =
-        finer_deflection(subject.mesh, cameras, subject.deflection, note);
-    if (finer) pictures = find_pictures_at(arguments, kinds, size, *finer);
-    if (!note.empty()) pictures.subject.notes.push_back(note);
-    return pictures;
+    return fine_enough(arguments, std::move(pictures), cameras, read);
+}
+
+SheetSubject find_sheet(const DrawArguments& arguments, LineKindMask kinds) {
+    const auto read = [&](double deflection) {
+        return find_sheet_at(arguments, kinds, deflection);
+    };
+    SheetSubject sheet = read(arguments.deflection);
+    std::vector<Camera> cameras;
+    for (const SheetView& view : sheet.layout.views) cameras.push_back(view.camera);
+    return fine_enough(arguments, std::move(sheet), cameras, read);
 }
 
 } // namespace lineatlas::apps

@@ -17,6 +17,7 @@ struct Subject {
     LineOptions line_options;      ///< by which they were found
     std::vector<glm::vec3> framed; ///< points that the camera shows unless it is placed by hand
     View view;
+    glm::vec3 up{0, 1, 0};               ///< of the model
     glm::dvec3 origin{0};                ///< of the mesh and the view, in the file's coordinates
     std::optional<double> unit{};        ///< of the file, in millimetres
     std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
@@ -30,9 +31,18 @@ struct Pictures {
     std::optional<std::vector<SequenceFrame>> frames; ///< nothing: a single one
 };
 
+/// What is drawn on a sheet.
+struct SheetSubject {
+    Subject subject;
+    SheetLayout layout;
+};
+
 /// Reads the model or makes the scene, cuts it, finds its lines and places the camera. Curved faces
 /// are as fine as the pictures show them: the model is read again where it turns out to be seen
 /// from nearer than as a whole.
 Pictures find_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size);
+
+/// The same for the sheet that --views asks for.
+SheetSubject find_sheet(const DrawArguments& arguments, LineKindMask kinds);
 
 } // namespace lineatlas::apps

@@ -63,12 +63,19 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
                    "Side to look from: front, back, left, right, top, bottom, isometric, dimetric, "
                    "or AZIMUTH,ELEVATION in degrees")
         ->group(group);
+    app.add_option("--views", views_,
+                   "A sheet of several sides, as in front,top,right,isometric: aligned, to scale, "
+                   "with a frame and a title block")
+        ->group(group);
     app.add_option("--projection", projection_,
                    "perspective or orthographic; default perspective, with --scale or a --view "
-                   "that has a name orthographic")
+                   "that has a name orthographic. Of --views first or third, the angle of "
+                   "projection; default third")
         ->group(group);
-    app.add_option("--scale", scale_,
-                   "Scale of the drawing on paper, as in 1:50; needs --page or --dpi")
+    app.add_option(
+           "--scale", scale_,
+           "Scale of the drawing on paper, as in 1:50; needs --page or --dpi. Of --views by "
+           "default the largest of ISO 5455 that fits")
         ->group(group);
     app.add_option(
            "--unit", unit_,
@@ -78,6 +85,13 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
 }
 
 void ViewOptions::check() const {
+    if (is_sheet()) {
+        for (const char* option : {"--view", "--eye", "--target", "--fov"})
+            if (app_->count(option) > 0)
+                throw UsageError(fmt::format("--views and {} exclude each other", option));
+        millimetres_of(unit_);
+        return;
+    }
     if (!view_.empty() && !eye_.empty()) throw UsageError("--view and --eye exclude each other");
     if (!view_.empty()) view_direction(view_, {0, 1, 0});
     const bool parallel = projection() == Projection::orthographic;
@@ -87,7 +101,7 @@ void ViewOptions::check() const {
         if (!parallel) throw UsageError("--scale needs --projection orthographic");
         if (app_->count("--fov") > 0) throw UsageError("--scale and --fov exclude each other");
     } else if (app_->count("--unit") > 0) {
-        throw UsageError("--unit is for --scale");
+        throw UsageError("--unit is for --scale and --views");
     }
 }
 
@@ -100,7 +114,12 @@ float ViewOptions::fov() const {
     return fov_ * radians_per_degree;
 }
 
+double ViewOptions::unit(std::optional<double> of_file) const {
+    return app_->count("--unit") > 0 || !of_file ? millimetres_of(unit_) : *of_file;
+}
+
 Projection ViewOptions::projection() const {
+    if (is_sheet()) return Projection::orthographic;
     if (!projection_.empty()) return parse_projection(projection_);
     const bool named = !view_.empty() && view_.find(',') == std::string::npos;
     return named || to_scale() ? Projection::orthographic : Projection::perspective;
@@ -135,10 +154,9 @@ void ViewOptions::apply(View& view, glm::dvec3 origin, bool up_is_guessed) const
 View ViewOptions::scaled(const View& view, double millimetres, glm::ivec2 size,
                          std::span<const glm::vec3> points, std::optional<double> of_file) const {
     const double scale = parse_scale("--scale", scale_);
-    const bool says_unit = app_->count("--unit") > 0 || !of_file;
-    const double unit = says_unit ? millimetres_of(unit_) : *of_file;
+    const double length = unit(of_file);
     const glm::dvec2 paper = millimetres * glm::dvec2{size};
-    const glm::dvec2 needed = 2 * unit * half_extent(view, points); // millimetres at 1:1
+    const glm::dvec2 needed = 2 * length * half_extent(view, points); // millimetres at 1:1
     const double largest = std::min(paper.x / needed.x, paper.y / needed.y);
     if (eye_.empty() && target_.empty() && scale > largest * (1 + 1e-6)) {
         const std::string fits = standard_scale(largest);
@@ -147,7 +165,7 @@ View ViewOptions::scaled(const View& view, double millimetres, glm::ivec2 size,
                                      scale_, scale * needed.x, scale * needed.y, paper.x, paper.y,
                                      fits.empty() ? "" : "; " + fits + " fits"));
     }
-    return with_shown_height(view, static_cast<float>(paper.y / (scale * unit)));
+    return with_shown_height(view, static_cast<float>(paper.y / (scale * length)));
 }
 
 } // namespace lineatlas

@@ -11,7 +11,7 @@
 namespace lineatlas {
 
 /// Where the camera stands, as the command line says it: --eye, --target, --up, --fov,
-/// --projection, --view, and --scale with --unit.
+/// --projection, --view, --views, and --scale with --unit.
 class ViewOptions {
   public:
     /// Both live as long as each other.
@@ -24,7 +24,15 @@ class ViewOptions {
     bool to_scale() const { return !scale_.empty(); }
     bool says_up() const { return !up_.empty() && up_ != "auto"; }
     bool says_target() const { return !target_.empty(); }
-    bool says_direction() const { return !view_.empty(); }
+    bool says_direction() const { return !view_.empty() || is_sheet(); }
+    /// Whether --views asks for a sheet, and as it has them.
+    bool is_sheet() const { return !views_.empty(); }
+    const std::string& views() const { return views_; }
+    const std::string& scale() const { return scale_; } ///< as --scale has it; empty: not given
+    /// As --projection has it, of a sheet the angle of projection; empty: not given.
+    const std::string& projection_name() const { return projection_; }
+    /// Millimetres in a unit of the model: as --unit says, or its file, or by --unit's default.
+    double unit(std::optional<double> of_file) const;
     glm::vec3 up(glm::vec3 otherwise) const; ///< `otherwise` where --up says none
     Projection projection() const;
 
@@ -44,7 +52,7 @@ class ViewOptions {
     float fov() const; ///< radians
 
     CLI::App* app_ = nullptr;
-    std::string eye_, target_, up_ = "auto", projection_, view_, scale_, unit_ = "mm";
+    std::string eye_, target_, up_ = "auto", projection_, view_, views_, scale_, unit_ = "mm";
     float fov_ = 40;
 };
 

@@ -180,6 +180,73 @@ TEST_F(Sheets, OneDrawingIsOneFile) {
     }
 }
 
+TEST_F(Sheets, SeveralViewsStandOnAPage) {
+    const std::string draw = "draw " + path("cube.obj") +
+                             " --up y --views front,top,right,isometric "
+                             "--scale 1:2 --field date=2026-01-31 --field title=Cube -o ";
+    const auto sheet = [&](const std::string& name, const std::string& options = "") {
+        const Result result = run(draw + path(name) + " " + options);
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        return read(path(name));
+    };
+    sheet("a.pdf");
+    const std::vector<double> in_points = lines_of_pdf("a.pdf");
+    const auto is_side = [](double points) { return std::abs(points * 25.4 / 72 - 50) < 0.005; };
+    EXPECT_EQ(std::ranges::count_if(in_points, is_side), 3 * 4);
+    for (const std::string name : {"a.svg", "a.dxf", "a.pdf", "a.png"}) {
+        SCOPED_TRACE(name);
+        const std::string first = sheet(name);
+        EXPECT_TRUE(sheet(name) == first);
+        EXPECT_TRUE(sheet(name, "--compute cpp") == first);
+        EXPECT_FALSE(sheet(name, "--projection first") == first);
+    }
+    const std::string svg = sheet("a.svg");
+    EXPECT_NE(svg.find("width=\"420mm\" height=\"297mm\""), std::string::npos);
+    for (const char* text : {">Cube<", ">cube.obj<", ">2026-01-31<", ">1:2<", ">A3<"})
+        EXPECT_NE(svg.find(text), std::string::npos) << text;
+    sheet("a.png");
+    const Ink picture{path("a.png")};
+    EXPECT_EQ(picture.size, (glm::ivec2{2480, 1754}));
+}
+
+TEST_F(Sheets, EzdxfFindsNothingWrongWithViewsOnAPage) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    const std::string draw = "draw " + path("cube.obj") + " --up y --compute cpp -o " +
+                             path("a.dxf") + " --views front,30,20,back --field owner=Ω";
+    ASSERT_EQ(run(draw).exit_code, 0);
+    write("texts.py", "import sys, ezdxf\n"
+                      "drawing = ezdxf.readfile(sys.argv[1])\n"
+                      "audit = drawing.audit()\n"
+                      "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+                      "for text in drawing.modelspace().query('TEXT'): print(text.dxf.text)\n"
+                      "for layer in drawing.layers: print(layer.dxf.name)\n");
+    const Result found = shell(python + path("texts.py") + " " + path("a.dxf") + " 2>&1");
+    EXPECT_EQ(found.exit_code, 0) << found.output;
+    EXPECT_EQ(found.output.find("wrong"), std::string::npos) << found.output;
+    for (const char* text : {"\nScale\n", "\n1:1\n", "\nfront-crease\n", "\nview_30_20-crease\n"})
+        EXPECT_NE(found.output.find(text), std::string::npos) << text << found.output;
+}
+
+TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
+    const std::string draw = "draw " + path("cube.obj") + " --up y -o ";
+    const std::string to = draw + path("x.svg") + " --views ";
+    expect_refused(to + "front,middle", 2, "there is no view \"middle\"");
+    expect_refused(to + "front,top,front", 2, "\"front\" is named twice");
+    expect_refused(to + "front --view top", 2, "--views and --view exclude each other");
+    expect_refused(to + "front --margin 5mm", 2, "--views and --margin exclude each other");
+    expect_refused(to + "front --scale 5:1", 2, "2:1 fits");
+    expect_refused(to + "front --projection second", 2, "must be first or third");
+    expect_refused(to + "front --field colour=red", 2, "title, file, owner");
+    expect_refused(to + "front --field title", 2, "title=Bracket");
+    expect_refused(to + "front --page 80x80mm", 2, "too small for a sheet");
+    expect_refused(to + "front --method atlas", 2, "exact alone");
+    expect_refused(to + "front --dpi 300", 2, "--dpi is for pictures of pixels");
+    expect_refused(draw + path("x.svg") + " --field title=Cube", 2, "see --views");
+    expect_refused(draw + path("x.json") + " --views front", 1, "JSON has one view");
+    expect_refused(draw + path("x.png") + " --views front --no-tags", 2, "is for SVG alone");
+    EXPECT_FALSE(fs::exists(path("x.svg")));
+}
+
 TEST_F(Sheets, WhatIsWrongIsSaidInALine) {
     const std::string draw = "draw " + path("cube.obj") + " --view front --compute cpp ";
     for (const std::string name : {"x.dxf", "x.pdf"}) {

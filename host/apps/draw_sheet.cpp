@@ -1,0 +1,119 @@
+#include "draw_sheet.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/empty_drawing.hpp"
+#include "core/line_pens.hpp"
+#include "description.hpp"
+#include "io/standard_streams.hpp"
+#include "lineatlas/visibility.hpp"
+#include "notes.hpp"
+#include "output/sheet_output.hpp"
+#include "output_places.hpp"
+#include "subject.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+/// Of a picture whose resolution nobody says: thin lines are a pixel and a half wide.
+constexpr float usual_dpi = 150;
+
+/// Finds what cameras see, all of them by one device.
+class Finder {
+  public:
+    Finder(const DrawArguments& arguments, const LineSet& lines, const VisibilityOptions& wanted,
+           const Style& style)
+        : visibility_(lines, arguments.device), wanted_(wanted), style_(style) {}
+
+    SeenLines find(const Camera& camera) {
+        wanted_.outline_depth = outline_depth(style_, camera.size);
+        std::vector<Interval> intervals = visibility_.find(camera, wanted_);
+        return {std::move(intervals), visibility_.outlines()};
+    }
+
+  private:
+    LineVisibility visibility_;
+    VisibilityOptions wanted_;
+    Style style_; ///< with the lengths of views
+};
+
+VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet,
+                       const FrameOptions& options) {
+    const Subject& subject = sheet.subject;
+    const Style style = style_of_view(options.style, sheet.layout.views.front());
+    Finder finder{arguments,
+                  subject.lines,
+                  {.lines = options.lines,
+                   .hidden = true,
+                   .step = options.step,
+                   .outlines = tells_outlines(style)},
+                  style};
+    return make_vector_sheet(subject.lines, sheet.layout,
+                             [&](const Camera& camera) { return finder.find(camera); },
+                             options.style, {.mesh = &subject.mesh});
+}
+
+/// Says so where no view shows a line.
+void say_if_empty(const VectorSheet& sheet, const Subject& subject, LineKindMask kinds) {
+    const auto is_empty = [](const VectorDrawing& drawing) { return drawing.paths.empty(); };
+    if (!std::ranges::all_of(sheet.drawings, is_empty)) return;
+    const Camera& camera = sheet.layout.views.front().camera;
+    print_notes({"no line is drawn: " + why_no_line(subject.lines, kinds, camera)});
+}
+
+OutputPlaces output_places(const DrawArguments& arguments) {
+    OutputPlaces places;
+    places.reads(arguments.session);
+    for (const std::filesystem::path& model : arguments.models) places.reads(model);
+    places.reads(arguments.style.name());
+    places.writes("--output", arguments.output);
+    return places;
+}
+
+/// The command that draws the sheet again. Unlike a picture's it needs what places cameras.
+std::string description_of(const DrawArguments& arguments, const CLI::App& app,
+                           const Subject& subject) {
+    const std::string& model = arguments.session.empty() ? arguments.model : arguments.session;
+    std::string text = describe_drawing(app, model, subject.sections, subject.deflection);
+    for (const char* option : {"--up", "--projection", "--unit"})
+        if (app.count(option) > 0)
+            text += fmt::format(" {}={}", option, app[option]->as<std::string>());
+    return text;
+}
+
+SheetWriting writing_of(const DrawArguments& arguments, const CLI::App& app,
+                        const Subject& subject) {
+    const SvgOptions svg = arguments.paths.svg();
+    return {.background = !arguments.picture.transparent(),
+            .tags = svg.tags,
+            .curves = svg.curves,
+            .fit_arcs = svg.fit_arcs,
+            .description = description_of(arguments, app, subject)};
+}
+
+} // namespace
+
+void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
+    FrameSettings settings;
+    arguments.frame.apply(settings);
+    FrameOptions options = settings.for_paths({1, 1});
+    options.style = arguments.style.style();
+    output_places(arguments);
+
+    const SheetSubject sheet = find_sheet(arguments, options.lines);
+    const Subject& subject = sheet.subject;
+    print_notes(subject.notes);
+    if (!options.style.pens.empty())
+        print_notes(idle_rules(line_classes(subject.lines), options.style));
+    const VectorSheet drawn = find_views(arguments, sheet, options);
+    say_if_empty(drawn, subject, options.lines);
+    ImageSettings picture = arguments.picture.settings();
+    if (picture.dpi == 0) picture.dpi = usual_dpi;
+    const SheetWriting writing = writing_of(arguments, app, subject);
+    picture.description = writing.description;
+    write_sheet(arguments.output, drawn, writing, picture);
+}
+
+} // namespace lineatlas::apps

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "draw_arguments.hpp"
+
+namespace lineatlas::apps {
+
+/// What sheets are drawn with unless --style is given.
+inline constexpr const char* sheet_style = "technical";
+
+/// `draw --views`: several views of one model on a page. What is wrong on the command line has been
+/// found. Throws Error.
+void draw_sheet(const DrawArguments& arguments, const CLI::App& app);
+
+} // namespace lineatlas::apps

@@ -1,0 +1,82 @@
+#include "sheet_arguments.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/drawing_scale.hpp"
+#include "io/source_file.hpp"
+#include "lineatlas/error.hpp"
+#include "output/path_file.hpp"
+#include "pdf/pdf.hpp"
+
+namespace lineatlas::apps {
+namespace {
+
+/// A sheet has cameras and paper of its own, and is drawn once by the exact method.
+constexpr std::array not_of_sheets{
+    "--at",    "--size",   "--turntable", "--camera-path",  "--frames", "--resume",
+    "--units", "--margin", "--plotter",   "--certify",      "--bits",   "--tile",
+    "--stats", "--repeat", "--profile",   "--compare-with", "--interop"};
+
+/// "title=Bracket" into the field of that name.
+void set_field(SheetFields& fields, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw UsageError("--field \"" + text +
+                         "\" has no value; it is written as in title=Bracket");
+    lineatlas::set_field(fields, text.substr(0, equals), text.substr(equals + 1));
+}
+
+ProjectionAngle angle_of(const ViewOptions& view) {
+    const std::string& name = view.projection_name();
+    return name.empty() ? SheetOptions{}.angle : parse_projection_angle(name);
+}
+
+} // namespace
+
+void SheetArguments::declare(CLI::App& app) {
+    app_ = &app;
+    app.add_option("--field", fields_,
+                   "NAME=VALUE: a field of the title block of --views: title, file, owner, number, "
+                   "creator, approver or date; may be repeated")
+        ->allow_extra_args(false)
+        ->group("Sheet (--views)");
+}
+
+void SheetArguments::check(const ViewOptions& view, const std::filesystem::path& output) const {
+    if (!view.is_sheet()) {
+        if (!fields_.empty()) throw UsageError("--field is for a sheet; see --views");
+        return;
+    }
+    for (const char* option : not_of_sheets)
+        if (app_->count(option) > 0)
+            throw UsageError(fmt::format("--views and {} exclude each other", option));
+    parse_views(view.views());
+    angle_of(view);
+    if (view.to_scale()) parse_scale("--scale", view.scale());
+    SheetFields fields;
+    for (const std::string& field : fields_) set_field(fields, field);
+    const std::optional<PathFile> type = path_file_type(output);
+    if (type == PathFile::json)
+        throw write_error(output, "a sheet is written as SVG, PDF, DXF or a picture; JSON has one "
+                                  "view, see --view");
+    if (!type || type == PathFile::pdf) check_pdf_module();
+}
+
+SheetOptions SheetArguments::options(const ViewOptions& view, const std::optional<Page>& page,
+                                     const std::filesystem::path& model,
+                                     std::optional<double> unit_of_file, glm::vec3 up) const {
+    SheetOptions options{.views = parse_views(view.views()),
+                         .angle = angle_of(view),
+                         .scale = view.scale(),
+                         .unit = view.unit(unit_of_file),
+                         .up = up};
+    if (page) options.page = *page;
+    options.fields.title = model.stem().string();
+    options.fields.file = model.filename().string();
+    for (const std::string& field : fields_) set_field(options.fields, field);
+    return options;
+}
+
+} // namespace lineatlas::apps

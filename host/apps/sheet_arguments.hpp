@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "command_line/view_options.hpp"
+#include "lineatlas/sheet.hpp"
+
+namespace lineatlas::apps {
+
+/// What `draw --views` has beside other pictures: --field, and what --views, --projection, --scale
+/// and --page say of a sheet.
+class SheetArguments {
+  public:
+    /// `app` must outlive this object, and this object the parsing.
+    void declare(CLI::App& app);
+
+    /// Throws UsageError where --field is given and no sheet is wanted, and for options of a sheet
+    /// that are wrong or of no use there, FileError for a type that holds no sheet.
+    void check(const ViewOptions& view, const std::filesystem::path& output) const;
+
+    /// What the sheet of a model has. `page`: nothing: a3.
+    SheetOptions options(const ViewOptions& view, const std::optional<Page>& page,
+                         const std::filesystem::path& model, std::optional<double> unit_of_file,
+                         glm::vec3 up) const;
+
+  private:
+    CLI::App* app_ = nullptr;
+    std::vector<std::string> fields_;
+};
+
+} // namespace lineatlas::apps
