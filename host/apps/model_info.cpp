@@ -2,16 +2,21 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "base/numbers.hpp"
 #include "base/printable.hpp"
 #include "core/up_axis.hpp"
 #include "io/model_types.hpp"
+#include "io/odd_triangles.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/lines.hpp"
+#include "lineatlas/volume.hpp"
 #include "style/colors.hpp"
 
 namespace lineatlas::apps {
@@ -25,6 +30,16 @@ constexpr std::array edge_names{"sharp", "smooth", "seam", "free", "wire"};
 template <class Vector>
 Json list(const Vector& v) {
     return {v.x, v.y, v.z};
+}
+
+Json box_json(const Bounds& box, glm::dvec3 origin) {
+    return {{"min", list(glm::dvec3{box.min} + origin)},
+            {"max", list(glm::dvec3{box.max} + origin)}};
+}
+
+/// To as many digits as floats have: the last ones of a sum of products say nothing.
+double rounded(double value) {
+    return number_from(fmt::format("{:.7g}", value)).value_or(value);
 }
 
 /// The materials of a mesh that have a name or a colour, each once.
@@ -66,6 +81,7 @@ struct Counts {
     std::size_t triangles = 0, polylines = 0;
     std::set<std::size_t> materials{}; ///< places in Materials::list()
     std::array<std::size_t, edge_names.size()> edges{};
+    std::vector<glm::uvec3> corners{}; ///< of the triangles of a part
 
     void put_into(Json& json, bool knows_edges) const {
         json["triangles"] = triangles;
@@ -86,6 +102,7 @@ std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const std::uint32_t part = paths.of_triangle[i];
         ++counts[part].triangles;
+        counts[part].corners.push_back(mesh.triangles[i]);
         const std::size_t material = materials.of(mesh, i);
         if (material != Materials::none) counts[part].materials.insert(material);
         for (int corner = 0; corner < 3; ++corner)
@@ -106,15 +123,46 @@ std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths
     return counts;
 }
 
+/// In cubes of the model's unit; null of what is open.
+Json volume_of(const Mesh& mesh, std::span<const glm::uvec3> triangles) {
+    const std::optional<double> volume = enclosed_volume(mesh.positions, triangles);
+    return volume ? Json(rounded(*volume)) : Json(nullptr);
+}
+
+Json box_of(const Mesh& mesh, std::span<const glm::uvec3> triangles, glm::dvec3 origin) {
+    Bounds box;
+    for (const glm::uvec3& triangle : triangles) {
+        for (int corner = 0; corner < 3; ++corner) {
+            box.min = glm::min(box.min, mesh.positions[triangle[corner]]);
+            box.max = glm::max(box.max, mesh.positions[triangle[corner]]);
+        }
+    }
+    return box_json(box, origin);
+}
+
+void put_into(Json& part, const LoadedMesh& loaded, const Counts& counts) {
+    counts.put_into(part, !loaded.mesh.known_edges.empty());
+    if (counts.corners.empty()) return;
+    part["box"] = box_of(loaded.mesh, counts.corners, loaded.origin);
+    part["volume"] = volume_of(loaded.mesh, counts.corners);
+}
+
+/// What is odd about what the triangles enclose.
+void add_notes_of_volume(const Json& volume, std::vector<std::string>& notes) {
+    if (volume.is_null())
+        notes.push_back("the surface is not closed, so it has no volume");
+    else if (volume < 0)
+        notes.push_back("the surface is turned inside out, so its volume is negative");
+}
+
 Json parts_of(const LoadedMesh& loaded, const Materials& materials) {
     const PartPaths paths = part_paths(loaded);
     const std::vector<Counts> counts = count_parts(loaded, paths, materials);
-    const bool knows_edges = !loaded.mesh.known_edges.empty();
     Json parts = Json::array();
     if (loaded.parts.empty()) {
         for (std::size_t i = 0; i < paths.paths.size(); ++i) {
             Json part{{"name", paths.paths[i].whole()}, {"parent", nullptr}};
-            counts[i].put_into(part, knows_edges);
+            put_into(part, loaded, counts[i]);
             parts.push_back(std::move(part));
         }
         return parts;
@@ -123,7 +171,7 @@ Json parts_of(const LoadedMesh& loaded, const Materials& materials) {
         Json part{{"name", each.name}, {"parent", nullptr}};
         if (each.parent != ModelPart::none) part["parent"] = each.parent;
         if (each.shape != ModelPart::none) part["shape"] = each.shape;
-        if (each.object < counts.size()) counts[each.object].put_into(part, knows_edges);
+        if (each.object < counts.size()) put_into(part, loaded, counts[each.object]);
         parts.push_back(std::move(part));
     }
     return parts;
@@ -152,40 +200,43 @@ std::string point_text(const Json& point) {
 
 } // namespace
 
-Json describe_model(const std::string& file, const LoadedMesh& loaded) {
+Json describe_model(const std::string& file, const LoadedMesh& loaded, const LineSet& lines) {
     const Mesh& mesh = loaded.mesh;
     Json info{{"file", file}, {"format", loaded.format}, {"unit_mm", nullptr}};
     if (loaded.unit) info["unit_mm"] = *loaded.unit;
     info["up"] = list(loaded.up.value_or(guess_up(mesh, usual_up(file))));
     info["up_is_guessed"] = !loaded.up;
     const Bounds box = bounds_of(mesh);
-    info["box"] = {{"min", list(glm::dvec3{box.min} + loaded.origin)},
-                   {"max", list(glm::dvec3{box.max} + loaded.origin)}};
+    info["box"] = box_json(box, loaded.origin);
+    info["volume"] = volume_of(mesh, mesh.triangles);
     Counts all{.triangles = mesh.triangles.size(), .polylines = mesh.polylines.size()};
     std::set<std::uint32_t> known;
     for (const KnownEdge& edge : mesh.known_edges)
         if (known.insert(edge.edge).second) ++all.edges[static_cast<std::size_t>(edge.kind)];
     all.put_into(info, !mesh.known_edges.empty());
-    const LineSet lines = extract_lines(mesh);
     for (std::size_t kind = 0; kind < line_kind_names.size(); ++kind)
         info["segments"][std::string{line_kind_names[kind]}] = lines.kind_counts[kind];
     const Materials materials{mesh};
     info["materials"] = materials.list();
     info["parts"] = parts_of(loaded, materials);
-    info["notes"] = loaded.notes;
+    std::vector<std::string> notes = loaded.notes;
+    add_notes(lines.odd, notes);
+    if (!mesh.triangles.empty()) add_notes_of_volume(info["volume"], notes);
+    info["notes"] = notes;
     return info;
 }
 
 std::string to_text(const Json& info) {
     const auto& up = info["up"];
     std::string text = fmt::format(
-        "{}: {}, {} triangles, unit {}, up {}{}\nbox {} to {}\nsegments: {}\n",
+        "{}: {}, {} triangles, unit {}, up {}{}\nbox {} to {}, volume {}\nsegments: {}\n",
         info["file"].get<std::string>(), info["format"].get<std::string>(),
         info["triangles"].get<std::size_t>(),
         info["unit_mm"].is_null() ? "not said"
                                   : fmt::format("{:.6g} mm", info["unit_mm"].get<double>()),
         point_text(up), info["up_is_guessed"].get<bool>() ? " as it looks" : "",
         point_text(info["box"]["min"]), point_text(info["box"]["max"]),
+        info["volume"].is_null() ? "open" : fmt::format("{:.6g}", info["volume"].get<double>()),
         edges_text(info["segments"]));
     if (info.contains("edges")) text += "edges: " + edges_text(info["edges"]) + '\n';
     for (const Json& material : info["materials"])

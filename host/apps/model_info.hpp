@@ -5,11 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "lineatlas/io.hpp"
+#include "lineatlas/lines.hpp"
 
 namespace lineatlas::apps {
 
-/// What `lineatlas info` says of a model, as an object; docs/input.md has its members.
-nlohmann::ordered_json describe_model(const std::string& file, const LoadedMesh& loaded);
+/// What `lineatlas info` says of a model, as an object; docs/input.md has its members. `lines`: of
+/// its mesh.
+nlohmann::ordered_json describe_model(const std::string& file, const LoadedMesh& loaded,
+                                      const LineSet& lines);
 
 /// The same as text for people: a line for the file, and one for each part of its tree.
 std::string to_text(const nlohmann::ordered_json& info);

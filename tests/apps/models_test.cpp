@@ -49,7 +49,7 @@ class Models : public Tool {
 TEST_F(Models, InfoNamesThePartsForPeople) {
     EXPECT_EQ(said("info " + path("hall.glb")),
               path("hall.glb") + ": glTF 2.0, 36 triangles, unit 1000 mm, up 0,1,0\n"
-                                 "box 0,0,-4 to 4,1,1\n"
+                                 "box 0,0,-4 to 4,1,1, volume 3\n"
                                  "segments: 36 crease\n"
                                  "  hall\n"
                                  "    Bolt, left: 12 triangles\n"
@@ -72,12 +72,20 @@ TEST_F(Models, InfoNamesThePartsForScripts) {
     EXPECT_EQ(info["parts"][2]["parent"], 0);
     EXPECT_EQ(info["parts"][2]["triangles"], 12);
     EXPECT_EQ(info["parts"][2]["shape"], info["parts"][1]["shape"]);
+    EXPECT_EQ(info["volume"], 3);
+    EXPECT_EQ(info["parts"][2]["volume"], 1);
+    EXPECT_EQ(info["parts"][2]["box"]["max"][0].get<double>() -
+                  info["parts"][2]["box"]["min"][0].get<double>(),
+              1);
+    EXPECT_EQ(info["notes"].size(), 0U);
 
     const auto groups = nlohmann::json::parse(said("info --json " + path("groups.obj")));
     EXPECT_EQ(groups["format"], "OBJ");
     EXPECT_EQ(groups["unit_mm"], nullptr);
     ASSERT_EQ(groups["parts"].size(), 2U);
     EXPECT_EQ(groups["parts"][1]["name"], "second");
+    EXPECT_EQ(groups["volume"], nullptr);
+    EXPECT_EQ(groups["notes"].back(), "the surface is not closed, so it has no volume");
 }
 
 TEST_F(Models, InfoNamesMaterials) {
@@ -143,7 +151,7 @@ TEST_F(Models, ComponentsOf3mfAreParts) {
                           R"(<item objectid="3"/>)", R"(unit="inch")")));
     EXPECT_EQ(said("info " + path("pair.3mf")), path("pair.3mf") +
                                                     ": 3MF, 24 triangles, unit 25.4 mm, up 0,0,1\n"
-                                                    "box 0,0,0 to 4,1,1\n"
+                                                    "box 0,0,0 to 4,1,1, volume 2\n"
                                                     "segments: 24 crease\n"
                                                     "  pair\n"
                                                     "    bolt: 12 triangles\n"
