@@ -1,5 +1,6 @@
 #include "core/style_lengths.hpp"
 #include "lineatlas/sheet.hpp"
+#include "sheet_measures.hpp"
 #include "sheet_pixels.hpp"
 
 namespace lineatlas {
@@ -23,6 +24,7 @@ VectorSheet make_vector_sheet(const LineSet& lines, const SheetLayout& layout,
         sheet.drawings.push_back(make_vector_drawing(lines, view.camera, seen.intervals,
                                                      style_of_view(style, view), own));
     }
+    if (layout.measures) add_measures(sheet);
     return sheet;
 }
 

@@ -17,6 +17,7 @@
 #include "page_name.hpp"
 #include "sheet_frame.hpp"
 #include "sheet_grid.hpp"
+#include "sheet_measures.hpp"
 #include "sheet_pixels.hpp"
 #include "title_block.hpp"
 
@@ -34,7 +35,17 @@ constexpr std::array fields{
     NamedField{"date", &SheetFields::date},
 };
 
-constexpr double least_gap = 10; ///< between views, and from them to the frame; millimetres
+/// Least gaps along an axis of the page, in millimetres: before the first view, between two, behind
+/// the last.
+struct Gaps {
+    double first, between, last;
+
+    double sum(std::size_t views) const {
+        return first + between * static_cast<double>(views - 1) + last;
+    }
+};
+
+constexpr double least_gap = 10;
 
 /// A side of the model. Lengths are in units of the model, from its middle, y down.
 struct Side {
@@ -77,13 +88,21 @@ struct Grid {
     std::vector<Side> sides;
     std::vector<SheetCell> cells;
     std::vector<double> columns, rows; ///< half of each, units of the model
+    Gaps across, upwards;
 };
+
+/// The gap where measures stand: below views and on their left.
+double before_measures(const SheetOptions& options) {
+    return options.measures ? space_for_measures : least_gap;
+}
 
 Grid grid_of(std::vector<Side> sides, const SheetOptions& options) {
     Grid grid{.sides = std::move(sides),
               .cells = sheet_cells(options.views, options.angle),
               .columns = {},
-              .rows = {}};
+              .rows = {},
+              .across = {before_measures(options), before_measures(options), least_gap},
+              .upwards = {least_gap, before_measures(options), before_measures(options)}};
     const auto widen = [](std::vector<double>& halves, int at, double half) {
         const auto place = static_cast<std::size_t>(at);
         if (halves.size() <= place) halves.resize(place + 1, 0);
@@ -103,17 +122,18 @@ double sum(const std::vector<double>& halves) {
     return total;
 }
 
-/// The middles of columns, or rows, that are spread evenly from `low` to `high`; nothing if gaps
-/// become too small.
+/// The middles of columns, or rows, that are spread evenly from `low` to `high`; nothing if there
+/// is no room for the gaps.
 std::optional<std::vector<double>> spread(const std::vector<double>& halves, double scale,
-                                          double low, double high) {
-    const double gap = (high - low - scale * sum(halves)) / static_cast<double>(halves.size() + 1);
-    if (!(gap >= least_gap)) return {};
+                                          double low, double high, const Gaps& gaps) {
+    const double left = high - low - scale * sum(halves) - gaps.sum(halves.size());
+    if (!(left >= 0)) return {};
+    const double more = left / static_cast<double>(halves.size() + 1);
     std::vector<double> middles;
-    double at = low;
+    double at = low + gaps.first + more;
     for (const double half : halves) {
-        middles.push_back(at + gap + scale * half);
-        at = middles.back() + scale * half;
+        middles.push_back(at + scale * half);
+        at = middles.back() + scale * half + gaps.between + more;
     }
     return middles;
 }
@@ -122,8 +142,8 @@ std::optional<std::vector<double>> spread(const std::vector<double>& halves, dou
 /// millimetres of paper for a unit of the model.
 std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, double scale,
                                                  const SheetBox& space) {
-    const auto columns = spread(grid.columns, scale, space.low.x, space.high.x);
-    const auto rows = spread(grid.rows, scale, space.low.y, space.high.y);
+    const auto columns = spread(grid.columns, scale, space.low.x, space.high.x, grid.across);
+    const auto rows = spread(grid.rows, scale, space.low.y, space.high.y, grid.upwards);
     if (!columns || !rows) return {};
     std::vector<glm::dvec2> places;
     for (const SheetCell& cell : grid.cells)
@@ -142,7 +162,7 @@ std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, double scale,
     auto places = places_in(grid, scale, frame);
     if (!places) return {};
     for (std::size_t i = 0; i < places->size(); ++i)
-        if (box_on_paper(grid.sides[i], (*places)[i], scale).meets(block, 0.5 * least_gap))
+        if (box_on_paper(grid.sides[i], (*places)[i], scale).meets(block, 0.5 * grid.upwards.last))
             return places_in(grid, scale, {frame.low, {frame.high.x, block.low.y}});
     return places;
 }
@@ -175,14 +195,14 @@ Fit fit(const Grid& grid, const SheetOptions& options, const SheetBox& frame,
     const double scale = options.unit * parse_scale("the scale", options.scale);
     if (auto places = places_on(grid, scale, frame, block))
         return {options.scale, std::move(*places)};
-    const auto paper = [&](const std::vector<double>& halves) {
-        return scale * sum(halves) + least_gap * static_cast<double>(halves.size() + 1);
+    const auto paper = [&](const std::vector<double>& halves, const Gaps& gaps) {
+        return scale * sum(halves) + gaps.sum(halves.size());
     };
     throw UsageError(fmt::format(
         "the scale {}: the views take {:.4g} x {:.4g} mm and the page has {:.4g} x {:.4g} mm "
         "within its frame, less the title block; {} fits",
-        options.scale, paper(grid.columns), paper(grid.rows), frame.size().x, frame.size().y,
-        largest_fit(grid, options.unit, frame, block).scale));
+        options.scale, paper(grid.columns, grid.across), paper(grid.rows, grid.upwards),
+        frame.size().x, frame.size().y, largest_fit(grid, options.unit, frame, block).scale));
 }
 
 /// Pixels of a camera's picture, and how many a unit of the model takes there.
@@ -237,7 +257,8 @@ void check(const SheetOptions& options) {
     for (auto view = options.views.begin(); view != options.views.end(); ++view) {
         view_direction(*view, {0, 1, 0});
         if (std::find(options.views.begin(), view, *view) != view)
-            throw UsageError("the view \"" + *view + "\" is named twice; a sheet has each once");
+            throw UsageError(
+                fmt::format("the view \"{}\" is named twice; a sheet has each once", *view));
     }
     if (!(options.unit > 0) || !std::isfinite(options.unit))
         throw UsageError("the unit of the model must be a number of millimetres above 0");
@@ -317,7 +338,9 @@ SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions&
         sides.push_back(side_of(view, points, center, options.up));
     const Grid grid = grid_of(std::move(sides), options);
 
-    SheetLayout layout{.size = page_size(options.page), .title = options.fields.title};
+    SheetLayout layout{.size = page_size(options.page),
+                       .title = options.fields.title,
+                       .measures = options.measures};
     const SheetBox frame = frame_of(layout.size);
     const SheetBox block = title_block_of(frame);
     const Fit found = fit(grid, options, frame, block);

@@ -28,10 +28,11 @@ std::string point(glm::dvec2 at) {
 
 void add_line(pugi::xml_node& group, const SheetLine& line) {
     pugi::xml_node path = group.append_child("path");
-    std::string data = "M" + point(line.points.front());
     const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
     const std::size_t count = line.points.size() - (closed ? 1 : 0);
-    for (std::size_t i = 1; i < count; ++i) data += "L" + point(line.points[i]);
+    std::string data;
+    for (std::size_t i = 0; i < count; ++i)
+        data.append(i == 0 ? "M" : "L").append(point(line.points[i]));
     set(path, "d", data + (closed ? "z" : ""));
     set(path, "stroke-width", number(line.width));
 }

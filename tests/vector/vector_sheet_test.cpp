@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -11,6 +12,7 @@
 
 #include "lineatlas/error.hpp"
 #include "lineatlas/sheet.hpp"
+#include "vector/drawn_box.hpp"
 #include "vector_support.hpp"
 
 namespace lineatlas {
@@ -281,6 +283,60 @@ TEST(Sheet, LongTextsStayInTheirFields) {
     EXPECT_LT(static_cast<double>(title->text.size()) * 0.85 * title->height, 110);
     EXPECT_NE(to_dxf(Box{}.sheet({.fields = fields})).find("\\U+00C4rzte & S\\U+00F6hne"),
               std::string::npos);
+}
+
+std::set<std::string> texts_of(const SheetLayout& layout, const std::string& layer) {
+    std::set<std::string> found;
+    for (const SheetText& text : layout.texts)
+        if (text.layer == layer) found.insert(text.text);
+    return found;
+}
+
+TEST(Sheet, MeasuresAreTheSizesOfTheModel) {
+    const Box box{{-31.3F, 17.7F, 5.1F}, {120.25F, 50, 70.5F}};
+    for (const char* scale : {"1:1", "1:10"}) {
+        const VectorSheet sheet =
+            box.sheet({.page = parse_page("a1"), .scale = scale, .measures = true});
+        EXPECT_EQ(sheet.model_size, (glm::dvec3{120.25, 50, 70.5}));
+        EXPECT_EQ(texts_of(sheet.layout, "dimensions"),
+                  (std::set<std::string>{"120.25", "50", "70.5"}));
+        EXPECT_EQ(texts_of(sheet.layout, "axes"), (std::set<std::string>{"X", "Y", "Z"}));
+    }
+    const VectorSheet inches = box.sheet({.scale = "1:50", .unit = 25.4, .measures = true});
+    EXPECT_NEAR(inches.model_size.y, 1270, 1e-3);
+    // Depth is measured where a view shows it.
+    EXPECT_EQ(box.sheet({.views = {"front"}, .measures = true}).model_size.z, 0);
+    const VectorSheet lying = box.sheet({.views = {"front"}, .up = {0, 0, 1}, .measures = true});
+    EXPECT_EQ(lying.model_size, (glm::dvec3{120.25, 0, 70.5}));
+    EXPECT_EQ(box.sheet({.views = {"isometric"}, .measures = true}).model_size, glm::dvec3{0});
+    EXPECT_EQ(texts_of(box.sheet().layout, "dimensions").size(), 0U);
+}
+
+TEST(Sheet, TheScaleBarIsToScale) {
+    const SheetLayout layout = Box{}.sheet({.scale = "1:2", .measures = true}).layout;
+    const auto bar = std::ranges::find(layout.lines, "scale-bar", &SheetLine::layer);
+    EXPECT_NEAR(glm::distance(bar->points[0], bar->points[1]), 50, 1e-9);
+    EXPECT_TRUE(texts_of(layout, "scale-bar").contains("100 mm"));
+}
+
+TEST(Sheet, WhatIsRoundIsMeasuredAsItIs) {
+    VectorDrawing drawing{.size = {100, 100}, .groups = {}, .paths = {}};
+    VectorPath arc; // a third of a circle, its highest point in the middle
+    for (const double x : {41.34, 58.66}) arc.points.push_back({.at = {x, 45}});
+    arc.curves.push_back({.first = 0,
+                          .last = 1,
+                          .arc = {.center = {50, 50},
+                                  .major = {10, 0},
+                                  .from = -5 * std::numbers::pi / 6,
+                                  .sweep = 2 * std::numbers::pi / 3}});
+    drawing.paths = {arc};
+    EXPECT_NEAR(drawn_box(drawing).low.y, 40, 1e-9);
+    EXPECT_NEAR(drawn_box(drawing).high.y, 45, 1e-9);
+    EXPECT_TRUE(drawn_box(drawing).exact);
+    arc.curves[0].cubic = {{41.34, 35}, {58.66, 35}};
+    drawing.paths = {arc};
+    EXPECT_NEAR(drawn_box(drawing).low.y, 45 - 0.75 * 10, 1e-9);
+    EXPECT_FALSE(drawn_box(drawing).exact);
 }
 
 TEST(Sheet, ASheetNeedsADrawingForEachView) {

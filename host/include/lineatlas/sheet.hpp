@@ -63,6 +63,9 @@ struct SheetOptions {
     double unit = 1;       ///< millimetres in a unit of the model, above 0
     glm::vec3 up{0, 1, 0}; ///< the model's, a unit axis
     SheetFields fields{};  ///< of the title block
+    /// Overall sizes as dimensions in millimetres, the model's axes beside each view, and a scale
+    /// bar.
+    bool measures = false;
 };
 
 /// "front,30,20,top" as the sides "front", "30,20" and "top". Throws UsageError for a side that
@@ -82,7 +85,7 @@ struct SheetView {
 
 /// A line of the sheet's own, straight from point to point.
 struct SheetLine {
-    std::string layer;              ///< "frame" or "title-block"
+    std::string layer;              ///< "frame", "title-block", "dimensions", "axes" or "scale-bar"
     double width = 0.25;            ///< millimetres
     std::vector<glm::dvec2> points; ///< millimetres; two at least
 };
@@ -118,8 +121,9 @@ struct SheetLayout {
     glm::dvec2 size{0};                 ///< of the page
     std::string scale{};                ///< of all views, as in "1:2"
     std::string title{};                ///< of the document
+    bool measures = false;              ///< as in SheetOptions
     std::vector<SheetView> views{};     ///< in the order in which they were asked for
-    std::vector<SheetLine> lines{};     ///< of frame and title block
+    std::vector<SheetLine> lines{};     ///< of the sheet's own
     std::vector<SheetCircle> circles{}; ///< of the symbol in the title block
     std::vector<SheetText> texts{};     ///< of frame and title block
 };
@@ -144,8 +148,12 @@ using FindLines = std::function<SeenLines(const Camera& camera)>;
 
 /// A sheet with its views drawn.
 struct VectorSheet {
-    SheetLayout layout;                  ///< where they stand
+    SheetLayout layout; ///< where they stand; with the lines and texts of measures, if it has them
     std::vector<VectorDrawing> drawings; ///< one for each of SheetLayout::views
+    /// Of a layout with measures: the model's overall sizes along its axes in millimetres, as the
+    /// aligned views show them: of round bodies the true ones, not those of chords. 0 along an axis
+    /// that no aligned view shows.
+    glm::dvec3 model_size{0};
 };
 
 /// Draws every view of a layout. A pixel of the style is that of CSS, 1/96 inch, whatever the
