@@ -1,8 +1,10 @@
 #include "draw_sheet.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/empty_drawing.hpp"
 #include "core/line_pens.hpp"
@@ -16,6 +18,8 @@
 
 namespace lineatlas::apps {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Of a picture whose resolution nobody says: thin lines are a pixel and a half wide.
 constexpr float usual_dpi = 150;
@@ -93,6 +97,23 @@ SheetWriting writing_of(const DrawArguments& arguments, const CLI::App& app,
             .description = description_of(arguments, app, subject)};
 }
 
+/// The model, and where on the page each view of it stands, in millimetres.
+Json summary_of(const Subject& subject, const VectorSheet& sheet) {
+    const SheetLayout& layout = sheet.layout;
+    const auto thousandths = [](double value) { return std::round(1000 * value) / 1000; };
+    const auto list = [&](glm::dvec2 v) { return Json{thousandths(v.x), thousandths(v.y)}; };
+    Json views = Json::array();
+    for (const SheetView& view : layout.views)
+        views.push_back({{"name", view.name}, {"low", list(view.low)}, {"high", list(view.high)}});
+    Json summary = subject.summary;
+    summary["size_mm"] = {sheet.model_size.x, sheet.model_size.y, sheet.model_size.z};
+    Json& notes = summary["notes"];
+    for (const std::string& note : subject.notes)
+        if (std::ranges::find(notes, Json(note)) == notes.end()) notes.push_back(note);
+    summary["sheet"] = {{"size", list(layout.size)}, {"scale", layout.scale}, {"views", views}};
+    return summary;
+}
+
 } // namespace
 
 void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
@@ -114,6 +135,10 @@ void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
     const SheetWriting writing = writing_of(arguments, app, subject);
     picture.description = writing.description;
     write_sheet(arguments.output, drawn, writing, picture);
+    if (!SheetArguments::wants_summary(arguments.view)) return;
+    // Names are as the file has them, and need not be UTF-8.
+    constexpr auto replace = Json::error_handler_t::replace;
+    print_output(summary_of(subject, drawn).dump(2, ' ', false, replace) + '\n');
 }
 
 } // namespace lineatlas::apps

@@ -28,6 +28,11 @@ void set_field(SheetFields& fields, const std::string& text) {
     lineatlas::set_field(fields, text.substr(0, equals), text.substr(equals + 1));
 }
 
+std::vector<std::string> views_of(const ViewOptions& view) {
+    if (SheetArguments::wants_summary(view)) return SheetOptions{}.views;
+    return parse_views(view.views());
+}
+
 ProjectionAngle angle_of(const ViewOptions& view) {
     const std::string& name = view.projection_name();
     return name.empty() ? SheetOptions{}.angle : parse_projection_angle(name);
@@ -52,7 +57,7 @@ void SheetArguments::check(const ViewOptions& view, const std::filesystem::path&
     for (const char* option : not_of_sheets)
         if (app_->count(option) > 0)
             throw UsageError(fmt::format("--views and {} exclude each other", option));
-    parse_views(view.views());
+    views_of(view);
     angle_of(view);
     if (view.to_scale()) parse_scale("--scale", view.scale());
     SheetFields fields;
@@ -67,11 +72,12 @@ void SheetArguments::check(const ViewOptions& view, const std::filesystem::path&
 SheetOptions SheetArguments::options(const ViewOptions& view, const std::optional<Page>& page,
                                      const std::filesystem::path& model,
                                      std::optional<double> unit_of_file, glm::vec3 up) const {
-    SheetOptions options{.views = parse_views(view.views()),
+    SheetOptions options{.views = views_of(view),
                          .angle = angle_of(view),
                          .scale = view.scale(),
                          .unit = view.unit(unit_of_file),
-                         .up = up};
+                         .up = up,
+                         .measures = wants_summary(view)};
     if (page) options.page = *page;
     options.fields.title = model.stem().string();
     options.fields.file = model.filename().string();

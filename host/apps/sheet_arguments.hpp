@@ -28,6 +28,9 @@ class SheetArguments {
                          const std::filesystem::path& model, std::optional<double> unit_of_file,
                          glm::vec3 up) const;
 
+    /// Whether --views is auto: the views that show a part, its measures, and a summary.
+    static bool wants_summary(const ViewOptions& view) { return view.views() == "auto"; }
+
   private:
     CLI::App* app_ = nullptr;
     std::vector<std::string> fields_;

@@ -17,6 +17,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
+#include "model_info.hpp"
 #include "output/vector_output.hpp"
 #include "style/frame_settings.hpp"
 #include "vector/sheet.hpp"
@@ -103,6 +104,12 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
         const View view =
             framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
         std::vector<glm::vec3> points = lines.vertices;
+        nlohmann::ordered_json summary;
+        if (arguments.sheet.wants_summary(arguments.view)) {
+            const LoadedMesh loaded{
+                .mesh = scene.mesh, .notes = notes, .format = "scene", .up = up};
+            summary = describe_model(scene.name, loaded, lines);
+        }
         return {.name = scene.name,
                 .mesh = std::move(scene.mesh),
                 .lines = std::move(lines),
@@ -111,7 +118,8 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .view = view,
                 .up = up,
                 .sections = std::move(sections),
-                .notes = std::move(notes)};
+                .notes = std::move(notes),
+                .summary = std::move(summary)};
     }
     LoadedMesh loaded = load_models_isolated(
         arguments.models, arguments.read.limits(),
@@ -121,9 +129,13 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
     std::vector<std::string> sections =
         cut(arguments, loaded.mesh, loaded.origin,
             arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
+    LineSet lines = extract_lines(loaded.mesh, options);
+    nlohmann::ordered_json summary;
+    if (arguments.sheet.wants_summary(arguments.view))
+        summary = describe_model(arguments.models.front().string(), loaded, lines);
     Subject subject{.name = arguments.models.front().string(),
                     .mesh = std::move(loaded.mesh),
-                    .lines = {},
+                    .lines = std::move(lines),
                     .line_options = options,
                     .framed = {},
                     .view = {},
@@ -131,8 +143,8 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                     .origin = loaded.origin,
                     .unit = loaded.unit,
                     .sections = std::move(sections),
-                    .deflection = loaded.deflection};
-    subject.lines = extract_lines(subject.mesh, options);
+                    .deflection = loaded.deflection,
+                    .summary = std::move(summary)};
     add_notes(subject.lines.odd, loaded.notes);
     const std::optional<FarPart> far = find_far_part(subject.lines);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();

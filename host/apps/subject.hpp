@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "draw_arguments.hpp"
 #include "lineatlas/mesh.hpp"
 
@@ -23,6 +25,7 @@ struct Subject {
     std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
     double deflection = 0;               ///< of exact surfaces; else 0
     std::vector<std::string> notes{};
+    nlohmann::ordered_json summary{}; ///< as describe_model() has it, if the sheet wants one
 };
 
 /// What is drawn, and the pictures of it.

@@ -227,6 +227,29 @@ TEST_F(Sheets, EzdxfFindsNothingWrongWithViewsOnAPage) {
         EXPECT_NE(found.output.find(text), std::string::npos) << text << found.output;
 }
 
+TEST_F(Sheets, AutoSaysWhatAPartIs) {
+    const auto summary = [&](const std::string& model, const std::string& options = "") {
+        return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +
+                   options);
+    };
+    const Result cube = summary("cube.obj");
+    ASSERT_EQ(cube.exit_code, 0) << cube.output;
+    for (const char* text :
+         {"\"size_mm\": [\n    100.0,\n    100.0,\n    100.0\n  ]", "\"volume\": 1000000.0",
+          "\"notes\": []", "\"scale\": \"1:2\"", "\"name\": \"isometric\""})
+        EXPECT_NE(cube.output.find(text), std::string::npos) << text << cube.output;
+    const std::string svg = read(path("a.svg"));
+    for (const char* text : {">100<", ">X<", ">100 mm<"})
+        EXPECT_NE(svg.find(text), std::string::npos) << text;
+    EXPECT_EQ(summary("cube.obj").output, cube.output);
+    EXPECT_EQ(summary("cube.obj", "--compute cpp").output, cube.output);
+    EXPECT_EQ(read(path("a.svg")), svg);
+    write("open.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+    const Result open = summary("open.obj");
+    EXPECT_NE(open.output.find("\"volume\": null"), std::string::npos) << open.output;
+    EXPECT_NE(open.output.find("the surface is not closed"), std::string::npos) << open.output;
+}
+
 TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     const std::string draw = "draw " + path("cube.obj") + " --up y -o ";
     const std::string to = draw + path("x.svg") + " --views ";
