@@ -14,6 +14,7 @@ using Command = std::function<void()>;
 Command setup_draw(CLI::App& app);    ///< lineatlas draw
 Command setup_styles(CLI::App& app);  ///< lineatlas styles
 Command setup_devices(CLI::App& app); ///< lineatlas devices
+Command setup_kernels(CLI::App& app); ///< lineatlas kernels
 Command setup_bench(CLI::App& app);   ///< lineatlas bench
 Command setup_view(CLI::App& app);    ///< lineatlas view
 Command setup_check(CLI::App& app);   ///< lineatlas check

@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
                "  lineatlas info assembly.step\n"
                "  lineatlas styles\n"
                "  lineatlas devices\n"
+               "  lineatlas kernels project_clip\n"
                "  lineatlas bench frames --scenes clevis\n"
                "`lineatlas COMMAND --help` explains each command.");
     using lineatlas::apps::Command;
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
     add("styles", "List styles and pens, or print a style", lineatlas::apps::setup_styles);
     add("devices", "List OpenCL devices and how they share buffers with GL",
         lineatlas::apps::setup_devices);
+    add("kernels", "List kernels, or print one with its tables", lineatlas::apps::setup_kernels);
     add("scene", "Write a built-in scene as OBJ", lineatlas::apps::setup_scene);
     add("bench", "Measure frames, kernels, hand-overs or quality", lineatlas::apps::setup_bench);
     const std::string first = argc > 1 ? argv[1] : "";
@@ -52,7 +54,7 @@ int run(int argc, char** argv) {
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
         throw lineatlas::UsageError(fmt::format(
             "there is no command \"{}\"; there is draw, view, check, info, styles, devices, "
-            "scene, bench",
+            "kernels, scene, bench",
             first));
     }
     if (const std::optional<int> code = lineatlas::parse(app, argc, argv)) return *code;
