@@ -106,6 +106,11 @@ step "lineatlas draw to SVG" enter "$root" lineatlas draw /root/cube.obj -o /roo
 has_paths cube.svg
 step "lineatlas devices" enter "$root" lineatlas devices
 grep -q opencl "$log" || fail "no OpenCL device"
+if [ "$suite" = bookworm ]; then # the page shows what its PoCL prints
+    cp tests/package/walk.sh "$root/root"
+    step "the walk of profiling.md" enter "$root" /root/walk.sh /usr/share/doc/lineatlas/profiling.md \
+        /usr/bin/lineatlas /usr/share/lineatlas/kernels
+fi
 step "lineatlas bench" enter "$root" lineatlas bench kernels --help
 step "lineatlas view" enter "$root" lineatlas view --help
 if enter "$root" lineatlas view >"$log" 2>&1; then fail "a viewer without a display"; fi

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# walk.sh PAGE TOOL KERNELS: runs every block of commands in PAGE (docs/profiling.md) by the program
+# TOOL, with KERNELS as the folder that is installed as /usr/share/lineatlas/kernels. Every line of
+# the block of output below them must be among what they print, whatever its numbers; but for those
+# of perf, which are of chance.
+set -euo pipefail
+
+page=$(realpath "$1") tool=$(realpath "$2") kernels=$(realpath "$3")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/bin"
+ln -s "$tool" "$folder/bin/lineatlas"
+PATH=$folder/bin:$PATH
+cd "$folder"
+
+# N.sh and, if the page shows what it prints, N.txt, without the indentation of lists.
+awk '/^ *```sh$/ { file = ++n ".sh"; next }
+     /^ *```$/ && file { close(file); last = file; file = ""; next }
+     /^ *```$/ && last { sub("sh", "txt", last); file = last; last = ""; match($0, /^ */); indent = RLENGTH; next }
+     /^ *```/ { last = ""; next }
+     file { print substr($0, file ~ /txt/ ? indent + 1 : 1) > file }' "$page"
+
+without_numbers() {
+    sed -E 's/[0-9]+(\.[0-9]+)?/N/g; s/ +/ /g; s/^ //; s/ $//' "$1"
+}
+is_printed() { # LINE
+    grep -Fxq -- "$1" seen || { cat printed && echo "walk: not printed: $1" >&2 && exit 1; }
+}
+count=0
+for block in $(printf '%s\n' *.sh | sort -n); do
+    output=${block%.sh}.txt what=$(sed 's/^ *//;q' "$block")
+    sed -i "s,/usr/share/lineatlas/kernels,$kernels," "$block"
+    if grep -q '^ *perf ' "$block"; then
+        if ! perf stat true 2>/dev/null; then
+            echo "walk: not walked, perf does not work here: $what"
+            continue
+        fi
+        rm -f "$output"
+    fi
+    start=$SECONDS
+    bash -euo pipefail "$block" >printed 2>&1 || [ $? = 141 ] || { cat printed && exit 1; }
+    echo "walk: $((SECONDS - start)) s: $what"
+    [ -s printed ] || { echo "walk: nothing is printed" >&2 && exit 1; }
+    without_numbers printed >seen
+    [ ! -e "$output" ] || without_numbers "$output" | while read -r line; do is_printed "$line"; done
+    count=$((count + 1))
+done
+for file in trace.json events.csv; do [ -s "$file" ] || { echo "walk: no $file" >&2 && exit 1; }; done
+((count >= 5)) || { echo "walk: only $count blocks" >&2 && exit 1; }
