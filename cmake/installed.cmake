@@ -1,6 +1,6 @@
 # Manual pages that are made of what --help says, and the list of all that is installed.
 set(bench_programs)
-foreach(name frames kernels interop quality tune)
+foreach(name frames kernels interop quality tune compare)
     if(TARGET lineatlas-bench-${name})
         list(APPEND bench_programs lineatlas-bench-${name})
     endif()

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <dlfcn.h>
 #include <fmt/core.h>
-#include <stdlib.h>
 
 #include "command_line/program.hpp"
+#include "command_line/scratch.hpp"
 #include "lineatlas/error.hpp"
 #include "machine.hpp"
 #include "markdown.hpp"
@@ -22,24 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
-
-/// A folder that is gone with this.
-class Scratch {
-  public:
-    Scratch() {
-        std::string name = (fs::temp_directory_path() / "lineatlas-check-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw Error("cannot make a folder " + name);
-        folder = name;
-    }
-    ~Scratch() {
-        std::error_code error;
-        fs::remove_all(folder, error);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    fs::path folder;
-};
 
 bool has(const char* library) {
     return ::dlopen(library, RTLD_LAZY) != nullptr;

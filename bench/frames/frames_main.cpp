@@ -12,6 +12,7 @@
 #include "command_line/device_options.hpp"
 #include "command_line/program.hpp"
 #include "common/progress.hpp"
+#include "compare/turns.hpp"
 #include "effects.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
@@ -38,6 +39,7 @@ struct Arguments {
     std::string json;
     std::vector<std::string> charts;
     DeviceOptions device;
+    Turns turns;
 };
 
 void set_up(CLI::App& app, Arguments& a) {
@@ -71,6 +73,7 @@ void set_up(CLI::App& app, Arguments& a) {
     app.add_option("--json", a.json, "Figures to write");
     app.add_option("--chart", a.charts, "Bar chart to write, .svg or .png; may be given again");
     declare_device(app, a.device);
+    a.turns.declare(app);
 }
 
 class Bench {
@@ -216,6 +219,10 @@ int run(int argc, char** argv) {
     Arguments arguments;
     set_up(app, arguments);
     if (const std::optional<int> code = parse(app, argc, argv)) return *code;
+    if (arguments.turns.given()) {
+        arguments.turns.run(Turns::others(argc, argv), {""}, arguments.json);
+        return 0;
+    }
     bench_frames(arguments);
     return 0;
 }

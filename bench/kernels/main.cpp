@@ -1,16 +1,21 @@
 // lineatlas-bench-kernels: every kernel beside its rivals, from 2^14 to 2^24 elements.
 //
 // The time is the mean wall-clock time of a run, waiting for the device included. bytes_per_second
-// and share_of_copy come from the median: what else happens on the machine moves it less. Rows at
-// small sizes show what a launch costs.
+// and share_of_copy come from the median: what else happens on the machine moves it less; p10_us
+// and p90_us, the 10th and 90th percentile, say how much. Rows at small sizes show what a launch
+// costs.
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
+#include "command_line/child_process.hpp"
 #include "command_line/program.hpp"
+#include "compare/turns.hpp"
 #include "core/median.hpp"
 #include "goals.hpp"
 #include "lineatlas/error.hpp"
@@ -51,10 +56,14 @@ void time_row(benchmark::State& state, const Devices& devices, const Row& row) {
             seconds.push_back(seconds_of(job));
             state.SetIterationTime(seconds.back());
         }
-        const double speed = job.bytes / median(std::move(seconds));
+        const double middle = median(seconds);
+        const double speed = job.bytes / middle;
         state.counters["bytes_per_second"] = {speed, benchmark::Counter::kDefaults,
                                               benchmark::Counter::kIs1000};
         state.counters["share_of_copy"] = speed / limit;
+        state.counters["median_us"] = 1e6 * middle;
+        state.counters["p10_us"] = 1e6 * quantile(seconds, 0.1);
+        state.counters["p90_us"] = 1e6 * quantile(seconds, 0.9);
     } catch (const std::exception& error) {
         fail(state, error);
     }
@@ -101,6 +110,21 @@ void measure_all(const Devices& devices) {
     }
 }
 
+/// The rows that `arguments` choose, each as an argument that chooses it alone.
+std::vector<std::string> rows_of(std::vector<std::string> arguments) {
+    constexpr std::chrono::seconds limit = std::chrono::minutes{10};
+    arguments.emplace_back("--benchmark_list_tests=true");
+    const auto self = std::filesystem::read_symlink("/proc/self/exe");
+    const ChildResult listed = run_child(self, arguments, limit);
+    std::istringstream lines{listed.output};
+    std::vector<std::string> rows;
+    for (std::string name; std::getline(lines, name);) {
+        if (!name.starts_with("goal/")) rows.push_back("--benchmark_filter=^" + name + "$");
+    }
+    if (rows.empty()) throw UsageError("no row is chosen by --benchmark_filter; --list has them");
+    return rows;
+}
+
 int run(int argc, char** argv) {
     CLI::App app{"Times every kernel beside its rivals, from 2^14 to 2^24 elements",
                  "lineatlas-bench-kernels"};
@@ -111,11 +135,18 @@ int run(int argc, char** argv) {
         ->check(CLI::IsMember({"cpu", "gpu"}));
     app.add_flag("--list", only_list, "Print the names of the rows, and measure nothing");
     app.add_option("--json", json, "Figures to write");
+    Turns turns;
+    turns.declare(app);
     app.allow_extras();
     app.footer("Flags of Google Benchmark are passed on, e.g. --benchmark_filter=scan or "
                "--benchmark_min_time=0.5.");
     if (const std::optional<int> code = parse(app, argc, argv)) return *code;
 
+    if (turns.given()) {
+        const std::vector<std::string> arguments = Turns::others(argc, argv);
+        turns.run(arguments, rows_of(arguments), json);
+        return 0;
+    }
     // Short by default: there are more than a hundred rows. What the user says comes later and
     // wins.
     std::vector<std::string> passed_on{argv[0], "--benchmark_min_time=0.1",

@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include "command_line/scratch.hpp"
 #include "common.hpp"
+#include "compare/figures.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -75,6 +77,45 @@ TEST(Rows, TheListHasEveryStageOnBothDevices) {
         EXPECT_TRUE(listed.contains(stage + "/ours")) << stage;
         EXPECT_TRUE(listed.contains(stage + "/cpp")) << stage;
     }
+}
+
+std::string printed(const std::string& arguments, int exit_code) {
+    FILE* program = popen((LINEATLAS_BENCH_KERNELS " " + arguments + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 256> part{};
+    while (std::fgets(part.data(), part.size(), program) != nullptr) text += part.data();
+    EXPECT_EQ(WEXITSTATUS(pclose(program)), exit_code) << text;
+    return text;
+}
+
+/// The program beside itself: both take all turns, and the files pair them.
+TEST(Rows, TwoBuildsTakeTurns) {
+    const Scratch scratch;
+    const std::string own = (scratch.folder / "own.json").string();
+    const std::string other = (scratch.folder / "other.json").string();
+    const std::string text =
+        printed("--interleave " LINEATLAS_BENCH_KERNELS " --turns=3 --benchmark_min_time=0.001 "
+                "--benchmark_filter='copy/memcpy/(16384|65536)/' --json " +
+                    own + " --json-other " + other,
+                0);
+    EXPECT_NE(text.find("copy/memcpy/16384 "), std::string::npos) << text;
+    EXPECT_NE(text.find("0 slower, 0 faster, "), std::string::npos) << text;
+    EXPECT_NE(text.find("3 turns: 12 are needed"), std::string::npos) << text;
+    const Figures after = read_figures(own), before = read_figures(other);
+    EXPECT_EQ(after.turns, before.turns);
+    for (const Figures& figures : {after, before}) {
+        ASSERT_EQ(figures.rows.size(), 2U);
+        for (const auto& [name, values] : figures.rows) EXPECT_EQ(values.size(), 3U) << name;
+        EXPECT_EQ(figures.quiet.size(), 2U);
+    }
+}
+
+TEST(Rows, TurnsNeedAnotherBuild) {
+    EXPECT_NE(printed("--interleave /nonexistent --benchmark_filter=copy/memcpy/16384", 2)
+                  .find("--interleave \"/nonexistent\""),
+              std::string::npos);
+    EXPECT_NE(printed("--interleave / --benchmark_filter=nothing", 2).find("no row is chosen"),
+              std::string::npos);
 }
 
 } // namespace

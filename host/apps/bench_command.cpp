@@ -14,6 +14,7 @@ Command setup_bench(CLI::App& app) {
           std::pair{"kernels", "Every kernel beside a copy, std, TBB and Boost.Compute"},
           std::pair{"interop", "Handing buffers over between GL and OpenCL in each mode"},
           std::pair{"quality", "Visibility against exact ray casting"},
+          std::pair{"compare", "Two builds by the figures of frames and kernels"},
           std::pair{"tune", "Measure launch parameters and print a row for kernels/tuning.toml"}}) {
         app.add_subcommand(name, description)->prefix_command()->set_help_flag();
     }

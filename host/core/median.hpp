@@ -16,4 +16,14 @@ inline double median(std::vector<double> values) {
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
+/// The value that a share of the others lies below: 0.1 for the 10th percentile. The nearest one
+/// there is; NaN of none.
+inline double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const double last = static_cast<double>(values.size() - 1);
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * last + 0.5);
+    std::ranges::nth_element(values, place);
+    return *place;
+}
+
 } // namespace lineatlas
