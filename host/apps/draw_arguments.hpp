@@ -46,7 +46,7 @@ struct DrawArguments {
     DeviceOptions device;
     bool stats = false;
     ProfileOptions profile;
-    int repeat = 1;
+    int repeat = 2; ///< frames that are measured; of --stats one whole, one by stages
 };
 
 /// As the command line says. Throw UsageError.

@@ -422,7 +422,8 @@ Command setup_draw(CLI::App& app) {
     for (const char* form : {"--atlas", "--depth", "--strokes"})
         app.get_option(form)->group(measuring);
     app.add_option("--repeat", a.repeat,
-                   "Frames to measure for --stats and --profile; medians are printed")
+                   "Frames to measure for --stats and --profile; medians are printed. Of --stats "
+                   "every other frame is whole, the others wait after each stage")
         ->capture_default_str()
         ->group(measuring);
 

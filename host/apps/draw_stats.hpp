@@ -17,7 +17,8 @@ struct MeasuredFrame {
     std::function<FrameStats(const FrameOptions&)> draw;
 };
 
-/// Draws `repeat` frames and prints counts, memory and median times.
+/// Draws `repeat` frames and prints counts, memory and median times. Every other frame is drawn
+/// whole, the others by stages, with a wait after each; the last one is by stages.
 void measure_and_print(MeasuredFrame frame, const Renderer& renderer);
 
 } // namespace lineatlas::apps

@@ -103,6 +103,26 @@ TEST_F(Tool, DrawsAModelWithEveryOption) {
     EXPECT_TRUE(fs::exists(path("t.png")));
 }
 
+TEST_F(Tool, SaysHowManyFramesOfEachKindItMeasures) {
+    const auto expect_kinds = [&](const std::string& repeat, const std::string& whole,
+                                  const std::string& by_stages) {
+        const Result result =
+            run("draw --scene clevis --size 60x40 -o " + path("a.png") + " --stats" + repeat);
+        EXPECT_EQ(result.exit_code, 0) << result.output;
+        const auto median_of = [&](const std::string& kind) -> std::string {
+            const std::size_t line = result.output.find('\n' + kind);
+            if (line == std::string::npos) return "";
+            const std::size_t from = result.output.find("median of ", line) + 10;
+            return result.output.substr(from, result.output.find(')', from) - from);
+        };
+        EXPECT_EQ(median_of("whole frames"), whole) << result.output;
+        EXPECT_EQ(median_of("by stages"), by_stages) << result.output;
+    };
+    expect_kinds("", "1", "1");
+    expect_kinds(" --repeat 1", "", "1");
+    expect_kinds(" --repeat 5", "2", "3");
+}
+
 TEST_F(Tool, ListsDevicesAndHelps) {
     const Result devices = run("devices");
     EXPECT_EQ(devices.exit_code, 0);
