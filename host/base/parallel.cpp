@@ -1,0 +1,32 @@
+#include "parallel.hpp"
+
+#ifdef LINEATLAS_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#endif
+
+namespace lineatlas {
+
+void for_each_piece(std::size_t count, std::size_t piece,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
+    const auto do_piece = [&](std::size_t first) { work(first, std::min(count, first + piece)); };
+#ifdef LINEATLAS_TBB
+    if (count > piece) {
+        const std::size_t pieces = (count + piece - 1) / piece;
+        return tbb::parallel_for(std::size_t{0}, pieces,
+                                 [&](std::size_t i) { do_piece(i * piece); });
+    }
+#endif
+    for (std::size_t first = 0; first < count; first += piece) do_piece(first);
+}
+
+void do_both(const std::function<void()>& one, const std::function<void()>& other) {
+#ifdef LINEATLAS_TBB
+    tbb::parallel_invoke(one, other);
+#else
+    one();
+    other();
+#endif
+}
+
+} // namespace lineatlas

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace lineatlas {
+
+// Work on all cores. Pieces are the same however many cores there are, and so is what comes out
+// where pieces write to places of their own. Built without oneTBB, the calling thread does it all.
+
+/// Calls work(first, end) for pieces of [0, count), of `piece` elements each but for the last, in
+/// any order and on several threads at once. The calling thread takes part. Throws what a piece
+/// throws; pieces not begun by then are left out.
+void for_each_piece(std::size_t count, std::size_t piece,
+                    const std::function<void(std::size_t first, std::size_t end)>& work);
+
+/// Does two things, at the same time if a core is free.
+void do_both(const std::function<void()>& one, const std::function<void()>& other);
+
+/// Elements of a piece, of work that takes some nanoseconds for each. Bits of a std::vector<bool>
+/// stand in words of 64, so that pieces of so many may write to their own.
+inline constexpr std::size_t usual_piece = 8192;
+
+/// Calls each(i) for all i below `count`, in pieces.
+template <class Each>
+void for_each_index(std::size_t count, const Each& each, std::size_t piece = usual_piece) {
+    for_each_piece(count, piece, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) each(i);
+    });
+}
+
+/// Returns the results of make(first, end) for all pieces, in their order.
+template <class Made, class Make>
+std::vector<Made> made_of_pieces(std::size_t count, std::size_t piece, const Make& make) {
+    std::vector<Made> made((count + piece - 1) / piece);
+    for_each_piece(count, piece, [&](std::size_t first, std::size_t end) {
+        made[first / piece] = make(first, end);
+    });
+    return made;
+}
+
+/// The elements of all lists, one list after the other.
+template <class T>
+std::vector<T> joined(const std::vector<std::vector<T>>& lists) {
+    std::size_t count = 0;
+    for (const std::vector<T>& list : lists) count += list.size();
+    std::vector<T> all;
+    all.reserve(count);
+    for (const std::vector<T>& list : lists) all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+/// How many elements of `a` are among the first `count` of `a` and `b` merged; `a` goes first
+/// where both are equal.
+template <class T, class Less>
+std::size_t merged_share(std::span<const T> a, std::span<const T> b, std::size_t count,
+                         const Less& less) {
+    std::size_t low = count > b.size() ? count - b.size() : 0, high = std::min(count, a.size());
+    while (low < high) {
+        const std::size_t of_a = (low + high) / 2;
+        if (less(b[count - of_a - 1], a[of_a]))
+            high = of_a;
+        else
+            low = of_a + 1;
+    }
+    return low;
+}
+
+/// Sorts by an order in which only equal elements stand for each other. Takes as much memory again.
+template <class T, class Less = std::less<T>>
+void sort_in_pieces(std::vector<T>& list, const Less& less = {}) {
+    constexpr std::size_t piece = 4 * usual_piece;
+    const auto place = [](auto& elements, std::size_t i) {
+        return elements.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    for_each_piece(list.size(), piece, [&](std::size_t first, std::size_t end) {
+        std::sort(place(list, first), place(list, end), less);
+    });
+    std::vector<T> merged(list.size() > piece ? list.size() : 0);
+    for (std::size_t run = piece; run < list.size(); run *= 2) {
+        for_each_piece(list.size(), piece, [&](std::size_t first, std::size_t end) {
+            const std::size_t begin = first / (2 * run) * (2 * run);
+            const std::size_t middle = std::min(begin + run, list.size());
+            const std::size_t last = std::min(middle + run, list.size());
+            const std::span<const T> all{list};
+            const auto a = all.subspan(begin, middle - begin);
+            const auto b = all.subspan(middle, last - middle);
+            const std::size_t a_first = merged_share(a, b, first - begin, less);
+            const std::size_t a_end = merged_share(a, b, end - begin, less);
+            const auto own_a = a.subspan(a_first, a_end - a_first);
+            const auto own_b = b.subspan(first - begin - a_first, end - first - own_a.size());
+            std::merge(own_a.begin(), own_a.end(), own_b.begin(), own_b.end(), place(merged, first),
+                       less);
+        });
+        std::swap(list, merged);
+    }
+}
+
+} // namespace lineatlas

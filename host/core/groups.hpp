@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/parallel.hpp"
+
+namespace lineatlas {
+
+/// Items by a number that each has, as the triangles at a vertex. Several threads put them in
+/// place, so those of one number are in any order: whoever needs one sorts them.
+template <class Item>
+class Groups {
+  public:
+    /// Calls items_of(i, add) for all i below `count`, twice; add(number, item) takes an item in,
+    /// whose number is below `numbers`.
+    template <class ItemsOf>
+    Groups(std::size_t numbers, std::size_t count, const ItemsOf& items_of) : first_(numbers + 1) {
+        std::vector<std::atomic<std::uint32_t>> next(numbers);
+        for_each_index(count, [&](std::size_t i) {
+            items_of(i, [&](std::uint32_t number, const Item&) {
+                next[number].fetch_add(1, std::memory_order_relaxed);
+            });
+        });
+        for (std::size_t number = 0; number < numbers; ++number) {
+            const std::uint32_t size = next[number].load(std::memory_order_relaxed);
+            next[number].store(first_[number], std::memory_order_relaxed);
+            first_[number + 1] = first_[number] + size;
+        }
+        items_.resize(first_.back());
+        for_each_index(count, [&](std::size_t i) {
+            items_of(i, [&](std::uint32_t number, const Item& item) {
+                items_[next[number].fetch_add(1, std::memory_order_relaxed)] = item;
+            });
+        });
+    }
+
+    std::span<Item> operator[](std::size_t number) {
+        return std::span{items_}.subspan(first_[number], first_[number + 1] - first_[number]);
+    }
+    std::span<const Item> operator[](std::size_t number) const {
+        return std::span{items_}.subspan(first_[number], first_[number + 1] - first_[number]);
+    }
+
+  private:
+    std::vector<std::uint32_t> first_; ///< item of each number, and the end of all
+    std::vector<Item> items_;
+};
+
+} // namespace lineatlas
