@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace lineatlas {
@@ -36,6 +37,15 @@ class FirstSeen {
             if (slots_[slot] == empty_slot) return slots_[slot] = fresh;
             if (is_key(slots_[slot])) return slots_[slot];
         }
+    }
+
+    /// The index kept for a key; nothing if there is none.
+    template <class IsKey>
+    std::optional<std::uint32_t> find(std::uint32_t hash, const IsKey& is_key) const {
+        const std::size_t mask = slots_.size() - 1;
+        for (std::size_t slot = hash & mask; slots_[slot] != empty_slot; slot = (slot + 1) & mask)
+            if (is_key(slots_[slot])) return slots_[slot];
+        return std::nullopt;
     }
 
   private:

@@ -3,17 +3,23 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "base/parallel.hpp"
 #include "lineatlas/mesh.hpp"
 
 namespace lineatlas {
 
+/// Without branches, which would go the wrong way at every other node.
 inline bool boxes_meet(const Bounds& a, const Bounds& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-           a.min.z <= b.max.z && b.min.z <= a.max.z;
+    const auto along = [&](int axis) {
+        return static_cast<int>(a.min[axis] <= b.max[axis]) &
+               static_cast<int>(b.min[axis] <= a.max[axis]);
+    };
+    return (along(0) & along(1) & along(2)) != 0;
 }
 
 /// Boxes around triangles or lines, in a tree of boxes around those: which of them meet a box, and
@@ -50,37 +56,51 @@ class BoxTree {
         return any_meeting(box, is, nobody, [](std::uint32_t) { return true; });
     }
 
+    /// Two nodes whose boxes are compared with each other; twice the same: those of one node.
+    struct NodePair {
+        std::uint32_t a, b;
+    };
+
+    /// Parts of the work of visit_meeting_pairs(), which may be done at the same time; in their
+    /// order they visit what a single thread would, in its order.
+    template <class May>
+    std::vector<NodePair> parts_of_pairs(May&& may) const {
+        std::vector<NodePair> parts, finer;
+        if (!nodes_.empty()) parts.push_back({0, 0});
+        for (bool changed = true; changed && parts.size() < most_parts; std::swap(parts, finer)) {
+            finer.clear();
+            changed = false;
+            for (const NodePair part : parts) changed |= divide(part, may, finer);
+        }
+        return parts;
+    }
+
     /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet, but for
     /// those in nodes m and n with !may(m, n). Two boxes of one node are in m and m.
     template <class Visit, class May>
-    void visit_meeting_pairs(Visit&& visit, May&& may) const {
-        if (!nodes_.empty()) visit_within(0, visit, may);
+    void visit_meeting_pairs(NodePair part, Visit&& visit, May&& may) const {
+        part.a == part.b ? visit_within(part.a, visit, may)
+                         : visit_between(part.a, part.b, visit, may);
     }
     template <class Visit>
     void visit_meeting_pairs(Visit&& visit) const {
-        visit_meeting_pairs(visit, [](std::uint32_t, std::uint32_t) { return true; });
+        const auto may = [](std::uint32_t, std::uint32_t) { return true; };
+        if (!nodes_.empty()) visit_meeting_pairs({0, 0}, visit, may);
     }
 
     /// Returns one value per node: of(i) of a box, both(a, b) of two values.
     template <class Value, class Of, class Both>
     std::vector<Value> values_of_nodes(Of&& of, Both&& both) const {
         std::vector<Value> values(nodes_.size());
-        for (std::size_t index = nodes_.size(); index-- > 0;) { // children stand behind parents
-            const Node& node = nodes_[index];
-            if (node.count == 0) {
-                values[index] = both(values[index + 1], values[node.right]);
-                continue;
-            }
-            values[index] = of(order_[node.first]);
-            for (std::uint32_t i = node.first + 1; i < node.first + node.count; ++i)
-                values[index] = both(values[index], of(order_[i]));
-        }
+        if (!nodes_.empty()) find_values(0, nodes_.size(), of, both, values);
         return values;
     }
 
   private:
-    static constexpr std::uint32_t mixed = nobody; ///< owners
-    static constexpr std::size_t deepest = 64;     ///< twice the depth of halving 2^31 boxes
+    static constexpr std::uint32_t mixed = nobody;    ///< owners
+    static constexpr std::size_t deepest = 64;        ///< twice the depth of halving 2^31 boxes
+    static constexpr std::size_t least_shared = 4096; ///< nodes: fewer keep one thread
+    static constexpr std::size_t most_parts = 512;    ///< from which on none is divided
 
     /// A leaf of `count` boxes, or with none an inner node: its left child is the next node.
     struct Node {
@@ -89,33 +109,52 @@ class BoxTree {
         std::uint32_t owner = mixed;
     };
 
-    /// What leaves hold, while they are found.
-    struct Item {
-        Bounds box;
-        std::uint32_t index, owner;
-    };
-    /// `first`: where the items stand among all.
-    std::uint32_t build(std::span<Item> items, std::uint32_t first);
+    class Builder;
+
+    /// Of a node and all below it, which stand behind it up to `end`.
+    template <class Value, class Of, class Both>
+    void find_values(std::size_t index, std::size_t end, Of& of, Both& both,
+                     std::vector<Value>& values) const {
+        const Node& node = nodes_[index];
+        if (node.count > 0) {
+            values[index] = of(order_[node.first]);
+            for (std::uint32_t i = node.first + 1; i < node.first + node.count; ++i)
+                values[index] = both(values[index], of(order_[i]));
+            return;
+        }
+        const auto left = [&] { find_values(index + 1, node.right, of, both, values); };
+        const auto right = [&] { find_values(node.right, end, of, both, values); };
+        if (end - index >= least_shared) {
+            do_both(left, right);
+        } else {
+            left();
+            right();
+        }
+        values[index] = both(values[index + 1], values[node.right]);
+    }
 
     template <class Is, class Enters>
     bool any_meeting(const Bounds& box, Is&& is, std::uint32_t but, Enters&& enters) const {
-        if (nodes_.empty()) return false;
+        const auto wanted = [&](std::uint32_t index) {
+            const Node& node = nodes_[index];
+            return boxes_meet(node.box, box) && (but == nobody || node.owner != but) &&
+                   enters(index);
+        };
+        if (nodes_.empty() || !wanted(0)) return false;
         std::array<std::uint32_t, deepest> waiting;
         std::size_t count = 0;
         waiting[count++] = 0;
         while (count > 0) {
             const std::uint32_t index = waiting[--count];
             const Node& node = nodes_[index];
-            if (!boxes_meet(node.box, box) || (but != nobody && node.owner == but)) continue;
-            if (!enters(index)) continue;
-            if (node.count > 0) {
-                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                    const bool wanted = but == nobody || owners_[i] != but;
-                    if (wanted && boxes_meet(boxes_[i], box) && is(order_[i])) return true;
-                }
-            } else {
-                waiting[count++] = node.right;
-                waiting[count++] = index + 1;
+            if (node.count == 0) {
+                if (wanted(node.right)) waiting[count++] = node.right;
+                if (wanted(index + 1)) waiting[count++] = index + 1;
+                continue;
+            }
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                const bool is_other = but == nobody || owners_[i] != but;
+                if (is_other && boxes_meet(boxes_[i], box) && is(order_[i])) return true;
             }
         }
         return false;
@@ -123,6 +162,31 @@ class BoxTree {
 
     bool are_strangers(const Node& a, const Node& b) const {
         return (a.owner == mixed || a.owner != b.owner) && boxes_meet(a.box, b.box);
+    }
+
+    /// Adds what a part consists of, if any is to be compared; whether it was divided.
+    template <class May>
+    bool divide(NodePair part, May& may, std::vector<NodePair>& finer) const {
+        const Node &one = nodes_[part.a], &other = nodes_[part.b];
+        const bool within = part.a == part.b;
+        if (!may(part.a, part.b) || (within ? one.owner != mixed : !are_strangers(one, other)))
+            return true;
+        if (one.count > 0 && other.count > 0) {
+            finer.push_back(part);
+            return false;
+        }
+        const std::uint32_t a = part.a, b = part.b;
+        if (within)
+            finer.insert(finer.end(), {{a + 1, a + 1}, {one.right, one.right}, {a + 1, one.right}});
+        else if (divides_first(one, other))
+            finer.insert(finer.end(), {{a + 1, b}, {one.right, b}});
+        else
+            finer.insert(finer.end(), {{a, b + 1}, {a, other.right}});
+        return true;
+    }
+
+    static bool divides_first(const Node& one, const Node& other) {
+        return other.count > 0 || (one.count == 0 && is_larger(one.box, other.box));
     }
 
     template <class Visit, class May>
@@ -151,7 +215,7 @@ class BoxTree {
                 for (std::uint32_t j = other.first; j < other.first + other.count; ++j)
                     compare(i, j, visit);
             }
-        } else if (other.count > 0 || (one.count == 0 && is_larger(one.box, other.box))) {
+        } else if (divides_first(one, other)) {
             visit_between(a + 1, b, visit, may);
             visit_between(one.right, b, visit, may);
         } else {

@@ -4,13 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <tuple>
-#include <unordered_map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/first_seen.hpp"
+#include "base/parallel.hpp"
 #include "base/spans.hpp"
 #include "chain.hpp"
 #include "contact.hpp"
@@ -41,7 +41,7 @@ class Crossing {
           contact_(contact_of(diagonal_, mesh.precision)) {}
 
     /// Takes in what two triangles have in common.
-    void meet(std::uint32_t a, std::uint32_t b) {
+    void operator()(std::uint32_t a, std::uint32_t b) {
         const glm::dvec3 normal_a = normals_[a], normal_b = normals_[b];
         if (normal_a == glm::dvec3{0} || normal_b == glm::dvec3{0}) return;
         const double cosine = std::abs(glm::dot(normal_a, normal_b));
@@ -58,6 +58,12 @@ class Crossing {
         }
         if (is_shallow(cosine, depth(heights_a), heights_b)) return;
         add(a, heights_a, b, heights_b);
+    }
+
+    /// Takes in what another one has, behind its own.
+    void append(const Crossing& other) {
+        found_.insert(found_.end(), other.found_.begin(), other.found_.end());
+        lying_.insert(lying_.end(), other.lying_.begin(), other.lying_.end());
     }
 
     /// All of what was taken in.
@@ -181,11 +187,11 @@ class Crossing {
 /// planes, at places that rounding tells apart; chains would end there.
 class NearPlaces {
   public:
-    NearPlaces(const WeldedMesh& mesh, double diagonal)
-        : mesh_(mesh), cell_(same_place * diagonal) {}
+    NearPlaces(const WeldedMesh& mesh, double diagonal, std::size_t most)
+        : mesh_(mesh), cell_(same_place * diagonal), table_(most),
+          marked_(std::bit_ceil(bits_per_place * (most + 2)), false) {}
 
     void join(std::vector<Intersection>& intersections) {
-        marked_.assign(std::bit_ceil(bits_per_place * (2 * intersections.size() + 1)), false);
         for (Intersection& one : intersections) {
             one.p = first_near(one.p);
             one.q = first_near(one.q);
@@ -195,20 +201,24 @@ class NearPlaces {
 
   private:
     using Cell = std::array<std::int64_t, 3>;
-    struct CellHash {
-        std::size_t operator()(const Cell& cell) const {
-            std::uint64_t hash = 0;
-            for (const std::int64_t index : cell) {
-                hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15ULL;
-                hash ^= hash >> 29U;
-            }
-            return hash;
-        }
-    };
     struct Known {
+        Cell cell;
         EdgePlace place;
         glm::dvec3 at;
     };
+
+    static std::uint64_t hash_of_cell(const Cell& cell) {
+        std::uint64_t hash = 0;
+        for (const std::int64_t index : cell) {
+            hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15ULL;
+            hash ^= hash >> 29U;
+        }
+        return hash;
+    }
+
+    auto is_of(const Cell& cell) const {
+        return [this, &cell](std::uint32_t index) { return known_[index].cell == cell; };
+    }
 
     EdgePlace first_near(const EdgePlace& place) {
         const glm::dvec3 from{mesh_.vertices[place.from]}, to{mesh_.vertices[place.to]};
@@ -218,26 +228,31 @@ class NearPlaces {
                         static_cast<std::int64_t>(scaled.z)};
         for (std::int64_t i = 0; i < 27; ++i) {
             const Cell beside{cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1};
-            if (!may_be_known(beside)) continue;
-            const auto known = known_.find(beside);
-            if (known != known_.end() && glm::distance(known->second.at, at) < cell_)
-                return known->second.place;
+            const std::uint64_t hash = hash_of_cell(beside);
+            if (!marked_[bit_of(hash)]) continue;
+            const auto known = table_.find(static_cast<std::uint32_t>(hash), is_of(beside));
+            if (known && glm::distance(known_[*known].at, at) < cell_) return known_[*known].place;
         }
-        known_.emplace(cell, Known{place, at});
-        marked_[bit_of(cell)] = true;
+        add({cell, place, at});
         return place;
     }
 
-    /// Most cells around a place are empty: a bit says so where the map would cost a walk through
-    /// memory.
-    bool may_be_known(const Cell& cell) const { return marked_[bit_of(cell)]; }
-    std::size_t bit_of(const Cell& cell) const {
-        return CellHash{}(cell) >> 8U & (marked_.size() - 1);
+    void add(const Known& known) {
+        const std::uint64_t hash = hash_of_cell(known.cell);
+        const auto fresh = static_cast<std::uint32_t>(known_.size());
+        if (table_.find_or_add(fresh, static_cast<std::uint32_t>(hash), is_of(known.cell)) == fresh)
+            known_.push_back(known);
+        marked_[bit_of(hash)] = true;
     }
+
+    /// Most cells around a place are empty: a bit says so where the table would cost a walk through
+    /// memory.
+    std::size_t bit_of(std::uint64_t hash) const { return hash >> 8U & (marked_.size() - 1); }
 
     const WeldedMesh& mesh_;
     double cell_;
-    std::unordered_map<Cell, Known, CellHash> known_;
+    std::vector<Known> known_;
+    FirstSeen table_; ///< of cells in `known_`
     static constexpr std::size_t bits_per_place = 16;
     std::vector<bool> marked_; ///< by hash, cells that are in `known_`
 };
@@ -249,27 +264,43 @@ class Doubles {
         : mesh_(mesh), normals_(normals), lines_(lines), diagonal_(diagonal),
           contact_(contact_of(diagonal_, mesh.precision)), tree_(boxes(mesh, lines)) {}
 
-    bool has(const Intersection& one) {
+    /// For each whether it is one.
+    std::vector<bool> find(std::span<const Intersection> intersections) const {
+        constexpr std::size_t piece = 256;
+        const auto find = [&](std::size_t first, std::size_t end) {
+            std::vector<Span> spans;
+            std::vector<char> is_double;
+            for (std::size_t i = first; i < end; ++i)
+                is_double.push_back(has(intersections[i], spans));
+            return is_double;
+        };
+        const std::vector<char> all =
+            joined(made_of_pieces<std::vector<char>>(intersections.size(), piece, find));
+        return {all.begin(), all.end()};
+    }
+
+  private:
+    /// `spans`: room for its own.
+    bool has(const Intersection& one, std::vector<Span>& spans) const {
         const glm::dvec3 p = place(one.p), way = place(one.q) - p;
         const double length = glm::length(way);
         if (length == 0) return true;
         const glm::dvec3 along = way / length;
         const auto reach = static_cast<float>(doubled * diagonal_);
         const glm::vec3 start{p}, end{p + way};
-        spans_.clear();
-        tree_.visit_meeting({glm::min(start, end) - reach, glm::max(start, end) + reach},
-                            [&](std::uint32_t line) { add_beside(line, one, p, along, length); });
-        return free_length(length) <= most_free * length;
+        spans.clear();
+        tree_.visit_meeting(
+            {glm::min(start, end) - reach, glm::max(start, end) + reach},
+            [&](std::uint32_t line) { add_beside(line, one, p, along, length, spans); });
+        return free_length(length, spans) <= most_free * length;
     }
 
-  private:
     static std::vector<Bounds> boxes(const WeldedMesh& mesh, std::span<const DrawnLine> lines) {
-        std::vector<Bounds> result;
-        result.reserve(lines.size());
-        for (const DrawnLine& line : lines) {
-            const glm::vec3 p = mesh.vertices[line.p], q = mesh.vertices[line.q];
-            result.push_back({glm::min(p, q), glm::max(p, q)});
-        }
+        std::vector<Bounds> result(lines.size());
+        for_each_index(lines.size(), [&](std::size_t i) {
+            const glm::vec3 p = mesh.vertices[lines[i].p], q = mesh.vertices[lines[i].q];
+            result[i] = {glm::min(p, q), glm::max(p, q)};
+        });
         return result;
     }
 
@@ -280,7 +311,7 @@ class Doubles {
 
     /// The part of the intersection that runs beside a line.
     void add_beside(std::uint32_t index, const Intersection& one, glm::dvec3 p, glm::dvec3 along,
-                    double length) {
+                    double length, std::vector<Span>& spans) const {
         const glm::dvec3 start = at(lines_[index].p), way = at(lines_[index].q) - start;
         const double line_length = glm::length(way);
         if (line_length == 0) return;
@@ -310,17 +341,17 @@ class Doubles {
         const glm::dvec3 middle = p + along * (0.5 * (span.from + span.to));
         const glm::dvec3 beside = start + direction * glm::dot(middle - start, direction);
         if (is_behind(one.face_a, beside) || is_behind(one.face_b, beside)) return;
-        spans_.push_back(span);
+        spans.push_back(span);
     }
 
     bool is_behind(std::uint32_t face, glm::dvec3 point) const {
         return glm::dot(normals_[face], point - at(mesh_.triangles[face].x)) < -contact_;
     }
 
-    double free_length(double length) {
-        std::ranges::sort(spans_, {}, &Span::from);
+    static double free_length(double length, std::vector<Span>& spans) {
+        std::ranges::sort(spans, {}, &Span::from);
         double free = 0, reached = 0;
-        for (const Span span : spans_) {
+        for (const Span span : spans) {
             free += std::max(0.0, span.from - reached);
             reached = std::max(reached, span.to);
         }
@@ -332,7 +363,6 @@ class Doubles {
     std::span<const DrawnLine> lines_;
     double diagonal_, contact_;
     BoxTree tree_;
-    std::vector<Span> spans_;
 };
 
 /// A line that is drawn twice in some places would be left as crumbs between them: most of a chain
@@ -340,7 +370,7 @@ class Doubles {
 class ChainedDoubles {
   public:
     ChainedDoubles(const WeldedMesh& mesh, std::vector<Intersection>& intersections)
-        : mesh_(mesh), intersections_(intersections) {}
+        : mesh_(mesh), intersections_(intersections), known_(2 * intersections.size()) {}
 
     void drop(const std::vector<bool>& is_double, double diagonal) {
         std::vector<ChainEdge> edges;
@@ -371,13 +401,17 @@ class ChainedDoubles {
 
     std::uint32_t node(const EdgePlace& place) {
         const auto fresh = static_cast<std::uint32_t>(nodes_.size());
-        const auto [known, is_new] =
-            known_.emplace(std::tuple{place.from, place.to, place.share}, fresh);
-        if (is_new) {
+        const auto share = std::bit_cast<std::uint64_t>(place.share + 0.0); // -0 becomes 0
+        const std::uint32_t hash =
+            hash_of(place.from, place.to, static_cast<std::uint32_t>(share ^ share >> 32U));
+        const std::uint32_t node = known_.find_or_add(
+            fresh, hash, [&](std::uint32_t known) { return places_[known] == place; });
+        if (node == fresh) {
             const glm::dvec3 from{mesh_.vertices[place.from]}, to{mesh_.vertices[place.to]};
             nodes_.emplace_back(from + (to - from) * place.share);
+            places_.push_back(place);
         }
-        return known->second;
+        return node;
     }
 
     double length_of(const ChainEdge& edge) const {
@@ -401,7 +435,8 @@ class ChainedDoubles {
     const WeldedMesh& mesh_;
     std::vector<Intersection>& intersections_;
     std::vector<glm::vec3> nodes_;
-    std::map<std::tuple<std::uint32_t, std::uint32_t, double>, std::uint32_t> known_;
+    std::vector<EdgePlace> places_; ///< of nodes
+    FirstSeen known_;
 };
 
 } // namespace
@@ -409,10 +444,11 @@ class ChainedDoubles {
 std::vector<Intersection> find_intersections(const WeldedMesh& mesh,
                                              const std::vector<glm::dvec3>& normals,
                                              const TriangleTree& tree, double diagonal) {
-    Crossing crossing{mesh, normals, diagonal};
-    tree.visit_pairs_at(coplanar, [&](std::uint32_t a, std::uint32_t b) { crossing.meet(a, b); });
-    std::vector<Intersection> result = crossing.take();
-    NearPlaces{mesh, diagonal}.join(result);
+    const auto make = [&] { return Crossing{mesh, normals, diagonal}; };
+    Crossing all = make();
+    for (const Crossing& part : tree.visit_pairs_at<Crossing>(coplanar, make)) all.append(part);
+    std::vector<Intersection> result = all.take();
+    NearPlaces{mesh, diagonal, 2 * result.size()}.join(result);
     return result;
 }
 
@@ -420,10 +456,7 @@ void drop_doubled(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals
                   std::span<const DrawnLine> lines, double diagonal,
                   std::vector<Intersection>& intersections) {
     if (intersections.empty()) return;
-    Doubles doubles{mesh, normals, lines, diagonal};
-    std::vector<bool> is_double;
-    is_double.reserve(intersections.size());
-    for (const Intersection& one : intersections) is_double.push_back(doubles.has(one));
+    const std::vector<bool> is_double = Doubles{mesh, normals, lines, diagonal}.find(intersections);
     ChainedDoubles{mesh, intersections}.drop(is_double, diagonal);
 }
 

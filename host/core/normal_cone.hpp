@@ -47,7 +47,9 @@ struct NormalCone {
     bool may_be_along(glm::dvec3 normal, double angle) const {
         if (half_angle < 0) return false;
         const double most = half_angle + angle + rounding;
-        return most >= 1 || sine_between(axis, normal) <= most;
+        if (most >= 1) return true;
+        const glm::dvec3 across = glm::cross(axis, normal);
+        return glm::dot(across, across) <= most * most;
     }
 
   private:

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
 #include "base/spans.hpp"
 #include "contact.hpp"
 #include "diagonal.hpp"
@@ -190,26 +191,42 @@ Spans rest_of(const Spans& seams, double least) {
     return rest;
 }
 
+/// The seams among some of the edges.
+struct SeamsOfPiece {
+    std::vector<std::uint32_t> whole, cut;
+    std::vector<EdgePart> left;
+};
+
+constexpr std::size_t edges_of_piece = 1024;
+
 } // namespace
 
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
                  std::span<const std::optional<LineKind>> kinds, const TriangleTrees& trees,
                  const SeamSurfaces& surfaces) {
-    SeamFinder finder{mesh, normals, trees, surfaces};
-    Seams seams{.of_edge = std::vector<bool>(edges.size(), false), .left = {}, .cut = {}};
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-        const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;
-        if (!is_boundary && kinds[i] != LineKind::crease) continue;
-        const Spans found = is_boundary ? finder.of_boundary(edges[i]) : finder.of_crease(edges[i]);
-        if (found.empty()) continue;
-        const Spans rest = rest_of(found, finder.least(edges[i]));
-        if (rest.empty()) {
-            seams.of_edge[i] = true;
-        } else {
-            seams.cut.push_back(i);
-            for (const Span part : rest) seams.left.push_back({i, part.from, part.to});
+    const SeamFinder all{mesh, normals, trees, surfaces};
+    const auto find = [&](std::size_t first, std::size_t end) {
+        SeamFinder finder = all;
+        SeamsOfPiece found;
+        for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
+            const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;
+            if (!is_boundary && kinds[i] != LineKind::crease) continue;
+            const Spans spans =
+                is_boundary ? finder.of_boundary(edges[i]) : finder.of_crease(edges[i]);
+            if (spans.empty()) continue;
+            const Spans rest = rest_of(spans, finder.least(edges[i]));
+            (rest.empty() ? found.whole : found.cut).push_back(i);
+            for (const Span part : rest) found.left.push_back({i, part.from, part.to});
         }
+        return found;
+    };
+    Seams seams{.of_edge = std::vector<bool>(edges.size(), false), .left = {}, .cut = {}};
+    for (const SeamsOfPiece& found :
+         made_of_pieces<SeamsOfPiece>(edges.size(), edges_of_piece, find)) {
+        for (const std::uint32_t i : found.whole) seams.of_edge[i] = true;
+        seams.cut.insert(seams.cut.end(), found.cut.begin(), found.cut.end());
+        seams.left.insert(seams.left.end(), found.left.begin(), found.left.end());
     }
     return seams;
 }

@@ -5,14 +5,12 @@ namespace {
 
 BoxTree boxes_of(const WeldedMesh& mesh, std::span<const std::uint32_t> part_of_vertex,
                  std::span<const std::uint32_t> triangles) {
-    std::vector<Bounds> boxes;
-    std::vector<std::uint32_t> owners;
-    boxes.reserve(triangles.size());
-    owners.reserve(triangles.size());
-    for (const std::uint32_t t : triangles) {
-        boxes.push_back(bounds_of(mesh, t));
-        owners.push_back(part_of_vertex[mesh.triangles[t].x]);
-    }
+    std::vector<Bounds> boxes(triangles.size());
+    std::vector<std::uint32_t> owners(triangles.size());
+    for_each_index(triangles.size(), [&](std::size_t i) {
+        boxes[i] = bounds_of(mesh, triangles[i]);
+        owners[i] = part_of_vertex[mesh.triangles[triangles[i]].x];
+    });
     return BoxTree{boxes, owners, triangles};
 }
 

@@ -38,14 +38,23 @@ class TriangleTree {
         });
     }
 
-    /// Calls visit(a, b), a < b, for every two triangles of different parts whose boxes meet. Some
-    /// of those that lie at less than `angle` to each other are left out: of n sheets in one place
-    /// nearly all of n^2 pairs.
-    template <class Visit>
-    void visit_pairs_at(double angle, Visit&& visit) const {
-        boxes_.visit_meeting_pairs(visit, [&](std::uint32_t a, std::uint32_t b) {
+    /// For every two triangles a < b of different parts whose boxes meet, calls visitors[i](a, b),
+    /// of visitors made by make() for parts of the work that several threads do at once. Returns
+    /// the visitors: one after the other they have met what one alone would have, in its order.
+    /// Some of those that lie at less than `angle` to each other are left out: of n sheets in one
+    /// place nearly all of n^2 pairs.
+    template <class Visitor, class Make>
+    std::vector<Visitor> visit_pairs_at(double angle, const Make& make) const {
+        const auto may = [&](std::uint32_t a, std::uint32_t b) {
             return NormalCone::may_differ(cones_[a], cones_[b], angle);
-        });
+        };
+        const std::vector<BoxTree::NodePair> parts = boxes_.parts_of_pairs(may);
+        std::vector<Visitor> visitors;
+        for (std::size_t i = 0; i < parts.size(); ++i) visitors.push_back(make());
+        for_each_index(
+            parts.size(),
+            [&](std::size_t i) { boxes_.visit_meeting_pairs(parts[i], visitors[i], may); }, 1);
+        return visitors;
     }
 
   private:
