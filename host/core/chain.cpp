@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
 #include "flags.h"
+#include "groups.hpp"
 
 namespace lineatlas {
 namespace {
@@ -35,31 +38,36 @@ class Chainer {
           linked_(edges.size() * 2, no_end) {}
 
     void link_ends() {
-        std::vector<std::uint32_t> first(vertices_.size() + 1, 0);
-        for (const ChainEdge& edge : edges_) {
-            ++first[edge.p + 1];
-            ++first[edge.q + 1];
-        }
-        for (std::size_t v = 0; v < vertices_.size(); ++v) first[v + 1] += first[v];
-        std::vector<std::uint32_t> ends(edges_.size() * 2);
-        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        for (std::uint32_t end = 0; end < ends.size(); ++end) ends[next[vertex(end)]++] = end;
-        for (std::size_t v = 0; v < vertices_.size(); ++v) {
-            link_at_vertex({ends.data() + first[v], first[v + 1] - first[v]});
-        }
+        Groups<std::uint32_t> ends{vertices_.size(), edges_.size(),
+                                   [&](std::size_t edge, const auto& add) {
+                                       const auto first = static_cast<std::uint32_t>(2 * edge);
+                                       for (const std::uint32_t end : {first, opposite(first)})
+                                           add(vertex(end), end);
+                                   }};
+        for_each_piece(vertices_.size(), usual_piece, [&](std::size_t v, std::size_t end) {
+            Scratch scratch;
+            for (; v < end; ++v) {
+                std::ranges::sort(ends[v]);
+                link_at_vertex(ends[v], scratch);
+            }
+        });
     }
 
-    std::vector<Chain> walk() {
-        std::vector<Chain> chains;
+    Chains walk() {
         walked_.assign(edges_.size(), false);
+        steps_.reserve(edges_.size());
+        std::vector<std::size_t> ends; // of chains, in steps_
+        const auto follow_to_end = [&](std::uint32_t end) {
+            follow(end);
+            ends.push_back(steps_.size());
+        };
         // Open paths first, from the ends that nothing continues; what is left are loops.
-        for (std::uint32_t end = 0; end < linked_.size(); ++end) {
-            if (linked_[end] == no_end && !walked_[end / 2]) chains.push_back(follow(end, false));
-        }
-        for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
-            if (!walked_[edge]) chains.push_back(follow(2 * edge, true));
-        }
-        return chains;
+        for (std::uint32_t end = 0; end < linked_.size(); ++end)
+            if (linked_[end] == no_end && !walked_[end / 2]) follow_to_end(end);
+        const std::size_t open_count = ends.size();
+        for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
+            if (!walked_[edge]) follow_to_end(2 * edge);
+        return {std::move(steps_), ends, open_count};
     }
 
   private:
@@ -75,37 +83,44 @@ class Chainer {
         return length > 0 ? d / length : glm::vec3{0};
     }
 
-    void link_at_vertex(std::span<const std::uint32_t> ends) {
+    /// Room for what is found at a vertex.
+    struct Scratch {
+        std::vector<glm::vec3> inward; ///< of its ends
+        std::vector<Continuation> candidates;
+    };
+
+    void link_at_vertex(std::span<const std::uint32_t> ends, Scratch& scratch) {
         if (ends.size() < 2 || ends.size() > most_edges_paired) return;
-        candidates_.clear();
+        auto& [directions, candidates] = scratch;
+        directions.clear();
+        candidates.clear();
+        for (const std::uint32_t end : ends) directions.push_back(inward(end));
         for (std::size_t i = 0; i < ends.size(); ++i) {
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
                 const std::uint32_t kind = edges_[ends[i] / 2].kind;
                 if (kind != edges_[ends[j] / 2].kind) continue;
-                const float cosine = -glm::dot(inward(ends[i]), inward(ends[j]));
+                const float cosine = -glm::dot(directions[i], directions[j]);
                 // The outline of a cut is one way, whatever corners it has.
                 const bool goes_on = cosine >= smallest_cosine_ || kind == LA_KIND_SECTION;
-                if (goes_on) candidates_.push_back({cosine, ends[i], ends[j]});
+                if (goes_on) candidates.push_back({cosine, ends[i], ends[j]});
             }
         }
         std::stable_sort(
-            candidates_.begin(), candidates_.end(),
+            candidates.begin(), candidates.end(),
             [](const Continuation& a, const Continuation& b) { return a.cosine > b.cosine; });
-        for (const Continuation& c : candidates_) {
+        for (const Continuation& c : candidates) {
             if (linked_[c.end_a] != no_end || linked_[c.end_b] != no_end) continue;
             linked_[c.end_a] = c.end_b;
             linked_[c.end_b] = c.end_a;
         }
     }
 
-    Chain follow(std::uint32_t end, bool closed) {
-        Chain chain{.steps = {}, .closed = closed};
+    void follow(std::uint32_t end) {
         while (end != no_end && !walked_[end / 2]) {
             walked_[end / 2] = true;
-            chain.steps.push_back({.edge = end / 2, .reversed = (end & 1U) != 0});
+            steps_.push_back({.edge = end / 2, .reversed = (end & 1U) != 0});
             end = linked_[opposite(end)];
         }
-        return chain;
     }
 
     std::span<const glm::vec3> vertices_;
@@ -113,13 +128,25 @@ class Chainer {
     float smallest_cosine_;
     std::vector<std::uint32_t> linked_; ///< per edge end, the end that continues it
     std::vector<bool> walked_;
-    std::vector<Continuation> candidates_;
+    std::vector<ChainStep> steps_;
 };
 
 } // namespace
 
-std::vector<Chain> chain_edges(std::span<const glm::vec3> vertices,
-                               std::span<const ChainEdge> edges, float chain_angle) {
+Chains::Chains(std::vector<ChainStep> steps, const std::vector<std::size_t>& ends,
+               std::size_t open_count)
+    : steps_(std::move(steps)) {
+    chains_.reserve(ends.size());
+    std::size_t first = 0;
+    for (const std::size_t end : ends) {
+        chains_.push_back(
+            {std::span{steps_}.subspan(first, end - first), chains_.size() >= open_count});
+        first = end;
+    }
+}
+
+Chains chain_edges(std::span<const glm::vec3> vertices, std::span<const ChainEdge> edges,
+                   float chain_angle) {
     Chainer chainer{vertices, edges, chain_angle};
     chainer.link_ends();
     return chainer.walk();

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <numbers>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 
-#include "pair_key.hpp"
+#include "base/parallel.hpp"
+#include "groups.hpp"
 #include "vertex_sets.hpp"
 
 namespace lineatlas {
@@ -23,10 +25,11 @@ constexpr double sharp_bend = 15 * degree;
 constexpr double most_sharp = 0.1;      ///< of a patch's edges
 constexpr double tip_agreement = 0.999; ///< of normals about a corner, by their mean's length
 
-/// A side of a triangle: from corner k to the next.
+/// A side of a triangle, from corner k to the next, kept at the smaller of its two vertices.
 struct Side {
-    std::uint64_t key;
+    std::uint32_t other;  ///< the larger vertex
     std::uint32_t corner; ///< 3 triangle + k
+    auto operator<=>(const Side&) const = default;
 };
 
 std::uint32_t next_corner(std::uint32_t corner) {
@@ -73,31 +76,44 @@ class ContourFinder {
 
     /// Edges within a patch: their two sides, and what that joins.
     void match_sides() {
-        std::vector<Side> sides;
-        sides.reserve(corners_size());
-        for (std::uint32_t c = 0; c < corners_size(); ++c)
-            sides.push_back({pair_key(vertex(c), vertex(next_corner(c))), c});
-        std::ranges::sort(sides, {}, [](const Side& side) {
-            return std::pair{side.key, side.corner};
-        });
-        joins_.assign(in_.edges.size(), {none, none});
+        find_pairs();
         is_flat_.assign(faces_, false);
-        auto side = sides.begin();
         for (std::size_t i = 0; i < in_.edges.size(); ++i) {
-            const MeshEdge& edge = in_.edges[i];
-            const std::uint64_t key = pair_key(edge.p, edge.q);
-            side = std::find_if(side, sides.end(), [&](const Side& one) { return one.key >= key; });
-            const auto end =
-                std::find_if(side, sides.end(), [&](const Side& one) { return one.key != key; });
-            if (end - side == 2) {
-                if (in_.bends[i] < flat_bend)
-                    for (auto one = side; one != end; ++one) is_flat_[one->corner / 3] = true;
-                if (is_within(i) && vertex(side[0].corner) != vertex(side[1].corner) &&
-                    knows_normals(side[0].corner / 3) == knows_normals(side[1].corner / 3))
-                    join(i, side[0].corner, side[1].corner);
-            }
-            side = end;
+            const auto [a, b] = joins_[i];
+            if (a == none) continue;
+            if (in_.bends[i] < flat_bend) is_flat_[a / 3] = is_flat_[b / 3] = true;
+            if (is_within(i) && vertex(a) != vertex(b) &&
+                knows_normals(a / 3) == knows_normals(b / 3))
+                join(a, b);
+            else
+                joins_[i] = {none, none};
         }
+    }
+
+    /// The sides of edges that have two.
+    void find_pairs() {
+        const std::size_t vertices = in_.mesh.vertices.size();
+        Groups<Side> sides{
+            vertices, corners_size(), [&](std::size_t i, const auto& add) {
+                const auto c = static_cast<std::uint32_t>(i);
+                const auto [from, to] = std::minmax({vertex(c), vertex(next_corner(c))});
+                add(from, Side{to, c});
+            }};
+        const std::vector<std::uint32_t> first = first_edges(vertices, in_.edges);
+        joins_.assign(in_.edges.size(), {none, none});
+        for_each_index(vertices, [&](std::size_t v) {
+            const std::span<Side> own = sides[v];
+            std::ranges::sort(own);
+            auto side = own.begin();
+            for (std::uint32_t i = first[v]; i < first[v + 1]; ++i) {
+                const std::uint32_t other = std::max(in_.edges[i].p, in_.edges[i].q);
+                side = std::find_if(side, own.end(), [&](Side s) { return s.other >= other; });
+                const auto end =
+                    std::find_if(side, own.end(), [&](Side s) { return s.other != other; });
+                if (end - side == 2) joins_[i] = {side[0].corner, side[1].corner};
+                side = end;
+            }
+        });
     }
 
     /// Whether the surface goes on across it.
@@ -108,8 +124,7 @@ class ContourFinder {
     }
 
     /// Two sides of an edge, which run against each other.
-    void join(std::size_t edge, std::uint32_t a, std::uint32_t b) {
-        joins_[edge] = {a, b};
+    void join(std::uint32_t a, std::uint32_t b) {
         patches_.unite(a / 3, b / 3);
         corners_.unite(a, next_corner(b));
         corners_.unite(next_corner(a), b);

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "base/parallel.hpp"
+#include "groups.hpp"
 
 namespace lineatlas {
 namespace {
@@ -18,44 +23,64 @@ constexpr double coplanar_angle = 1e-4;
 constexpr double sliver_ratio = 1e-7;
 constexpr double rounding_ratio = 5e-7;
 
-struct EdgeUse {
-    std::uint32_t other; ///< the larger vertex
-    std::uint32_t face;
-    bool reversed; ///< the triangle runs from the larger to the smaller vertex
+/// A triangle at an edge, kept at the edge's smaller vertex. Ordered by the larger one, then by
+/// triangle.
+class EdgeUse {
+  public:
+    EdgeUse() = default;
+    EdgeUse(std::uint32_t other, std::uint32_t face, bool reversed)
+        : bits_(std::uint64_t{other} << 32U | std::uint64_t{face} << 1U | (reversed ? 1U : 0U)) {}
+
+    /// The larger vertex.
+    std::uint32_t other() const { return static_cast<std::uint32_t>(bits_ >> 32U); }
+    std::uint32_t face() const { return static_cast<std::uint32_t>(bits_) >> 1U; }
+    /// The triangle runs from the larger to the smaller vertex.
+    bool reversed() const { return (bits_ & 1U) != 0; }
+    auto operator<=>(const EdgeUse&) const = default;
+
+  private:
+    std::uint64_t bits_ = 0; ///< a triangle's number is below 2^31, see LA_FACE_INDEX
 };
 
-/// The uses of edges, grouped by their smaller vertex and sorted by the larger: uses of vertex v
-/// are [first[v], first[v + 1]).
-struct EdgeUses {
-    std::vector<std::uint32_t> first;
-    std::vector<EdgeUse> uses;
-};
-
-EdgeUses edge_uses(const WeldedMesh& mesh) {
-    EdgeUses result;
-    result.first.assign(mesh.vertices.size() + 1, 0);
-    const auto for_each_use = [&](auto&& visit) {
-        for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+/// By the smaller vertex of their edge, each sorted.
+Groups<EdgeUse> edge_uses(const WeldedMesh& mesh) {
+    Groups<EdgeUse> uses{
+        mesh.vertices.size(), mesh.triangles.size(), [&](std::size_t face, const auto& add) {
             const glm::uvec3 t = mesh.triangles[face];
-            for (int corner = 0; corner < 3; ++corner) visit(face, t[corner], t[(corner + 1) % 3]);
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t a = t[corner], b = t[(corner + 1) % 3];
+                add(std::min(a, b),
+                    EdgeUse{std::max(a, b), static_cast<std::uint32_t>(face), a > b});
+            }
+        }};
+    for_each_index(mesh.vertices.size(), [&](std::size_t v) { std::ranges::sort(uses[v]); });
+    return uses;
+}
+
+std::size_t edges_among(std::span<const EdgeUse> uses) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < uses.size(); ++i)
+        count += i == 0 || uses[i].other() != uses[i - 1].other() ? 1 : 0;
+    return count;
+}
+
+/// Writes the edges of a vertex to larger ones from `to` on.
+void write_edges(std::uint32_t vertex, std::span<const EdgeUse> uses, MeshEdge* to) {
+    const EdgeUse* first_use = nullptr;
+    for (const EdgeUse& use : uses) {
+        if (first_use == nullptr || first_use->other() != use.other()) {
+            to += first_use == nullptr ? 0 : 1;
+            first_use = &use;
+            *to = {.p = use.reversed() ? use.other() : vertex,
+                   .q = use.reversed() ? vertex : use.other(),
+                   .face_a = use.face(),
+                   .face_b = LA_NO_FACE,
+                   .face_count = 1};
+        } else if (++to->face_count == 2) {
+            const bool agrees = first_use->reversed() != use.reversed();
+            to->face_b = use.face() | (agrees ? 0U : LA_FACE_FLIPPED);
         }
-    };
-    for_each_use([&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
-        ++result.first[std::min(a, b) + 1];
-    });
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) result.first[v + 1] += result.first[v];
-    result.uses.resize(mesh.triangles.size() * 3);
-    std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
-    for_each_use([&](std::uint32_t face, std::uint32_t a, std::uint32_t b) {
-        result.uses[next[std::min(a, b)]++] = {std::max(a, b), face, a > b};
-    });
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        std::sort(result.uses.begin() + result.first[v], result.uses.begin() + result.first[v + 1],
-                  [](const EdgeUse& a, const EdgeUse& b) {
-                      return a.other != b.other ? a.other < b.other : a.face < b.face;
-                  });
     }
-    return result;
 }
 
 glm::dvec3 corner(const WeldedMesh& mesh, std::uint32_t face, int index) {
@@ -97,47 +122,52 @@ struct Substitute {
 
 class SliverReplacement {
   public:
-    SliverReplacement(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges)
-        : mesh_(mesh), edges_(edges), substitutes_(mesh.triangles.size()),
-          resolved_(mesh.triangles.size()) {
-        for (std::uint32_t face = 0; face < resolved_.size(); ++face) {
+    SliverReplacement(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
+                      const std::vector<MeshEdge>& edges)
+        : mesh_(mesh), edges_(edges), substitutes_(normals.size()), resolved_(normals.size()),
+          longest_(normals.size(), 0) {
+        for (std::uint32_t face = 0; face < normals.size(); ++face) {
             substitutes_[face] = {face, false};
-            resolved_[face] = !is_zero(unit_normal(mesh, face));
-            any_ = any_ || !resolved_[face];
+            resolved_[face] = !is_zero(normals[face]);
         }
+        for (std::uint32_t i = 0; i < edges.size(); ++i)
+            if (is_open(i)) open_.push_back(i);
     }
 
-    bool any() const { return any_; }
     Substitute operator[](std::uint32_t face) const { return substitutes_[face]; }
 
     /// Spreads from faces with area into the slivers beside them, ring by ring, each time across
     /// the longest edge there is.
     void spread() {
-        for (bool changed = true; changed;) {
-            changed = false;
-            longest_.assign(mesh_.triangles.size(), 0);
-            const std::vector<bool> before = resolved_;
-            for (const MeshEdge& edge : edges_) {
-                if (edge.face_b == LA_NO_FACE) continue;
+        do {
+            adopted_.clear();
+            for (const std::uint32_t i : open_) {
+                const MeshEdge& edge = edges_[i];
                 const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
                 const bool flipped = (edge.face_b & LA_FACE_FLIPPED) != 0;
                 const double length = squared_length(glm::dvec3{mesh_.vertices[edge.p]} -
                                                      glm::dvec3{mesh_.vertices[edge.q]});
-                changed |= adopt(before, edge.face_a, b, flipped, length);
-                changed |= adopt(before, b, edge.face_a, flipped, length);
+                adopt(edge.face_a, b, flipped, length);
+                adopt(b, edge.face_a, flipped, length);
             }
-        }
+            for (const std::uint32_t sliver : adopted_) resolved_[sliver] = true;
+            std::erase_if(open_, [&](std::uint32_t i) { return !is_open(i); });
+        } while (!adopted_.empty());
     }
 
   private:
-    bool adopt(const std::vector<bool>& before, std::uint32_t sliver, std::uint32_t neighbour,
-               bool flipped, double length) {
-        if (before[sliver] || !before[neighbour] || length <= longest_[sliver]) return false;
+    /// Whether there is a sliver beside the edge that nothing stands for yet, and another face.
+    bool is_open(std::uint32_t edge) const {
+        const auto [p, q, a, b, count] = edges_[edge];
+        return b != LA_NO_FACE && !(resolved_[a] && resolved_[b & LA_FACE_INDEX]);
+    }
+
+    void adopt(std::uint32_t sliver, std::uint32_t neighbour, bool flipped, double length) {
+        if (resolved_[sliver] || !resolved_[neighbour] || length <= longest_[sliver]) return;
         const Substitute through = substitutes_[neighbour];
         substitutes_[sliver] = {through.face, through.flipped != flipped};
         longest_[sliver] = length;
-        resolved_[sliver] = true;
-        return true;
+        adopted_.push_back(sliver);
     }
 
     const WeldedMesh& mesh_;
@@ -145,38 +175,45 @@ class SliverReplacement {
     std::vector<Substitute> substitutes_;
     std::vector<bool> resolved_;
     std::vector<double> longest_;
-    bool any_ = false;
+    std::vector<std::uint32_t> open_;    ///< edges
+    std::vector<std::uint32_t> adopted_; ///< slivers of the ring
 };
 
 } // namespace
 
 std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh) {
-    const EdgeUses table = edge_uses(mesh);
-    std::vector<MeshEdge> edges;
-    edges.reserve(table.uses.size() / 2 + 1);
-    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        const EdgeUse* first_use = nullptr;
-        for (std::uint32_t i = table.first[v]; i < table.first[v + 1]; ++i) {
-            const EdgeUse& use = table.uses[i];
-            if (first_use == nullptr || first_use->other != use.other) {
-                first_use = &use;
-                edges.push_back({.p = use.reversed ? use.other : v,
-                                 .q = use.reversed ? v : use.other,
-                                 .face_a = use.face,
-                                 .face_b = LA_NO_FACE,
-                                 .face_count = 1});
-            } else if (++edges.back().face_count == 2) {
-                const bool agrees = first_use->reversed != use.reversed;
-                edges.back().face_b = use.face | (agrees ? 0U : LA_FACE_FLIPPED);
-            }
+    const Groups<EdgeUse> uses = edge_uses(mesh);
+    const std::size_t vertices = mesh.vertices.size();
+    std::vector<std::size_t> first =
+        made_of_pieces<std::size_t>(vertices, usual_piece, [&](std::size_t v, std::size_t end) {
+            std::size_t count = 0;
+            for (; v < end; ++v) count += edges_among(uses[v]);
+            return count;
+        });
+    const std::size_t count = std::accumulate(first.begin(), first.end(), std::size_t{0});
+    std::exclusive_scan(first.begin(), first.end(), first.begin(), std::size_t{0});
+    std::vector<MeshEdge> edges(count);
+    for_each_piece(vertices, usual_piece, [&](std::size_t v, std::size_t end) {
+        MeshEdge* to = edges.data() + first[v / usual_piece];
+        for (; v < end; ++v) {
+            write_edges(static_cast<std::uint32_t>(v), uses[v], to);
+            to += edges_among(uses[v]);
         }
-    }
+    });
     return edges;
 }
 
-void replace_slivers(const WeldedMesh& mesh, std::vector<MeshEdge>& edges) {
-    SliverReplacement substitutes{mesh, edges};
-    if (!substitutes.any()) return;
+std::vector<std::uint32_t> first_edges(std::size_t vertices, std::span<const MeshEdge> edges) {
+    std::vector<std::uint32_t> first(vertices + 1, 0);
+    for (const MeshEdge& edge : edges) ++first[std::min(edge.p, edge.q) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    return first;
+}
+
+void replace_slivers(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
+                     std::vector<MeshEdge>& edges) {
+    if (std::ranges::none_of(normals, is_zero)) return;
+    SliverReplacement substitutes{mesh, normals, edges};
     substitutes.spread();
     for (MeshEdge& edge : edges) {
         const Substitute a = substitutes[edge.face_a];
@@ -190,9 +227,9 @@ void replace_slivers(const WeldedMesh& mesh, std::vector<MeshEdge>& edges) {
 
 std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh) {
     std::vector<glm::dvec3> normals(mesh.triangles.size());
-    for (std::uint32_t face = 0; face < normals.size(); ++face) {
-        normals[face] = unit_normal(mesh, face);
-    }
+    for_each_index(normals.size(), [&](std::size_t face) {
+        normals[face] = unit_normal(mesh, static_cast<std::uint32_t>(face));
+    });
     return normals;
 }
 
@@ -212,14 +249,14 @@ std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3
 std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
                              const std::vector<glm::dvec3>& normals) {
     std::vector<double> bends(edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    for_each_index(edges.size(), [&](std::size_t i) {
         const MeshEdge& edge = edges[i];
-        if (edge.face_count != 2) continue;
+        if (edge.face_count != 2) return;
         const double sign = (edge.face_b & LA_FACE_FLIPPED) != 0 ? -1 : 1;
         const glm::dvec3 a = normals[edge.face_a], b = sign * normals[edge.face_b & LA_FACE_INDEX];
         // atan2 of sine and cosine: exact for small angles, where acos is not.
         bends[i] = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-    }
+    });
     return bends;
 }
 

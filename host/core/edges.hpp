@@ -23,14 +23,18 @@ struct MeshEdge {
 /// (docs/decisions.md).
 std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh);
 
-/// Lets a neighbour stand for every triangle without area in the edges' `face_a` and `face_b`: such
-/// a sliver has no direction, and must neither make nor hide a crease or a silhouette. The
-/// neighbour is the one across the sliver's longest edge, or across that one's if it is a sliver
-/// too.
-void replace_slivers(const WeldedMesh& mesh, std::vector<MeshEdge>& edges);
+/// Per vertex the first of its edges to larger ones, and the number of all.
+std::vector<std::uint32_t> first_edges(std::size_t vertices, std::span<const MeshEdge> edges);
 
 /// Unit normals per triangle in double precision; zero for a triangle without area.
 std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh);
+
+/// Lets a neighbour stand for every triangle without area in the edges' `face_a` and `face_b`: such
+/// a sliver has no direction, and must neither make nor hide a crease or a silhouette. The
+/// neighbour is the one across the sliver's longest edge, or across that one's if it is a sliver
+/// too. `normals`: face_normals().
+void replace_slivers(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
+                     std::vector<MeshEdge>& edges);
 
 /// How many of those without a normal have no area at all. Others are thin: large polygons are cut
 /// into such.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,17 +12,17 @@ namespace lineatlas {
 
 /// A fixed line (always drawn) or a silhouette candidate, before it is chained.
 struct Line {
-    std::uint32_t p, q;
+    std::uint32_t p = 0, q = 0;
     std::uint32_t face_a = LA_NO_FACE;
     std::uint32_t face_b = LA_NO_FACE;
-    LineKind kind;
+    LineKind kind{};
     LineSource source{}; ///< from p to q
 };
 
 /// Puts lines into the segment table.
 class LineSetBuilder {
   public:
-    explicit LineSetBuilder(std::size_t vertices) : edges_at_vertex_(vertices, 0) {}
+    explicit LineSetBuilder(std::size_t vertices) : edges_at_vertex_(vertices) {}
 
     /// Something else ends at a vertex, or goes on from it: lines there are not alone.
     void touch(std::uint32_t vertex) { ++edges_at_vertex_[vertex]; }
@@ -32,12 +34,20 @@ class LineSetBuilder {
 
   private:
     void count_vertices(const std::vector<Line>& lines);
-    void append(const Line& line, bool reversed, std::uint32_t from_start, std::uint32_t to_end,
-                bool closed);
-    void append_paths(const std::vector<Line>& lines, const std::vector<Chain>& chains);
-    void append_candidates(const std::vector<Line>& candidates);
+    /// Nothing else ends or goes on where it does.
+    bool is_alone(const Line& line) const;
 
-    std::vector<std::uint32_t> edges_at_vertex_;
+    struct PathPlace {
+        std::uint32_t before = 0, behind = 0; ///< lines of the path
+        std::uint32_t path = 0;
+        bool closed = false;
+    };
+    /// As segment i.
+    void put(std::size_t i, const Line& line, bool reversed, const PathPlace& place);
+    void put_paths(const std::vector<Line>& lines, const Chains& chains);
+    void put_candidates(const std::vector<Line>& candidates, std::size_t first);
+
+    std::vector<std::atomic<std::uint32_t>> edges_at_vertex_;
 };
 
 } // namespace lineatlas

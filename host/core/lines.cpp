@@ -15,6 +15,7 @@
 #include <glm/common.hpp>
 
 #include "added_vertices.hpp"
+#include "base/parallel.hpp"
 #include "buried_faces.hpp"
 #include "contours.hpp"
 #include "cracks.hpp"
@@ -157,6 +158,8 @@ double milliseconds_since(std::int64_t start) {
     return 1e-6 * static_cast<double>(host_nanoseconds() - start);
 }
 
+enum class ListOfLines : std::uint8_t { fixed, candidates, replaced };
+
 /// From a mesh to its lines, step by step.
 class Extraction {
   public:
@@ -168,13 +171,12 @@ class Extraction {
         if (mends) close_gaps();
         parts_ = find_parts(welded_);
         // Where the file says how surfaces look, they do.
-        if (mesh.corner_normals.empty() && turn_outwards(welded_, edges_, parts_))
-            edges_ = mesh_edges(welded_);
+        if (mesh.corner_normals.empty()) turn_outwards(welded_, edges_, parts_);
         if (mends) between_bodies_ = see_lying_faces_as_one(welded_, parts_, edges_);
-        first_face_.reserve(edges_.size());
-        for (const MeshEdge& edge : edges_) first_face_.push_back(edge.face_a);
-        replace_slivers(welded_, edges_);
+        first_face_.resize(edges_.size());
+        for_each_index(edges_.size(), [&](std::size_t i) { first_face_[i] = edges_[i].face_a; });
         normals_ = face_normals(welded_);
+        replace_slivers(welded_, normals_, edges_);
     }
 
     LineSet run() {
@@ -217,11 +219,12 @@ class Extraction {
         const std::int64_t start = host_nanoseconds();
         bends_ = bends_of(edges_, normals_);
         const KnownEdges known{mesh_, welded_};
-        for (std::size_t i = 0; i < edges_.size(); ++i) {
-            kinds_.push_back(known.all() || known.drawn(edges_[i])
-                                 ? known.classify(edges_[i], welded_, bends_[i], options_)
-                                 : classify(edges_[i], welded_, bends_[i], options_));
-        }
+        kinds_.resize(edges_.size());
+        for_each_index(edges_.size(), [&](std::size_t i) {
+            kinds_[i] = known.all() || known.drawn(edges_[i])
+                            ? known.classify(edges_[i], welded_, bends_[i], options_)
+                            : classify(edges_[i], welded_, bends_[i], options_);
+        });
         leave_out_joints();
         if (known.all() || options_.crease || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
@@ -334,43 +337,92 @@ class Extraction {
         }
     }
 
-    void collect_lines() {
-        std::unordered_map<std::uint64_t, std::size_t> line_of_edge;
-        fixed_ = lines_of_polylines(welded_, options_.lines, line_of_edge);
-        auto cut = seams_.cut.begin();
-        auto left = seams_.left.begin();
-        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-            const MeshEdge& edge = edges_[i];
-            const auto parts = left;
-            while (left != seams_.left.end() && left->edge == i) ++left;
-            const bool is_cut = cut != seams_.cut.end() && *cut == i;
-            if (is_cut) ++cut;
-            if (!line_of_edge.empty()) {
-                const auto found = line_of_edge.find(pair_key(edge.p, edge.q));
-                if (found != line_of_edge.end()) {
-                    fixed_[found->second].face_a = edge.face_a;
-                    fixed_[found->second].face_b = edge.face_b;
-                    continue;
-                }
-            }
-            if (!kinds_[i]) continue;
-            Line line{edge.p,      edge.q,
-                      edge.face_a, edge.face_b,
-                      *kinds_[i],  triangle_edge(mesh_, welded_, first_face_[i], edge.p, edge.q)};
-            if (!is_cut) {
-                const bool replaced = !smooth_.replaces.empty() && smooth_.replaces[i];
-                (line.kind != LineKind::silhouette ? fixed_
-                 : replaced                        ? replaced_
-                                                   : candidates_)
-                    .push_back(line);
-                continue;
-            }
-            for (auto part = parts; part != left; ++part) {
-                line.p = added_.at(edge.p, edge.q, part->from);
-                line.q = added_.at(edge.p, edge.q, part->to);
-                if (line.p != line.q) fixed_.push_back(line);
+    Line line_of(std::uint32_t i) const {
+        const MeshEdge& edge = edges_[i];
+        return {.p = edge.p,
+                .q = edge.q,
+                .face_a = edge.face_a,
+                .face_b = edge.face_b,
+                .kind = *kinds_[i],
+                .source = triangle_edge(mesh_, welded_, first_face_[i], edge.p, edge.q)};
+    }
+
+    /// Of `fixed_`, where the edge is one of a polyline.
+    Line* polyline_of(std::uint32_t i) {
+        if (line_of_edge_.empty()) return nullptr;
+        const auto found = line_of_edge_.find(pair_key(edges_[i].p, edges_[i].q));
+        return found != line_of_edge_.end() ? &fixed_[found->second] : nullptr;
+    }
+
+    /// What is left of each of the edges that are seams in part.
+    std::vector<std::vector<Line>> lines_of_cut_edges() {
+        std::vector<std::vector<Line>> lines;
+        auto part = seams_.left.begin();
+        for (const std::uint32_t i : seams_.cut) {
+            std::vector<Line>& of_edge = lines.emplace_back();
+            for (; part != seams_.left.end() && part->edge == i; ++part) {
+                if (!kinds_[i] || polyline_of(i) != nullptr) continue;
+                Line line = line_of(i);
+                line.p = added_.at(edges_[i].p, edges_[i].q, part->from);
+                line.q = added_.at(edges_[i].p, edges_[i].q, part->to);
+                if (line.p != line.q) of_edge.push_back(line);
             }
         }
+        return lines;
+    }
+
+    /// Edges as lines of three lists; the first has those of polylines already. They are counted,
+    /// then put in place.
+    void collect_lines() {
+        fixed_ = lines_of_polylines(welded_, options_.lines, line_of_edge_);
+        const std::vector<std::vector<Line>> of_cut = lines_of_cut_edges();
+        const auto list_of = [&](std::uint32_t i) {
+            if (*kinds_[i] != LineKind::silhouette) return ListOfLines::fixed;
+            const bool replaced = !smooth_.replaces.empty() && smooth_.replaces[i];
+            return replaced ? ListOfLines::replaced : ListOfLines::candidates;
+        };
+        // Calls put(list, i, parts): parts of a cut edge, or nullptr.
+        const auto for_lines = [&](std::size_t first, std::size_t end, const auto& put) {
+            auto cut = std::ranges::lower_bound(seams_.cut, first);
+            for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
+                const bool is_cut = cut != seams_.cut.end() && *cut == i;
+                const std::vector<Line>* parts =
+                    is_cut ? &of_cut[static_cast<std::size_t>(cut++ - seams_.cut.begin())]
+                           : nullptr;
+                if (!kinds_[i] || polyline_of(i) != nullptr) continue;
+                put(is_cut ? ListOfLines::fixed : list_of(i), i, parts);
+            }
+        };
+        const std::array<std::vector<Line>*, 3> lists{&fixed_, &candidates_, &replaced_};
+        using Counts = std::array<std::size_t, 3>;
+        std::vector<Counts> next = made_of_pieces<Counts>(
+            edges_.size(), usual_piece, [&](std::size_t first, std::size_t end) {
+                Counts counts{};
+                for_lines(first, end, [&](ListOfLines list, std::uint32_t, const auto* parts) {
+                    counts[static_cast<std::size_t>(list)] += parts != nullptr ? parts->size() : 1;
+                });
+                return counts;
+            });
+        for (std::size_t list = 0; list < lists.size(); ++list) {
+            std::size_t count = lists[list]->size();
+            for (Counts& counts : next) count += std::exchange(counts[list], count);
+            lists[list]->resize(count);
+        }
+        for_each_piece(edges_.size(), usual_piece, [&](std::size_t first, std::size_t end) {
+            Counts& place = next[first / usual_piece];
+            for_lines(first, end, [&](ListOfLines list, std::uint32_t i, const auto* parts) {
+                const auto index = static_cast<std::size_t>(list);
+                const auto put = [&](const Line& line) { (*lists[index])[place[index]++] = line; };
+                parts != nullptr ? static_cast<void>(std::ranges::for_each(*parts, put))
+                                 : put(line_of(i));
+            });
+            for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
+                if (Line* polyline = polyline_of(i)) {
+                    polyline->face_a = edges_[i].face_a;
+                    polyline->face_b = edges_[i].face_b;
+                }
+            }
+        });
     }
 
     void leave_out_buried(double diagonal) {
@@ -451,26 +503,44 @@ class Extraction {
     }
 
     /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes:
-    /// an edge that is a line in every frame is no candidate besides.
+    /// an edge that is a line in every frame is no candidate besides. `replaced_` never are lines,
+    /// whatever else stands there.
     void renumber() {
+        const auto mesh_vertices = static_cast<std::uint32_t>(welded_.vertices.size());
         const std::vector<std::uint32_t> number = added_.insert();
+        const std::vector<bool> is_met = ends_of_added_lines(mesh_vertices, number);
+        for (std::vector<Line>* lines : {&fixed_, &candidates_, &replaced_}) {
+            for_each_index(lines->size(), [&](std::size_t i) {
+                (*lines)[i].p = number[(*lines)[i].p];
+                (*lines)[i].q = number[(*lines)[i].q];
+            });
+        }
+        for (ContourCorner& corner : smooth_.contours.corners)
+            corner.vertex = number[corner.vertex];
         std::unordered_set<std::uint64_t> known;
-        const bool has_added = std::ranges::any_of(
-            fixed_, [](const Line& line) { return line.kind == LineKind::intersection; });
-        const auto place = [&](Line& line) {
-            line.p = number[line.p];
-            line.q = number[line.q];
-        };
-        const auto goes = [&](Line& line) {
-            place(line);
-            const bool is_new = !has_added || known.insert(pair_key(line.p, line.q)).second;
-            return !is_new || line.p == line.q;
+        const auto goes = [&](const Line& line) {
+            if (line.p == line.q) return true;
+            return !is_met.empty() && is_met[line.p] && is_met[line.q] &&
+                   !known.insert(pair_key(line.p, line.q)).second;
         };
         std::erase_if(fixed_, goes);
         std::erase_if(candidates_, goes);
-        std::ranges::for_each(replaced_, place); // never lines, whatever else stands there
-        for (ContourCorner& corner : smooth_.contours.corners)
-            corner.vertex = number[corner.vertex];
+    }
+
+    /// By their last numbers; none if there are no intersections. Only such lines may stand where
+    /// others do, since every edge of the mesh stands once.
+    std::vector<bool> ends_of_added_lines(std::uint32_t mesh_vertices,
+                                          std::span<const std::uint32_t> number) const {
+        const auto is_intersection = [](const Line& line) {
+            return line.kind == LineKind::intersection;
+        };
+        if (std::ranges::none_of(fixed_, is_intersection)) return {};
+        std::vector<bool> is_end(welded_.vertices.size(), false);
+        for (const Line& line : fixed_) {
+            if (is_intersection(line) || std::max(line.p, line.q) >= mesh_vertices)
+                is_end[number[line.p]] = is_end[number[line.q]] = true;
+        }
+        return is_end;
     }
 
     /// What has told lines from edges takes twice the memory of the lines.
@@ -538,8 +608,9 @@ class Extraction {
     Seams seams_;
     AddedVertices added_{welded_};
     FoundContours smooth_;
-    std::vector<bool> in_solid_;                      ///< of its faces
-    std::vector<Line> fixed_, candidates_, replaced_; ///< replaced by contours
+    std::vector<bool> in_solid_;                                  ///< of its faces
+    std::vector<Line> fixed_, candidates_, replaced_;             ///< replaced by contours
+    std::unordered_map<std::uint64_t, std::size_t> line_of_edge_; ///< of polylines, in `fixed_`
     LeftOut left_out_;
     LineTimes times_;
 };

@@ -1,14 +1,18 @@
 #include "noisy_creases.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
 #include "chain.hpp"
 #include "diagonal.hpp"
+#include "groups.hpp"
 #include "parts.hpp"
 #include "vertex_sets.hpp"
 
@@ -47,38 +51,73 @@ constexpr int most_stub_edges = 2;          ///< of one that is no line in any s
 /// Rings of edges around a vertex that count as its surroundings.
 constexpr int rings = 2;
 
+/// The edges at a vertex, in their order, with the vertices at their other ends.
+class EdgesAtVertices {
+  public:
+    EdgesAtVertices(std::size_t vertices, const std::vector<MeshEdge>& edges)
+        : edges_(edges), first_(first_edges(vertices, edges)),
+          to_smaller_(vertices, edges.size(), [&](std::size_t i, const auto& add) {
+              const auto [smaller, larger] = std::minmax(edges[i].p, edges[i].q);
+              add(larger, End{static_cast<std::uint32_t>(i), smaller});
+          }) {
+        for_each_index(vertices,
+                       [&](std::size_t v) { std::ranges::sort(to_smaller_[v], {}, &End::edge); });
+    }
+
+    /// Calls each(edge, other end).
+    template <class Each>
+    void visit(std::size_t vertex, const Each& each) const {
+        for (const auto [edge, other] : to_smaller_[vertex]) each(edge, other);
+        // Edges are ordered by their smaller vertex.
+        for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i)
+            each(i, std::max(edges_[i].p, edges_[i].q));
+    }
+
+  private:
+    struct End {
+        std::uint32_t edge, vertex;
+    };
+
+    const std::vector<MeshEdge>& edges_;
+    std::vector<std::uint32_t> first_; ///< edge to a larger vertex
+    Groups<End> to_smaller_;
+};
+
 /// Sums per vertex, spread to the vertices around it.
 class Surroundings {
   public:
-    explicit Surroundings(std::size_t vertices) : sums_(vertices), weights_(vertices) {}
+    explicit Surroundings(std::size_t vertices) : sums_(vertices) {}
 
+    /// `value`: times its weight.
     void add(std::uint32_t vertex, double value, double weight) {
-        sums_[vertex] += value * weight;
-        weights_[vertex] += weight;
+        sums_[vertex] += {value, weight};
     }
-    void spread(const std::vector<MeshEdge>& edges) {
+    void spread(const EdgesAtVertices& around) {
         for (int ring = 0; ring < rings; ++ring) {
-            spread(edges, sums_);
-            spread(edges, weights_);
+            std::vector<Sum> wider = sums_;
+            for_each_index(sums_.size(), [&](std::size_t v) {
+                around.visit(v,
+                             [&](std::uint32_t, std::uint32_t other) { wider[v] += sums_[other]; });
+            });
+            sums_ = std::move(wider);
         }
     }
     /// The mean about an edge; 0 where there is nothing.
     double about(const MeshEdge& edge) const {
-        const double weight = weights_[edge.p] + weights_[edge.q];
-        return weight > 0 ? (sums_[edge.p] + sums_[edge.q]) / weight : 0;
+        const double weight = sums_[edge.p].weight + sums_[edge.q].weight;
+        return weight > 0 ? (sums_[edge.p].value + sums_[edge.q].value) / weight : 0;
     }
 
   private:
-    static void spread(const std::vector<MeshEdge>& edges, std::vector<double>& values) {
-        std::vector<double> wider = values;
-        for (const MeshEdge& edge : edges) {
-            wider[edge.p] += values[edge.q];
-            wider[edge.q] += values[edge.p];
+    struct Sum {
+        double value = 0, weight = 0;
+        void operator+=(const Sum& other) {
+            value += other.value;
+            weight += other.weight;
         }
-        values = std::move(wider);
-    }
+    };
 
-    std::vector<double> sums_, weights_;
+    std::vector<Sum> sums_;
 };
 
 /// Vertices that lines connect, with what the lines amount to.
@@ -104,19 +143,25 @@ class Networks {
         network.length += length;
         ++network.edges;
     }
-    bool is_crumb(const MeshEdge& edge, double diagonal) {
-        const Network& network = of_[sets_.find(edge.p)];
+    /// All are in; then it can be asked.
+    void close() {
+        name_.resize(of_.size());
+        for (std::uint32_t v = 0; v < of_.size(); ++v) name_[v] = sets_.find(v);
+    }
+
+    bool is_crumb(const MeshEdge& edge, double diagonal) const {
+        const Network& network = of_[name_[edge.p]];
         return network.length < least_network * diagonal &&
                (!network.cyclic || network.edges < least_loop_edges);
     }
 
     /// Folds that end in smooth surface and nowhere else.
-    bool fades(const MeshEdge& edge) {
-        const Network& network = of_[sets_.find(edge.p)];
+    bool fades(const MeshEdge& edge) const {
+        const Network& network = of_[name_[edge.p]];
         return !network.cyclic && network.sharpest < most_fading;
     }
-    bool is_stub(const MeshEdge& edge) {
-        return of_[sets_.find(edge.p)].edges <= most_stub_edges && fades(edge);
+    bool is_stub(const MeshEdge& edge) const {
+        return of_[name_[edge.p]].edges <= most_stub_edges && fades(edge);
     }
 
   private:
@@ -129,6 +174,7 @@ class Networks {
 
     VertexSets sets_;
     std::vector<Network> of_;
+    std::vector<std::uint32_t> name_; ///< per vertex, of its network
 };
 
 /// Which parts are of a shape that repeats itself: of most of their edges there is another one, as
@@ -141,15 +187,26 @@ class RepeatingParts {
         for (const std::uint32_t part : wanted) is_wanted_[part] = true;
     }
 
-    void add(const MeshEdge& edge, double bend, double length) {
-        const std::uint32_t part = parts_.of_vertex[edge.p];
-        if (!is_wanted_[part]) return;
-        shapes_.push_back(
-            {part, static_cast<std::uint32_t>(std::lround(bend / bend_step)), length});
+    /// Takes in edges: length(edge) is of one.
+    template <class Length>
+    void add(const std::vector<MeshEdge>& edges, std::span<const double> bends,
+             const Length& length) {
+        const auto find = [&](std::size_t first, std::size_t end) {
+            std::vector<EdgeShape> shapes;
+            for (std::size_t i = first; i < end; ++i) {
+                const std::uint32_t part = parts_.of_vertex[edges[i].p];
+                if (edges[i].face_count != 2 || bends[i] < flat_bend || !is_wanted_[part]) continue;
+                const auto bend = static_cast<std::uint32_t>(std::lround(bends[i] / bend_step));
+                shapes.push_back({part, bend, length(edges[i])});
+            }
+            return shapes;
+        };
+        shapes_ =
+            joined(made_of_pieces<std::vector<EdgeShape>>(edges.size(), 8 * usual_piece, find));
     }
 
     void compare() {
-        std::ranges::sort(shapes_);
+        sort_in_pieces(shapes_);
         for (std::size_t first = 0; first < shapes_.size();) {
             std::size_t end = first;
             while (end < shapes_.size() && shapes_[end].part == shapes_[first].part) ++end;
@@ -166,7 +223,16 @@ class RepeatingParts {
     struct EdgeShape {
         std::uint32_t part, bend;
         double length;
-        auto operator<=>(const EdgeShape&) const = default;
+
+        bool operator<(const EdgeShape& other) const {
+            const std::uint64_t own = of(part, bend), others = of(other.part, other.bend);
+            return own != others ? own < others : length < other.length;
+        }
+
+      private:
+        static std::uint64_t of(std::uint32_t part, std::uint32_t bend) {
+            return std::uint64_t{part} << 32U | bend;
+        }
     };
 
     static constexpr double bend_step = 0.01 * degree;
@@ -195,8 +261,8 @@ class CreaseFilter {
   public:
     CreaseFilter(const WeldedMesh& mesh, const MeshParts& parts, const std::vector<MeshEdge>& edges,
                  std::span<const double> bends, std::span<const std::optional<LineKind>> kinds)
-        : mesh_(mesh), parts_(parts), edges_(edges), bends_(bends), kinds_(kinds),
-          noisy_(edges.size(), false) {}
+        : mesh_(mesh), parts_(parts), edges_(edges), around_(mesh.vertices.size(), edges),
+          bends_(bends), kinds_(kinds), noisy_(edges.size(), false) {}
 
     std::vector<bool> run() {
         find_doubtful();
@@ -222,19 +288,21 @@ class CreaseFilter {
     /// coarse that each of its edges was drawn.
     void find_doubtful() {
         const std::vector<bool> is_flat = flat_faces(mesh_.triangles.size(), edges_, bends_);
-        Surroundings flatness{mesh_.vertices.size()};
-        for (std::size_t face = 0; face < is_flat.size(); ++face) {
-            for (int k = 0; k < 3; ++k)
-                flatness.add(mesh_.triangles[face][k], is_flat[face] ? 1 : 0, 1);
-        }
-        flatness.spread(edges_);
+        const Surroundings flatness = flatness_of(is_flat);
         is_gridded_.assign(edges_.size(), false);
-        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-            const double share = flatness.about(edges_[i]);
-            if (!is_crease(i) || share > gridded_share) continue;
-            is_gridded_[i] = share > flat_share;
-            doubtful_.push_back(i);
-        }
+        const auto find = [&](std::size_t first, std::size_t end) {
+            std::vector<std::uint32_t> doubtful;
+            for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
+                if (!is_crease(i)) continue;
+                const double share = flatness.about(edges_[i]);
+                if (share > gridded_share) continue;
+                is_gridded_[i] = share > flat_share;
+                doubtful.push_back(i);
+            }
+            return doubtful;
+        };
+        doubtful_ =
+            joined(made_of_pieces<std::vector<std::uint32_t>>(edges_.size(), usual_piece, find));
         if (doubtful_.empty()) return;
         count_triangles();
         const std::vector<bool> gridded = gridded_parts(is_flat);
@@ -246,6 +314,25 @@ class CreaseFilter {
         trust_repeating_parts();
         std::ranges::set_difference(curved, doubtful_, std::back_inserter(trusted_));
         std::erase_if(trusted_, [&](std::uint32_t i) { return is_gridded_[i]; });
+    }
+
+    /// How many of the triangles about an edge are flat.
+    Surroundings flatness_of(const std::vector<bool>& is_flat) const {
+        constexpr std::uint64_t one = std::uint64_t{1} << 32U; // flat ones below
+        std::vector<std::atomic<std::uint64_t>> counts(mesh_.vertices.size());
+        for_each_index(is_flat.size(), [&](std::size_t face) {
+            for (int k = 0; k < 3; ++k)
+                counts[mesh_.triangles[face][k]].fetch_add(one | (is_flat[face] ? 1U : 0U),
+                                                           std::memory_order_relaxed);
+        });
+        Surroundings flatness{mesh_.vertices.size()};
+        for_each_index(counts.size(), [&](std::size_t v) {
+            const std::uint64_t count = counts[v].load(std::memory_order_relaxed);
+            flatness.add(static_cast<std::uint32_t>(v), static_cast<double>(count % one),
+                         static_cast<double>(count / one));
+        });
+        flatness.spread(around_);
+        return flatness;
     }
 
     void count_triangles() {
@@ -284,10 +371,7 @@ class CreaseFilter {
         std::vector<std::uint32_t> wanted;
         for (const std::uint32_t i : doubtful_) wanted.push_back(parts_.of_vertex[edges_[i].p]);
         RepeatingParts repeating{parts_, wanted};
-        for (std::size_t i = 0; i < edges_.size(); ++i) {
-            if (edges_[i].face_count == 2 && bends_[i] >= flat_bend)
-                repeating.add(edges_[i], bends_[i], length(edges_[i]));
-        }
+        repeating.add(edges_, bends_, [&](const MeshEdge& edge) { return length(edge); });
         repeating.compare();
         is_symmetric_.assign(edges_.size(), false);
         std::erase_if(doubtful_, [&](std::uint32_t i) {
@@ -301,13 +385,14 @@ class CreaseFilter {
     /// by length.
     void measure_noise() {
         Surroundings squares{mesh_.vertices.size()};
-        for (std::size_t i = 0; i < edges_.size(); ++i) {
-            const MeshEdge& edge = edges_[i];
-            if (edge.face_count != 2 || bends_[i] >= double{least_crease_angle}) continue;
-            for (const std::uint32_t vertex : {edge.p, edge.q})
-                squares.add(vertex, bends_[i] * bends_[i], length(edge));
-        }
-        squares.spread(edges_);
+        for_each_index(mesh_.vertices.size(), [&](std::size_t v) {
+            around_.visit(v, [&](std::uint32_t i, std::uint32_t) {
+                if (edges_[i].face_count != 2 || bends_[i] >= double{least_crease_angle}) return;
+                const double weight = length(edges_[i]);
+                squares.add(static_cast<std::uint32_t>(v), bends_[i] * bends_[i] * weight, weight);
+            });
+        });
+        squares.spread(around_);
         const auto noise_about = [&](std::uint32_t i) {
             return std::sqrt(squares.about(edges_[i]));
         };
@@ -316,17 +401,19 @@ class CreaseFilter {
             if (goes && !is_gridded_[i]) trusted_.push_back(i);
             return goes;
         });
-        std::ranges::transform(doubtful_, std::back_inserter(noise_), noise_about);
+        noise_.resize(doubtful_.size());
+        for_each_index(noise_.size(),
+                       [&](std::size_t k) { noise_[k] = noise_about(doubtful_[k]); });
     }
 
     void measure_edge_lengths() {
         lengths_.assign(mesh_.vertices.size(), {});
-        for (const MeshEdge& edge : edges_) {
-            for (const std::uint32_t vertex : {edge.p, edge.q}) {
-                lengths_[vertex].sum += length(edge);
-                ++lengths_[vertex].count;
-            }
-        }
+        for_each_index(lengths_.size(), [&](std::size_t v) {
+            around_.visit(v, [&](std::uint32_t i, std::uint32_t) {
+                lengths_[v].sum += length(edges_[i]);
+                ++lengths_[v].count;
+            });
+        });
     }
 
     void keep_chains() {
@@ -341,10 +428,14 @@ class CreaseFilter {
             weak.push_back(k);
             to_chain.push_back({edges_[i].p, edges_[i].q, LA_KIND_CREASE});
         }
-        for (Chain& chain : chain_edges(mesh_.vertices, to_chain, sharpest_turn)) {
-            for (ChainStep& step : chain.steps) step.edge = weak[step.edge];
-            if (!is_line(chain)) continue;
-            for (const ChainStep step : chain.steps) noisy_[doubtful_[step.edge]] = false;
+        const Chains chains = chain_edges(mesh_.vertices, to_chain, sharpest_turn);
+        std::vector<char> are_lines(chains.size());
+        for_each_index(
+            chains.size(), [&](std::size_t i) { are_lines[i] = is_line(chains[i], weak); },
+            usual_piece / 8);
+        for (std::size_t i = 0; i < chains.size(); ++i) {
+            if (!are_lines[i]) continue;
+            for (const ChainStep step : chains[i].steps) noisy_[doubtful_[weak[step.edge]]] = false;
         }
     }
 
@@ -352,35 +443,36 @@ class CreaseFilter {
         return bends_[doubtful_[k]] > std::min(strong_ratio * noise_[k], most_strong);
     }
 
-    /// Of a chain whose steps are of `doubtful_`.
-    bool is_line(const Chain& chain) const {
+    /// Of a chain whose steps are of `weak`, which are of `doubtful_`.
+    bool is_line(const Chain& chain, std::span<const std::uint32_t> weak) const {
         double weight = 0, noise = 0, whole = 0;
         EdgeLengths around;
         bool strong = false;
         for (const ChainStep step : chain.steps) {
-            const MeshEdge& edge = edges_[doubtful_[step.edge]];
+            const std::uint32_t doubtful = weak[step.edge];
+            const MeshEdge& edge = edges_[doubtful_[doubtful]];
             const double length = this->length(edge);
             whole += length;
-            weight += length * bends_[doubtful_[step.edge]] / double{least_crease_angle};
-            noise += noise_[step.edge] * length;
-            strong = strong || is_strong(step.edge);
+            weight += length * bends_[doubtful_[doubtful]] / double{least_crease_angle};
+            noise += noise_[doubtful] * length;
+            strong = strong || is_strong(doubtful);
             for (const std::uint32_t vertex : {edge.p, edge.q}) {
                 around.sum += lengths_[vertex].sum;
                 around.count += lengths_[vertex].count;
             }
         }
         if (!strong) return false;
-        const double score = weight * std::pow(straightness(chain), 3);
+        const double score = weight * std::pow(straightness(chain, weak), 3);
         const double mean_edge = around.sum / around.count;
         const double least = score_per_noise * (noise / whole - quiet_noise) * mean_edge;
         return score >= (chain.closed ? loop_discount * least : least);
     }
 
     /// Chord over arc, of a few edges each.
-    double straightness(const Chain& chain) const {
+    double straightness(const Chain& chain, std::span<const std::uint32_t> weak) const {
         std::vector<glm::dvec3> points;
         for (const ChainStep step : chain.steps) {
-            const MeshEdge& edge = edges_[doubtful_[step.edge]];
+            const MeshEdge& edge = edges_[doubtful_[weak[step.edge]]];
             if (points.empty())
                 points.emplace_back(mesh_.vertices[step.reversed ? edge.q : edge.p]);
             points.emplace_back(mesh_.vertices[step.reversed ? edge.p : edge.q]);
@@ -409,12 +501,15 @@ class CreaseFilter {
             if (!is_fixed || noisy_[i]) continue;
             networks.add(edges_[i], length(edges_[i]), is_crease(i) ? bends_[i] : std::numbers::pi);
         }
+        networks.close();
         const double diagonal = diagonal_of(mesh_.vertices);
         for (const std::uint32_t i : doubtful_)
             noisy_[i] = noisy_[i] || (!is_gridded_[i] && networks.is_crumb(edges_[i], diagonal));
         for (const std::uint32_t i : trusted_) noisy_[i] = networks.fades(edges_[i]);
-        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+        // Pieces of bits are words of their own.
+        for_each_index(edges_.size(), [&](std::size_t i) {
             if (is_crease(i)) noisy_[i] = noisy_[i] || networks.is_stub(edges_[i]);
+        });
     }
 
     struct EdgeLengths {
@@ -425,6 +520,7 @@ class CreaseFilter {
     const WeldedMesh& mesh_;
     const MeshParts& parts_;
     const std::vector<MeshEdge>& edges_;
+    EdgesAtVertices around_;
     std::span<const double> bends_;
     std::span<const std::optional<LineKind>> kinds_;
     std::vector<bool> noisy_;
@@ -443,6 +539,8 @@ class CreaseFilter {
 std::vector<bool> noisy_creases(const WeldedMesh& mesh, const MeshParts& parts,
                                 const std::vector<MeshEdge>& edges, std::span<const double> bends,
                                 std::span<const std::optional<LineKind>> kinds) {
+    if (std::ranges::find(kinds, LineKind::crease) == kinds.end())
+        return std::vector<bool>(edges.size(), false);
     return CreaseFilter{mesh, parts, edges, bends, kinds}.run();
 }
 

@@ -55,16 +55,17 @@ std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge
     return solid;
 }
 
-bool turn_outwards(WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts) {
+void turn_outwards(WeldedMesh& mesh, std::vector<MeshEdge>& edges, const MeshParts& parts) {
     const std::vector<double> volume = enclosed_volumes(mesh, edges, parts);
-    if (std::ranges::none_of(volume, [](double v) { return v < 0; })) return false;
+    if (std::ranges::none_of(volume, [](double v) { return v < 0; })) return;
     mesh.turned.assign(mesh.triangles.size(), false);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         glm::uvec3& t = mesh.triangles[i];
         mesh.turned[i] = volume[parts.of_vertex[t.x]] < 0;
         if (mesh.turned[i]) std::swap(t.y, t.z);
     }
-    return true;
+    for (MeshEdge& edge : edges)
+        if (volume[parts.of_vertex[edge.p]] < 0) std::swap(edge.p, edge.q);
 }
 
 } // namespace lineatlas

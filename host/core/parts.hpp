@@ -26,8 +26,8 @@ std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<M
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                               const MeshParts& parts);
 
-/// Turns the triangles of parts that would be solids but for looking inwards; whether there are
-/// any: then edges are others.
-bool turn_outwards(WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts);
+/// Turns the triangles of parts that would be solids but for looking inwards, and their edges,
+/// which run in their winding.
+void turn_outwards(WeldedMesh& mesh, std::vector<MeshEdge>& edges, const MeshParts& parts);
 
 } // namespace lineatlas

@@ -1,14 +1,20 @@
 #include "weld.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "base/first_seen.hpp"
+#include "base/parallel.hpp"
 #include "check_mesh.hpp"
+#include "groups.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -16,51 +22,54 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// How many vertices there may be: a position is one for each object that uses it.
-std::size_t most_vertices(const Mesh& mesh, const MeshObjects& objects) {
-    const std::size_t positions = mesh.positions.size();
-    if (objects.names.size() <= 1) return positions;
-    std::vector<std::uint32_t> last_object(positions, none);
-    std::size_t count = 0;
-    const auto use = [&](std::uint32_t position, std::uint32_t object) {
-        if (std::exchange(last_object[position], object) != object) ++count;
-    };
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (int corner = 0; corner < 3; ++corner)
-            use(mesh.triangles[i][corner], objects.of_triangle(i));
-    for (std::size_t i = 0; i < mesh.polylines.size(); ++i)
-        for (const std::uint32_t position : mesh.polylines[i])
-            use(position, objects.of_polyline(i));
-    return count;
+bool is_finite(glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::uint32_t hash_of_place(glm::vec3 v) {
+    v += 0.0F; // -0 becomes 0
+    return hash_of(std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
+                   std::bit_cast<std::uint32_t>(v.z));
+}
+
+/// Per position one that is equal to it, the same for all that are equal. Which of them that is
+/// may differ from run to run, since several threads fill the table.
+std::vector<std::uint32_t> equal_positions(const std::vector<glm::vec3>& positions) {
+    std::vector<std::uint32_t> equal(positions.size());
+    // A position's index, plus 1.
+    std::vector<std::atomic<std::uint32_t>> table(
+        std::bit_ceil(2 * std::max<std::size_t>(1, positions.size())));
+    for_each_index(positions.size(), [&](std::size_t i) {
+        const std::size_t mask = table.size() - 1;
+        const auto fresh = static_cast<std::uint32_t>(i + 1);
+        for (std::size_t slot = hash_of_place(positions[i]) & mask;; slot = (slot + 1) & mask) {
+            std::uint32_t known = 0; // what is there, if it is not empty
+            if (table[slot].compare_exchange_strong(known, fresh, std::memory_order_relaxed)) {
+                equal[i] = fresh - 1;
+                return;
+            }
+            if (positions[known - 1] != positions[i]) continue;
+            equal[i] = known - 1;
+            return;
+        }
+    });
+    return equal;
 }
 
 class VertexWelder {
   public:
     VertexWelder(const Mesh& mesh, const MeshObjects& objects)
         : mesh_(mesh), has_objects_(objects.names.size() > 1),
-          welded_index_(mesh.positions.size(), none), table_(most_vertices(mesh, objects)) {}
+          equal_(equal_positions(mesh.positions)), vertex_of_(mesh.positions.size(), none) {}
 
     std::uint32_t operator()(std::uint32_t index, std::uint32_t object) {
-        std::uint32_t& result = welded_index_[index];
-        if (result != none && object_of(result) == object) return result;
-        const glm::vec3 position = mesh_.positions[index] + 0.0F; // -0 becomes 0
-        if (!std::isfinite(position.x) || !std::isfinite(position.y) ||
-            !std::isfinite(position.z)) {
-            throw UsageError("mesh: position " + std::to_string(index) + " is not finite");
-        }
-        const auto fresh = static_cast<std::uint32_t>(vertices.size());
-        const std::uint32_t hash = hash_of(std::bit_cast<std::uint32_t>(position.x) + object,
-                                           std::bit_cast<std::uint32_t>(position.y),
-                                           std::bit_cast<std::uint32_t>(position.z));
-        result = table_.find_or_add(fresh, hash, [&](std::uint32_t known) {
-            return vertices[known] == position && object_of(known) == object;
-        });
-        if (result == fresh) {
-            vertices.push_back(position);
-            sources.push_back(index);
-            if (has_objects_) objects.push_back(object);
-        }
-        return result;
+        std::uint32_t& first = vertex_of_[equal_[index]];
+        if (first == none) return first = add(index, object);
+        if (object_of(first) == object) return first;
+        const std::uint64_t key = std::uint64_t{equal_[index]} << 32U | object;
+        const auto [known, is_new] = of_other_objects_.try_emplace(key, none);
+        if (is_new) known->second = add(index, object);
+        return known->second;
     }
     std::uint32_t object_of(std::uint32_t vertex) const {
         return has_objects_ ? objects[vertex] : 0;
@@ -71,10 +80,21 @@ class VertexWelder {
     std::vector<std::uint32_t> objects; ///< per vertex; empty if all are one
 
   private:
+    std::uint32_t add(std::uint32_t index, std::uint32_t object) {
+        const glm::vec3 position = mesh_.positions[index] + 0.0F; // -0 becomes 0
+        if (!is_finite(position))
+            throw UsageError("mesh: position " + std::to_string(index) + " is not finite");
+        vertices.push_back(position);
+        sources.push_back(index);
+        if (has_objects_) objects.push_back(object);
+        return static_cast<std::uint32_t>(vertices.size() - 1);
+    }
+
     const Mesh& mesh_;
     bool has_objects_;
-    std::vector<std::uint32_t> welded_index_;
-    FirstSeen table_;
+    std::vector<std::uint32_t> equal_;
+    std::vector<std::uint32_t> vertex_of_; ///< of positions that others equal, for one object
+    std::unordered_map<std::uint64_t, std::uint32_t> of_other_objects_; ///< position and object
 };
 
 glm::uvec3 sorted(glm::uvec3 t) {
@@ -82,6 +102,38 @@ glm::uvec3 sorted(glm::uvec3 t) {
     if (t.y > t.z) std::swap(t.y, t.z);
     if (t.x > t.y) std::swap(t.x, t.y);
     return t;
+}
+
+enum class Triangle : std::uint8_t { proper, collapsed, repeated };
+
+/// Marks triangles of one smallest vertex that have the corners of an earlier one.
+void mark_repeated(const std::vector<glm::uvec3>& triangles, std::span<std::uint32_t> of_vertex,
+                   std::vector<Triangle>& kinds) {
+    const auto corners = [&](std::uint32_t triangle) {
+        const glm::uvec3 t = sorted(triangles[triangle]);
+        return std::tuple{t.y, t.z, triangle};
+    };
+    std::ranges::sort(of_vertex, {}, corners);
+    for (std::size_t i = 1; i < of_vertex.size(); ++i) {
+        if (sorted(triangles[of_vertex[i - 1]]) == sorted(triangles[of_vertex[i]]))
+            kinds[of_vertex[i]] = Triangle::repeated;
+    }
+}
+
+std::vector<Triangle> kinds_of(const std::vector<glm::uvec3>& triangles, std::size_t vertices) {
+    std::vector<Triangle> kinds(triangles.size(), Triangle::proper);
+    for_each_index(triangles.size(), [&](std::size_t i) {
+        const glm::uvec3 t = triangles[i];
+        if (t.x == t.y || t.y == t.z || t.z == t.x) kinds[i] = Triangle::collapsed;
+    });
+    Groups<std::uint32_t> by_vertex{
+        vertices, triangles.size(), [&](std::size_t i, const auto& add) {
+            const glm::uvec3 t = triangles[i];
+            if (kinds[i] == Triangle::proper)
+                add(std::min({t.x, t.y, t.z}), static_cast<std::uint32_t>(i));
+        }};
+    for_each_index(vertices, [&](std::size_t v) { mark_repeated(triangles, by_vertex[v], kinds); });
+    return kinds;
 }
 
 /// Puts the vertices that are used into the mesh: by object, else in their order.
@@ -123,34 +175,28 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
     WeldedMesh result;
     result.precision = mesh.precision;
     VertexWelder weld_vertex{mesh, objects};
-    FirstSeen seen{mesh.triangles.size()};
-    std::vector<glm::uvec3> keys;
-    keys.reserve(mesh.triangles.size());
-    result.triangles.reserve(mesh.triangles.size());
-    result.triangle_group.reserve(mesh.triangles.size());
-    result.triangle_source.reserve(mesh.triangles.size());
-
+    std::vector<glm::uvec3> triangles;
+    triangles.reserve(mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3 source = mesh.triangles[i];
+        const glm::uvec3 t = mesh.triangles[i];
         const std::uint32_t object = objects.of_triangle(i);
-        const glm::uvec3 triangle{weld_vertex(source.x, object), weld_vertex(source.y, object),
-                                  weld_vertex(source.z, object)};
-        const glm::uvec3 key = sorted(triangle);
-        if (key.x == key.y || key.y == key.z) {
-            ++result.odd.collapsed;
-            continue;
-        }
-        const auto fresh = static_cast<std::uint32_t>(keys.size());
-        const auto is_key = [&](std::uint32_t known) { return keys[known] == key; };
-        if (seen.find_or_add(fresh, hash_of(key.x, key.y, key.z), is_key) != fresh) {
-            ++result.odd.repeated;
-            continue;
-        }
-        keys.push_back(key);
-        result.triangles.push_back(triangle);
+        const std::uint32_t a = weld_vertex(t.x, object), b = weld_vertex(t.y, object);
+        triangles.emplace_back(a, b, weld_vertex(t.z, object));
+    }
+    const std::vector<Triangle> kinds = kinds_of(triangles, weld_vertex.vertices.size());
+    result.odd.collapsed = std::ranges::count(kinds, Triangle::collapsed);
+    result.odd.repeated = std::ranges::count(kinds, Triangle::repeated);
+    const std::size_t count = std::ranges::count(kinds, Triangle::proper);
+    result.triangle_group.reserve(count);
+    result.triangle_source.reserve(count);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (kinds[i] != Triangle::proper) continue;
+        triangles[result.triangle_source.size()] = triangles[i];
         result.triangle_source.push_back(static_cast<std::uint32_t>(i));
         result.triangle_group.push_back(mesh.triangle_group.empty() ? 0 : mesh.triangle_group[i]);
     }
+    triangles.resize(count);
+    result.triangles = std::move(triangles);
     for (std::size_t i = 0; i < mesh.polylines.size(); ++i) {
         std::vector<std::uint32_t> welded, sources;
         for (const std::uint32_t index : mesh.polylines[i]) {

@@ -44,7 +44,7 @@ struct Found {
         : mesh(weld(source, objects)) {
         std::vector<MeshEdge> edges = mesh_edges(mesh);
         const MeshParts parts = find_parts(mesh);
-        if (turn_outwards(mesh, edges, parts)) edges = mesh_edges(mesh);
+        turn_outwards(mesh, edges, parts);
         buried = buried_faces(mesh, edges, face_normals(mesh), parts, diagonal_of(mesh.vertices));
     }
     auto count() const { return std::ranges::count(buried, true); }

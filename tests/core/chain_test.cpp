@@ -22,7 +22,7 @@ struct Graph {
     std::vector<glm::vec3> vertices;
     std::vector<ChainEdge> edges;
 
-    std::vector<Chain> chains(float angle) const { return chain_edges(vertices, edges, angle); }
+    Chains chains(float angle) const { return chain_edges(vertices, edges, angle); }
     std::uint32_t start(ChainStep step) const {
         return step.reversed ? edges[step.edge].q : edges[step.edge].p;
     }
@@ -80,7 +80,7 @@ Graph random_graph(test::Random& random, std::uint32_t vertices, std::uint32_t e
 /// All that chains promise, for any graph of at most 64 edges at a vertex.
 void expect_sound(const Graph& graph, float angle) {
     const float smallest = std::cos(angle);
-    const std::vector<Chain> chains = graph.chains(angle);
+    const Chains chains = graph.chains(angle);
     // Per edge and end (0 at p, 1 at q) the edge that goes on there, or itself.
     std::vector<std::array<std::uint32_t, 2>> next(graph.edges.size());
     for (std::uint32_t e = 0; e < next.size(); ++e) next[e] = {e, e};
@@ -138,8 +138,8 @@ TEST(Chains, RandomGraphsGiveSoundChains) {
 }
 
 TEST(Chains, NoEdgesNoChains) {
-    EXPECT_TRUE(Graph{}.chains(1).empty());
-    EXPECT_TRUE((Graph{.vertices = {{0, 0, 0}}, .edges = {}}.chains(1).empty()));
+    EXPECT_EQ(Graph{}.chains(1).size(), 0U);
+    EXPECT_EQ((Graph{.vertices = {{0, 0, 0}}, .edges = {}}.chains(1).size()), 0U);
 }
 
 TEST(Chains, APolygonClosesWhereItsCornersAreBlunt) {
@@ -147,7 +147,7 @@ TEST(Chains, APolygonClosesWhereItsCornersAreBlunt) {
     ASSERT_EQ(octagon.chains(glm::radians(46.0F)).size(), 1U);
     EXPECT_TRUE(octagon.chains(glm::radians(46.0F))[0].closed);
     EXPECT_EQ(octagon.chains(glm::radians(46.0F))[0].steps.size(), 8U);
-    const std::vector<Chain> single = octagon.chains(glm::radians(44.0F));
+    const Chains single = octagon.chains(glm::radians(44.0F));
     EXPECT_EQ(single.size(), 8U);
     for (const Chain& chain : single) EXPECT_FALSE(chain.closed);
 }
@@ -160,7 +160,7 @@ TEST(Chains, AnOpenPolylineIsOneOpenChainFromEndToEnd) {
             std::swap(graph.edges[i], graph.edges[random.below(static_cast<std::uint32_t>(i + 1))]);
             if (random.coin()) std::swap(graph.edges[i].p, graph.edges[i].q);
         }
-        const std::vector<Chain> chains = graph.chains(1);
+        const Chains chains = graph.chains(1);
         ASSERT_EQ(chains.size(), 1U);
         EXPECT_FALSE(chains[0].closed);
         ASSERT_EQ(chains[0].steps.size(), 19U);
@@ -174,7 +174,7 @@ TEST(Chains, AnOpenPolylineIsOneOpenChainFromEndToEnd) {
 TEST(Chains, AtACrossingTheStraightestGoOn) {
     // Two lines that cross at a blunt angle; every pairing is allowed.
     const Graph graph = star({{1, 0.3F, 0}, {1, -0.3F, 0}, {-1, 0.3F, 0}, {-1, -0.3F, 0}});
-    const std::vector<Chain> chains = graph.chains(glm::radians(179.0F));
+    const Chains chains = graph.chains(glm::radians(179.0F));
     ASSERT_EQ(chains.size(), 2U);
     for (const Chain& chain : chains) {
         ASSERT_EQ(chain.steps.size(), 2U);
@@ -185,20 +185,20 @@ TEST(Chains, AtACrossingTheStraightestGoOn) {
 TEST(Chains, KindsStayApart) {
     Graph graph = star({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
     graph.edges[1].kind = 1;
-    const std::vector<Chain> chains = graph.chains(glm::radians(65.0F));
+    const Chains chains = graph.chains(glm::radians(65.0F));
     EXPECT_EQ(chains.size(), 3U); // the vertical line, and both halves of the other
 }
 
 TEST(Chains, NothingGoesOnAtTheApexOfALargeFan) {
     for (const std::uint32_t edges : {64U, 66U}) {
-        const std::vector<Chain> chains = star(polygon(edges, true).vertices).chains(1);
+        const Chains chains = star(polygon(edges, true).vertices).chains(1);
         EXPECT_EQ(chains.size(), edges == 64 ? 32U : edges);
     }
 }
 
 TEST(Chains, DirectionsOfEdgesDoNotChangeWhatIsJoined) {
     test::Random random{23};
-    const auto parts = [](const std::vector<Chain>& chains) {
+    const auto parts = [](const Chains& chains) {
         std::set<std::set<std::uint32_t>> result;
         for (const Chain& chain : chains) {
             std::set<std::uint32_t> edges;
@@ -220,8 +220,8 @@ TEST(Chains, DirectionsOfEdgesDoNotChangeWhatIsJoined) {
 TEST(Chains, TheSameEdgesGiveTheSameChains) {
     test::Random random{24};
     const Graph graph = random_graph(random, 40, 100);
-    const std::vector<Chain> first = graph.chains(1.2F);
-    const std::vector<Chain> second = graph.chains(1.2F);
+    const Chains first = graph.chains(1.2F);
+    const Chains second = graph.chains(1.2F);
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
         EXPECT_TRUE(std::ranges::equal(first[i].steps, second[i].steps,

@@ -25,8 +25,9 @@ using Kinds = std::map<VertexPair, std::optional<LineKind>>;
 Kinds kinds_of(const Mesh& mesh, const LineOptions& options = {}) {
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
-    replace_slivers(welded, edges);
-    const std::vector<double> bends = bends_of(edges, face_normals(welded));
+    const std::vector<glm::dvec3> normals = face_normals(welded);
+    replace_slivers(welded, normals, edges);
+    const std::vector<double> bends = bends_of(edges, normals);
     Kinds kinds;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         kinds[std::minmax(edges[i].p, edges[i].q)] = classify(edges[i], welded, bends[i], options);
@@ -312,8 +313,9 @@ TEST(Slivers, ThatTouchSliversOnlyHideNoCrease) {
                       {2, 5, 7}, {3, 0, 4}, {4, 1, 5}, {2, 3, 5}, {3, 4, 5}};
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
-    replace_slivers(welded, edges);
-    const std::vector<double> bends = bends_of(edges, face_normals(welded));
+    const std::vector<glm::dvec3> normals = face_normals(welded);
+    replace_slivers(welded, normals, edges);
+    const std::vector<double> bends = bends_of(edges, normals);
     float hidden = 0;
     for (float y = 0.05F; y < 4; y += 0.1F) {
         bool covered = false;

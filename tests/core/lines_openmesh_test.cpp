@@ -42,8 +42,9 @@ HalfedgeMesh halfedges_of(const WeldedMesh& mesh) {
 void expect_agreement(const Mesh& mesh, float crease_angle) {
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
-    replace_slivers(welded, edges);
-    const std::vector<double> bends = bends_of(edges, face_normals(welded));
+    const std::vector<glm::dvec3> normals = face_normals(welded);
+    replace_slivers(welded, normals, edges);
+    const std::vector<double> bends = bends_of(edges, normals);
     HalfedgeMesh oracle = halfedges_of(welded);
     ASSERT_EQ(edges.size(), oracle.n_edges());
 

@@ -64,8 +64,9 @@ TEST_P(SharedMesh, HasTheEdgesOfTheTable) {
 
     const WeldedMesh welded = weld(mesh);
     std::vector<MeshEdge> edges = mesh_edges(welded);
-    replace_slivers(welded, edges);
-    const std::vector<double> bends = bends_of(edges, face_normals(welded));
+    const std::vector<glm::dvec3> normals = face_normals(welded);
+    replace_slivers(welded, normals, edges);
+    const std::vector<double> bends = bends_of(edges, normals);
     LineOptions options;
     options.crease = std::numbers::pi_v<float> / 6; // as the table counts; noise and all
     options.lines = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
