@@ -113,7 +113,18 @@ void draw(cairo_t* context, const Text& text) {
     cairo_restore(context);
 }
 
+/// Letters stand where they stand at any resolution.
+void set_font_options(cairo_t* context) {
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_set_font_options(context, options);
+    cairo_font_options_destroy(options);
+}
+
 void draw(cairo_t* context, const Page& page) {
+    set_font_options(context);
     if (page.background) {
         set_color(context, *page.background, 1);
         cairo_paint(context);
