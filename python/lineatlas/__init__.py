@@ -56,7 +56,7 @@ __all__ = [
     "SCENES", "Camera", "Cancelled", "Device", "DeviceError", "Error", "FileError", "Group", "LineKind", "Mesh",
     "MismatchError", "Options", "Pick", "Renderer", "Scene", "Style", "UsageError", "View", "__version__",
     "camera_path", "devices", "draw", "frame", "intervals", "load", "save", "scene", "styles", "to_dxf", "to_json",
-    "to_pdf", "to_svg", "turntable",
+    "to_pdf", "to_sheet", "to_svg", "turntable",
 ]
 
 _Model = _Union[Mesh, str, "_os.PathLike[str]"]
@@ -136,3 +136,12 @@ def to_json(model: _Model, **arguments: _Any) -> str:
     """
     with _renderer(model, arguments) as renderer:
         return renderer.to_json(**arguments)
+
+
+def to_sheet(model: _Model, **arguments: _Any) -> _Union[str, bytes, _numpy.ndarray]:
+    """Draws several views of a mesh, or that of a file, on one page.
+
+    Arguments are those of Renderer() and Renderer.to_sheet().
+    """
+    with _renderer(model, arguments) as renderer:
+        return renderer.to_sheet(**arguments)

@@ -1,5 +1,5 @@
 import enum
-from typing import Optional, Union
+from typing import Mapping, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -171,3 +171,30 @@ def to_json(
     plotter: bool = False,
     tags: bool = True,
 ) -> str: ...
+def to_sheet(
+    model: _Model,
+    *,
+    lines: Optional[_Kinds] = None,
+    crease: Union[float, str] = "auto",
+    silhouettes: Optional[str] = None,
+    separate_objects: bool = False,
+    progress: Optional[_Progress] = None,
+    compute: str = "",
+    device: str = "",
+    interop: str = "",
+    type: str = "svg",
+    views: Optional[str] = None,
+    angle: Optional[str] = None,
+    page: Optional[str] = None,
+    scale: Optional[str] = None,
+    unit: float = 1.0,
+    up: _Up = "y",
+    fields: Mapping[str, str] = {},
+    measures: bool = False,
+    style: Optional[_Style] = None,
+    tags: bool = True,
+    transparent: bool = False,
+    curves: bool = True,
+    fit_arcs: bool = False,
+    dpi: float = 150.0,
+) -> Union[str, bytes, NDArray[np.uint8]]: ...

@@ -71,6 +71,8 @@ class Mesh:
     def notes(self) -> list[str]: ...
     @property
     def origin(self) -> list[float]: ...
+    @property
+    def volume(self) -> Optional[float]: ...
     def cut(
         self,
         planes: Union[str, list[str]],
@@ -299,6 +301,26 @@ class Renderer:
         tags: bool = True,
         progress: Optional[_Progress] = None,
     ) -> str: ...
+    def to_sheet(
+        self,
+        *,
+        type: str = "svg",
+        views: Optional[str] = None,
+        angle: Optional[str] = None,
+        page: Optional[str] = None,
+        scale: Optional[str] = None,
+        unit: float = 1.0,
+        up: _Up = "y",
+        fields: Mapping[str, str] = {},
+        measures: bool = False,
+        style: Optional[_Style] = None,
+        tags: bool = True,
+        transparent: bool = False,
+        curves: bool = True,
+        fit_arcs: bool = False,
+        dpi: float = 150.0,
+        progress: Optional[_Progress] = None,
+    ) -> Union[str, bytes, NDArray[np.uint8]]: ...
     def frame(
         self,
         *,

@@ -127,6 +127,8 @@ class Drawer {
 
 /// set_transforms(), set_positions(), hide(), add(), remove(), objects.
 void bind_motion(pybind11::class_<Drawer>& renderer);
+/// to_sheet().
+void bind_sheets(pybind11::class_<Drawer>& renderer);
 /// pick().
 void bind_picking(pybind11::module_& module, pybind11::class_<Drawer>& renderer);
 

@@ -18,6 +18,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
+#include "lineatlas/volume.hpp"
 #include "model.hpp"
 #include "process.hpp"
 #include "progress.hpp"
@@ -361,6 +362,10 @@ void bind_mesh(py::module_& module) {
                       "zero, unless\nthey lie so far from zero, compared with their size, that "
                       "float32 could not hold\nthem there. Points, views and matrices that go with "
                       "the mesh are about it: given\nplaces less the origin.")
+        .def_property_readonly(
+            "volume", [](const Model& model) { return enclosed_volume(model.mesh); },
+            "What the triangles enclose, in cubes of the unit; negative where they are turned "
+            "inside\nout, None where they are not closed.")
         .def("__repr__", &describe);
     bind_section(mesh);
     module.def(

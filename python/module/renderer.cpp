@@ -344,6 +344,7 @@ void bind_renderer(py::module_& module) {
         .def("set_model", &set_model, py::arg("model"), py::kw_only(), lines, crease, silhouettes,
              apart, progress, "Another model, or other lines of the same, from now on.");
     bind_drawing(renderer);
+    bind_sheets(renderer);
     bind_motion(renderer);
     bind_picking(module, renderer);
     renderer

@@ -127,6 +127,20 @@ ELSEWHERE = {
     "VectorDrawing.*": "Renderer.to_json()", "VectorPath.*": "Renderer.to_json()", "VectorPiece.*": "Renderer.to_json()",
     "VectorPoint.*": "Renderer.to_json()", "make_vector_drawing()": "Renderer.to_json()", "to_dxf()": "Renderer.to_dxf()",
     "to_json()": "Renderer.to_json()", "to_svg()": "Renderer.to_svg()",
+    # sheets
+    "ProjectionAngle.*": "Renderer.to_sheet(angle)", "parse_projection_angle()": "Renderer.to_sheet(angle)",
+    "SheetFields.*": "Renderer.to_sheet(fields)", "set_field()": "Renderer.to_sheet(fields)",
+    "SheetOptions": "Renderer.to_sheet()", "SheetOptions.views": "Renderer.to_sheet(views)",
+    "SheetOptions.angle": "Renderer.to_sheet(angle)", "SheetOptions.page": "Renderer.to_sheet(page)",
+    "SheetOptions.scale": "Renderer.to_sheet(scale)", "SheetOptions.unit": "Renderer.to_sheet(unit)",
+    "SheetOptions.up": "Renderer.to_sheet(up)", "SheetOptions.fields": "Renderer.to_sheet(fields)",
+    "SheetOptions.measures": "Renderer.to_sheet(measures)", "parse_views()": "Renderer.to_sheet(views)",
+    "SheetWriting": "Renderer.to_sheet()", "SheetWriting.background": "Renderer.to_sheet(transparent)",
+    "SheetWriting.tags": "Renderer.to_sheet(tags)", "SheetWriting.curves": "Renderer.to_sheet(curves)",
+    "SheetWriting.fit_arcs": "Renderer.to_sheet(fit_arcs)", "make_vector_sheet()": "Renderer.to_sheet()",
+    "lay_out_sheet()": "Renderer.to_sheet()", "VectorSheet": "Renderer.to_sheet()",
+    "VectorSheet.layout": "Renderer.to_sheet()", "VectorSheet.drawings": "Renderer.to_sheet()",
+    "SeenLines.*": "Renderer.intervals()", "enclosed_volume()": "Mesh.volume",
 }
 
 # Of each reason the names.
@@ -154,7 +168,9 @@ NOT_IN_PYTHON = {
         "Mesh.edge_entities Mesh.surfaces KnownSurfaces.* PlacedSurface.* SurfaceShape.* SurfaceCurve.* SplineDirection.* is_sound()",
     "a choice that nobody has asked for": """
         LineOptions.chain_angle SvgOptions.layers SvgOptions.relative SvgOptions.description JsonOptions.description
-        DxfOptions.description VectorOptions.tolerance with_shown_height()""",
+        DxfOptions.description VectorOptions.tolerance with_shown_height() SheetWriting.layers SheetWriting.description""",
+    "what a sheet is made of, which comes as a file": """
+        SheetLayout.* SheetView.* SheetLine.* SheetCircle.* SheetText.* TextAnchor.* VectorSheet.model_size style_of_view()""",
     "the table of lines itself stays within: intervals say where each comes from": "LineSet.* CutVertex.* Contours.*",
     "kinds of polylines come with Mesh.cut(), a program's own are LineKind.file": "Mesh.polyline_kind PolylineKind.*",
     "written by `lineatlas draw` alone": """

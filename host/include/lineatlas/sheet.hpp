@@ -55,9 +55,9 @@ struct SheetOptions {
     /// stands where there is room.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
     ProjectionAngle angle = ProjectionAngle::third; ///< of the aligned views
-    /// The sheet. A named format stands upright if it is at most as wide as A4, else it lies on its
-    /// side (ISO 5457).
-    Page page = parse_page("a3");
+    /// The sheet, A3 as it stands. What turns stands upright if it is at most as wide as A4, else
+    /// it lies on its side (ISO 5457).
+    Page page{.width = {297, Unit::mm}, .height = {420, Unit::mm}, .turns = true};
     /// One for all views, as in "1:2"; empty: the largest of ISO 5455 that fits.
     std::string scale{};
     double unit = 1;       ///< millimetres in a unit of the model, above 0

@@ -1,0 +1,125 @@
+#include <map>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bindings.hpp"
+#include "drawer.hpp"
+#include "lineatlas/error.hpp"
+#include "lineatlas/framing.hpp"
+#include "lineatlas/sheet.hpp"
+#include "lineatlas/style_files.hpp"
+#include "options.hpp"
+#include "pdf/pdf.hpp"
+#include "progress.hpp"
+#include "style_values.hpp"
+#include "views.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+using MaybeStyle = Argument<std::optional<StyleOrName>, "style",
+                            "a Style, the name of one or the path of a style file">;
+using MaybeViews = Argument<std::optional<std::string>, "views", "text such as \"front,top\"">;
+using MaybeAngle = Argument<std::optional<std::string>, "angle", "\"first\" or \"third\"">;
+using MaybePage = Argument<std::optional<std::string>, "page", "text such as \"a4\"">;
+using MaybeScale = Argument<std::optional<std::string>, "scale", "text such as \"1:2\"">;
+using Fields = Argument<std::map<std::string, std::string>, "fields",
+                        "a dictionary of texts, such as {\"title\": \"Bracket\"}">;
+
+SheetFields fields_of(const std::map<std::string, std::string>& given) {
+    SheetFields fields;
+    for (const auto& [name, value] : given) set_field(fields, name, value);
+    return fields;
+}
+
+/// Draws all views of what the drawer has.
+VectorSheet draw(Drawer& drawer, const SheetOptions& options, const Style& style,
+                 std::string& of_framing, const Progress& asked) {
+    const std::shared_ptr<const ModelLines> subject = drawer.subject();
+    const Framing framing = framing_of(subject->lines);
+    of_framing = framing.note;
+    const SheetLayout layout = lay_out_sheet(framing.points, options);
+    const Style of_views = style_of_view(style, layout.views.front());
+    const auto find = [&](const Camera& camera) -> SeenLines {
+        const FrameOptions frame = path_options({}, of_views, {camera.size.x, camera.size.y});
+        FoundIntervals found = drawer.intervals(camera, frame, true, asked);
+        if (found.subject != subject)
+            throw UsageError("the model has changed while its sheet was drawn");
+        return {std::move(found.intervals), std::move(found.outlines)};
+    };
+    return make_vector_sheet(subject->lines, layout, find, style, {.mesh = &subject->model->mesh});
+}
+
+py::object written(const VectorSheet& sheet, const std::string& type, double dpi,
+                   const SheetWriting& writing) {
+    if (type == "svg") return py::str(to_svg(sheet, writing));
+    if (type == "dxf") return py::str(to_dxf(sheet, writing));
+    if (type == "pdf") return py::bytes(to_pdf(sheet, writing));
+    Image image = to_image(sheet, dpi, writing);
+    return array_of(std::move(image.pixels), {image.size.y, image.size.x, 4});
+}
+
+void check_type(const std::string& type) {
+    for (const char* known : {"svg", "dxf", "pdf", "picture"})
+        if (type == known) return;
+    throw UsageError(
+        fmt::format("a sheet is \"svg\", \"dxf\", \"pdf\" or \"picture\", not \"{}\"", type));
+}
+
+py::object to_sheet(Drawer& drawer, const Word<"type">& type, const MaybeViews& views,
+                    const MaybeAngle& angle, const MaybePage& page, const MaybeScale& scale,
+                    Real<"unit"> unit, const UpArgument& up, const Fields& fields,
+                    Flag<"measures"> measures, const MaybeStyle& style, Flag<"tags"> tags,
+                    Flag<"transparent"> transparent, Flag<"curves"> curves,
+                    Flag<"fit_arcs"> fit_arcs, Real<"dpi"> dpi, const py::object& progress) {
+    check_type(type);
+    SheetOptions options{.scale = scale->value_or(""),
+                         .unit = static_cast<double>(*unit),
+                         .up = axis_of(up),
+                         .fields = fields_of(fields),
+                         .measures = measures};
+    if (*views) options.views = parse_views(**views);
+    if (*angle) options.angle = parse_projection_angle(**angle);
+    if (*page) options.page = parse_page(**page);
+    const Style own = *style ? style_of(style) : load_style("technical");
+    std::string of_framing;
+    const VectorSheet sheet = released(progress, [&](const Progress& asked) {
+        return draw(drawer, options, own, of_framing, asked);
+    });
+    warn_user(of_framing);
+    return written(sheet, type, static_cast<double>(*dpi),
+                   {.background = !transparent,
+                    .tags = tags,
+                    .curves = curves,
+                    .fit_arcs = fit_arcs,
+                    .description = {}});
+}
+
+} // namespace
+
+void bind_sheets(py::class_<Drawer>& renderer) {
+    renderer.def(
+        "to_sheet", &to_sheet, py::kw_only(), py::arg("type") = "svg",
+        py::arg("views") = py::none(), py::arg("angle") = py::none(), py::arg("page") = py::none(),
+        py::arg("scale") = py::none(), py::arg("unit") = 1.0F, py::arg("up") = "y",
+        py::arg("fields") = py::dict(), py::arg("measures") = false, py::arg("style") = py::none(),
+        py::arg("tags") = true, py::arg("transparent") = false, py::arg("curves") = true,
+        py::arg("fit_arcs") = false, py::arg("dpi") = 150.0F, py::arg("progress") = py::none(),
+        "Several views of the model on one page, aligned and to scale, with a frame and a title\n"
+        "block. type: \"svg\" or \"dxf\" (text), \"pdf\" (bytes) or \"picture\" (a uint8 array as\n"
+        "that of draw(), `dpi` pixels per inch). views: sides to look from, as in\n"
+        "\"front,30,20,top\"; none: front, top, right and isometric. angle: of projection, "
+        "\"first\" or\n\"third\", which it is for none. page: none: \"a3\". scale: as in \"1:2\"; "
+        "none:\n"
+        "the largest of ISO 5455 that fits. unit: millimetres in a unit of the model. fields: "
+        "of\n"
+        "the title block: title, file, owner, number, creator, approver, date. measures: overall\n"
+        "sizes, axes and a scale bar. style: none: \"technical\". The others as those of "
+        "to_svg().");
+}
+
+} // namespace lineatlas::python

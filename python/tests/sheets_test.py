@@ -1,0 +1,63 @@
+"""Sheets, and the volume of meshes."""
+
+import re
+import unittest
+
+import lineatlas
+from support import CUBE_POSITIONS, CUBE_TRIANGLES, FolderTest, run_tool
+
+BOX = CUBE_POSITIONS * (20, 30, 50)
+SIDES = CUBE_TRIANGLES
+
+
+class Sheets(FolderTest):
+    def test_is_what_the_tool_draws(self) -> None:
+        scene = lineatlas.scene("clevis")
+        for extension in ("svg", "dxf"):
+            path = self.folder / f"tool.{extension}"
+            run_tool("draw", "--scene", "clevis", "--views", "front,left,isometric",
+                     "--projection", "first", "--page", "a2", "--unit", "m", "--field",
+                     "title=Clevis", "--field", "file=", "-o", path)
+            ours = lineatlas.to_sheet(scene.mesh, type=extension, views="front,left,isometric",
+                                      angle="first", page="a2", unit=1000,
+                                      fields={"title": "Clevis"})
+            theirs = path.read_text()
+            if extension == "dxf":
+                theirs = theirs[theirs.index("  0\nSECTION"):]  # comments come first
+            else:
+                theirs = re.sub("<desc>draw .*?</desc>", "<desc></desc>", theirs)
+            self.assertEqual(ours.replace("<desc />", "<desc></desc>"), theirs)
+
+    def test_measures_a_box(self) -> None:
+        mesh = lineatlas.Mesh(BOX, SIDES)
+        with lineatlas.Renderer(mesh) as renderer:
+            svg = renderer.to_sheet(measures=True, scale="1:1")
+            for text in (">20<", ">30<", ">50<", ">1:1<"):
+                self.assertIn(text, svg)
+            self.assertNotIn(">20<", renderer.to_sheet())
+            pixels = renderer.to_sheet(type="picture", dpi=50.8, page="a4")
+            self.assertEqual(pixels.shape, (594, 420, 4))
+            self.assertTrue((pixels[..., 3] == 255).all())
+            clear = renderer.to_sheet(type="picture", dpi=50.8, page="a4", transparent=True)
+            self.assertEqual(clear[0, 0, 3], 0)
+            self.assertTrue(renderer.to_sheet(type="pdf").startswith(b"%PDF-"))
+
+    def test_says_what_is_wrong(self) -> None:
+        with lineatlas.Renderer(lineatlas.Mesh(BOX, SIDES)) as renderer:
+            for arguments, said in (({"views": "front,middle"}, "middle"), ({"scale": "5:1"}, "fits"),
+                                    ({"type": "json"}, "picture"), ({"angle": "second"}, "third"),
+                                    ({"fields": {"colour": "red"}}, "approver"),
+                                    ({"page": "a99"}, "a99"), ({"unit": 0.0}, "unit")):
+                with self.assertRaisesRegex(lineatlas.UsageError, said):
+                    renderer.to_sheet(**arguments)
+            with self.assertRaisesRegex(TypeError, "fields"):
+                renderer.to_sheet(fields=["title"])
+
+    def test_volume(self) -> None:
+        self.assertAlmostEqual(lineatlas.Mesh(BOX, SIDES).volume, 30000)
+        self.assertAlmostEqual(lineatlas.Mesh(BOX, SIDES[:, ::-1]).volume, -30000)
+        self.assertIsNone(lineatlas.Mesh(BOX, SIDES[1:]).volume)
+
+
+if __name__ == "__main__":
+    unittest.main()
