@@ -27,6 +27,14 @@ constexpr const char* only_for_svg[] = {"--no-tags"};
 
 constexpr std::string_view types_of_others[] = {".eps", ".ps", ".dwg", ".ai", ".hpgl"};
 
+void refuse_types_of_others(const std::filesystem::path& output) {
+    const std::string extension = lower_extension(output);
+    if (std::ranges::find(types_of_others, extension) == std::end(types_of_others)) return;
+    throw write_error(output, "drawings as paths are .svg, .pdf, .dxf or .json; other programs "
+                              "make " +
+                                  extension + " of these");
+}
+
 } // namespace
 
 void PathOptions::declare(CLI::App& app) {
@@ -67,12 +75,7 @@ void PathOptions::refuse(std::span<const char* const> options, const std::string
 
 void PathOptions::check(const std::filesystem::path& output, Method method) const {
     if (!is_path_file(output)) {
-        if (std::ranges::find(types_of_others, lower_extension(output)) !=
-            std::end(types_of_others))
-            throw write_error(output,
-                              "drawings as paths are .svg, .pdf, .dxf or .json; other programs "
-                              "make " +
-                                  lower_extension(output) + " of these");
+        refuse_types_of_others(output);
         return refuse(own_options,
                       "is for paths; the output must end in .svg, .pdf, .dxf or .json");
     }
@@ -95,6 +98,7 @@ Style PathOptions::on_paper(const Style& style, glm::ivec2 size) const {
 }
 
 void PathOptions::check_sheet(const std::filesystem::path& output, Method method) const {
+    refuse_types_of_others(output);
     const std::optional<PathFile> type = path_file_type(output);
     if (type) refuse(only_for_pixels, "is for pictures of pixels; see --page");
     if (type != PathFile::svg) refuse(only_for_svg, "is for SVG alone, which has tags");

@@ -85,6 +85,8 @@ DrawingFile of_svg(const SourceFile& file) {
     const pugi::xml_node svg = document.child("svg");
     DrawingFile drawing{.description = one_line(svg.child_value("desc"))};
     drawing.size = size_in(drawing.description);
+    if (described(drawing.description, "--views"))
+        throw read_error(file.path, "it is a sheet of several views; check takes a drawing of one");
     if (!svg || !is_picture(drawing.size)) throw read_error(file.path, not_ours);
     const Sheet sheet = sheet_of(drawing, file.path);
     for (const pugi::xml_node group : svg.children("g")) {

@@ -162,7 +162,7 @@ std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, double scale,
     auto places = places_in(grid, scale, frame);
     if (!places) return {};
     for (std::size_t i = 0; i < places->size(); ++i)
-        if (box_on_paper(grid.sides[i], (*places)[i], scale).meets(block, 0.5 * grid.upwards.last))
+        if (box_on_paper(grid.sides[i], (*places)[i], scale).meets(block, grid.upwards.last))
             return places_in(grid, scale, {frame.low, {frame.high.x, block.low.y}});
     return places;
 }

@@ -31,6 +31,10 @@ std::string first_letters(const std::string& utf8, std::size_t count) {
 
 } // namespace
 
+double text_width(const std::string& utf8, double height) {
+    return static_cast<double>(letters(utf8)) * letter_width * height;
+}
+
 bool SheetBox::meets(const SheetBox& other, double clearance) const {
     return low.x < other.high.x + clearance && other.low.x < high.x + clearance &&
            low.y < other.high.y + clearance && other.low.y < high.y + clearance;

@@ -17,6 +17,9 @@ struct SheetBox {
     bool meets(const SheetBox& other, double clearance) const;
 };
 
+/// About how wide a text is whose capital letters are so high, whatever the font.
+double text_width(const std::string& utf8, double height);
+
 /// Adds lines and texts of one layer to a layout.
 class SheetMarks {
   public:

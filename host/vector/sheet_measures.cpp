@@ -1,5 +1,6 @@
 #include "sheet_measures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/drawing_scale.hpp"
 #include "drawn_box.hpp"
 #include "sheet_frame.hpp"
+#include "title_block.hpp"
 
 namespace lineatlas {
 namespace {
@@ -69,16 +71,24 @@ void add_arrow(SheetMarks& marks, glm::dvec2 tip, glm::dvec2 towards) {
     marks.polyline({back + arrow_half_width * across, tip, back - arrow_half_width * across}, thin);
 }
 
-/// The line of a dimension between two points. Arrows that have no room point at it from outside.
-void add_dimension_line(SheetMarks& marks, glm::dvec2 from, glm::dvec2 to) {
-    const double length = glm::distance(from, to);
-    if (!(length > 0)) return;
-    const glm::dvec2 way = (to - from) / length;
-    const bool inside = length >= 3 * arrow_length;
-    const double out = inside ? 0 : 2 * arrow_length;
-    marks.line(from - out * way, to + out * way, thin);
-    add_arrow(marks, from, inside ? -way : way);
-    add_arrow(marks, to, inside ? way : -way);
+/// A dimension's line between two points, read from the first to the second, its number above it.
+/// What has no room between the points stands beyond them: arrows, and the number behind the
+/// second.
+void add_dimension(SheetMarks& marks, glm::dvec2 from, glm::dvec2 to, const std::string& number) {
+    const glm::dvec2 way = glm::normalize(to - from);
+    const glm::dvec2 above{way.y, -way.x};
+    const bool upward = std::abs(way.y) > std::abs(way.x);
+    const double length = glm::distance(from, to), needed = text_width(number, letter_height);
+    const bool arrows_fit = length >= 3 * arrow_length;
+    const bool number_fits = length >= needed;
+    const double out = arrows_fit ? 0 : 2 * arrow_length;
+    const double behind = number_fits ? out : 2 * arrow_length + needed;
+    marks.line(from - out * way, to + behind * way, thin);
+    add_arrow(marks, from, arrows_fit ? -way : way);
+    add_arrow(marks, to, arrows_fit ? way : -way);
+    const glm::dvec2 place = number_fits ? 0.5 * (from + to) : to + 2 * arrow_length * way;
+    marks.text(place + above_line * above, letter_height, number,
+               number_fits ? TextAnchor::middle : TextAnchor::start, upward);
 }
 
 /// Below a view.
@@ -86,9 +96,7 @@ void add_width(SheetMarks& marks, const SheetBox& box, double millimetres) {
     const double y = box.high.y + line_distance;
     for (const double x : {box.low.x, box.high.x})
         marks.line({x, box.high.y + gap}, {x, y + beyond}, thin);
-    add_dimension_line(marks, {box.low.x, y}, {box.high.x, y});
-    marks.text({0.5 * (box.low.x + box.high.x), y - above_line}, letter_height,
-               length_text(millimetres), TextAnchor::middle);
+    add_dimension(marks, {box.low.x, y}, {box.high.x, y}, length_text(millimetres));
 }
 
 /// On the left of a view.
@@ -96,9 +104,7 @@ void add_height(SheetMarks& marks, const SheetBox& box, double millimetres) {
     const double x = box.low.x - line_distance;
     for (const double y : {box.low.y, box.high.y})
         marks.line({box.low.x - gap, y}, {x - beyond, y}, thin);
-    add_dimension_line(marks, {x, box.high.y}, {x, box.low.y});
-    marks.text({x - above_line, 0.5 * (box.low.y + box.high.y)}, letter_height,
-               length_text(millimetres), TextAnchor::middle, true);
+    add_dimension(marks, {x, box.high.y}, {x, box.low.y}, length_text(millimetres));
 }
 
 /// The model's axis along a direction of paper.
@@ -109,21 +115,19 @@ int axis_along(glm::dvec3 direction) {
     return axis;
 }
 
-/// Sizes of the model in millimetres; `scale`: millimetres of paper for one of them.
+/// Sizes of the model in millimetres; `scale`: millimetres of paper for one of them. What is flat
+/// has no dimension.
 glm::dvec3 add_dimensions(SheetMarks& marks, const std::vector<MeasuredView>& views, double scale) {
     glm::dvec3 sizes{0};
     for (const MeasuredView& view : views) {
         if (view.pictorial) continue;
-        const int across = axis_along(view.right), upwards = axis_along(view.down);
-        const glm::dvec2 size = view.box.size() / scale;
-        if (sizes[across] == 0) {
-            sizes[across] = rounded(size.x, view.tolerance / scale);
-            add_width(marks, view.box, sizes[across]);
-        }
-        if (sizes[upwards] == 0) {
-            sizes[upwards] = rounded(size.y, view.tolerance / scale);
-            add_height(marks, view.box, sizes[upwards]);
-        }
+        const auto take = [&](int axis, double on_paper, auto add) {
+            if (sizes[axis] > 0 || on_paper <= view.tolerance) return;
+            sizes[axis] = rounded(on_paper / scale, view.tolerance / scale);
+            add(marks, view.box, sizes[axis]);
+        };
+        take(axis_along(view.right), view.box.size().x, add_width);
+        take(axis_along(view.down), view.box.size().y, add_height);
     }
     return sizes;
 }
@@ -152,16 +156,24 @@ double round_length(double longest) {
     return power;
 }
 
-void add_scale_bar(SheetMarks& marks, glm::dvec2 start, double scale) {
-    constexpr double longest = 60, tick = 2;
+/// In the lower left corner of the frame, above a title block that is in the way.
+void add_scale_bar(SheetMarks& marks, const SheetBox& frame, double scale) {
+    constexpr double tick = 2, from_left = 10, from_below = 4;
+    const double longest = std::min(60.0, 0.5 * frame.size().x);
     const double length = round_length(longest / scale);
+    const std::string number = length_text(length) + " mm";
+    const SheetBox block = title_block_of(frame);
+    const double right =
+        frame.low.x + from_left + length * scale + text_width(number, small_height);
+    const double below = right < block.low.x ? frame.high.y : block.low.y;
+    const glm::dvec2 start{frame.low.x + from_left, below - from_below};
     const glm::dvec2 end = start + glm::dvec2{length * scale, 0};
     marks.line(start, end, 2 * thin);
     for (const glm::dvec2 place : {start, 0.5 * (start + end), end})
         marks.line(place, place - glm::dvec2{0, tick}, thin);
     const glm::dvec2 up{0, -tick - above_line};
     marks.text(start + up, small_height, "0", TextAnchor::middle);
-    marks.text(end + up, small_height, length_text(length) + " mm", TextAnchor::middle);
+    marks.text(end + up, small_height, number, TextAnchor::middle);
 }
 
 } // namespace
@@ -176,10 +188,8 @@ void add_measures(VectorSheet& sheet) {
     sheet.model_size = add_dimensions(dimensions, views, scale);
     SheetMarks axes{layout, "axes"};
     for (const MeasuredView& view : views) add_axes(axes, view);
-    constexpr glm::dvec2 in_corner{10, -4};
-    const SheetBox frame = frame_of(layout.size);
     SheetMarks bar{layout, "scale-bar"};
-    add_scale_bar(bar, glm::dvec2{frame.low.x, frame.high.y} + in_corner, scale);
+    add_scale_bar(bar, frame_of(layout.size), scale);
 }
 
 } // namespace lineatlas

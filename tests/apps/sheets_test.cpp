@@ -201,6 +201,7 @@ TEST_F(Sheets, SeveralViewsStandOnAPage) {
         EXPECT_FALSE(sheet(name, "--projection first") == first);
     }
     const std::string svg = sheet("a.svg");
+    expect_refused("check " + path("a.svg") + " " + path("cube.obj"), 1, "it is a sheet");
     EXPECT_NE(svg.find("width=\"420mm\" height=\"297mm\""), std::string::npos);
     for (const char* text : {">Cube<", ">cube.obj<", ">2026-01-31<", ">1:2<", ">A3<"})
         EXPECT_NE(svg.find(text), std::string::npos) << text;
@@ -265,6 +266,7 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     expect_refused(to + "front --method atlas", 2, "exact alone");
     expect_refused(to + "front --dpi 300", 2, "--dpi is for pictures of pixels");
     expect_refused(draw + path("x.svg") + " --field title=Cube", 2, "see --views");
+    expect_refused(draw + path("x.eps") + " --views front", 1, "other programs make .eps");
     expect_refused(draw + path("x.json") + " --views front", 1, "JSON has one view");
     expect_refused(draw + path("x.png") + " --views front --no-tags", 2, "is for SVG alone");
     EXPECT_FALSE(fs::exists(path("x.svg")));

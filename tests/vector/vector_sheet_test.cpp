@@ -13,6 +13,8 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/sheet.hpp"
 #include "vector/drawn_box.hpp"
+#include "vector/sheet_frame.hpp"
+#include "vector/title_block.hpp"
 #include "vector_support.hpp"
 
 namespace lineatlas {
@@ -310,6 +312,35 @@ TEST(Sheet, MeasuresAreTheSizesOfTheModel) {
     EXPECT_EQ(lying.model_size, (glm::dvec3{120.25, 0, 70.5}));
     EXPECT_EQ(box.sheet({.views = {"isometric"}, .measures = true}).model_size, glm::dvec3{0});
     EXPECT_EQ(texts_of(box.sheet().layout, "dimensions").size(), 0U);
+}
+
+TEST(Sheet, ANumberWithoutRoomStandsBehindItsDimension) {
+    const auto anchor = [](const char* scale) {
+        const SheetLayout layout =
+            Box{{0, 0, 0}, {12.25F, 30, 30}}.sheet({.scale = scale, .measures = true}).layout;
+        return std::ranges::find(layout.texts, "12.25", &SheetText::text)->anchor;
+    };
+    EXPECT_EQ(anchor("2:1"), TextAnchor::middle);
+    EXPECT_EQ(anchor("1:2"), TextAnchor::start);
+}
+
+TEST(Sheet, WhatIsFlatHasNoDimension) {
+    const VectorSheet sheet = Box{{0, 0, 0}, {12, 50, 0}}.sheet({.measures = true});
+    EXPECT_EQ(sheet.model_size, (glm::dvec3{12, 50, 0}));
+    EXPECT_EQ(texts_of(sheet.layout, "dimensions"), (std::set<std::string>{"12", "50"}));
+}
+
+TEST(Sheet, TheScaleBarStandsClearOfTheTitleBlock) {
+    for (const char* page : {"a4", "a3", "a6", "297x210mm"}) {
+        SCOPED_TRACE(page);
+        const SheetLayout layout = Box{}.sheet({.page = parse_page(page), .measures = true}).layout;
+        const SheetBox block = title_block_of(frame_of(layout.size));
+        for (const SheetLine& line : layout.lines) {
+            if (line.layer != "scale-bar") continue;
+            for (const glm::dvec2 point : line.points)
+                EXPECT_FALSE(block.meets({point, point}, 1)) << point.x << " " << point.y;
+        }
+    }
 }
 
 TEST(Sheet, TheScaleBarIsToScale) {
