@@ -180,15 +180,15 @@ class Extraction {
     }
 
     LineSet run() {
-        done_(0.3F);
-        classify_edges();
+        done_(0.2F);
+        // What one thread does of either is done beside the other.
+        do_both([&] { classify_edges(); }, [&] { find_tree(); });
         done_(0.5F);
-        find_tree();
-        done_(0.6F);
         leave_out_seams();
-        find_smooth_patches();
         done_(0.7F);
+        do_both([&] { find_smooth_patches(); }, [&] { leave_out_buried(); });
         collect_lines();
+        done_(0.8F);
         add_intersections();
         add_ridges();
         done_(0.9F);
@@ -425,10 +425,16 @@ class Extraction {
         });
     }
 
-    void leave_out_buried(double diagonal) {
-        const std::vector<bool> buried = buried_faces(welded_, edges_, normals_, parts_, diagonal);
-        if (std::ranges::find(buried, true) == buried.end()) return;
-        trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_, buried);
+    bool has_intersections() const { return has_parts_ && wanted(LineKind::intersection); }
+
+    void leave_out_buried() {
+        if (!has_intersections()) return;
+        const std::int64_t start = host_nanoseconds();
+        const std::vector<bool> buried =
+            buried_faces(welded_, edges_, normals_, parts_, diagonal_of(welded_.vertices));
+        if (std::ranges::find(buried, true) != buried.end())
+            trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_, buried);
+        times_.intersections = milliseconds_since(start);
     }
 
     /// Of every object.
@@ -444,10 +450,9 @@ class Extraction {
     }
 
     void add_intersections() {
-        if (!has_parts_ || !wanted(LineKind::intersection)) return;
+        if (!has_intersections()) return;
         const std::int64_t start = host_nanoseconds();
         const double diagonal = diagonal_of(welded_.vertices);
-        leave_out_buried(diagonal);
         const std::vector<std::vector<DrawnLine>> drawn = drawn_lines();
         std::vector<Intersection> found;
         for (std::size_t object = 0; object < trees_->size(); ++object) {
@@ -468,7 +473,7 @@ class Extraction {
                               .source = {.triangle = welded_.triangle_source[one.face_a],
                                          .crossing = welded_.triangle_source[one.face_b]}});
         }
-        times_.intersections = milliseconds_since(start);
+        times_.intersections += milliseconds_since(start);
     }
 
     /// Of a mesh whose file knows its surfaces or edges nobody asks: it was designed.
