@@ -1,5 +1,6 @@
 #include "sequence.hpp"
 
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,14 +12,17 @@
 namespace lineatlas::apps {
 namespace {
 
+std::string stopped_at(std::size_t drawn, std::size_t total) {
+    return fmt::format(
+        "stopped, {} of {} frames are drawn; the same command with --resume draws the others",
+        drawn, total);
+}
+
 void stop_if_asked(const StopSignal& stop, FrameOutput& output, std::size_t drawn,
                    std::size_t total) {
     if (stop.received() == 0) return;
     output.finish();
-    throw Stopped(stop.received(),
-                  fmt::format("stopped, {} of {} frames are drawn; the same command with --resume "
-                              "draws the others",
-                              drawn, total));
+    throw Stopped(stop.received(), stopped_at(drawn, total));
 }
 
 std::vector<const SequenceFrame*> missing_frames(std::span<const SequenceFrame> frames,
@@ -35,7 +39,7 @@ std::vector<const SequenceFrame*> missing_frames(std::span<const SequenceFrame> 
 } // namespace
 
 void draw_sequence(std::span<const SequenceFrame> frames, FrameOutput& output, bool resume) {
-    const StopSignal stop;
+    StopSignal stop;
     std::vector<const SequenceFrame*> wanted;
     if (resume) {
         wanted = missing_frames(frames, output, stop);
@@ -46,6 +50,8 @@ void draw_sequence(std::span<const SequenceFrame> frames, FrameOutput& output, b
     Progress progress{wanted.size()};
     std::size_t drawn = 0;
     for (const SequenceFrame* frame : wanted) {
+        // A frame that is being written when this one is stopped may be missing, too.
+        stop.set_last_words("lineatlas: " + stopped_at(there + drawn, frames.size()));
         output.draw(frame->camera, frame->path);
         progress.show(++drawn);
         if (drawn < wanted.size()) stop_if_asked(stop, output, there + drawn, frames.size());

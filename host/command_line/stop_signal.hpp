@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -15,7 +18,8 @@ class Stopped : public Error {
 };
 
 /// While it lives, SIGINT (Ctrl-C) and SIGTERM are noted instead of ending the program, so that it
-/// can stop where it suits. The second of a kind ends it at once. One at a time.
+/// can stop where it suits. If it has not stopped 0.2 seconds later, it ends with the exit code of
+/// Stopped all the same. The second of a kind ends it at once. One at a time.
 class StopSignal {
   public:
     StopSignal();
@@ -24,6 +28,12 @@ class StopSignal {
     StopSignal& operator=(const StopSignal&) = delete;
 
     int received() const; ///< 0: none
+    /// What is said on standard error, as a line, if the program ends so.
+    void set_last_words(const std::string& line);
+
+  private:
+    std::array<std::string, 2> words_; ///< those that a signal may find, and the next ones
+    int next_ = 0;
 };
 
 } // namespace lineatlas
