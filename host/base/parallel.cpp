@@ -1,15 +1,48 @@
 #include "parallel.hpp"
 
+#include <chrono>
+#include <utility>
+
 #ifdef LINEATLAS_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #endif
 
 namespace lineatlas {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds between_questions{50};
+
+thread_local const std::function<void()>* asked = nullptr; ///< of this thread; nullptr: nobody
+thread_local Clock::time_point asked_at;
+
+void ask() {
+    if (asked == nullptr) return;
+    const Clock::time_point now = Clock::now();
+    if (now - asked_at < between_questions) return;
+    asked_at = now;
+    (*asked)();
+}
+
+} // namespace
+
+BetweenPieces::BetweenPieces(std::function<void()> ask) : ask_(std::move(ask)) {
+    asked = &ask_;
+    asked_at = Clock::now();
+}
+
+BetweenPieces::~BetweenPieces() {
+    asked = nullptr;
+}
 
 void for_each_piece(std::size_t count, std::size_t piece,
                     const std::function<void(std::size_t, std::size_t)>& work) {
-    const auto do_piece = [&](std::size_t first) { work(first, std::min(count, first + piece)); };
+    const auto do_piece = [&](std::size_t first) {
+        ask();
+        work(first, std::min(count, first + piece));
+    };
 #ifdef LINEATLAS_TBB
     if (count > piece) {
         const std::size_t pieces = (count + piece - 1) / piece;

@@ -19,6 +19,19 @@ namespace lineatlas {
 void for_each_piece(std::size_t count, std::size_t piece,
                     const std::function<void(std::size_t first, std::size_t end)>& work);
 
+/// While it lives, for_each_piece() of this thread calls `ask` now and then, between two pieces.
+/// What it throws comes out there. One at a time.
+class BetweenPieces {
+  public:
+    explicit BetweenPieces(std::function<void()> ask);
+    ~BetweenPieces();
+    BetweenPieces(const BetweenPieces&) = delete;
+    BetweenPieces& operator=(const BetweenPieces&) = delete;
+
+  private:
+    std::function<void()> ask_;
+};
+
 /// Does two things, at the same time if a core is free.
 void do_both(const std::function<void()>& one, const std::function<void()>& other);
 

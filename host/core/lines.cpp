@@ -180,20 +180,20 @@ class Extraction {
     }
 
     LineSet run() {
-        done_(0.2F);
+        reach(0.2F);
         // What one thread does of either is done beside the other.
         do_both([&] { classify_edges(); }, [&] { find_tree(); });
-        done_(0.5F);
+        reach(0.5F);
         leave_out_seams();
-        done_(0.7F);
+        reach(0.7F);
         do_both([&] { find_smooth_patches(); }, [&] { leave_out_buried(); });
         collect_lines();
-        done_(0.8F);
+        reach(0.8F);
         add_intersections();
         add_ridges();
-        done_(0.9F);
+        reach(0.9F);
         LineSet result = assemble();
-        done_(1);
+        reach(1);
         return result;
     }
 
@@ -202,6 +202,12 @@ class Extraction {
         const ProgressPart all{progress, "finding lines"};
         all(0);
         return all;
+    }
+
+    /// So much is done; until more is, the same is said again, to be stopped.
+    void reach(float share) {
+        done_(share);
+        reached_ = share;
     }
 
     /// A number means every edge by that number, and who names edges has whole surfaces.
@@ -597,6 +603,8 @@ class Extraction {
     const Mesh& mesh_;
     const LineOptions& options_;
     ProgressPart done_; ///< shares of the time that a model of a million triangles takes
+    float reached_ = 0;
+    BetweenPieces asking_{[this] { done_(reached_); }};
     MeshObjects objects_;
     WeldedMesh welded_;
     std::vector<MeshEdge> edges_;

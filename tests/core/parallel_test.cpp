@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,24 @@ TEST(Parallel, ThrowsWhatAPieceThrows) {
         if (first == 500) throw std::runtime_error("piece");
     };
     EXPECT_THROW(for_each_piece(1000, 10, fail), std::runtime_error);
+}
+
+TEST(Parallel, AsksBetweenPieces) {
+    const auto caller = std::this_thread::get_id();
+    const auto work = [](std::size_t, std::size_t) {
+        std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    };
+    int asked = 0;
+    {
+        const BetweenPieces asking{[&] {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+            if (++asked == 2) throw std::runtime_error("stopped");
+        }};
+        EXPECT_THROW(for_each_piece(1000, 1, work), std::runtime_error);
+    }
+    EXPECT_EQ(asked, 2);
+    for_each_piece(8, 1, work);
+    EXPECT_EQ(asked, 2) << "nobody asks any more";
 }
 
 TEST(Parallel, DoesBoth) {
