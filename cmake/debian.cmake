@@ -105,6 +105,7 @@ if(TARGET lineatlas_python)
         set(CPACK_DEBIAN_${component}_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/prerm)
     endforeach()
 endif()
+list(APPEND tool_suggests binutils) # lineatlas kernels --assembly
 list(JOIN tool_suggests ", " CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${drivers}")

@@ -108,6 +108,7 @@ step "lineatlas devices" enter "$root" lineatlas devices
 grep -q opencl "$log" || fail "no OpenCL device"
 if [ "$suite" = bookworm ]; then # the page shows what its PoCL prints
     cp tests/package/walk.sh "$root/root"
+    step "objdump for it" install --no-install-recommends binutils
     step "the walk of profiling.md" enter "$root" /root/walk.sh /usr/share/doc/lineatlas/profiling.md \
         /usr/bin/lineatlas /usr/share/lineatlas/kernels
 fi

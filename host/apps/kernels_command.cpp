@@ -8,6 +8,7 @@
 #include <fmt/ranges.h> // fmt::join
 
 #include "io/standard_streams.hpp"
+#include "kernel_assembly.hpp"
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
 
@@ -115,29 +116,62 @@ std::string describe(const Kernel& kernel, std::string_view source) {
     return text;
 }
 
-void print_kernel(const std::string& name) {
-    const std::span<const Kernel> forms = forms_of(name);
+struct KernelsArguments {
+    std::string name;
+    bool assembly = false;
+    std::string form;
+    std::string device;
+};
+
+/// The form that the arguments choose.
+const Kernel& chosen_kernel(const KernelsArguments& arguments) {
+    const std::span<const Kernel> forms = forms_of(arguments.name);
     if (forms.empty()) {
-        throw UsageError(fmt::format(
-            "there is no kernel \"{}\"; `lineatlas kernels` lists those there are", name));
+        throw UsageError(
+            fmt::format("there is no kernel \"{}\"; `lineatlas kernels` lists those there are",
+                        arguments.name));
     }
-    const std::string source = source_of(forms.front());
-    print_output(commented(describe(forms.front(), source)) + "\n" + source);
+    if (arguments.form.empty()) return forms.front();
+    const auto chosen = std::ranges::find(forms, arguments.form, &Kernel::defines);
+    if (chosen != forms.end()) return *chosen;
+    throw UsageError(fmt::format("the kernel {} has no form \"{}\"; `lineatlas kernels` lists "
+                                 "those there are",
+                                 arguments.name, arguments.form));
+}
+
+void print_kernel(const KernelsArguments& arguments) {
+    const Kernel& kernel = chosen_kernel(arguments);
+    if (arguments.assembly) return print_output(assembly_of(kernel, arguments.device));
+    const std::string source = source_of(kernel);
+    print_output(commented(describe(kernel, source)) + "\n" + source);
 }
 
 } // namespace
 
 Command setup_kernels(CLI::App& app) {
-    const auto name = std::make_shared<std::string>();
-    app.add_option("NAME", *name,
-                   "A kernel to print: what it is, its parameters and tables, and its source with "
-                   "all that it includes");
+    const auto arguments = std::make_shared<KernelsArguments>();
+    KernelsArguments& a = *arguments;
+    auto* name =
+        app.add_option("NAME", a.name,
+                       "A kernel to print: what it is, its parameters and tables, and its source "
+                       "with all that it includes");
+    auto* assembly = app.add_flag("--assembly", a.assembly,
+                                  "Print what the compiler made of it: its loops, and how many "
+                                  "numbers they work on at once, then its instructions")
+                         ->needs(name);
+    app.add_option("--form", a.form, "One of its forms, as the list has them; else the first")
+        ->needs(assembly);
+    app.add_option("--device", a.device,
+                   "opencl:<platform>[:<device>], whose compiler it is; else the kernel as C++")
+        ->needs(assembly);
     app.footer("Without a name it lists the kernels there are. What it prints of one is OpenCL C "
                "1.2.\nLINEATLAS_KERNEL_DIR names a folder of kernels in place of the built-in ones."
                "\nExamples:\n"
                "  lineatlas kernels\n"
-               "  lineatlas kernels project_clip");
-    return [name] { name->empty() ? print_list() : print_kernel(*name); };
+               "  lineatlas kernels project_clip\n"
+               "  lineatlas kernels atlas --assembly --form=-DPROBES_PER_AXIS=4 --device "
+               "opencl:portable");
+    return [arguments] { arguments->name.empty() ? print_list() : print_kernel(*arguments); };
 }
 
 } // namespace lineatlas::apps

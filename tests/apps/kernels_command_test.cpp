@@ -65,6 +65,55 @@ TEST_F(Tool, PrintsKernelsOfAFolder) {
     ::unsetenv("LINEATLAS_KERNEL_DIR");
 }
 
+/// An objdump that shows a listing known by hand: a loop on 16 numbers within one on single ones.
+TEST_F(Tool, FindsTheLoopsInAssembly) {
+    write("objdump", "#!/bin/sh\nprintf '  10:\\tmov    %%rdi,%%rax\\n"
+                     "  14:\\tvaddss %%xmm0,%%xmm1,%%xmm1\\n"
+                     "  18:\\tvmovups (%%rdi),%%zmm2\\n"
+                     "  1e:\\tvmulps %%zmm2,%%zmm3,%%zmm3\\n"
+                     "  24:\\tjb     18 <kernel+0x8>\\n"
+                     "  26:\\tjne    14 <kernel+0x4>\\n"
+                     "  28:\\tjmp    90 <elsewhere>\\n"
+                     "  2a:\\tret\\n'\n");
+    fs::permissions(path("objdump"), fs::perms::owner_all);
+    const std::string search = "PATH=" + folder_.string() + ":$PATH " LINEATLAS_TOOL;
+    const Result shown = shell(search + " kernels facing --assembly 2>&1");
+    EXPECT_EQ(shown.exit_code, 0) << shown.output;
+    for (const char* line :
+         {": 8 instructions, 2 loops\n",
+          "// loop 14 to 26: 5 instructions, 1 on 16 numbers of 32 bits at once\n",
+          "// loop 18 to 24: 3 instructions, 1 on 16 numbers of 32 bits at once\n",
+          "\n  2a:\tret\n"})
+        EXPECT_NE(shown.output.find(line), std::string::npos) << line << shown.output;
+    write("objdump", "#!/bin/sh\nexit 1\n");
+    const Result without = shell(search + " kernels facing --assembly 2>&1");
+    EXPECT_EQ(without.exit_code, 1);
+    EXPECT_NE(without.output.find("objdump does not run; install it"), std::string::npos);
+}
+
+TEST_F(Tool, ShowsWhatCompilersMakeOfAKernel) {
+    if (std::system("objdump --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no objdump";
+    for (const std::string device : {"", " --device opencl:portable"}) {
+        const Result shown = run("kernels density_smooth --assembly" + device);
+        EXPECT_EQ(shown.exit_code, 0) << shown.output;
+        EXPECT_NE(shown.output.find("// loop "), std::string::npos) << shown.output.substr(0, 400);
+        EXPECT_NE(shown.output.find(device.empty() ? "density_smooth as C++, "
+                                                   : "density_smooth on opencl: "),
+                  std::string::npos);
+        EXPECT_NE(shown.output.find("ret"), std::string::npos);
+    }
+    EXPECT_NE(run("kernels atlas --assembly --form=-DPROBES_PER_AXIS=1").output,
+              run("kernels atlas --assembly --form=-DPROBES_PER_AXIS=4").output);
+}
+
+TEST_F(Tool, RefusesFormsThatThereAreNot) {
+    expect_refused("kernels atlas --assembly --form=-DPROBES_PER_AXIS=9", 2,
+                   "has no form \"-DPROBES_PER_AXIS=9\"");
+    expect_refused("kernels scan_tiles_apply --assembly", 2, "has barriers");
+    expect_refused("kernels facing --assembly --device opencl:nowhere", 2, "opencl:nowhere");
+    expect_refused("kernels --assembly", 2, "NAME");
+}
+
 TEST_F(Tool, NamesAKernelThatThereIsNot) {
     expect_refused("kernels project", 2, "there is no kernel \"project\"");
 }

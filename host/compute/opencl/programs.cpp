@@ -30,6 +30,12 @@ std::string options_for(const OpenClDevice& device, const std::string& options) 
     return common_options(device.device) + quirk_options(device) + options;
 }
 
+/// For how the device launches kernels.
+std::string usual_options(const OpenClDevice& device) {
+    const Tuning tuning = within_groups(tuning_for(device), group_limits(device.device));
+    return options_for(device, compiler_options(tuning));
+}
+
 ProgramRecipe recipe_of(const Kernel& kernel, const std::string& options) {
     return {kernel.file(), source_of(kernel), options + ' ' + std::string{kernel.defines}};
 }
@@ -155,11 +161,20 @@ BuiltKernel& Programs::built(const Kernel& kernel) {
     return own;
 }
 
+std::vector<unsigned char> binary_of(const OpenClDevice& device, const Kernel& kernel) {
+    return guarded(device, "building a program", [&] {
+        const cl::Context context{device.device};
+        const cl::Program program =
+            build_program(device, context, recipe_of(kernel, usual_options(device)));
+        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+        return binaries.empty() ? std::vector<unsigned char>{} : binaries.front();
+    });
+}
+
 void compile_all(const OpenClDevice& device) {
     guarded(device, "compiling kernels", [&] {
         const cl::Context context{device.device};
-        const Tuning tuning = within_groups(tuning_for(device), group_limits(device.device));
-        const std::string options = options_for(device, compiler_options(tuning));
+        const std::string options = usual_options(device);
         std::set<std::string_view> known;
         for (const Kernel& kernel : all_kernels()) {
             if (!known.insert(kernel.stage).second) continue;

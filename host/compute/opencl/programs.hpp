@@ -44,6 +44,10 @@ std::optional<ProgramCache> user_program_cache(bool by_default);
 /// 18 seconds. Throws BuildError for the first that is refused.
 void compile_all(const OpenClDevice& device);
 
+/// What the driver makes of a kernel's program, built for how `device` launches it: bytes of the
+/// driver's own kind, empty if it hands out none. Throws as make_program does.
+std::vector<unsigned char> binary_of(const OpenClDevice& device, const Kernel& kernel);
+
 /// The kernels of one user of a context: they keep their arguments, which programs do not.
 class Programs {
   public:
