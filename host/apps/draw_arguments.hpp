@@ -46,7 +46,10 @@ struct DrawArguments {
     DeviceOptions device;
     bool stats = false;
     ProfileOptions profile;
+    KernelOptions kernels;
     int repeat = 2; ///< frames that are measured; of --stats one whole, one by stages
+
+    bool profiled() const { return profile.given() || kernels.given(); }
 };
 
 /// As the command line says. Throw UsageError.

@@ -76,6 +76,9 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     arguments.view.check();
     arguments.sections.check();
     arguments.profile.check();
+    arguments.kernels.check();
+    if (arguments.kernels.given() && (sequence || !arguments.device.compare_with.empty()))
+        throw UsageError("--kernels measures one picture, and compares it with no other device");
     arguments.read.check();
     arguments.sheet.check(arguments.view, arguments.output);
     if (arguments.view.is_sheet()) {
@@ -104,6 +107,7 @@ OutputPlaces output_places(const DrawArguments& arguments,
     for (const auto& [file, image] : pen_images) places.reads(file);
     if (!arguments.sequence.given(arguments.output)) places.writes(output_option, arguments.output);
     arguments.profile.add_to(places);
+    arguments.kernels.add_to(places);
     return places;
 }
 
@@ -147,7 +151,8 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
     say_if_empty();
     if (measuring == nullptr) return;
     Renderer& renderer = measuring->renderer;
-    if (arguments.profile.given()) {
+    std::vector<FrameProfile> profiles;
+    if (arguments.profiled()) {
         FrameOptions options = drawing.options;
         options.profile = true;
         // The picture's own frame has built kernels and made tables grow.
@@ -155,16 +160,22 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
             measuring->draw(camera, options);
             glFinish(); // a frame does not begin with a wait for the strokes of the last one
         }
-        arguments.profile.write(renderer.take_profiles(), renderer.description());
+        profiles = renderer.take_profiles();
+        arguments.profile.write(profiles, renderer.description());
     }
-    if (!arguments.stats) return;
-    measure_and_print(
-        {.name = subject.name,
-         .lines = subject.lines,
-         .options = drawing.options,
-         .repeat = arguments.repeat,
-         .draw = [&](const FrameOptions& wanted) { return measuring->draw(camera, wanted); }},
-        renderer);
+    if (arguments.stats) {
+        measure_and_print(
+            {.name = subject.name,
+             .lines = subject.lines,
+             .options = drawing.options,
+             .repeat = arguments.repeat,
+             .draw = [&](const FrameOptions& wanted) { return measuring->draw(camera, wanted); }},
+            renderer);
+    }
+    if (arguments.kernels.given()) {
+        arguments.kernels.write(profiles, renderer,
+                                [&] { measuring->draw(camera, drawing.options); });
+    }
 }
 
 void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writer) {
@@ -233,7 +244,7 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
 /// buffers.
 bool needs_no_gl(const DrawArguments& arguments, const FrameOptions& options) {
     return is_path_file(arguments.output) && options.method == Method::exact && !arguments.stats &&
-           !arguments.profile.given() && arguments.device.interop.empty() &&
+           !arguments.profiled() && arguments.device.interop.empty() &&
            arguments.device.compare_with.empty();
 }
 
@@ -311,7 +322,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     print_notes(subject.notes);
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
     if (!by_paths) forget_sources(subject);
-    const bool measured = arguments.stats || arguments.profile.given();
+    const bool measured = arguments.stats || arguments.profiled();
     // A frame of a sequence is the same whatever was drawn before it, and before one there is none.
     options.steady = !frames && measured;
     if (frames) {
@@ -419,11 +430,12 @@ Command setup_draw(CLI::App& app) {
     const std::string measuring = "Measuring";
     app.add_flag("--stats", a.stats, "Print counts, memory and a time per stage")->group(measuring);
     a.profile.declare(app, measuring);
+    a.kernels.declare(app, measuring);
     for (const char* form : {"--atlas", "--depth", "--strokes"})
         app.get_option(form)->group(measuring);
     app.add_option("--repeat", a.repeat,
-                   "Frames to measure for --stats and --profile; medians are printed. Of --stats "
-                   "every other frame is whole, the others wait after each stage")
+                   "Frames to measure for --stats, --profile and --kernels; medians are printed. Of "
+                   "--stats every other frame is whole, the others wait after each stage")
         ->capture_default_str()
         ->group(measuring);
 

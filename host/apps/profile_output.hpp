@@ -1,30 +1,58 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "lineatlas/kernel_profile.hpp"
 #include "lineatlas/renderer.hpp"
 #include "output/frame_output.hpp"
 #include "output_places.hpp"
 
 namespace lineatlas::apps {
 
-/// `--profile`: where profiles of frames go.
-class ProfileOptions {
+/// An option whose value is a file of some extension or, as "-", the terminal; may be given again.
+class ReportOption {
   public:
-    void declare(CLI::App& app, const std::string& group);
+    /// `extensions`: with their dots.
+    ReportOption(std::string name, std::vector<std::string> extensions)
+        : name_(std::move(name)), extensions_(std::move(extensions)) {}
+
+    void declare(CLI::App& app, const std::string& help, const std::string& group);
     /// Throws UsageError for another extension, FileError for a file that can't be written.
     void check() const;
     bool given() const { return !paths_.empty(); }
     /// Adds its files. Throws UsageError for one that is taken.
     void add_to(OutputPlaces& places) const;
-    void write(std::span<const FrameProfile> frames, const std::string& description) const;
+    /// Writes what `report` makes for an extension; for the terminal that is empty.
+    void write(const std::function<std::string(std::string_view extension)>& report) const;
 
   private:
-    std::vector<std::string> paths_; ///< .json, .csv or -
+    std::string name_;
+    std::vector<std::string> extensions_;
+    std::vector<std::string> paths_;
+};
+
+/// `--profile`: where profiles of frames go.
+class ProfileOptions : public ReportOption {
+  public:
+    ProfileOptions() : ReportOption("--profile", {".json", ".csv"}) {}
+    void declare(CLI::App& app, const std::string& group);
+    void write(std::span<const FrameProfile> frames, const std::string& description) const;
+};
+
+/// `--kernels`: where it goes why each kernel takes its time.
+class KernelOptions : public ReportOption {
+  public:
+    KernelOptions() : ReportOption("--kernels", {".json", ".csv", ".svg"}) {}
+    void declare(CLI::App& app, const std::string& group);
+    /// Counts what kernels do while `draw` draws such a frame; the renderer stays on the device
+    /// that counts.
+    void write(std::span<const FrameProfile> frames, Renderer& renderer,
+               const std::function<void()>& draw) const;
 };
 
 /// Takes the profile of each frame that `output` has drawn.

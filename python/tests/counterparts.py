@@ -156,9 +156,11 @@ NOT_IN_PYTHON = {
     "for programs in C++ that have OpenMesh themselves": """
         OpenMeshModel.* OpenMeshNormals.* OpenMeshOptions.* add_polygon()""",
     "said by warnings": "Renderer.note()",
-    "figures of a frame, which `lineatlas draw --stats` and --profile give": """
+    "figures of a frame, which `lineatlas draw --stats`, --profile and --kernels give": """
         FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.take_profiles() FrameProfile.*
         ProfileEvent.* ProfileTrack.* StageShare.* profile_csv() profile_table() profile_trace() stage_shares()
+        Bound Bound.* KernelTime.* LaunchCounts.* Roofs.* kernel_csv() kernel_json() kernel_table() kernel_times()
+        measure_arithmetic() register_counting_device() roofline_svg() take_launch_counts()
         LineTimes.* LeftOut.* OddTriangles.*""",
     "numbers of vertices, which Python does not see": "LineObject.first_vertex LineObject.vertex_count",
     "not bound yet: what files say beside their mesh, and how they are read": """

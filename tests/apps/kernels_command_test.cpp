@@ -114,6 +114,28 @@ TEST_F(Tool, RefusesFormsThatThereAreNot) {
     expect_refused("kernels --assembly", 2, "NAME");
 }
 
+#ifdef LINEATLAS_COUNTED
+TEST_F(Tool, SaysWhyKernelsTakeTheirTime) {
+    const std::string draw = "draw --scene clevis --size 200x150 -o " + path("c.png");
+    const Result drawn = run(draw + " --method atlas --kernels - --kernels " + path("k.json") +
+                             " --kernels " + path("k.csv") + " --kernels " + path("k.svg"));
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.output;
+    EXPECT_NE(drawn.output.find("\nproject_clip  project_clip "), std::string::npos);
+    EXPECT_EQ(drawn.output.find("unknown"), std::string::npos) << drawn.output;
+    EXPECT_NE(read(path("k.json")).find("\"kernel\": \"project_clip\""), std::string::npos);
+    EXPECT_NE(read(path("k.csv")).find("\nproject_clip,project_clip,"), std::string::npos);
+    EXPECT_NE(read(path("k.svg")).find("<title>project_clip project_clip: "), std::string::npos);
+}
+#endif
+
+TEST_F(Tool, KernelsAreMeasuredOfOnePicture) {
+    const std::string draw = "draw --scene clevis --size 200x150 -o ";
+    expect_refused(draw + path("c.png") + " --kernels k.txt", 2, ".json or .csv or .svg");
+    expect_refused(draw + path("%d.png") + " --turntable 2 --kernels -", 2, "one picture");
+    expect_refused(draw + path("c.png") + " --compare-with cpp --kernels -", 2, "no other device");
+    expect_refused(draw + path("c.svg") + " --kernels " + path("c.svg"), 2, "c.svg");
+}
+
 TEST_F(Tool, NamesAKernelThatThereIsNot) {
     expect_refused("kernels project", 2, "there is no kernel \"project\"");
 }

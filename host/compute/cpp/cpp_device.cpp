@@ -159,6 +159,10 @@ class CppDevice final : public Device {
 
 } // namespace
 
+std::byte* memory_of_cpp(const Buffer& buffer) {
+    return memory_of(buffer);
+}
+
 std::unique_ptr<Device> make_cpp_device(const Tuning& tuning) {
     return std::make_unique<CppDevice>(tuning);
 }

@@ -10,4 +10,7 @@ namespace lineatlas::compute {
 /// with chunks in scans, and what kernels are compiled for as it is by default.
 std::unique_ptr<Device> make_cpp_device(const Tuning& tuning = {});
 
+/// The memory of a buffer of that device.
+std::byte* memory_of_cpp(const Buffer& buffer);
+
 } // namespace lineatlas::compute

@@ -5,12 +5,20 @@ namespace lineatlas::compute {
 // kernels.cpp, compiled once for each instruction set.
 namespace baseline {
 std::span<const HostKernel> kernels();
-}
+std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
+} // namespace baseline
 #ifdef LINEATLAS_X86
 namespace avx2 {
 std::span<const HostKernel> kernels();
-}
+std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
+} // namespace avx2
 namespace avx512 {
+std::span<const HostKernel> kernels();
+std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
+} // namespace avx512
+#endif
+#ifdef LINEATLAS_COUNTED
+namespace counted {
 std::span<const HostKernel> kernels();
 }
 #endif
@@ -20,6 +28,7 @@ namespace {
 struct InstructionSet {
     std::string_view name;
     std::span<const HostKernel> (*kernels)();
+    std::uint64_t (*multiply_and_add)(std::uint64_t rounds, float& result);
 };
 
 InstructionSet best_instruction_set() {
@@ -28,10 +37,10 @@ InstructionSet best_instruction_set() {
     const bool has_avx512 = __builtin_cpu_supports("avx512f") != 0 &&
                             __builtin_cpu_supports("avx512vl") != 0 &&
                             __builtin_cpu_supports("avx512dq") != 0;
-    if (has_avx512) return {"avx512", avx512::kernels};
-    if (__builtin_cpu_supports("avx2") != 0) return {"avx2", avx2::kernels};
+    if (has_avx512) return {"avx512", avx512::kernels, avx512::multiply_and_add};
+    if (__builtin_cpu_supports("avx2") != 0) return {"avx2", avx2::kernels, avx2::multiply_and_add};
 #endif
-    return {"baseline", baseline::kernels};
+    return {"baseline", baseline::kernels, baseline::multiply_and_add};
 }
 
 const InstructionSet& instruction_set() {
@@ -43,6 +52,18 @@ const InstructionSet& instruction_set() {
 
 std::span<const HostKernel> host_kernels() {
     return instruction_set().kernels();
+}
+
+std::span<const HostKernel> counted_kernels() {
+#ifdef LINEATLAS_COUNTED
+    return counted::kernels();
+#else
+    return {};
+#endif
+}
+
+std::uint64_t multiply_and_add(std::uint64_t rounds, float& result) {
+    return instruction_set().multiply_and_add(rounds, result);
 }
 
 std::string_view host_instruction_set() {

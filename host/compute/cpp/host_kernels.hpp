@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -21,6 +22,14 @@ struct HostKernel {
 
 /// All kernels, compiled for the best instruction set that this processor has.
 std::span<const HostKernel> host_kernels();
+
+/// All kernels that count: what launches them is counting_device.cpp. None in a build with
+/// sanitizers.
+std::span<const HostKernel> counted_kernels();
+
+/// Multiplies and adds floats in registers, `rounds` times, as kernels do, without contraction.
+/// Returns how many operations these were; adds to `result`, so that they must be done.
+std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 
 /// That instruction set, such as "avx2".
 std::string_view host_instruction_set();

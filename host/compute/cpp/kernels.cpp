@@ -1,5 +1,7 @@
 // All kernels as C++, for one instruction set: LINEATLAS_INSTRUCTION_SET names the namespace, and
-// CMake gives the compiler's options.
+// CMake gives the compiler's options. With LINEATLAS_COUNTED floats count what is computed with
+// them.
+#include <cstdint>
 #include <utility>
 
 // Kernels are OpenCL C: not all use all of a header, nor all that they are given.
@@ -7,6 +9,12 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "host_kernels.hpp"
+
+#ifdef LINEATLAS_COUNTED
+#include "counted_float.hpp"
+#define PLAIN_FLOAT(v) (v).value
+#define float lineatlas::compute::CountedFloat
+#endif
 
 #include "constants.h"
 #include "flags.h"
@@ -129,5 +137,20 @@ constexpr HostKernel forms[] = {LA_KERNELS(FORM, SUM_FORMS, NO_FORM, NUMBER_FORM
 std::span<const HostKernel> kernels() {
     return forms;
 }
+
+#ifndef LINEATLAS_COUNTED
+std::uint64_t multiply_and_add(std::uint64_t rounds, float& result) {
+    // As many chains as hide that each waits for its last sum.
+    constexpr int chains = 8, lanes = 16;
+    using Lanes = LanesOf<float, lanes>;
+    Lanes sums[chains];
+    for (int i = 0; i < chains; ++i) sums[i] = Lanes{static_cast<float>(i)};
+    const Lanes factor{0.999F}, addend{result};
+    for (std::uint64_t round = 0; round < rounds; ++round)
+        for (Lanes& sum : sums) sum = sum * factor + addend;
+    for (const Lanes& sum : sums) result += largest_of_lanes(sum);
+    return rounds * chains * lanes * 2;
+}
+#endif
 
 } // namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET

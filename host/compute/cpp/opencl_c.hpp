@@ -6,6 +6,10 @@ using uint = unsigned int;
 using uchar = unsigned char;
 using ulong = unsigned long long;
 using size_t = decltype(sizeof(0));
+// What builtin functions take of a float that counts (counted_float.hpp).
+#ifndef PLAIN_FLOAT
+#define PLAIN_FLOAT(v) (v)
+#endif
 #ifndef INFINITY
 #define INFINITY __builtin_inff()
 #endif
@@ -37,6 +41,14 @@ struct WorkItem {
 
 // Vectors of two, three and four: what a kernel computes with per element.
 
+// Of a vector of floats that count: from one that does not.
+#ifdef LINEATLAS_COUNTED
+#define FROM_PLAIN_FLOAT(Vector)                                                                   \
+    template <class U>                                                                             \
+    requires(__is_same(U, decltype(0.0F)) && __is_class(T)) Vector(U all) : Vector(T(all)) {}
+#else
+#define FROM_PLAIN_FLOAT(Vector)
+#endif
 #define VECTOR_OPERATOR(Vector, op, each)                                                          \
     friend Vector operator op(const Vector& a, const Vector& b) {                                  \
         return each(op);                                                                           \
@@ -55,6 +67,7 @@ struct Vector2 {
     T x, y;
     Vector2() = default;
     Vector2(T all) : x(all), y(all) {}
+    FROM_PLAIN_FLOAT(Vector2)
     Vector2(T x_, T y_) : x(x_), y(y_) {}
 #define EACH(op) Vector2(a.x op b.x, a.y op b.y)
     VECTOR_OPERATORS(Vector2, EACH)
@@ -65,6 +78,7 @@ struct Vector3 {
     T x, y, z;
     Vector3() = default;
     Vector3(T all) : x(all), y(all), z(all) {}
+    FROM_PLAIN_FLOAT(Vector3)
     Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
 #define EACH(op) Vector3(a.x op b.x, a.y op b.y, a.z op b.z)
     VECTOR_OPERATORS(Vector3, EACH)
@@ -75,12 +89,14 @@ struct Vector4 {
     T x, y, z, w;
     Vector4() = default;
     Vector4(T all) : x(all), y(all), z(all), w(all) {}
+    FROM_PLAIN_FLOAT(Vector4)
     Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
 #define EACH(op) Vector4(a.x op b.x, a.y op b.y, a.z op b.z, a.w op b.w)
     VECTOR_OPERATORS(Vector4, EACH)
 #undef EACH
 };
 #undef VECTOR_OPERATORS
+#undef FROM_PLAIN_FLOAT
 #undef VECTOR_OPERATOR
 
 using float2 = Vector2<float>;
@@ -193,13 +209,13 @@ inline float3 fmax(float3 a, float3 b) {
     return {fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
 }
 inline float fabs(float a) {
-    return __builtin_fabsf(a);
+    return __builtin_fabsf(PLAIN_FLOAT(a));
 }
 inline float sqrt(float a) {
-    return __builtin_sqrtf(a);
+    return __builtin_sqrtf(PLAIN_FLOAT(a));
 }
 inline float copysign(float size, float sign) {
-    return __builtin_copysignf(size, sign);
+    return __builtin_copysignf(PLAIN_FLOAT(size), PLAIN_FLOAT(sign));
 }
 inline uint abs(int a) {
     return a < 0 ? 0U - static_cast<uint>(a) : static_cast<uint>(a);
@@ -253,7 +269,7 @@ inline uint lowest_bit(uint bits) {
 
 /// To the nearest, and to the even one of two.
 inline int convert_int_rte(float v) {
-    return static_cast<int>(__builtin_nearbyintf(v));
+    return static_cast<int>(__builtin_nearbyintf(PLAIN_FLOAT(v)));
 }
 /// Rounded down or up; without floorf(), which is a call where SSE 4.1 is not at hand.
 inline int convert_int_rtn(float v) {
@@ -305,6 +321,9 @@ inline uint atomic_inc(uint* to) {
 
 // Vectors that do several things of a kernel at once: see kernels/lanes.h.
 
+#ifdef LINEATLAS_COUNTED
+#include "counted_lanes.hpp"
+#else
 /// The compiler's own vectors.
 template <class T, int n>
 struct VectorOf {
@@ -467,3 +486,4 @@ LanesOf<int, n> first_numbers() {
     for (int i = 0; i < n; ++i) result.all[i] = i;
     return result;
 }
+#endif

@@ -1,0 +1,153 @@
+#include "counted_memory.hpp"
+
+#include <bit>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace lineatlas::compute {
+namespace {
+
+constexpr std::uintptr_t line = 64;
+
+/// A table, and a bit for each of its lines.
+struct Touched {
+    std::uintptr_t first, last; ///< lines of memory; `last` is one of them
+    std::vector<std::uint64_t> read{}, written{};
+
+    explicit Touched(std::span<const std::byte> table)
+        : first(reinterpret_cast<std::uintptr_t>(table.data()) / line),
+          last((reinterpret_cast<std::uintptr_t>(table.data()) + table.size() - 1) / line),
+          read((last - first) / 64 + 1), written(read.size()) {}
+};
+
+thread_local std::vector<Touched> tables;
+
+void touch(const void* address, std::size_t size, std::vector<std::uint64_t> Touched::*kind) {
+    const auto begin = reinterpret_cast<std::uintptr_t>(address);
+    for (std::uintptr_t at = begin / line; at <= (begin + size - 1) / line; ++at) {
+        for (Touched& table : tables) {
+            if (at < table.first || at > table.last) continue;
+            const std::uintptr_t place = at - table.first;
+            (table.*kind)[place / 64] |= std::uint64_t{1} << (place % 64);
+        }
+    }
+}
+
+} // namespace
+
+CountedMemory::CountedMemory(std::span<const std::span<const std::byte>> of) {
+    for (const std::span<const std::byte> table : of)
+        if (!table.empty()) tables.emplace_back(table);
+}
+
+CountedMemory::~CountedMemory() {
+    tables.clear();
+}
+
+std::uint64_t CountedMemory::bytes() const {
+    std::uint64_t lines = 0;
+    for (const Touched& table : tables) {
+        for (const std::uint64_t bits : table.read) lines += std::popcount(bits);
+        for (const std::uint64_t bits : table.written) lines += std::popcount(bits);
+    }
+    return lines * line;
+}
+
+namespace {
+
+void note_read(const void* address, std::size_t size) {
+    touch(address, size, &Touched::read);
+}
+void note_written(const void* address, std::size_t size) {
+    touch(address, size, &Touched::written);
+}
+
+} // namespace
+} // namespace lineatlas::compute
+
+// What the compiler calls, by the names of the thread sanitizer's run-time library, which is not
+// linked.
+// NOLINTBEGIN(bugprone-reserved-identifier)
+extern "C" {
+
+#define COUNTED_ACCESS(size)                                                                       \
+    void __tsan_read##size(void* address) {                                                        \
+        lineatlas::compute::note_read(address, size);                                              \
+    }                                                                                              \
+    void __tsan_write##size(void* address) {                                                       \
+        lineatlas::compute::note_written(address, size);                                           \
+    }                                                                                              \
+    void __tsan_unaligned_read##size(void* address) {                                              \
+        lineatlas::compute::note_read(address, size);                                              \
+    }                                                                                              \
+    void __tsan_unaligned_write##size(void* address) {                                             \
+        lineatlas::compute::note_written(address, size);                                           \
+    }
+COUNTED_ACCESS(1)
+COUNTED_ACCESS(2)
+COUNTED_ACCESS(4)
+COUNTED_ACCESS(8)
+COUNTED_ACCESS(16)
+#undef COUNTED_ACCESS
+
+void __tsan_read_range(void* address, std::size_t size) {
+    if (size > 0) lineatlas::compute::note_read(address, size);
+}
+void __tsan_write_range(void* address, std::size_t size) {
+    if (size > 0) lineatlas::compute::note_written(address, size);
+}
+
+// Newer versions of Clang call these in place of the functions without a prefix.
+void* __tsan_memcpy(void* to, const void* from, std::size_t size) {
+    __tsan_read_range(const_cast<void*>(from), size);
+    __tsan_write_range(to, size);
+    return std::memcpy(to, from, size);
+}
+void* __tsan_memmove(void* to, const void* from, std::size_t size) {
+    __tsan_read_range(const_cast<void*>(from), size);
+    __tsan_write_range(to, size);
+    return std::memmove(to, from, size);
+}
+void* __tsan_memset(void* to, int value, std::size_t size) {
+    __tsan_write_range(to, size);
+    return std::memset(to, value, size);
+}
+
+void __tsan_init() {}
+void __tsan_func_entry(void*) {}
+void __tsan_func_exit() {}
+// One thread runs them: they need not be atomic.
+std::uint32_t __tsan_atomic32_load(const volatile std::uint32_t* at, int) {
+    lineatlas::compute::note_read(const_cast<const std::uint32_t*>(at), sizeof *at);
+    return *at;
+}
+std::uint32_t __tsan_atomic32_fetch_add(volatile std::uint32_t* at, std::uint32_t value, int) {
+    const std::uint32_t old = __tsan_atomic32_load(at, 0);
+    lineatlas::compute::note_written(const_cast<std::uint32_t*>(at), sizeof *at);
+    *at = old + value;
+    return old;
+}
+// Clang has this one, g++ the two below.
+std::uint32_t __tsan_atomic32_compare_exchange_val(volatile std::uint32_t* at,
+                                                   std::uint32_t expected, std::uint32_t value, int,
+                                                   int) {
+    const std::uint32_t old = __tsan_atomic32_load(at, 0);
+    if (old != expected) return old;
+    lineatlas::compute::note_written(const_cast<std::uint32_t*>(at), sizeof *at);
+    *at = value;
+    return old;
+}
+int __tsan_atomic32_compare_exchange_strong(volatile std::uint32_t* at, std::uint32_t* expected,
+                                            std::uint32_t value, int success, int failure) {
+    const std::uint32_t old =
+        __tsan_atomic32_compare_exchange_val(at, *expected, value, success, failure);
+    return std::exchange(*expected, old) == old ? 1 : 0;
+}
+int __tsan_atomic32_compare_exchange_weak(volatile std::uint32_t* at, std::uint32_t* expected,
+                                          std::uint32_t value, int success, int failure) {
+    return __tsan_atomic32_compare_exchange_strong(at, expected, value, success, failure);
+}
+
+} // extern "C"
+// NOLINTEND(bugprone-reserved-identifier)

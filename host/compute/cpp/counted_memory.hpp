@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace lineatlas::compute {
+
+/// What kernels that count (LINEATLAS_COUNTED) touch of some tables while this lives, on this
+/// thread: the compiler reports every access to memory as it would to the thread sanitizer.
+class CountedMemory {
+  public:
+    explicit CountedMemory(std::span<const std::span<const std::byte>> tables);
+    ~CountedMemory();
+    CountedMemory(const CountedMemory&) = delete;
+    CountedMemory& operator=(const CountedMemory&) = delete;
+
+    /// Bytes of the lines of 64 bytes that were read, and of those that were written: each once,
+    /// whatever was touched of it and how often.
+    std::uint64_t bytes() const;
+};
+
+} // namespace lineatlas::compute

@@ -1,0 +1,131 @@
+#include "counting_device.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "compute/kernel_bytes.hpp"
+#include "core/host_clock.hpp"
+#include "counted_float.hpp"
+#include "counted_memory.hpp"
+#include "cpp_device.hpp"
+#include "host_kernels.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+const HostKernel& counted_form(const Kernel& kernel) {
+    const auto own = std::ranges::find_if(counted_kernels(), [&](const HostKernel& host) {
+        return host.name == kernel.name && host.defines == kernel.defines;
+    });
+    return *own; // cpp's tuning launches none that has barriers
+}
+
+class CountingDevice final : public Device {
+  public:
+    explicit CountingDevice(std::vector<LaunchCounts>& counts)
+        : device_(make_cpp_device()), counts_(counts) {}
+
+    std::string description() const override { return "cpp, counting"; }
+    const Tuning& tuning() const override { return device_->tuning(); }
+
+    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
+        return device_->allocate(bytes);
+    }
+    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
+        return device_->wrap(memory);
+    }
+    void begin_host_access(Buffer& buffer) override { device_->begin_host_access(buffer); }
+    void end_host_access(Buffer& buffer) override { device_->end_host_access(buffer); }
+    void upload(Buffer& buffer, std::span<const std::byte> data, std::size_t offset) override {
+        device_->upload(buffer, data, offset);
+    }
+    void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
+        device_->download(buffer, data, offset);
+    }
+    void copy(Buffer& from, Buffer& to, std::size_t bytes) override {
+        device_->copy(from, to, bytes);
+    }
+    void clear(Buffer& buffer, std::size_t bytes) override { device_->clear(buffer, bytes); }
+
+    void launch(const Launch& launch) override {
+        std::array<void*, most_tables> tables{};
+        std::vector<std::span<const std::byte>> memory;
+        for (std::size_t i = 0; i < launch.tables.size(); ++i) {
+            tables[i] = memory_of_cpp(*launch.tables[i]);
+            memory.emplace_back(static_cast<const std::byte*>(tables[i]), launch.tables[i]->size());
+        }
+        const CountedMemory touched{memory};
+        const std::uint64_t before = counted_operations;
+        counted_form(launch.kernel)
+            .run(launch.parameters.data(), tables.data(), 0, launch.items, launch.items);
+        counts_.push_back(
+            {std::string{launch.kernel.name}, touched.bytes(), counted_operations - before});
+    }
+
+    void flush() override {}
+    void finish() override {}
+
+  private:
+    std::unique_ptr<Device> device_;
+    std::vector<LaunchCounts>& counts_;
+};
+
+} // namespace
+
+std::unique_ptr<Device> make_counting_device(std::vector<LaunchCounts>& counts) {
+    if (counted_kernels().empty())
+        throw UsageError("kernels do not count in a build with sanitizers");
+    return std::make_unique<CountingDevice>(counts);
+}
+
+} // namespace lineatlas::compute
+
+namespace lineatlas {
+namespace {
+
+std::vector<LaunchCounts>& all_counts() {
+    static std::vector<LaunchCounts> counts;
+    return counts;
+}
+
+} // namespace
+
+void register_counting_device() {
+    const auto& kinds = compute::device_kinds();
+    if (std::ranges::find(kinds, "counting", &compute::DeviceKind::name) != kinds.end()) return;
+    compute::register_device({"counting", "kernels as C++ that count", [](std::string_view) {
+                                  return compute::make_counting_device(all_counts());
+                              }});
+}
+
+std::vector<LaunchCounts> take_launch_counts() {
+    return std::exchange(all_counts(), {});
+}
+
+double measure_arithmetic() {
+    constexpr std::uint64_t rounds = 1U << 18U;
+    constexpr std::int64_t while_ns = 100'000'000;
+    double best = 0;
+    const std::int64_t end = host_nanoseconds() + while_ns;
+    do {
+        std::atomic<std::uint64_t> operations = 0;
+        const std::int64_t start = host_nanoseconds();
+        tbb::parallel_for(0U, 4 * std::thread::hardware_concurrency(), [&](unsigned piece) {
+            float result = static_cast<float>(piece);
+            operations += compute::multiply_and_add(rounds, result);
+            volatile float seen = result; // it must be computed
+            static_cast<void>(seen);
+        });
+        const auto taken = static_cast<double>(host_nanoseconds() - start);
+        best = std::max(best, static_cast<double>(operations) / taken);
+    } while (host_nanoseconds() < end);
+    return best;
+}
+
+} // namespace lineatlas

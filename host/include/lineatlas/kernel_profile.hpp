@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lineatlas/export.hpp"
+#include "lineatlas/profile.hpp"
+
+// Why kernels take their time: what they do, counted, beside what the machine can do. The counts do
+// not depend on the device, since every device runs the same kernels:
+//
+//     register_counting_device();
+//     renderer.set_device({.compute = "counting"});
+//     renderer.draw(camera, options, framebuffer); // tables grow
+//     take_launch_counts();
+//     renderer.draw(camera, options, framebuffer);
+//     const auto kernels = kernel_times(profiles, take_launch_counts(), roofs);
+namespace lineatlas {
+
+/// What one launch of a kernel does.
+struct LaunchCounts {
+    std::string kernel; ///< its name
+    /// Of the lines of 64 bytes that it reads, and of those that it writes, each once: what memory
+    /// must move for it if a cache holds all else.
+    std::uint64_t bytes = 0;
+    /// Sums, differences, products, quotients, roots and comparisons of floats, one by one.
+    std::uint64_t operations = 0;
+};
+
+/// Makes the device kind "counting" known: kernels as C++ that count, many times slower than "cpp".
+/// Once, before any thread uses the library; a second call does nothing.
+LINEATLAS_API void register_counting_device();
+
+/// What devices of that kind have launched since the last call, in order. Not while one works.
+LINEATLAS_API std::vector<LaunchCounts> take_launch_counts();
+
+/// What a device reaches at most.
+struct Roofs {
+    double copy = 0;       ///< 10^9 bytes a second: FrameProfile::copy_gigabytes_per_second
+    double arithmetic = 0; ///< 10^9 operations of floats a second; 0 if it is not known
+};
+
+/// Roofs::arithmetic of this machine's CPU, all cores together: products and sums in registers, of
+/// the instruction set that kernels as C++ use, without contraction. Takes a tenth of a second.
+LINEATLAS_API double measure_arithmetic();
+
+/// What keeps a kernel from being faster.
+enum class Bound {
+    unknown,    ///< it was not counted
+    launch,     ///< it takes less than three times as long as the shortest launch of all
+    memory,     ///< it moves its bytes at half of Roofs::copy or faster
+    arithmetic, ///< it computes at half of Roofs::arithmetic or faster
+    latency,    ///< none of these: waits for memory or for results, branches, idle lanes and cores
+};
+
+/// "unknown", "launch", "memory", "arithmetic" or "latency".
+LINEATLAS_API const char* name_of(Bound bound);
+
+/// A kernel within a stage. Times are nanoseconds of a launch.
+struct KernelTime {
+    std::string stage;          ///< that it ran in
+    std::string name;           ///< of the kernel
+    std::uint64_t launches = 0; ///< in all frames
+    double median = 0;          ///< of a launch
+    double p10 = 0, p90 = 0;    ///< the 10th and the 90th percentile
+    double sum = 0;             ///< of all launches
+    double bytes = 0;           ///< of a launch, mean; 0 if it was not counted
+    double operations = 0;      ///< of a launch, mean
+    /// 10^9 bytes a second of a launch, the median: launches may be of unequal size.
+    double gigabytes_per_second = 0;
+    double gigaops_per_second = 0; ///< 10^9 operations a second, likewise
+    Bound bound = Bound::unknown;
+};
+
+/// Every kernel of the frames, the longest sum first. `counts`: of one such frame; the k-th launch
+/// of a kernel in a frame belongs to its k-th there, or to an equal part of all where there are
+/// others.
+LINEATLAS_API std::vector<KernelTime> kernel_times(std::span<const FrameProfile> frames,
+                                                   std::span<const LaunchCounts> counts,
+                                                   const Roofs& roofs);
+
+/// For people.
+LINEATLAS_API std::string kernel_table(std::span<const KernelTime> kernels, const Roofs& roofs);
+/// A row per kernel, with a header.
+LINEATLAS_API std::string kernel_csv(std::span<const KernelTime> kernels, const Roofs& roofs);
+/// "roofs" and "kernels"; docs/profiling.md has the keys.
+LINEATLAS_API std::string kernel_json(std::span<const KernelTime> kernels, const Roofs& roofs);
+/// The roofline (Williams, Waterman and Patterson 2009) as SVG: operations a second over operations
+/// per byte, with a dot for each kernel that was counted and computes with floats.
+LINEATLAS_API std::string roofline_svg(std::span<const KernelTime> kernels, const Roofs& roofs);
+
+} // namespace lineatlas

@@ -1,0 +1,71 @@
+// The device that counts: what it counts of launches whose numbers are known, and that it leaves
+// what every other device does.
+
+#include <gtest/gtest.h>
+
+#include "compute/cpp/counted_float.hpp"
+#include "compute/cpp/counting_device.hpp"
+#include "compute/kernels.hpp"
+#include "compute/transfer.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+using namespace compute;
+
+class Counting : public testing::Test {
+  protected:
+    template <class K>
+    LaunchCounts count(const typename K::Parameters& parameters, std::vector<Buffer*> tables,
+                       std::uint32_t items) {
+        const std::span<const std::byte> bytes{reinterpret_cast<const std::byte*>(&parameters),
+                                               sizeof parameters};
+        device_->launch({kernel_of<K>(), bytes, tables, items, 1});
+        return counts_.back();
+    }
+
+    std::vector<LaunchCounts> counts_;
+    std::unique_ptr<Device> device_ = make_counting_device(counts_);
+};
+
+constexpr PyramidParameters pyramid_of_64_by_32{.depth_size = {64, 32}, .tile_count = {4, 2}};
+constexpr std::uint64_t comparisons = 16 * 15 + 15; // of a tile: by columns, then along the row
+
+TEST_F(Counting, KnowsWhatAPyramidDoes) {
+    const auto depth = to_device(*device_, std::vector<float>(64 * 32, 0.5F));
+    const auto tiles = device_->allocate(8 * sizeof(float));
+    const LaunchCounts counts =
+        count<kernels::pyramid>(pyramid_of_64_by_32, {depth.get(), tiles.get()}, 8);
+    EXPECT_EQ(counts.kernel, "pyramid");
+    EXPECT_EQ(counts.bytes, 64 * 32 * 4 + 64U); // of the tiles one line
+    EXPECT_EQ(counts.operations, 8 * comparisons);
+}
+
+/// Tables are not counted by their size: the upper row of tiles is left alone.
+TEST_F(Counting, CountsWhatIsTouched) {
+    const auto depth = to_device(*device_, std::vector<float>(64 * 32, 0.5F));
+    const auto tiles = device_->allocate(8 * sizeof(float));
+    const LaunchCounts counts =
+        count<kernels::pyramid>(pyramid_of_64_by_32, {depth.get(), tiles.get()}, 4);
+    EXPECT_EQ(counts.bytes, 64 * 16 * 4 + 64U);
+    EXPECT_EQ(counts.operations, 4 * comparisons);
+}
+
+TEST(CountedFloat, CountsEachOperation) {
+    const std::uint64_t before = counted_operations;
+    CountedFloat a = 2.0F;
+    const CountedFloat b = a * 3.0F + 1.0F;
+    a += b;
+    EXPECT_EQ(static_cast<float>(a), 9.0F);
+    EXPECT_TRUE(a > b);
+    EXPECT_EQ(counted_operations - before, 4U);
+    static_cast<void>(-a);
+    EXPECT_EQ(counted_operations - before, 4U); // a sign is no operation
+}
+
+TEST(Roofs, ArithmeticIsMeasured) {
+    EXPECT_GT(measure_arithmetic(), 0.1);
+}
+
+} // namespace
+} // namespace lineatlas::test
