@@ -47,6 +47,11 @@
  * one, which is hidden. */
 #define LA_EDGE_ON 1e-5f
 
+/* Sine of the angle between view and surface below which ridges are not drawn, 30 degrees; and of
+ * how many more triangles before and after along the path the surface is a mean. */
+#define LA_GRAZING 0.5f
+#define LA_GRAZING_STEPS 3u
+
 /* Cosine of the sharpest turn that is joined; a sharper one gets round ends. 150 degrees. */
 #define LA_JOIN_LIMIT_COSINE -0.866025f
 

@@ -16,8 +16,9 @@
 #define LA_KIND_VALLEY 9u
 #define LA_KIND_COUNT 10u
 
-/* Kinds of line that run within faces, in a kind mask: no edges. */
-#define LA_KINDS_WITHIN (1u << LA_KIND_INTERSECTION | 1u << LA_KIND_RIDGE | 1u << LA_KIND_VALLEY)
+/* Kinds of line, in a kind mask: of the shape of a surface, and all that run within faces. */
+#define LA_KINDS_OF_SHAPE (1u << LA_KIND_RIDGE | 1u << LA_KIND_VALLEY)
+#define LA_KINDS_WITHIN (1u << LA_KIND_INTERSECTION | LA_KINDS_OF_SHAPE)
 
 /* Segment.tag: the kind in the low bits, then flags. */
 #define LA_TAG_KIND_MASK 0xFu

@@ -88,6 +88,27 @@ static uint own_face(const uint face, const bool within, const uint vertex_p, co
     return within ? within_own_face(description) : description;
 }
 
+/* Whether a ridge lies where its surface turns away from the eye: an outline runs beside it, which
+ * says the same. The surface is the mean of a few triangles along the path. */
+static bool is_grazing(__global const Segment* segments, const uint i,
+                       __global const float* vertices, __global const uint* triangles,
+                       const float3 middle, const Matrix world_from_clip) {
+    const uint last = i + min(segments[i].to_end, LA_GRAZING_STEPS);
+    float3 n = float3(0.0f, 0.0f, 0.0f);
+    for (uint k = i - min(segments[i].from_start, LA_GRAZING_STEPS); k <= last; ++k) {
+        const uint t = 3 * segments[k].face_a;
+        n = n + face_normal(vload3(triangles[t], vertices), vload3(triangles[t + 1], vertices),
+                            vload3(triangles[t + 2], vertices));
+    }
+    /* The eye is what the projection maps to no place of the picture. */
+    const float4 eye = world_from_clip.z;
+    const float3 to_eye = xyz(eye) - middle * eye.w;
+    const float rise = (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z;
+    const float n2 = (n.x * n.x + n.y * n.y) + n.z * n.z;
+    const float far2 = (to_eye.x * to_eye.x + to_eye.y * to_eye.y) + to_eye.z * to_eye.z;
+    return rise * rise < LA_GRAZING * LA_GRAZING * n2 * far2;
+}
+
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
  * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden:
  * the texture of a path must not depend on what hides it. Where nobody asks for lengths whole
@@ -119,6 +140,9 @@ KERNEL(project_clip, ProjectClipParameters) {
     if (from.x == to.x && from.y == to.y && from.z == to.z) return; /* of a hidden object */
     const Matrix clip_from_world = to_matrix(args.clip_from_world);
     const Matrix world_from_clip = to_matrix(args.world_from_clip);
+    if (kind == LA_KIND_RIDGE &&
+        is_grazing(segments, i, vertices, triangles, (from + to) * 0.5f, world_from_clip))
+        return;
     const float2 viewport = to_float2(args.viewport);
     const float4 p = transform_point(clip_from_world, from);
     const float4 q = transform_point(clip_from_world, to);

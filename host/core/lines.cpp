@@ -484,8 +484,7 @@ class Extraction {
 
     /// Of a mesh whose file knows its surfaces or edges nobody asks: it was designed.
     void add_ridges() {
-        const LineKindMask kinds = mask_of(LineKind::ridge) | mask_of(LineKind::valley);
-        if ((options_.lines & kinds) == 0 || !mesh_.surfaces.empty()) return;
+        if ((options_.lines & LA_KINDS_OF_SHAPE) == 0 || !mesh_.surfaces.empty()) return;
         const std::int64_t start = host_nanoseconds();
         const std::vector<std::uint32_t> faces = undesigned_faces(welded_, edges_, bends_, parts_);
         for (const Ridge& ridge : find_ridges(welded_, edges_, faces, drawn_edges()))

@@ -237,8 +237,7 @@ class RidgeFinder {
             const float least = scale.least * (field->kind == LineKind::ridge ? ridge_factor : 1);
             for (Path& path : paths_of(*field, least)) {
                 straighten(path);
-                found_.push_back(
-                    {field->kind, path.closed, std::move(path.points), std::move(path.faces)});
+                found_.push_back({field->kind, std::move(path.points), std::move(path.faces)});
             }
         }
         for (; taken_of_ < found_.size(); ++taken_of_) take(found_[taken_of_]);

@@ -14,9 +14,8 @@ namespace lineatlas {
 
 /// A crest or a furrow of a surface, from edge to edge of its triangles.
 struct Ridge {
-    LineKind kind; ///< ridge or valley
-    bool closed;   ///< the last point stands once more as the first
-    std::vector<EdgePlace> points;
+    LineKind kind;                    ///< ridge or valley
+    std::vector<EdgePlace> points;    ///< of a closed one the first stands last once more
     std::vector<std::uint32_t> faces; ///< between each two points the triangle that it runs through
 };
 

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "constants.h"
 #include "contour_crossing.hpp"
 
 namespace lineatlas {
@@ -34,10 +35,33 @@ double facing(const LineSet& lines, const PreciseCamera& projection, std::uint32
     return size > 0 ? glm::dot(normal, toward) / size : 0;
 }
 
+/// The sine between sight and surface in the middle of a segment, of the triangles about it along
+/// its path, as `project_clip` has it for ridges.
+double ridge_facing(const LineSet& lines, const PreciseCamera& projection, std::size_t index) {
+    const Segment& segment = lines.segments[index];
+    glm::dvec3 normal{0};
+    const std::size_t last = index + std::min(segment.to_end, LA_GRAZING_STEPS);
+    for (std::size_t i = index - std::min(segment.from_start, LA_GRAZING_STEPS); i <= last; ++i) {
+        const glm::uvec3 t = lines.triangles[lines.segments[i].face_a];
+        const glm::dvec3 a{lines.vertices[t.x]}, b{lines.vertices[t.y]}, c{lines.vertices[t.z]};
+        normal += glm::cross(b - a, c - a);
+    }
+    const glm::dvec3 middle =
+        0.5 * (glm::dvec3{lines.vertices[segment.p]} + glm::dvec3{lines.vertices[segment.q]});
+    const glm::dvec3 toward = projection.start_of_sight(middle) - middle;
+    const double size = glm::length(normal) * glm::length(toward);
+    return size > 0 ? std::abs(glm::dot(normal, toward)) / size : 0;
+}
+
 enum class Drawn { never, perhaps, surely };
 
 /// Whether a segment is a line of the picture, hidden or not.
-Drawn is_drawn(const LineSet& lines, const PreciseCamera& projection, const Segment& segment) {
+Drawn is_drawn(const LineSet& lines, const PreciseCamera& projection, std::size_t index) {
+    const Segment& segment = lines.segments[index];
+    if ((segment.tag & LA_TAG_KIND_MASK) == LA_KIND_RIDGE) {
+        const double above = ridge_facing(lines, projection, index) - double{LA_GRAZING};
+        return above > edge_on ? Drawn::surely : above < -edge_on ? Drawn::never : Drawn::perhaps;
+    }
     if (!is_candidate(segment)) return Drawn::surely;
     const double a = facing(lines, projection, segment.face_a);
     double b = facing(lines, projection, segment.face_b & LA_FACE_INDEX);
@@ -93,7 +117,7 @@ class Sampler {
   private:
     void append_edge(std::vector<EdgePoint>& points) const {
         const LineSet& lines = scene_.lines();
-        const Drawn drawn = is_drawn(lines, projection_, segment_);
+        const Drawn drawn = is_drawn(lines, projection_, index_);
         if (drawn == Drawn::never) return;
         const glm::dvec3 p{lines.vertices[segment_.p]}, q{lines.vertices[segment_.q]};
         const std::optional<LinePart> part = part_inside(projection_, p, q);

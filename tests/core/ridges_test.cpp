@@ -12,46 +12,14 @@
 
 #include "lineatlas/lines.hpp"
 #include "test_meshes.hpp"
+#include "waves.hpp"
 
 namespace lineatlas {
 namespace {
 
 constexpr LineKindMask ridges_and_valleys = mask_of(LineKind::ridge) | mask_of(LineKind::valley);
-constexpr float wave = 2 * std::numbers::pi_v<float>; ///< from crest to crest of y = height cos(x)
-
-/// How waves are meshed: squares of `edge`, whose corners are shifted by up to a quarter of it
-/// within the surface and by `noise` edges off it.
-struct Waves {
-    float edge = 0.3F;
-    float noise = 0;
-    float height = 2.5F;
-    float crests = 3;
-    float length = 12; ///< along them, in z
-
-    Mesh mesh() const {
-        test::Random random{5};
-        const auto columns = static_cast<std::uint32_t>(crests * wave / edge);
-        const auto rows = static_cast<std::uint32_t>(length / edge);
-        Mesh result;
-        for (std::uint32_t row = 0; row <= rows; ++row) {
-            for (std::uint32_t column = 0; column <= columns; ++column) {
-                const float x =
-                    edge * (static_cast<float>(column) + random.between(-0.25F, 0.25F)) - wave / 2;
-                const float z = edge * (static_cast<float>(row) + random.between(-0.25F, 0.25F));
-                result.positions.emplace_back(
-                    x, height * std::cos(x) + edge * noise * random.between(-1, 1), z);
-            }
-        }
-        for (std::uint32_t row = 0; row < rows; ++row) {
-            for (std::uint32_t column = 0; column < columns; ++column) {
-                const std::uint32_t i = row * (columns + 1) + column, up = i + columns + 1;
-                result.triangles.push_back({i, up, i + 1});
-                result.triangles.push_back({i + 1, up, up + 1});
-            }
-        }
-        return result;
-    }
-};
+using test::wave;
+using test::Waves;
 
 /// What of the lines of waves runs where a crest or a furrow is.
 struct Found {
