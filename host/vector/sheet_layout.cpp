@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "base/numbers.hpp"
 #include "core/drawing_scale.hpp"
 #include "core/picture_size.hpp"
 #include "lineatlas/error.hpp"
@@ -18,22 +16,12 @@
 #include "sheet_frame.hpp"
 #include "sheet_grid.hpp"
 #include "sheet_measures.hpp"
+#include "sheet_options.hpp"
 #include "sheet_pixels.hpp"
 #include "title_block.hpp"
 
 namespace lineatlas {
 namespace {
-
-struct NamedField {
-    std::string_view name;
-    std::string SheetFields::*member;
-};
-constexpr std::array fields{
-    NamedField{"title", &SheetFields::title},     NamedField{"file", &SheetFields::file},
-    NamedField{"owner", &SheetFields::owner},     NamedField{"number", &SheetFields::number},
-    NamedField{"creator", &SheetFields::creator}, NamedField{"approver", &SheetFields::approver},
-    NamedField{"date", &SheetFields::date},
-};
 
 /// Least gaps along an axis of the page, in millimetres: before the first view, between two, behind
 /// the last.
@@ -174,6 +162,8 @@ struct Fit {
 
 /// At the largest scale of ISO 5455. Throws UsageError if there is none.
 Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
+    if (!places_on(grid, 0, frame, block))
+        throw UsageError("the page has no room for so many views; a larger one has");
     const glm::dvec2 room = frame.size();
     double largest =
         std::min(room.x / (unit * sum(grid.columns)), room.y / (unit * sum(grid.rows)));
@@ -183,8 +173,7 @@ Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const Shee
         const double value = parse_scale("the scale", scale);
         if (auto places = places_on(grid, unit * value, frame, block))
             return {scale, std::move(*places)};
-        constexpr double smaller = 0.99;
-        if (value >= largest && largest < 1e-9) throw UsageError("the page has no room for views");
+        constexpr double smaller = 0.99; // than the scale of the series
         largest = smaller * value;
     }
 }
@@ -252,18 +241,6 @@ SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 c
     return result;
 }
 
-void check(const SheetOptions& options) {
-    if (options.views.empty()) throw UsageError("a sheet has one view at least");
-    for (auto view = options.views.begin(); view != options.views.end(); ++view) {
-        view_direction(*view, {0, 1, 0});
-        if (std::find(options.views.begin(), view, *view) != view)
-            throw UsageError(
-                fmt::format("the view \"{}\" is named twice; a sheet has each once", *view));
-    }
-    if (!(options.unit > 0) || !std::isfinite(options.unit))
-        throw UsageError("the unit of the model must be a number of millimetres above 0");
-}
-
 /// Width and height in millimetres, as the sheet lies.
 glm::dvec2 page_size(const Page& page) {
     constexpr double widest_upright = 216; // A4, Letter and Legal
@@ -285,52 +262,10 @@ Bounds bounds_around(std::span<const glm::vec3> points) {
     return bounds;
 }
 
-/// Where the first side of a list ends: at a comma, but for that between two numbers.
-std::size_t end_of_view(std::string_view list) {
-    const std::size_t end = std::min(list.find(','), list.size());
-    if (!number_from(list.substr(0, end)) || end == list.size()) return end;
-    return std::min(list.find(',', end + 1), list.size());
-}
-
 } // namespace
 
-std::string_view name_of(ProjectionAngle angle) {
-    return angle == ProjectionAngle::first ? "first" : "third";
-}
-
-ProjectionAngle parse_projection_angle(std::string_view name) {
-    for (const ProjectionAngle known : {ProjectionAngle::first, ProjectionAngle::third})
-        if (name_of(known) == name) return known;
-    throw UsageError("unknown angle of projection \"" + std::string{name} +
-                     "\"; must be first or third");
-}
-
-void set_field(SheetFields& values, std::string_view name, std::string value) {
-    const auto known = std::ranges::find(fields, name, &NamedField::name);
-    if (known != fields.end()) {
-        values.*known->member = std::move(value);
-        return;
-    }
-    std::string names;
-    for (const NamedField& field : fields)
-        names.append(names.empty() ? "" : ", ").append(field.name);
-    throw UsageError("a title block has no field \"" + std::string{name} + "\"; there is " + names);
-}
-
-std::vector<std::string> parse_views(std::string_view text) {
-    SheetOptions options{.views = {}};
-    for (bool goes_on = true; goes_on;) {
-        const std::size_t end = end_of_view(text);
-        options.views.emplace_back(text.substr(0, end));
-        goes_on = end < text.size();
-        text.remove_prefix(goes_on ? end + 1 : end);
-    }
-    check(options);
-    return options.views;
-}
-
 SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions& options) {
-    check(options);
+    check_sheet_options(options);
     const Bounds bounds = bounds_around(points);
     const glm::dvec3 center = 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
     std::vector<Side> sides;

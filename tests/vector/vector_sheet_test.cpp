@@ -220,6 +220,15 @@ TEST(Sheet, ViewsAreNamedInAList) {
     EXPECT_THROW(lay_out_sheet({}), UsageError);
     EXPECT_THROW(Box{}.layout({.unit = 0}), UsageError);
     EXPECT_THROW(Box{}.layout({.page = parse_page("80x80mm")}), UsageError);
+    try {
+        Box{}.layout({.views = {"front", "30,20", "40,20", "50,20", "back", "left"},
+                      .page = parse_page("a6"),
+                      .measures = true});
+        FAIL() << "not refused";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string{error.what()}.find("no room for so many views"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(Sheet, SvgHasAGroupForEachView) {

@@ -1,0 +1,83 @@
+#include "sheet_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/numbers.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas {
+namespace {
+
+struct NamedField {
+    std::string_view name;
+    std::string SheetFields::*member;
+};
+constexpr std::array fields{
+    NamedField{"title", &SheetFields::title},     NamedField{"file", &SheetFields::file},
+    NamedField{"owner", &SheetFields::owner},     NamedField{"number", &SheetFields::number},
+    NamedField{"creator", &SheetFields::creator}, NamedField{"approver", &SheetFields::approver},
+    NamedField{"date", &SheetFields::date},
+};
+
+/// Where the first side of a list ends: at a comma, but for that between two numbers.
+std::size_t end_of_view(std::string_view list) {
+    const std::size_t end = std::min(list.find(','), list.size());
+    if (!number_from(list.substr(0, end)) || end == list.size()) return end;
+    return std::min(list.find(',', end + 1), list.size());
+}
+
+} // namespace
+
+void check_sheet_options(const SheetOptions& options) {
+    if (options.views.empty()) throw UsageError("a sheet has one view at least");
+    for (auto view = options.views.begin(); view != options.views.end(); ++view) {
+        view_direction(*view, {0, 1, 0});
+        if (std::find(options.views.begin(), view, *view) != view)
+            throw UsageError(
+                fmt::format("the view \"{}\" is named twice; a sheet has each once", *view));
+    }
+    if (!(options.unit > 0) || !std::isfinite(options.unit))
+        throw UsageError("the unit of the model must be a number of millimetres above 0");
+}
+
+std::string_view name_of(ProjectionAngle angle) {
+    return angle == ProjectionAngle::first ? "first" : "third";
+}
+
+ProjectionAngle parse_projection_angle(std::string_view name) {
+    for (const ProjectionAngle known : {ProjectionAngle::first, ProjectionAngle::third})
+        if (name_of(known) == name) return known;
+    throw UsageError("unknown angle of projection \"" + std::string{name} +
+                     "\"; must be first or third");
+}
+
+void set_field(SheetFields& values, std::string_view name, std::string value) {
+    const auto known = std::ranges::find(fields, name, &NamedField::name);
+    if (known != fields.end()) {
+        values.*known->member = std::move(value);
+        return;
+    }
+    std::string names;
+    for (const NamedField& field : fields)
+        names.append(names.empty() ? "" : ", ").append(field.name);
+    throw UsageError("a title block has no field \"" + std::string{name} + "\"; there is " + names);
+}
+
+std::vector<std::string> parse_views(std::string_view text) {
+    SheetOptions options{.views = {}};
+    for (bool goes_on = true; goes_on;) {
+        const std::size_t end = end_of_view(text);
+        options.views.emplace_back(text.substr(0, end));
+        goes_on = end < text.size();
+        text.remove_prefix(goes_on ? end + 1 : end);
+    }
+    check_sheet_options(options);
+    return options.views;
+}
+
+} // namespace lineatlas
