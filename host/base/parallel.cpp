@@ -18,15 +18,15 @@ constexpr std::chrono::milliseconds between_questions{50};
 thread_local const std::function<void()>* asked = nullptr; ///< of this thread; nullptr: nobody
 thread_local Clock::time_point asked_at;
 
-void ask() {
+} // namespace
+
+void ask_between_pieces() {
     if (asked == nullptr) return;
     const Clock::time_point now = Clock::now();
     if (now - asked_at < between_questions) return;
     asked_at = now;
     (*asked)();
 }
-
-} // namespace
 
 BetweenPieces::BetweenPieces(std::function<void()> ask) : ask_(std::move(ask)) {
     asked = &ask_;
@@ -40,7 +40,7 @@ BetweenPieces::~BetweenPieces() {
 void for_each_piece(std::size_t count, std::size_t piece,
                     const std::function<void(std::size_t, std::size_t)>& work) {
     const auto do_piece = [&](std::size_t first) {
-        ask();
+        ask_between_pieces();
         work(first, std::min(count, first + piece));
     };
 #ifdef LINEATLAS_TBB
@@ -54,6 +54,7 @@ void for_each_piece(std::size_t count, std::size_t piece,
 }
 
 void do_both(const std::function<void()>& one, const std::function<void()>& other) {
+    ask_between_pieces();
 #ifdef LINEATLAS_TBB
     tbb::parallel_invoke(one, other);
 #else

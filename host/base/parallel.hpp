@@ -32,6 +32,9 @@ class BetweenPieces {
     std::function<void()> ask_;
 };
 
+/// Asks as for_each_piece() does: for long loops of one thread.
+void ask_between_pieces();
+
 /// Does two things, at the same time if a core is free.
 void do_both(const std::function<void()>& one, const std::function<void()>& other);
 

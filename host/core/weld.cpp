@@ -178,6 +178,7 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
     std::vector<glm::uvec3> triangles;
     triangles.reserve(mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (i % usual_piece == 0) ask_between_pieces();
         const glm::uvec3 t = mesh.triangles[i];
         const std::uint32_t object = objects.of_triangle(i);
         const std::uint32_t a = weld_vertex(t.x, object), b = weld_vertex(t.y, object);
@@ -190,6 +191,7 @@ WeldedMesh weld(const Mesh& mesh, const MeshObjects& objects) {
     result.triangle_group.reserve(count);
     result.triangle_source.reserve(count);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i % usual_piece == 0) ask_between_pieces();
         if (kinds[i] != Triangle::proper) continue;
         triangles[result.triangle_source.size()] = triangles[i];
         result.triangle_source.push_back(static_cast<std::uint32_t>(i));
