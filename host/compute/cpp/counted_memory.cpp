@@ -1,5 +1,6 @@
 #include "counted_memory.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <utility>
@@ -22,15 +23,23 @@ struct Touched {
 };
 
 thread_local std::vector<Touched> tables;
+thread_local Touched* recent = nullptr; ///< which is touched again, most often
+
+/// The table that has this line; null: none, it is a variable of the kernel's own.
+Touched* table_with(std::uintptr_t at) {
+    const auto has = [&](const Touched& table) { return at >= table.first && at <= table.last; };
+    if (recent != nullptr && has(*recent)) return recent;
+    const auto found = std::ranges::find_if(tables, has);
+    return found == tables.end() ? nullptr : recent = &*found;
+}
 
 void touch(const void* address, std::size_t size, std::vector<std::uint64_t> Touched::*kind) {
     const auto begin = reinterpret_cast<std::uintptr_t>(address);
     for (std::uintptr_t at = begin / line; at <= (begin + size - 1) / line; ++at) {
-        for (Touched& table : tables) {
-            if (at < table.first || at > table.last) continue;
-            const std::uintptr_t place = at - table.first;
-            (table.*kind)[place / 64] |= std::uint64_t{1} << (place % 64);
-        }
+        Touched* table = table_with(at);
+        if (table == nullptr) continue;
+        const std::uintptr_t place = at - table->first;
+        (table->*kind)[place / 64] |= std::uint64_t{1} << (place % 64);
     }
 }
 
@@ -43,6 +52,7 @@ CountedMemory::CountedMemory(std::span<const std::span<const std::byte>> of) {
 
 CountedMemory::~CountedMemory() {
     tables.clear();
+    recent = nullptr;
 }
 
 std::uint64_t CountedMemory::bytes() const {
