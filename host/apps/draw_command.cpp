@@ -433,9 +433,10 @@ Command setup_draw(CLI::App& app) {
     a.kernels.declare(app, measuring);
     for (const char* form : {"--atlas", "--depth", "--strokes"})
         app.get_option(form)->group(measuring);
-    app.add_option("--repeat", a.repeat,
-                   "Frames to measure for --stats, --profile and --kernels; medians are printed. Of "
-                   "--stats every other frame is whole, the others wait after each stage")
+    app.add_option(
+           "--repeat", a.repeat,
+           "Frames to measure for --stats, --profile and --kernels; medians are printed. Of "
+           "--stats every other frame is whole, the others wait after each stage")
         ->capture_default_str()
         ->group(measuring);
 
