@@ -137,10 +137,16 @@ std::string disassembled(const fs::path& file, std::vector<std::string> options)
     throw Error("objdump does not run; install it (package binutils)");
 }
 
-/// Of the program, or library, that holds the kernels: what its addresses are counted from.
-std::uintptr_t origin_of(const Dl_info& place) {
+/// The program, or library, that holds the kernels. A program's own name may be no path.
+fs::path file_of(const Dl_info& place) {
+    const fs::path named = place.dli_fname;
+    return named.has_parent_path() ? named : fs::read_symlink("/proc/self/exe");
+}
+
+/// What its addresses are counted from.
+std::uintptr_t origin_of(const Dl_info& place, const fs::path& file) {
     Elf64_Ehdr header{};
-    std::ifstream{place.dli_fname, std::ios::binary}.read(reinterpret_cast<char*>(&header),
+    std::ifstream{file, std::ios::binary}.read(reinterpret_cast<char*>(&header),
                                                           sizeof header);
     return header.e_type == ET_EXEC ? 0 : reinterpret_cast<std::uintptr_t>(place.dli_fbase);
 }
@@ -166,13 +172,14 @@ std::string assembly_of_cpp(const compute::Kernel& kernel) {
     Dl_info place{};
     if (::dladdr(reinterpret_cast<const void*>(own->run), &place) == 0)
         throw Error("the kernels as C++ are not found in this program");
-    const std::uintptr_t origin = origin_of(place);
+    const fs::path file = file_of(place);
+    const std::uintptr_t origin = origin_of(place, file);
     const auto option = [&](const char* name, std::uintptr_t at) {
         return fmt::format("--{}-address={:#x}", name, at - origin);
     };
     return with_loops(
         fmt::format("{} as C++, {}", kernel.name, compute::host_instruction_set()),
-        disassembled(place.dli_fname, {option("start", address(*own)), option("stop", end)}));
+        disassembled(file, {option("start", address(*own)), option("stop", end)}));
 }
 
 /// The library that PoCL has made of a kernel; empty if this is not PoCL.
