@@ -98,7 +98,7 @@ own() { # NAME...: their files, without the version
     local name
     for name in "$@"; do basename "$root"/packages/"$name"_*.deb | sed 's,^,/packages/,'; done
 }
-mapfile -t files < <(own lineatlas lineatlas-viewer lineatlas-bench liblineatlas0.1 liblineatlas-io0.1)
+mapfile -t files < <(own lineatlas lineatlas-doc lineatlas-viewer lineatlas-bench liblineatlas0.1 liblineatlas-io0.1)
 step "apt install of the tool with viewer, bench and drivers" install "${files[@]}"
 step "lineatlas draw to PNG" enter "$root" lineatlas draw --scene clevis -o /root/clevis.png --size 400x300
 is_png clevis.png
@@ -109,7 +109,7 @@ grep -q opencl "$log" || fail "no OpenCL device"
 if [ "$suite" = bookworm ]; then # the page shows what its PoCL prints
     cp tests/package/walk.sh "$root/root"
     step "objdump for it" install --no-install-recommends binutils
-    step "the walk of profiling.md" enter "$root" /root/walk.sh /usr/share/doc/lineatlas/profiling.md \
+    step "the walk of profiling.md" enter "$root" /root/walk.sh /usr/share/doc/lineatlas/docs/profiling.md \
         /usr/bin/lineatlas /usr/share/lineatlas/kernels
 fi
 step "lineatlas bench" enter "$root" lineatlas bench kernels --help

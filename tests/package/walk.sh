@@ -3,7 +3,7 @@
 # TOOL, with KERNELS as the folder that is installed as /usr/share/lineatlas/kernels and its own as
 # /usr/bin. Every line of
 # the block of output below them must be among what they print, whatever its numbers and what they are
-# judged by; but for those of perf, which are of chance.
+# judged by; but for those of perf, which are of chance. The house stands for the ship, which takes long.
 set -euo pipefail
 
 page=$(realpath "$1") tool=$(realpath "$2") kernels=$(realpath "$3")
@@ -22,7 +22,7 @@ awk '/^ *```sh$/ { file = ++n ".sh"; next }
      file { print substr($0, file ~ /txt/ ? indent + 1 : 1) > file }' "$page"
 
 without_numbers() {
-    sed -E 's/[0-9]+(\.[0-9]+)?/N/g; s/ +/ /g; s/^ //; s/ (same|cannot be told|latency|memory|arithmetic|launch)?$//' "$1"
+    sed -E 's/ on opencl: .*\): / on a device: /; s/, (avx[0-9]+|baseline): /, a set: /; s/loop [0-9a-f]+ to [0-9a-f]+/loop/; s/[0-9]+(\.[0-9]+)?/N/g; s/ +/ /g; s/^ //; s/ (same|cannot be told|latency|memory|arithmetic|launch)?$//' "$1"
 }
 is_printed() { # LINE
     grep -Fxq -- "$1" seen || { cat printed && echo "walk: not printed: $1" >&2 && exit 1; }
@@ -30,7 +30,7 @@ is_printed() { # LINE
 count=0
 for block in $(printf '%s\n' *.sh | sort -n); do
     output=${block%.sh}.txt what=$(sed 's/^ *//;q' "$block")
-    sed -i "s,/usr/share/lineatlas/kernels,$kernels,; s,/usr/bin,${tool%/*}," "$block"
+    sed -i "s,--scene ship,--scene house,; s,/usr/share/lineatlas/kernels,$kernels,; s,/usr/bin,${tool%/*}," "$block"
     if grep -q '^ *perf ' "$block"; then
         if ! perf stat true 2>/dev/null; then
             echo "walk: not walked, perf does not work here: $what"
