@@ -64,14 +64,15 @@ struct KernelTime {
     std::string name;           ///< of the kernel
     std::uint64_t launches = 0; ///< in all frames
     double median = 0;          ///< of a launch
-    double p10 = 0, p90 = 0;    ///< the 10th and the 90th percentile
+    double p10 = 0;             ///< the 10th percentile
+    double p90 = 0;             ///< the 90th percentile
     double sum = 0;             ///< of all launches
     double bytes = 0;           ///< of a launch, mean; 0 if it was not counted
     double operations = 0;      ///< of a launch, mean
     /// 10^9 bytes a second of a launch, the median: launches may be of unequal size.
     double gigabytes_per_second = 0;
     double gigaops_per_second = 0; ///< 10^9 operations a second, likewise
-    Bound bound = Bound::unknown;
+    Bound bound = Bound::unknown;  ///< what it waits for
 };
 
 /// Every kernel of the frames, the longest sum first. `counts`: of one such frame; the k-th launch
