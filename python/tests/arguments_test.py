@@ -53,7 +53,7 @@ class Refused(unittest.TestCase):
                    lineatlas.Group, xyz=1)
 
     def test_of_styles(self) -> None:
-        wanted = "width must be a number above 0 and at most 1000 pixels, not "
+        wanted = 'width must be a number above 0 and at most 1000 pixels, or a length on paper as "0.5mm", not '
         self.check(wanted + "None", lineatlas.Style, width=None)
         self.check(wanted + "[1, 'a']", lineatlas.Style, width=[1, "a"])
         style = lineatlas.Style()

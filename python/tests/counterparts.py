@@ -123,6 +123,7 @@ ELSEWHERE = {
     "VectorOptions": "Renderer.to_svg()", "VectorOptions.mesh": "Renderer.to_svg(tags)",
     "VectorOptions.plotter": "Renderer.to_svg(plotter)", "Page.*": "Renderer.to_svg(page)", "Unit.*": "Renderer.to_svg(page)",
     "Length.*": "Renderer.to_svg(margin)", "length_in()": "Renderer.to_svg(margin)", "parse_length()": "Renderer.to_svg(margin)",
+    "style_on_page()": "Renderer.to_svg(page)",
     "parse_page()": "Renderer.to_svg(page)", "parse_unit()": "Renderer.to_svg(margin)",
     "VectorDrawing.*": "Renderer.to_json()", "VectorPath.*": "Renderer.to_json()", "VectorPiece.*": "Renderer.to_json()",
     "VectorPoint.*": "Renderer.to_json()", "make_vector_drawing()": "Renderer.to_json()", "to_dxf()": "Renderer.to_dxf()",

@@ -124,7 +124,7 @@ TEST_F(DrawingTest, WidthsArePapersOnAnyPage) {
                                   page + " -o " + path("p.svg"));
         EXPECT_EQ(result.exit_code, 0) << result.output;
         const std::string text = text_of("p.svg");
-        for (const char* width : {"stroke-width=\"0.5\"", "stroke-width=\"0.25\""})
+        for (const char* width : {"stroke-width=\".5\"", "stroke-width=\".25\""})
             EXPECT_NE(text.find(width), std::string::npos) << page << ": " << width;
     }
 }

@@ -17,13 +17,14 @@ SKIPPED = {
     r"16000x12000": "takes a minute",
     r"model\.(session|json)": "is what the viewer saves",
     r"LINEATLAS_KERNEL_DIR|POCL_|perf ": "is of a kernel folder, PoCL's or perf's own",
+    r"lineatlas bench |--kernels |--assembly": "is walked with the page of profiling",
     r"--certify|lineatlas check": "needs the module of rays",  # unless it is there, see setUp
 }
 
 # The tool, on pictures and sequences that are small enough for a test. Everything else is as the page has it.
 WRAPPER = """#!/bin/bash
 case " $* " in
-*" draw "*" --size "* | *" draw "*" --page "* | *" draw "*" --scale "*) size=() ;;
+*" draw "*" --views "* | *" draw "*" --size "* | *" draw "*" --page "* | *" draw "*" --scale "*) size=() ;;
 *" draw "*) size=(--size 200x150) ;;
 esac
 case " $* " in
@@ -81,7 +82,7 @@ class Commands(unittest.TestCase):
         for name in ["part", "valve", "flange"]:
             write_stl(self.folder / f"{name}.stl", self.folder / "model.obj")
         pin = (ROOT / "tests/fuzz/inputs/step/pin.step").read_bytes()
-        for name in ["part", "flange"]:
+        for name in ["part", "flange", "bracket"]:
             (self.folder / f"{name}.step").write_bytes(pin)
         (self.folder / "walk.json").write_text(next(blocks((ROOT / "docs/output.md").read_text(), "json")))
         (self.folder / "widths.toml").write_text(next(blocks((ROOT / "docs/solves.md").read_text(), "toml")))

@@ -12,6 +12,8 @@ from documents import PAGES, ROOT, blocks
 # What the pieces take for granted: what a program of the reader's has.
 PROGRAM = """
 #include <atomic>
+#include <fstream>
+#include <iostream>
 #include <optional>
 #include <vector>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -19,8 +21,10 @@ PROGRAM = """
 #include <lineatlas/camera_path.hpp>
 #include <lineatlas/io.hpp>
 #include <lineatlas/openmesh.hpp>
+#include <lineatlas/kernel_profile.hpp>
 #include <lineatlas/profile.hpp>
 #include <lineatlas/renderer.hpp>
+#include <lineatlas/sheet.hpp>
 #include <lineatlas/style_files.hpp>
 #include <lineatlas/vector.hpp>
 #include <lineatlas/visibility.hpp>
@@ -34,6 +38,7 @@ struct Program {
     Style style;
     Camera camera;
     View door, roof;
+    std::vector<FrameProfile> profiles;
     glm::mat4 view, projection;
     glm::ivec2 size;
     std::vector<float> vertices;

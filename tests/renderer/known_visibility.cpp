@@ -193,7 +193,7 @@ Known t_junction(bool, const Camera& camera) {
     const auto whole = [&](glm::vec3 p, glm::vec3 q) {
         known.answers.push_back({p, q, {{0, length_px(camera, p, q)}}});
     };
-    whole(low, high), whole(low, middle), whole(middle, high); // boundaries, one on the other
+    whole(low, middle), whole(middle, high); // each an edge of two faces
     const auto drawn = [&](glm::vec3 p, glm::vec3 q, bool visible) {
         known.line(p, q, {});
         if (visible) known.answers.back().visible = {{0, length_px(camera, p, q)}};

@@ -102,7 +102,7 @@ std::vector<WrongOptions> wrong_styles() {
         {"cap-length must be", style([](Style& s) { s.pen.cap_length = -5; })},
         {"density must be", style([](Style& s) { s.density.limit = -1; })},
         {"halo must be", style([](Style& s) { s.filter.halo = -4; })},
-        {"halo must be a number from 0 to 10000 pixels, not nan",
+        {"halo must be a number from 0 to 10000 pixels, or a length on paper as \"0.5mm\", not nan",
          style([](Style& s) { s.filter.halo = nan; })},
         {"join must be one of", style([](Style& s) { s.pen.join = Join{99}; })},
         {"hidden-width must be", style([](Style& s) { s.hidden_pen.width = endless; })},
