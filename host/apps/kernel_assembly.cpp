@@ -146,8 +146,7 @@ fs::path file_of(const Dl_info& place) {
 /// What its addresses are counted from.
 std::uintptr_t origin_of(const Dl_info& place, const fs::path& file) {
     Elf64_Ehdr header{};
-    std::ifstream{file, std::ios::binary}.read(reinterpret_cast<char*>(&header),
-                                                          sizeof header);
+    std::ifstream{file, std::ios::binary}.read(reinterpret_cast<char*>(&header), sizeof header);
     return header.e_type == ET_EXEC ? 0 : reinterpret_cast<std::uintptr_t>(place.dli_fbase);
 }
 
@@ -177,9 +176,8 @@ std::string assembly_of_cpp(const compute::Kernel& kernel) {
     const auto option = [&](const char* name, std::uintptr_t at) {
         return fmt::format("--{}-address={:#x}", name, at - origin);
     };
-    return with_loops(
-        fmt::format("{} as C++, {}", kernel.name, compute::host_instruction_set()),
-        disassembled(file, {option("start", address(*own)), option("stop", end)}));
+    return with_loops(fmt::format("{} as C++, {}", kernel.name, compute::host_instruction_set()),
+                      disassembled(file, {option("start", address(*own)), option("stop", end)}));
 }
 
 /// The library that PoCL has made of a kernel; empty if this is not PoCL.
