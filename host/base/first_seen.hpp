@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace lineatlas {
 
 /// A hash of three numbers in their order, for FirstSeen.
@@ -17,6 +19,13 @@ inline std::uint32_t hash_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) 
     h ^= h >> 29U;
     h *= 0xBF58476D1CE4E5B9ULL;
     return static_cast<std::uint32_t>(h >> 32U);
+}
+
+/// Of a position: positions that are equal have the same, -0 and 0 too.
+inline std::uint32_t hash_of(glm::vec3 at) {
+    at += 0.0F; // -0 becomes 0
+    return hash_of(std::bit_cast<std::uint32_t>(at.x), std::bit_cast<std::uint32_t>(at.y),
+                   std::bit_cast<std::uint32_t>(at.z));
 }
 
 /// An open-addressing table from keys to the index of their first appearance.

@@ -1,6 +1,5 @@
 #include "lineatlas/volume.hpp"
 
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -25,14 +24,12 @@ class Places {
         if (index >= positions_.size())
             throw UsageError("a triangle has the position " + std::to_string(index) +
                              ", but there are " + std::to_string(positions_.size()));
-        const glm::vec3 at = positions_[index] + 0.0F; // -0 is 0
-        return seen_.find_or_add(index, hash_of(bits(at.x), bits(at.y), bits(at.z)),
+        const glm::vec3 at = positions_[index];
+        return seen_.find_or_add(index, hash_of(at),
                                  [&](std::uint32_t other) { return positions_[other] == at; });
     }
 
   private:
-    static std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
-
     std::span<const glm::vec3> positions_;
     FirstSeen seen_;
 };

@@ -26,12 +26,6 @@ bool is_finite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-std::uint32_t hash_of_place(glm::vec3 v) {
-    v += 0.0F; // -0 becomes 0
-    return hash_of(std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
-                   std::bit_cast<std::uint32_t>(v.z));
-}
-
 /// Per position one that is equal to it, the same for all that are equal. Which of them that is
 /// may differ from run to run, since several threads fill the table.
 std::vector<std::uint32_t> equal_positions(const std::vector<glm::vec3>& positions) {
@@ -42,7 +36,7 @@ std::vector<std::uint32_t> equal_positions(const std::vector<glm::vec3>& positio
     for_each_index(positions.size(), [&](std::size_t i) {
         const std::size_t mask = table.size() - 1;
         const auto fresh = static_cast<std::uint32_t>(i + 1);
-        for (std::size_t slot = hash_of_place(positions[i]) & mask;; slot = (slot + 1) & mask) {
+        for (std::size_t slot = hash_of(positions[i]) & mask;; slot = (slot + 1) & mask) {
             std::uint32_t known = 0; // what is there, if it is not empty
             if (table[slot].compare_exchange_strong(known, fresh, std::memory_order_relaxed)) {
                 equal[i] = fresh - 1;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -31,11 +30,6 @@ glm::vec3 place_of(glm::vec3 corner) {
     return {without_rest(corner.x), without_rest(corner.y), without_rest(corner.z)};
 }
 
-std::uint32_t hash_at(glm::vec3 place) {
-    return hash_of(std::bit_cast<std::uint32_t>(place.x), std::bit_cast<std::uint32_t>(place.y),
-                   std::bit_cast<std::uint32_t>(place.z));
-}
-
 /// Facets as faces of a soup, in which equal corners are one.
 class FacetWelder {
   public:
@@ -64,7 +58,7 @@ class FacetWelder {
         const auto fresh = static_cast<std::uint32_t>(soup_.positions.size());
         if (fresh == seen_.room()) make_room();
         const std::uint32_t vertex =
-            seen_.find_or_add(fresh, hash_at(place), [&](std::uint32_t known) {
+            seen_.find_or_add(fresh, hash_of(place), [&](std::uint32_t known) {
                 return place_of(soup_.positions[known]) == place;
             });
         if (vertex == fresh) soup_.positions.emplace_back(corner);
@@ -74,7 +68,7 @@ class FacetWelder {
     void make_room() {
         seen_ = FirstSeen(2 * soup_.positions.size());
         for (std::uint32_t i = 0; i < soup_.positions.size(); ++i)
-            seen_.find_or_add(i, hash_at(place_of(soup_.positions[i])),
+            seen_.find_or_add(i, hash_of(place_of(soup_.positions[i])),
                               [](std::uint32_t) { return false; });
     }
 

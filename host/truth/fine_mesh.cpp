@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
@@ -84,12 +83,9 @@ class Divider {
         FirstSeen table{mesh_.positions.size()};
         place_of_.reserve(mesh_.positions.size());
         for (std::uint32_t i = 0; i < mesh_.positions.size(); ++i) {
-            const glm::vec3 at = mesh_.positions[i] + 0.0F; // -0 becomes 0
-            const std::uint32_t hash =
-                hash_of(std::bit_cast<std::uint32_t>(at.x), std::bit_cast<std::uint32_t>(at.y),
-                        std::bit_cast<std::uint32_t>(at.z));
+            const glm::vec3 at = mesh_.positions[i];
             place_of_.push_back(table.find_or_add(
-                i, hash, [&](std::uint32_t known) { return mesh_.positions[known] == at; }));
+                i, hash_of(at), [&](std::uint32_t known) { return mesh_.positions[known] == at; }));
         }
     }
 
