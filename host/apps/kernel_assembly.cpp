@@ -155,10 +155,8 @@ std::string assembly_of_cpp(const compute::Kernel& kernel) {
         return reinterpret_cast<std::uintptr_t>(form.run);
     };
     const auto forms = compute::host_kernels();
-    const auto own = std::ranges::find_if(forms, [&](const compute::HostKernel& form) {
-        return form.name == kernel.name && form.defines == kernel.defines;
-    });
-    if (own == forms.end()) {
+    const compute::HostKernel* own = compute::find_form(forms, kernel.name, kernel.defines);
+    if (own == nullptr) {
         throw UsageError(fmt::format("the kernel {} has barriers and does not run as C++; "
                                      "--device names an OpenCL device",
                                      kernel.name));

@@ -55,10 +55,8 @@ std::vector<Kernel> list_kernels() {
 std::vector<HostFunction> list_functions() {
     std::vector<HostFunction> all;
     for (const Kernel& kernel : all_kernels()) {
-        const auto own = std::ranges::find_if(host_kernels(), [&](const HostKernel& host) {
-            return host.name == kernel.name && host.defines == kernel.defines;
-        });
-        all.push_back(own != host_kernels().end() ? own->run : nullptr);
+        const HostKernel* own = find_form(host_kernels(), kernel.name, kernel.defines);
+        all.push_back(own != nullptr ? own->run : nullptr);
     }
     return all;
 }

@@ -19,13 +19,6 @@
 namespace lineatlas::compute {
 namespace {
 
-const HostKernel& counted_form(const Kernel& kernel) {
-    const auto own = std::ranges::find_if(counted_kernels(), [&](const HostKernel& host) {
-        return host.name == kernel.name && host.defines == kernel.defines;
-    });
-    return *own; // cpp's tuning launches none that has barriers
-}
-
 class CountingDevice final : public Device {
   public:
     explicit CountingDevice(std::vector<LaunchCounts>& counts)
@@ -62,8 +55,9 @@ class CountingDevice final : public Device {
         }
         const CountedMemory touched{memory};
         const std::uint64_t before = counted_operations;
-        counted_form(launch.kernel)
-            .run(launch.parameters.data(), tables.data(), 0, launch.items, launch.items);
+        // cpp's tuning launches none that has barriers.
+        find_form(counted_kernels(), launch.kernel.name, launch.kernel.defines)
+            ->run(launch.parameters.data(), tables.data(), 0, launch.items, launch.items);
         counts_.push_back(
             {std::string{launch.kernel.name}, touched.bytes(), counted_operations - before});
     }

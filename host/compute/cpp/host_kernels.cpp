@@ -1,5 +1,7 @@
 #include "host_kernels.hpp"
 
+#include <algorithm>
+
 namespace lineatlas::compute {
 
 // kernels.cpp, compiled once for each instruction set.
@@ -49,6 +51,13 @@ const InstructionSet& instruction_set() {
 }
 
 } // namespace
+
+const HostKernel* find_form(std::span<const HostKernel> all, std::string_view name,
+                            std::string_view defines) {
+    const auto found = std::ranges::find_if(
+        all, [&](const HostKernel& form) { return form.name == name && form.defines == defines; });
+    return found != all.end() ? &*found : nullptr;
+}
 
 std::span<const HostKernel> host_kernels() {
     return instruction_set().kernels();

@@ -20,6 +20,10 @@ struct HostKernel {
     HostFunction run;
 };
 
+/// That of a name and defines among `all`; null if it is not there.
+const HostKernel* find_form(std::span<const HostKernel> all, std::string_view name,
+                            std::string_view defines);
+
 /// All kernels, compiled for the best instruction set that this processor has.
 std::span<const HostKernel> host_kernels();
 
