@@ -261,10 +261,10 @@ std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
 }
 
 std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> edges,
-                             std::span<const double> bends) {
+                             std::span<const double> bends, double flat) {
     std::vector<bool> is_flat(triangles, false);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (edges[i].face_count != 2 || bends[i] >= flat_bend) continue;
+        if (edges[i].face_count != 2 || bends[i] >= flat) continue;
         is_flat[edges[i].face_a] = true;
         is_flat[edges[i].face_b & LA_FACE_INDEX] = true;
     }

@@ -48,9 +48,9 @@ std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
 /// Faces one of whose edges bends by less than this, in radians, are flat there: 0.5 degrees.
 inline constexpr double flat_bend = 0.008726646259971648;
 
-/// Per triangle whether it is flat across some edge.
+/// Per triangle whether it is flat across some edge, which bends by less than `flat`.
 std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> edges,
-                             std::span<const double> bends);
+                             std::span<const double> bends, double flat = flat_bend);
 
 /// LineOptions::crease where it is nothing: what bends less is no crease, and what bends more
 /// is none only where it is noise (noisy_creases.hpp). 28.8 degrees: the sides of a prism with

@@ -433,12 +433,8 @@ class RidgeFinder {
 std::vector<std::uint32_t> undesigned_faces(const WeldedMesh& mesh,
                                             const std::vector<MeshEdge>& edges,
                                             std::span<const double> bends, const MeshParts& parts) {
-    std::vector<bool> coplanar(mesh.triangles.size(), false);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (edges[i].face_count != 2 || bends[i] >= coplanar_bend) continue;
-        coplanar[edges[i].face_a] = true;
-        coplanar[edges[i].face_b & LA_FACE_INDEX] = true;
-    }
+    const std::vector<bool> coplanar =
+        flat_faces(mesh.triangles.size(), edges, bends, coplanar_bend);
     struct Area {
         double all = 0, coplanar = 0, slivers = 0;
         std::uint32_t triangles = 0;
