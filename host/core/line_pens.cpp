@@ -218,7 +218,6 @@ std::vector<std::string> idle_rules(const LineClasses& classes, const Style& sty
 
 void scale_lengths(Style& style, glm::ivec2 size) {
     multiply_lengths(style, length_scale(style, size));
-    style.made_for = 0;
 }
 
 } // namespace lineatlas

@@ -13,6 +13,7 @@ void multiply_lengths(Style& style, float factor) {
         if (rule.width) *rule.width *= factor;
         if (rule.cap_length) *rule.cap_length *= factor;
     }
+    style.made_for = 0;
 }
 
 } // namespace lineatlas

@@ -7,7 +7,6 @@ namespace lineatlas {
 
 Style style_of_view(const Style& style, const SheetView& view) {
     Style result = style;
-    result.made_for = 0;
     multiply_lengths(result, static_cast<float>(length_in({1, Unit::px}, Unit::mm) * sheet_pixels));
     if (view.pictorial) result.hidden = false;
     return result;

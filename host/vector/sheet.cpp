@@ -44,9 +44,7 @@ Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin
 Style style_on_page(const Style& style, glm::ivec2 picture, const Page& page, Length margin) {
     const Sheet sheet = lay_out(picture, page, margin, Unit::px);
     Style result = style;
-    if (!(style.made_for > 0)) return result;
-    multiply_lengths(result, static_cast<float>(1 / sheet.scale));
-    result.made_for = 0;
+    if (style.made_for > 0) multiply_lengths(result, static_cast<float>(1 / sheet.scale));
     return result;
 }
 
