@@ -15,8 +15,6 @@
 namespace lineatlas {
 namespace {
 
-constexpr double least_length = 20; ///< cracks are wide at most a share of their edges: 1 over it
-
 using Cell = std::array<std::int64_t, 3>;
 
 /// An edge of one triangle, from its end in the lesser cell to the other one.
@@ -36,7 +34,7 @@ class CrackCloser {
     CrackCloser(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges)
         : mesh_(mesh), widest_(widest_crack_of(mesh)), merged_(mesh.vertices.size()) {
         for (const MeshEdge& edge : edges) {
-            if (edge.face_count == 1 && distance(edge.p, edge.q) > least_length * widest_)
+            if (edge.face_count == 1 && distance(edge.p, edge.q) > least_lengths_of_crack * widest_)
                 boundaries_.push_back(boundary(edge));
         }
         std::ranges::stable_sort(boundaries_, [](const Boundary& a, const Boundary& b) {

@@ -11,6 +11,9 @@ namespace lineatlas {
 /// How far apart boundaries may be that lie on each other: 0.001 % of the model's diagonal, or what
 /// Mesh::precision allows.
 double widest_crack_of(const WeldedMesh& mesh);
+/// So many times as long are the boundaries that are asked: cracks are wide at most a share of
+/// them.
+inline constexpr double least_lengths_of_crack = 20;
 
 /// Makes one edge of two where boundaries of a mesh lie on each other but for rounding: many
 /// programs write each face of a body, or each patch of a surface, with corners of its own, which

@@ -10,11 +10,11 @@
 
 #include "cracks.hpp"
 #include "diagonal.hpp"
+#include "groups.hpp"
 
 namespace lineatlas {
 namespace {
 
-constexpr double least_length = 20; ///< of boundaries, over how far apart they may be
 /// Boundaries at a corner, each compared with each other: more are no surface's.
 constexpr std::size_t most_at_vertex = 16;
 
@@ -31,19 +31,22 @@ class Finder {
   public:
     Finder(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges)
         : mesh_(mesh), edges_(edges), widest_(widest_crack_of(mesh)),
-          first_(mesh.vertices.size() + 1, 0) {
-        for_each_end([&](std::uint32_t vertex, std::uint32_t) { ++first_[vertex + 1]; });
-        for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-        boundaries_.resize(first_.back());
-        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-        for_each_end(
-            [&](std::uint32_t vertex, std::uint32_t edge) { boundaries_[next[vertex]++] = edge; });
+          boundaries_(mesh.vertices.size(), edges.size(), [&](std::size_t i, const auto& add) {
+              const MeshEdge& edge = edges_[i];
+              if (edge.face_count != 1 ||
+                  !(distance(edge.p, edge.q) > least_lengths_of_crack * widest_))
+                  return;
+              add(edge.p, static_cast<std::uint32_t>(i));
+              add(edge.q, static_cast<std::uint32_t>(i));
+          }) {
+        for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
+            std::ranges::sort(boundaries_[vertex]);
     }
 
     /// By edge, then along it.
     std::vector<Corner> find() {
-        for (std::uint32_t vertex = 0; vertex + 1 < first_.size(); ++vertex) {
-            const std::span<const std::uint32_t> here = boundaries_of(vertex);
+        for (std::uint32_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) {
+            const std::span<const std::uint32_t> here = boundaries_[vertex];
             if (here.size() > most_at_vertex) continue;
             for (std::size_t i = 0; i < here.size(); ++i)
                 for (std::size_t k = i + 1; k < here.size(); ++k) follow(vertex, here[i], here[k]);
@@ -57,22 +60,8 @@ class Finder {
     }
 
   private:
-    template <class Each>
-    void for_each_end(const Each& each) const {
-        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-            const MeshEdge& edge = edges_[i];
-            if (edge.face_count != 1 || !(distance(edge.p, edge.q) > least_length * widest_))
-                continue;
-            each(edge.p, i);
-            each(edge.q, i);
-        }
-    }
-
     glm::dvec3 at(std::uint32_t vertex) const { return glm::dvec3{mesh_.vertices[vertex]}; }
     double distance(std::uint32_t a, std::uint32_t b) const { return glm::distance(at(a), at(b)); }
-    std::span<const std::uint32_t> boundaries_of(std::uint32_t vertex) const {
-        return std::span{boundaries_}.subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
-    }
     std::uint32_t other_end(std::uint32_t edge, std::uint32_t vertex) const {
         return edges_[edge].p == vertex ? edges_[edge].q : edges_[edge].p;
     }
@@ -109,7 +98,7 @@ class Finder {
 
     /// From an edge's end to the boundary that goes on from there, if any does.
     bool step(std::uint32_t& edge, std::uint32_t& from, std::uint32_t end) const {
-        const std::span<const std::uint32_t> here = boundaries_of(end);
+        const std::span<const std::uint32_t> here = boundaries_[end];
         if (here.size() > most_at_vertex) return false;
         for (const std::uint32_t next : here) {
             if (next == edge || !is_on(end, from, other_end(next, end))) continue;
@@ -123,7 +112,7 @@ class Finder {
     const WeldedMesh& mesh_;
     const std::vector<MeshEdge>& edges_;
     double widest_;
-    std::vector<std::uint32_t> first_, boundaries_; ///< per vertex
+    Groups<std::uint32_t> boundaries_; ///< by vertex, ascending
     std::vector<Corner> found_;
 };
 
