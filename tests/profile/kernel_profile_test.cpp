@@ -1,13 +1,12 @@
 // Why kernels take their time: from profiles and counts made here to rows, and the four outputs.
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "lineatlas/kernel_profile.hpp"
+#include "words_of.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -110,16 +109,6 @@ TEST(KernelProfile, SaysWhy) {
     EXPECT_EQ(kernel(kernel_times(frames(), counts(), {10, 0}), "atlas", "atlas").bound,
               Bound::latency);
     EXPECT_TRUE(kernel_times({}, counts(), roofs).empty());
-}
-
-std::vector<std::string> words_of(const std::string& text, const std::string& first) {
-    std::istringstream lines{text};
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with(first)) continue;
-        std::istringstream words{line};
-        return {std::istream_iterator<std::string>{words}, {}};
-    }
-    return {};
 }
 
 TEST(KernelProfile, Outputs) {

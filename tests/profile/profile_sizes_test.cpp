@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,6 +11,7 @@
 
 #include "compute/stages/stages.hpp"
 #include "lineatlas/profile.hpp"
+#include "words_of.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -31,17 +30,6 @@ std::vector<FrameProfile> two_commands() {
                     {compute, "atlas", "read", 701'000, 801'000, 0, 0, 100'000}};
     frame.copy_gigabytes_per_second = 16;
     return {frame};
-}
-
-/// The words of the line that begins with `first`.
-std::vector<std::string> words_of(const std::string& text, const std::string& first) {
-    std::istringstream lines{text};
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with(first)) continue;
-        std::istringstream words{line};
-        return {std::istream_iterator<std::string>{words}, {}};
-    }
-    return {};
 }
 
 TEST(ProfileSizes, OfTheTable) {
